@@ -1,0 +1,2 @@
+from manipplan.robots.catalog import *
+from manipplan.robots.robot import Robot

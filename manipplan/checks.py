@@ -1,0 +1,96 @@
+"""Checks of arguments that every public function shares: one clear error, before work starts."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from manipplan.errors import FileFormatError, InvalidInputError
+
+Array = NDArray[np.float64]
+
+
+def finite_array(argument: str, value: ArrayLike, shape: tuple[int | None, ...]) -> Array:
+    """`value` as a read-only float array of `shape` (None: any length), every entry finite."""
+    array = number_array(argument, value)
+    if array.ndim != len(shape) or any(want not in (None, have) for want, have in zip(shape, array.shape, strict=True)):
+        wanted = "(" + ", ".join("any" if k is None else str(k) for k in shape) + ("," if len(shape) == 1 else "") + ")"
+        raise InvalidInputError(argument, value, f"numbers of shape {wanted}, not {array.shape}")
+    return _all_finite(argument, value, array)
+
+
+def configurations(argument: str, value: ArrayLike, n: int) -> Array:
+    """`value` as configurations of shape (..., n) [rad or m], every entry finite."""
+    array = number_array(argument, value)
+    if array.ndim == 0 or array.shape[-1] != n:
+        raise InvalidInputError(argument, value, f"one value per joint, shape ({n},) or (..., {n}), not {array.shape}")
+    return _all_finite(argument, value, array)
+
+
+def positive_array(argument: str, value: ArrayLike, n: int) -> Array:
+    """`value`, one number or n of them, as a read-only array (n,), each > 0 (inf: no limit)."""
+    array = number_array(argument, value)
+    if array.shape not in ((), (n,)):
+        raise InvalidInputError(argument, value, f"one number or {n} of them, one per joint")
+    if not (array > 0).all():
+        raise InvalidInputError(argument, value, "numbers above zero (inf where there is no limit)")
+    array = np.broadcast_to(array, (n,)).copy()
+    array.flags.writeable = False
+    return array
+
+
+def number(argument: str, value: Any, *, above: float = -np.inf, least: float = -np.inf, most: float = np.inf) -> float:
+    """`value` as one finite float, > above, >= least, <= most."""
+    wanted = ["a finite number"]
+    if np.isfinite(above):
+        wanted.append(f"above {above:g}")
+    if np.isfinite(least):
+        wanted.append(f"at least {least:g}")
+    if np.isfinite(most):
+        wanted.append(f"at most {most:g}")
+    if isinstance(value, bool) or not isinstance(value, int | float | np.floating | np.integer):
+        raise InvalidInputError(argument, value, ", ".join(wanted))
+    if not (np.isfinite(value) and value > above and least <= value <= most):
+        raise InvalidInputError(argument, value, ", ".join(wanted))
+    return float(value)
+
+
+def whole_number(argument: str, value: Any, *, least: int) -> int:
+    """`value` as an int >= least."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
+        raise InvalidInputError(argument, value, f"a whole number, at least {least}")
+    return int(value)
+
+
+def existing_file(argument: str, path: str | Path) -> Path:
+    """`path` as an existing file; when it does not exist, names the files beside it that come nearest."""
+    path = Path(path).expanduser()
+    if path.is_file():
+        return path
+    if path.is_dir():
+        raise FileFormatError(argument, str(path), "a file, not a folder")
+    import difflib
+
+    beside = [f.name for f in path.parent.iterdir() if f.is_file()] if path.parent.is_dir() else []
+    near = difflib.get_close_matches(path.name, beside, n=3, cutoff=0.5)
+    hint = f"; did you mean {', '.join(near)} in the same folder?" if near else ""
+    raise FileFormatError(argument, str(path), f"an existing file{hint}")
+
+
+def number_array(argument: str, value: ArrayLike) -> Array:
+    """`value` as a new float array; anything that is not numbers is an error."""
+    try:
+        raw = np.asarray(value)
+        if raw.dtype.kind not in "iuf":
+            raise TypeError(raw.dtype)
+        return np.array(raw, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise InvalidInputError(argument, value, "real numbers") from error
+
+
+def _all_finite(argument: str, value: ArrayLike, array: Array) -> Array:
+    if not np.isfinite(array).all():
+        raise InvalidInputError(argument, value, "finite numbers, no NaN or inf")
+    array.flags.writeable = False
+    return array

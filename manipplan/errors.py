@@ -1,0 +1,65 @@
+"""Every error that manipplan raises on purpose. One root, children that carry what went wrong.
+
+A wrong argument raises at once (`InvalidInputError` and its children), before any work starts. Mathematics that did not
+work out raises `PlanningError`, which holds the result and its status; ``throw=False`` returns that result instead.
+"""
+
+import difflib
+from collections.abc import Iterable
+from typing import Any
+
+
+class ManipplanError(Exception):
+    """Root of all errors of this package."""
+
+
+class InvalidInputError(ManipplanError, ValueError):
+    """An argument is not usable: names the argument, its value and what is allowed."""
+
+    def __init__(self, argument: str, value: object, allowed: str) -> None:
+        self.argument = argument
+        self.value = value
+        self.allowed = allowed
+        super().__init__(f"{argument}: got {_short(value)}; allowed: {allowed}")
+
+
+class UnknownNameError(InvalidInputError):
+    """A name that does not exist, with the nearest names that do."""
+
+    def __init__(self, argument: str, name: str, known: Iterable[str]) -> None:
+        self.known = sorted(known)
+        near = difflib.get_close_matches(name, self.known, n=3, cutoff=0.5)
+        listed = ", ".join(near or self.known[:12])
+        more = "" if near or len(self.known) <= 12 else f", ... ({len(self.known)} in all)"
+        allowed = f"did you mean {listed}?" if near else f"one of {listed}{more}"
+        super().__init__(argument, name, allowed)
+
+
+class FileFormatError(InvalidInputError):
+    """A file that cannot be read as what it should be."""
+
+
+class UnsupportedJointError(InvalidInputError):
+    """A joint of a kind that a serial chain of revolute and prismatic joints cannot hold."""
+
+
+class MissingExtraError(ManipplanError, ImportError):
+    """An optional package is not installed; the message is the line that installs it."""
+
+    def __init__(self, package: str, extra: str) -> None:
+        self.package = package
+        self.extra = extra
+        super().__init__(f"{package} is not installed; install it with: pip install 'manipplan[{extra}]'")
+
+
+class PlanningError(ManipplanError):
+    """No answer was found. `result` is what there is, with its status; None when there is nothing."""
+
+    def __init__(self, message: str, result: Any = None) -> None:
+        self.result = result
+        super().__init__(message)
+
+
+def _short(value: object) -> str:
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 160 else text[:157] + "..."

@@ -1,0 +1,48 @@
+"""Files that are written whole or not at all."""
+
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import IO
+
+from manipplan.errors import InvalidInputError
+
+
+def write_text(file: str | Path, text: str) -> None:
+    """Write `text` to `file` in one step: an interrupted call leaves what was there before."""
+    write_bytes(file, lambda stream: stream.write(text.encode()))
+
+
+def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
+    """Let `write` fill a temporary file beside `file`, then rename it to `file`.
+
+    Raises InvalidInputError when the folder does not exist or cannot be written.
+    """
+    path = Path(file).expanduser()
+    if path.is_dir():
+        raise InvalidInputError("file", str(path), "a file, not a folder")
+    try:
+        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
+    except OSError as error:
+        raise InvalidInputError("file", str(path), f"a place that can be written ({error.strerror})") from error
+    try:
+        with os.fdopen(handle, "wb") as stream:
+            write(stream)
+        os.chmod(name, 0o644)
+        os.replace(name, path)
+    except BaseException:
+        os.unlink(name)
+        raise
+
+
+def writable_folder(argument: str, folder: str | Path) -> Path:
+    """`folder`, made if it is not there; raises InvalidInputError when it cannot be written."""
+    path = Path(folder).expanduser()
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=path):
+            pass
+    except OSError as error:
+        raise InvalidInputError(argument, str(path), f"a folder that can be written ({error.strerror})") from error
+    return path

@@ -1,0 +1,232 @@
+"""The nonlinear program: polynomial coefficients that minimise the energy within joint limits and clearance rows.
+
+Unknowns: coefficients x (n, k - 1) of a path of degree k, and one slack e >= 0 [m] a clearance row. Everything that
+changes between solves - ends, rows - is a parameter, so a program is built once for an arm, task, power and degree.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.optimize import basis
+from manipplan.optimize.objective import energy_density
+from manipplan.paths.joint import JointPath
+
+#: Gauss points of the energy.
+NODES = 40
+#: The curve is cut into so many pieces, whose control points all obey the joint limits: so does the curve.
+LIMIT_PIECES = 6
+#: Cost of a slack of one metre, in units of the first energy: a path that can be clear is.
+SLACK_COST = 1e3
+
+
+@dataclass(frozen=True, kw_only=True)
+class ClearanceRow:
+    """A point of the robot that has to stay on its side of a plane, at one place of the path.
+
+    The plane is fixed in the frame of joint `other` (0: the world); row: normal · (point - plane) >= distance.
+
+    Attributes:
+        s: place on the path.
+        joint, point: index of the joint that carries the point, and the point (3,) in its frame [m].
+        other, normal, offset: index of the joint that carries the plane, its unit normal (3,) and offset [m] there.
+        distance: to keep from the plane [m].
+    """
+
+    s: float
+    joint: int
+    point: Array
+    other: int
+    normal: Array
+    offset: float
+    distance: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Solution:
+    """What one solve gave: coefficients (n, k - 1), the largest slack [m], IPOPT's word and iterations."""
+
+    coefficients: Array
+    slack: float
+    status: str
+    iterations: int
+
+
+class PathProgram:
+    """The program for one arm, task, power and degree; see the module's text."""
+
+    def __init__(self, kinematics: Kinematics, power: float, degree: int) -> None:
+        self.kinematics = kinematics
+        self.power = power
+        self.degree = degree
+        self.n = kinematics.robot.n
+        self._solvers: dict[int, ca.Function] = {}
+        s, weights = np.polynomial.legendre.leggauss(NODES)
+        self._s, self._weights = (s + 1) / 2, weights / 2
+        self._energy = energy_density(kinematics, power)
+        self._row = _row_function(kinematics)
+        matrix = basis.subdivision(degree, LIMIT_PIECES)
+        line = matrix @ np.linspace(0.0, 1.0, degree + 1)
+        rows = matrix @ basis.to_bernstein(degree)
+        moving = np.abs(rows).max(axis=1, initial=0.0) > 1e-9
+        self._limit_rows, self._limit_line = rows[moving], line[moving]
+
+    def path(self, start: Array, goal: Array, coefficients: Array) -> JointPath:
+        """The path of given coefficients (n, k - 1)."""
+        control = basis.control_points(self.degree, start, goal, coefficients)
+        return JointPath(breaks=np.array([0.0, 1.0]), control=control[None])
+
+    def fit(self, path: JointPath, s: Array) -> Array:
+        """Coefficients (n, k - 1) of the least-squares fit to `path` sampled at s (m,), taken as equally spaced."""
+        even = np.linspace(0.0, 1.0, len(s))
+        rest = path(s) - (path.start + even[:, None] * (path.goal - path.start))
+        return np.asarray(np.linalg.lstsq(basis.bubbles(self.degree, even), rest, rcond=None)[0].T)
+
+    def solve(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
+        """Minimise the energy from a guess (n, k - 1); rows that cannot hold come back with their slack."""
+        capacity = 0 if not rows else next(c for c in (32, 128, 512, 2048, 8192) if c >= len(rows))
+        solver = self._solver(capacity)
+        scale = self._guess_energy(start, goal, guess)
+        parameters = np.concatenate([start, goal, [1 / scale], self._row_parameters(rows, capacity).ravel(order="F")])
+        limits = self.kinematics.robot.limits
+        joint_limits = np.repeat(limits.lower, len(self._limit_line)), np.repeat(limits.upper, len(self._limit_line))
+        result = solver(
+            x0=np.concatenate([guess.ravel(order="F"), np.zeros(capacity)]),
+            p=parameters,
+            lbx=np.concatenate([np.full(guess.size, -np.inf), np.zeros(capacity)]),
+            ubx=np.inf,
+            lbg=np.concatenate([joint_limits[0], np.zeros(capacity)]),
+            ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
+        )
+        stats = solver.stats()
+        x = np.asarray(result["x"]).ravel()
+        return Solution(
+            coefficients=x[: guess.size].reshape(guess.shape, order="F"),
+            slack=float(x[guess.size : guess.size + len(rows)].max(initial=0.0)),
+            status=str(stats["return_status"]),
+            iterations=int(stats["iter_count"]),
+        )
+
+    def _guess_energy(self, start: Array, goal: Array, guess: Array) -> float:
+        q = start[:, None] + np.outer(goal - start, self._s) + guess @ basis.bubbles(self.degree, self._s).T
+        v = (goal - start)[:, None] + guess @ basis.bubble_slopes(self.degree, self._s).T
+        energy = float(np.asarray(self._energy(q, v)[0]).ravel() @ self._weights)
+        return energy if np.isfinite(energy) and energy > 0 else 1.0
+
+    def _row_parameters(self, rows: Sequence[ClearanceRow], capacity: int) -> Array:
+        """One column a row; unused columns hold a row that is always met."""
+        joints = self.n + 1
+        bubbles = self.degree - 1
+        table = np.zeros((bubbles + 1 + 2 * joints + 8, capacity))
+        table[bubbles + 1, :] = table[bubbles + 1 + joints, :] = 1.0
+        table[-2, :] = -1.0  # offset -1 m and no normal: 0 >= -1
+        for k, row in enumerate(rows):
+            carrier, other = np.eye(joints)[row.joint], np.eye(joints)[row.other]
+            place = [*basis.bubbles(self.degree, np.array([row.s]))[0], row.s]
+            table[:, k] = [*place, *carrier, *other, *row.point, *row.normal, row.offset, row.distance]
+        return table
+
+    def _solver(self, capacity: int) -> ca.Function:
+        if capacity not in self._solvers:
+            self._solvers[capacity] = self._build(capacity)
+        return self._solvers[capacity]
+
+    def _build(self, capacity: int) -> ca.Function:
+        """IPOPT on the program with `capacity` clearance rows, with exact first and second derivatives."""
+        n, bubbles = self.n, self.degree - 1
+        size = n * bubbles
+        z = ca.MX.sym("z", size + capacity)
+        x = ca.reshape(z[:size], n, bubbles)
+        slack = z[size:]
+        width = bubbles + 1 + 2 * (n + 1) + 8
+        p = ca.MX.sym("p", 2 * n + 1 + width * capacity)
+        start, goal, scale = p[:n], p[n : 2 * n], p[2 * n]
+        table = ca.reshape(p[2 * n + 1 :], width, capacity)
+        values, slopes = basis.bubbles(self.degree, self._s), basis.bubble_slopes(self.degree, self._s)
+
+        # the energy: e(q_i, v_i) at the nodes, q = line + x φ, v = line' + x φ'
+        q = start @ ca.DM.ones(1, NODES) + (goal - start) @ ca.DM(self._s).T + x @ ca.DM(values).T
+        v = (goal - start) @ ca.DM.ones(1, NODES) + x @ ca.DM(slopes).T
+        energy, gradient, hessian = self._energy.map(NODES)(q, v)
+        weights = scale * ca.DM(self._weights).T
+        f = ca.dot(energy, weights) + SLACK_COST * ca.sum1(slack)
+        weighed = gradient * ca.repmat(weights, 2 * n, 1)
+        grad_x = weighed[:n, :] @ ca.DM(values) + weighed[n:, :] @ ca.DM(slopes)
+        grad_f = ca.vertcat(ca.vec(grad_x), SLACK_COST * ca.MX.ones(capacity))
+        maps = [ca.vertcat(*(ca.kron(ca.DM(row[None, :]), ca.DM.eye(n)) for row in (values[i], slopes[i]))) for i in range(NODES)]
+        stacked = ca.sparsify(ca.vertcat(*maps))
+        blocks = ca.diagcat(*(w * h for w, h in zip(ca.horzsplit(weights), ca.horzsplit(hessian, 2 * n), strict=True)))
+        hess_x = stacked.T @ blocks @ stacked
+
+        # joint limits: control points of the pieces, linear in x
+        rows = len(self._limit_line)
+        points = start @ ca.DM.ones(1, rows) + (goal - start) @ ca.DM(self._limit_line).T + x @ ca.DM(self._limit_rows).T
+        limits = ca.vec(points.T)
+        jac_limits = ca.kron(ca.sparsify(ca.DM(self._limit_rows)), ca.DM.eye(n))
+        order = [j * rows + i for i in range(rows) for j in range(n)]
+        jac_limits = jac_limits[list(np.argsort(order)), :]
+
+        # clearance: one row function of q a column of the table
+        g = limits
+        jac_g = ca.horzcat(ca.MX(jac_limits), ca.MX(n * rows, capacity))
+        lam = ca.MX.sym("lam", n * rows + capacity)
+        if capacity:
+            place, at = table[:bubbles, :], table[bubbles, :]
+            q_rows = start @ ca.DM.ones(1, capacity) + (goal - start) @ at + x @ place
+            distance, slope, bend = self._row.map(capacity)(q_rows, table[bubbles + 1 :, :])
+            g = ca.vertcat(g, distance.T + slack)
+            chain = [ca.kron(column.T, ca.DM.eye(n)) for column in ca.horzsplit(place)]
+            jac_rows = [column.T @ link for column, link in zip(ca.horzsplit(slope), chain, strict=True)]
+            jac_g = ca.vertcat(jac_g, ca.horzcat(ca.vertcat(*jac_rows), ca.DM.eye(capacity)))
+            chained = ca.vertcat(*chain)
+            multipliers = ca.vertsplit(lam[n * rows :])
+            bends = ca.diagcat(*(m * h for m, h in zip(multipliers, ca.horzsplit(bend, n), strict=True)))
+            row_hessian = chained.T @ bends @ chained
+        else:
+            row_hessian = ca.MX(size, size)
+        lam_f = ca.MX.sym("lam_f")
+        full = ca.diagcat(ca.densify(lam_f * hess_x + row_hessian), ca.MX(capacity, capacity))
+        options = {
+            "grad_f": ca.Function("grad_f", [z, p], [f, grad_f]),
+            "jac_g": ca.Function("jac_g", [z, p], [g, jac_g]),
+            "hess_lag": ca.Function("hess_lag", [z, p, lam_f, lam], [ca.triu(full)]),
+            "print_time": False,
+            "error_on_fail": False,
+            "ipopt": {
+                "print_level": 0,
+                "sb": "yes",
+                "max_iter": 300,
+                "tol": 1e-9,
+                "constr_viol_tol": 1e-9,
+                "bound_relax_factor": 0.0,
+                "acceptable_iter": 0,
+            },
+        }
+        return ca.nlpsol("path", "ipopt", {"x": z, "p": p, "f": f, "g": g}, options)
+
+
+def _row_function(kinematics: Kinematics) -> ca.Function:
+    """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q.
+
+    The second argument is a column of the row table: which joint carries the point, which the plane, point, normal,
+    offset, distance to keep.
+    """
+    chain = kinematics.symbolic.chain
+    q = chain.q
+    joints = len(chain.joints)
+    carrier, other = ca.SX.sym("carrier", joints), ca.SX.sym("other", joints)
+    point, normal = ca.SX.sym("point", 3), ca.SX.sym("normal", 3)
+    offset, keep = ca.SX.sym("offset"), ca.SX.sym("keep")
+    position, plane_origin, plane_normal = ca.SX.zeros(3), ca.SX.zeros(3), ca.SX.zeros(3)
+    for k, placement in enumerate(chain.joints):
+        position += carrier[k] * (placement.origin + placement.rotation @ point)
+        plane_origin += other[k] * placement.origin
+        plane_normal += other[k] * (placement.rotation @ normal)
+    distance = ca.dot(plane_normal, position - plane_origin) - offset - keep
+    hessian, gradient = ca.hessian(distance, q)
+    column = ca.vertcat(carrier, other, point, normal, offset, keep)
+    return ca.Function("row", [q, column], [distance, ca.densify(gradient), ca.densify(hessian)])

@@ -1,0 +1,152 @@
+"""Trajectories to files that robots and people read, and back: CSV, JSON, ROS JointTrajectory in YAML, NumPy."""
+
+import csv
+import io
+import json
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from manipplan.checks import existing_file
+from manipplan.errors import FileFormatError, InvalidInputError
+from manipplan.files import write_bytes, write_text
+from manipplan.paths.trajectory import Trajectory
+
+FORMAT = "manipplan-trajectory"
+VERSION = 1
+
+
+def to_csv(trajectory: Trajectory, file: str | Path) -> None:
+    """One row a sample: time [s], q_<joint> [rad or m], qd_<joint>, qdd_<joint>; all digits."""
+    names = trajectory.joint_names
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(["time", *(f"{kind}_{name}" for kind in ("q", "qd", "qdd") for name in names)])
+    rows = np.column_stack([trajectory.t, trajectory.q, trajectory.qd, trajectory(trajectory.t, 2)])
+    writer.writerows([[repr(float(value)) for value in row] for row in rows])
+    write_text(file, out.getvalue())
+
+
+def from_csv(file: str | Path) -> Trajectory:
+    """Read `to_csv`'s file. Raises FileFormatError for another header, a short row, or what is not a number."""
+    path = existing_file("file", file)
+    wanted = "a CSV with columns time, q_<joint>..., qd_<joint>... (qdd_<joint>... may follow)"
+
+    def read() -> Trajectory:
+        with path.open(newline="") as stream:
+            header, *rows = list(csv.reader(stream))
+        names = [column.removeprefix("q_") for column in header[1:] if column.startswith("q_")]
+        n = len(names)
+        if n == 0 or header[: 1 + 2 * n] != ["time", *(f"q_{x}" for x in names), *(f"qd_{x}" for x in names)]:
+            raise FileFormatError("file", str(path), wanted)
+        data = np.array([[float(cell) for cell in row[: 1 + 2 * n]] for row in rows])
+        return Trajectory(t=data[:, 0], q=data[:, 1 : 1 + n], qd=data[:, 1 + n :], joint_names=tuple(names))
+
+    return _reading(path, wanted, read)
+
+
+def to_json(trajectory: Trajectory, file: str | Path) -> None:
+    """An object with format, version, joint_names, time, position and velocity."""
+    data = {
+        "format": FORMAT,
+        "version": VERSION,
+        "joint_names": list(trajectory.joint_names),
+        "time": trajectory.t.tolist(),
+        "position": trajectory.q.tolist(),
+        "velocity": trajectory.qd.tolist(),
+    }
+    write_text(file, json.dumps(data) + "\n")
+
+
+def from_json(file: str | Path) -> Trajectory:
+    """Read `to_json`'s file. Raises FileFormatError for another format or version."""
+    path = existing_file("file", file)
+    wanted = f"a JSON object with format {FORMAT!r} and version {VERSION}"
+
+    def read() -> Trajectory:
+        data = json.loads(path.read_text())
+        if not isinstance(data, dict) or (data.get("format"), data.get("version")) != (FORMAT, VERSION):
+            raise FileFormatError("file", str(path), wanted)
+        names = tuple(data["joint_names"])
+        return Trajectory(t=data["time"], q=data["position"], qd=data["velocity"], joint_names=names)
+
+    return _reading(path, wanted, read)
+
+
+def to_ros(trajectory: Trajectory, file: str | Path) -> None:
+    """A trajectory_msgs/JointTrajectory: positions, velocities, accelerations, time_from_start (sec, nanosec)."""
+    import yaml
+
+    points = []
+    accelerations = trajectory(trajectory.t, 2)
+    for t, q, qd, qdd in zip(trajectory.t, trajectory.q, trajectory.qd, accelerations, strict=True):
+        nanoseconds = round(float(t) * 1e9)
+        points.append(
+            {
+                "positions": q.tolist(),
+                "velocities": qd.tolist(),
+                "accelerations": qdd.tolist(),
+                "time_from_start": {"sec": nanoseconds // 10**9, "nanosec": nanoseconds % 10**9},
+            }
+        )
+    message = {"joint_names": list(trajectory.joint_names), "points": points}
+    dumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+    write_text(file, yaml.dump(message, Dumper=dumper, sort_keys=False, default_flow_style=None, width=1000))
+
+
+def from_ros(file: str | Path) -> Trajectory:
+    """Read a JointTrajectory in YAML. Raises FileFormatError when names, positions, velocities or times are missing."""
+    import yaml
+
+    path = existing_file("file", file)
+    wanted = "a JointTrajectory in YAML: joint_names and points with positions, velocities and time_from_start"
+
+    def read() -> Trajectory:
+        loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+        message = yaml.load(path.read_text(), Loader=loader)  # noqa: S506  # a safe loader, in C where there is one
+        if not isinstance(message, Mapping):
+            raise FileFormatError("file", str(path), wanted)
+        stamps = [point["time_from_start"] for point in message["points"]]
+        return Trajectory(
+            t=np.array([(stamp["sec"] * 10**9 + stamp["nanosec"]) / 1e9 for stamp in stamps]),
+            q=np.array([point["positions"] for point in message["points"]], dtype=float),
+            qd=np.array([point["velocities"] for point in message["points"]], dtype=float),
+            joint_names=tuple(message["joint_names"]),
+        )
+
+    return _reading(path, wanted, read)
+
+
+def to_npz(trajectory: Trajectory, file: str | Path) -> None:
+    """A NumPy archive with t, q, qd and joint_names."""
+    arrays = {"t": trajectory.t, "q": trajectory.q, "qd": trajectory.qd, "joint_names": np.array(trajectory.joint_names)}
+    write_bytes(file, lambda stream: np.savez(stream, **arrays))
+
+
+def from_npz(file: str | Path) -> Trajectory:
+    """Read `to_npz`'s file. Raises FileFormatError for another archive."""
+    path = existing_file("file", file)
+
+    def read() -> Trajectory:
+        with np.load(path, allow_pickle=False) as data:
+            return Trajectory(t=data["t"], q=data["q"], qd=data["qd"], joint_names=tuple(data["joint_names"].tolist()))
+
+    return _reading(path, "a NumPy archive with t, q, qd and joint_names", read)
+
+
+def _reading(path: Path, wanted: str, read: Callable[[], Trajectory]) -> Trajectory:
+    import zipfile
+
+    import yaml
+
+    try:
+        return read()
+    except FileFormatError:
+        raise
+    except InvalidInputError as error:
+        raise FileFormatError("file", str(path), f"{wanted}; {error}") from error
+    except (KeyError, IndexError, TypeError, ValueError, EOFError, zipfile.BadZipFile, yaml.YAMLError) as error:
+        reason = " ".join(f"{type(error).__name__}: {error}".split())[:160]
+        raise FileFormatError("file", str(path), f"{wanted} ({reason})") from error

@@ -1,0 +1,149 @@
+"""JointPath: a curve q(s), s in [0, 1], through joint space, as pieces in Bernstein form."""
+
+from dataclasses import dataclass
+from math import comb
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array, finite_array, number_array
+from manipplan.errors import InvalidInputError
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class JointPath:
+    """Polynomial pieces between `breaks`, each the Bernstein polynomial of its control points.
+
+    A piece lies in the convex hull of its control points, so limits that hold for these hold on the whole curve.
+
+    Attributes:
+        breaks: (p + 1,) where pieces begin and end: 0 = s_0 < s_1 < ... < s_p = 1.
+        control: (p, k + 1, n) control points [rad or m] of degree k; neighbours share their end points.
+    """
+
+    breaks: Array
+    control: Array
+
+    def __post_init__(self) -> None:
+        breaks = finite_array("breaks", self.breaks, (None,))
+        control = finite_array("control", self.control, (None, None, None))
+        if len(breaks) != len(control) + 1 or breaks[0] != 0 or breaks[-1] != 1 or not (np.diff(breaks) > 0).all():
+            raise InvalidInputError("breaks", breaks, f"{len(control) + 1} rising numbers from 0 to 1")
+        if control.shape[1] < 2:
+            raise InvalidInputError("control", control.shape, "at least two control points a piece")
+        if not np.allclose(control[:-1, -1], control[1:, 0], rtol=0, atol=1e-9):
+            raise InvalidInputError("control", "pieces that do not join", "pieces whose ends meet")
+        object.__setattr__(self, "breaks", breaks)
+        object.__setattr__(self, "control", control)
+
+    @classmethod
+    def line(cls, start: ArrayLike, goal: ArrayLike) -> "JointPath":
+        """The straight path from start (n,) to goal (n,): (6.9) in kth2012."""
+        return cls.through(np.stack([number_array("start", start), number_array("goal", goal)]))
+
+    @classmethod
+    def through(cls, waypoints: ArrayLike) -> "JointPath":
+        """Straight pieces through waypoints (k, n), k >= 2, each neighbour different; s goes with the arc length."""
+        points = finite_array("waypoints", waypoints, (None, None))
+        steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
+        if len(points) < 2 or not (steps > 0).all():
+            raise InvalidInputError("waypoints", points, "at least two points, neighbours different")
+        breaks = np.concatenate([[0.0], np.cumsum(steps)]) / steps.sum()
+        breaks[-1] = 1.0
+        return cls(breaks=breaks, control=np.stack([points[:-1], points[1:]], axis=1))
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return int(self.control.shape[2])
+
+    @property
+    def degree(self) -> int:
+        """Polynomial degree of the pieces."""
+        return int(self.control.shape[1] - 1)
+
+    @property
+    def start(self) -> Array:
+        """q(0), (n,)."""
+        return self.control[0, 0]
+
+    @property
+    def goal(self) -> Array:
+        """q(1), (n,)."""
+        return self.control[-1, -1]
+
+    def __call__(self, s: ArrayLike, order: int = 0) -> Array:
+        """q(s), or its derivative of the given order with respect to s; s (...) in [0, 1] gives (..., n)."""
+        s = number_array("s", s)
+        if not ((s >= 0) & (s <= 1)).all():
+            raise InvalidInputError("s", s, "numbers from 0 to 1")
+        piece = np.clip(np.searchsorted(self.breaks, s, side="right") - 1, 0, len(self.control) - 1)
+        width = np.diff(self.breaks)
+        control = self.control
+        for _ in range(order):
+            if control.shape[1] == 1:
+                return np.zeros((*s.shape, self.n))
+            control = np.diff(control, axis=1) * ((control.shape[1] - 1) / width[:, None, None])
+        u = (s - self.breaks[piece]) / width[piece]
+        return np.einsum("...k,...kn->...n", bernstein(control.shape[1] - 1, u), control[piece])
+
+    @property
+    def length(self) -> float:
+        """Arc length in joint space, ∫ ‖q'‖ ds: (6.5) in kth2012."""
+        s, weights = self.quadrature()
+        return float(weights @ np.linalg.norm(self(s, 1), axis=1))
+
+    def quadrature(self, *, panels: int = 40, points: int = 10) -> tuple[Array, Array]:
+        """Gauss points and weights over [0, 1], (m,) each; every piece is cut into about its share of `panels`."""
+        nodes, weights = np.polynomial.legendre.leggauss(points)
+        counts = np.maximum(1, np.ceil(panels * np.diff(self.breaks)).astype(int))
+        edges = np.concatenate(
+            [np.linspace(a, b, k + 1)[:-1] for a, b, k in zip(self.breaks, self.breaks[1:], counts, strict=False)] + [[1.0]]
+        )
+        half = np.diff(edges)[:, None] / 2
+        middle = (edges[:-1] + edges[1:])[:, None] / 2
+        return (middle + half * nodes).ravel(), (half * weights).ravel()
+
+    def bounds(self) -> tuple[Array, Array]:
+        """Least and greatest value of each joint on the whole curve, (n,) and (n,), from the roots of q'."""
+        low, high = self.control[:, [0, -1]].min(axis=(0, 1)), self.control[:, [0, -1]].max(axis=(0, 1))
+        k = self.degree
+        for piece in self.control:
+            inside = (piece.min(axis=0) >= low) & (piece.max(axis=0) <= high)
+            for joint in np.flatnonzero(~inside):
+                roots = np.roots(_power_basis(np.diff(piece[:, joint]))[::-1])
+                real = roots.real[(np.abs(roots.imag) < 1e-7) & (roots.real > 0) & (roots.real < 1)]
+                values = bernstein(k, real) @ piece[:, joint]
+                low[joint] = values.min(initial=low[joint])
+                high[joint] = values.max(initial=high[joint])
+        return low, high
+
+    def fine_samples(self, step: float = 1e-3) -> Array:
+        """Parameters s (m,) from 0 to 1 between which no joint moves more than `step` [rad or m]."""
+        s = np.linspace(0.0, 1.0, 2001)
+        speed = np.abs(self(s, 1)).max(axis=1)
+        gained = np.concatenate([[0.0], np.cumsum((speed[1:] + speed[:-1]) / 2 * np.diff(s))])
+        gained += 1e-9 * gained[-1] * s  # rises strictly also where the path stands still
+        count = int(np.ceil(1.05 * gained[-1] / step)) + 2
+        samples = np.interp(np.linspace(0.0, gained[-1], count), gained, s)
+        while True:
+            moved = np.abs(np.diff(self(samples), axis=0)).max(axis=1)
+            wide = np.flatnonzero(moved > step)
+            if not len(wide):
+                return samples
+            samples = np.insert(samples, wide + 1, (samples[wide] + samples[wide + 1]) / 2)
+
+
+def bernstein(degree: int, u: ArrayLike) -> Array:
+    """Values of the Bernstein polynomials of `degree` at u (...), (..., degree + 1)."""
+    u = np.asarray(u, dtype=float)[..., None]
+    j = np.arange(degree + 1)
+    return np.array([comb(degree, i) for i in j]) * u**j * (1 - u) ** (degree - j)
+
+
+def _power_basis(control: Array) -> Array:
+    """Coefficients, lowest power first, of a Bernstein polynomial (k + 1,)."""
+    k = len(control) - 1
+    return np.array(
+        [comb(k, j) * sum((-1) ** (j - i) * comb(j, i) * control[i] for i in range(j + 1)) for j in range(k + 1)]
+    )

@@ -1,0 +1,146 @@
+"""Trajectory: motion q(t) in time, piecewise cubic through samples of position and velocity."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array, finite_array, number_array
+from manipplan.errors import InvalidInputError
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Trajectory:
+    """The cubic Hermite spline of samples: what a joint trajectory controller makes of positions and velocities.
+
+    Attributes:
+        t: (k,) sample times [s], rising from 0, k >= 2.
+        q: (k, n) positions [rad or m].
+        qd: (k, n) velocities [rad/s or m/s].
+        joint_names: (n,) names in the order of the columns.
+    """
+
+    t: Array
+    q: Array
+    qd: Array
+    joint_names: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        t = finite_array("t", self.t, (None,))
+        if len(t) < 2 or t[0] != 0 or not (np.diff(t) > 0).all():
+            raise InvalidInputError("t", t, "at least two times, rising from 0")
+        shape = (len(t), len(self.joint_names))
+        object.__setattr__(self, "t", t)
+        object.__setattr__(self, "q", finite_array("q", self.q, shape))
+        object.__setattr__(self, "qd", finite_array("qd", self.qd, shape))
+        object.__setattr__(self, "joint_names", tuple(self.joint_names))
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return len(self.joint_names)
+
+    @property
+    def duration(self) -> float:
+        """Time from first to last sample [s]."""
+        return float(self.t[-1])
+
+    def segments(self) -> tuple[Array, Array]:
+        """Widths (k - 1,) [s] and cubic coefficients (4, k - 1, n), lowest power first, in time from the segment's start."""
+        h = np.diff(self.t)[:, None]
+        step = np.diff(self.q, axis=0) / h
+        first, last = self.qd[:-1], self.qd[1:]
+        second = (3 * step - 2 * first - last) / h
+        third = (first + last - 2 * step) / h**2
+        return h[:, 0], np.stack([self.q[:-1], first, second, third])
+
+    def __call__(self, t: ArrayLike, order: int = 0) -> Array:
+        """q(t), or its derivative of the given order; t (...) in [0, duration] gives (..., n).
+
+        The second derivative jumps at samples: there it is the one to the right.
+        """
+        t = number_array("t", t)
+        if not ((t >= 0) & (t <= self.duration)).all():
+            raise InvalidInputError("t", t, f"times from 0 to {self.duration:g} s")
+        segment = np.clip(np.searchsorted(self.t, t, side="right") - 1, 0, len(self.t) - 2)
+        coefficients = self.segments()[1]
+        for _ in range(order):
+            powers = np.arange(1, len(coefficients))[:, None, None]
+            coefficients = powers * coefficients[1:]
+        u = (t - self.t[segment])[..., None]
+        value = np.zeros((*t.shape, self.n))
+        for coefficient in coefficients[::-1]:
+            value = value * u + coefficient[segment]
+        return value
+
+    def slower(self, factor: float) -> "Trajectory":
+        """The same motion in `factor` (>= 1) times the time; sample times in whole nanoseconds."""
+        t = np.round(self.t * factor, 9)
+        return Trajectory(t=t, q=self.q, qd=self.qd / factor, joint_names=self.joint_names)
+
+    def to_csv(self, file: str | Path) -> None:
+        """Write time, positions and velocities of all samples as CSV; see `manipplan.paths.export`."""
+        from manipplan.paths import export
+
+        export.to_csv(self, file)
+
+    def to_json(self, file: str | Path) -> None:
+        """Write the samples as JSON."""
+        from manipplan.paths import export
+
+        export.to_json(self, file)
+
+    def to_ros(self, file: str | Path) -> None:
+        """Write a ROS trajectory_msgs/JointTrajectory in YAML."""
+        from manipplan.paths import export
+
+        export.to_ros(self, file)
+
+    def to_npz(self, file: str | Path) -> None:
+        """Write the samples as a NumPy archive."""
+        from manipplan.paths import export
+
+        export.to_npz(self, file)
+
+    @classmethod
+    def from_csv(cls, file: str | Path) -> "Trajectory":
+        """Read what `to_csv` wrote."""
+        from manipplan.paths import export
+
+        return export.from_csv(file)
+
+    @classmethod
+    def from_json(cls, file: str | Path) -> "Trajectory":
+        """Read what `to_json` wrote."""
+        from manipplan.paths import export
+
+        return export.from_json(file)
+
+    @classmethod
+    def from_ros(cls, file: str | Path) -> "Trajectory":
+        """Read a JointTrajectory in YAML that has positions, velocities and times."""
+        from manipplan.paths import export
+
+        return export.from_ros(file)
+
+    @classmethod
+    def from_npz(cls, file: str | Path) -> "Trajectory":
+        """Read what `to_npz` wrote."""
+        from manipplan.paths import export
+
+        return export.from_npz(file)
+
+
+
+def joined(parts: Sequence[Trajectory]) -> Trajectory:
+    """Trajectories one after another, each beginning where the one before ends."""
+    t, q, qd = [parts[0].t], [parts[0].q], [parts[0].qd]
+    for part in parts[1:]:
+        t.append(part.t[1:] + t[-1][-1])
+        q.append(part.q[1:])
+        qd.append(part.qd[1:])
+    return Trajectory(
+        t=np.round(np.concatenate(t), 9), q=np.concatenate(q), qd=np.concatenate(qd), joint_names=parts[0].joint_names
+    )

@@ -1,0 +1,278 @@
+"""CollisionModel: a robot in convex primitives among the obstacles of a scene, and which pairs are checked."""
+
+from collections import Counter
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array
+from manipplan.errors import InvalidInputError
+from manipplan.paths.joint import JointPath
+from manipplan.robots.primitives import core_of, fit_primitives, mesh_triangles
+from manipplan.robots.robot import Robot
+from manipplan.robots.scene import Scene
+
+#: A pair that touches at this share of so many random configurations is dropped as touching by construction.
+SAMPLES = 200
+ALWAYS = 0.95
+#: A pair whose primitives touch while its meshes do not at more than this share of the samples is checked with convex hulls,
+#: and when these are too coarse as well, with its meshes.
+COARSE = 0.02
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contact:
+    """The nearest points of one pair at one configuration.
+
+    Attributes:
+        pair: index into `CollisionModel.pair_names`.
+        distance: [m], negative where the two overlap.
+        normal: (3,) unit vector in the world, from the second body to the first.
+        point: (3,) point of the second body nearest to the first [m], in the world.
+    """
+
+    pair: int
+    distance: float
+    normal: Array
+    point: Array
+
+
+class CollisionModel:
+    """Collision and distance of one robot, with itself and with a scene, through Pinocchio and coal.
+
+    Not safe to share between threads: it holds Pinocchio's working data.
+
+    Attributes:
+        geometry: the primitives of the robot and the obstacles, with the pairs that are checked.
+        pair_names: (first, second) of every pair; the first belongs to the robot.
+        dropped: pairs of the robot's bodies that are not checked, with the reason.
+        primitives: how many objects of `geometry`, the first, are the primitives of the robot.
+    """
+
+    def __init__(
+        self, robot: Robot, geometry: pin.GeometryModel, dropped: Mapping[tuple[str, str], str], primitives: int = 0
+    ) -> None:
+        self.robot = robot
+        self.primitives = primitives
+        self.geometry = geometry
+        self.dropped = dropped
+        objects = geometry.geometryObjects
+        self.pair_names = tuple((objects[p.first].name, objects[p.second].name) for p in geometry.collisionPairs)
+        self._data = robot.model.createData()
+        self._geometry_data = pin.GeometryData(geometry)
+        self._margin = 0.0
+
+    @classmethod
+    def of(cls, robot: Robot, scene: Scene) -> "CollisionModel":
+        """The robot's meshes become primitives; pairs come from its SRDF, or from sampling without one.
+
+        Raises InvalidInputError when there are obstacles but the robot's description has no collision geometry.
+        """
+        alone = _self_model(robot)
+        geometry = alone.geometry.copy()
+        bodies = list(range(alone.primitives))
+        if scene.obstacles and not bodies:
+            raise InvalidInputError("scene", repr(scene), f"no obstacles: {robot.name} has no collision geometry to check")
+        for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
+            for k, shape in enumerate(obstacle.shapes()):
+                label = name if len(obstacle.shapes()) == 1 else f"{name}.{k}"
+                index = geometry.addGeometryObject(pin.GeometryObject(label, 0, 0, obstacle.pose, shape))
+                for body in bodies:
+                    if geometry.geometryObjects[body].parentJoint > 0:
+                        geometry.addCollisionPair(pin.CollisionPair(body, index))
+        return cls(robot, geometry, alone.dropped, alone.primitives)
+
+    def in_collision(self, q: Array, *, clearance: float = 0.0) -> bool:
+        """Whether any pair is nearer than `clearance` [m] at q (n,); 0: whether any pair touches."""
+        self._set_margin(clearance)
+        return bool(
+            pin.computeCollisions(self.robot.model, self._data, self.geometry, self._geometry_data, q, True)
+        )
+
+    def touching(self, q: Array) -> list[tuple[str, str]]:
+        """Names of the pairs that touch at q (n,)."""
+        return [self.pair_names[k] for k in self.touching_pairs(q)]
+
+    def touching_pairs(self, q: Array) -> list[int]:
+        """Indices of the pairs that touch at q (n,)."""
+        self._set_margin(0.0)
+        pin.computeCollisions(self.robot.model, self._data, self.geometry, self._geometry_data, q, False)
+        return [k for k, result in enumerate(self._geometry_data.collisionResults) if result.isCollision()]
+
+    def distances(self, q: Array) -> Array:
+        """Signed distance [m] of every pair at q (n,), (k,)."""
+        pin.computeDistances(self.robot.model, self._data, self.geometry, self._geometry_data, q)
+        return np.array([result.min_distance for result in self._geometry_data.distanceResults])
+
+    def clearance(self, q: Array) -> float:
+        """Least signed distance over all pairs at q (n,) [m]; inf when there is no pair."""
+        return float(self.distances(q).min(initial=np.inf))
+
+    def contacts(self, q: Array, pairs: Array) -> list[Contact]:
+        """Nearest points of the pairs with the given indices at q (n,)."""
+        pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
+        found = []
+        for pair in pairs:
+            result = pin.computeDistance(self.geometry, self._geometry_data, int(pair))
+            found.append(
+                Contact(
+                    pair=int(pair),
+                    distance=float(result.min_distance),
+                    normal=-np.array(result.normal),
+                    point=np.array(result.getNearestPoint2()),
+                )
+            )
+        return found
+
+    def free_configuration(self, argument: str, q: ArrayLike, clearance: float = 0.0) -> Array:
+        """Check that q (n,) is inside the limits and free; raises InvalidInputError that names limit or pair."""
+        q = self.robot.configuration(argument, q)
+        distances = self.distances(q)
+        nearest = int(distances.argmin()) if len(distances) else -1
+        if nearest >= 0 and (distances[nearest] <= 0 or distances[nearest] < clearance):
+            first, second = self.pair_names[nearest]
+            allowed = f"a free configuration; {first} and {second} are {distances[nearest]:.4g} m apart"
+            raise InvalidInputError(argument, q.tolist(), f"{allowed}, clearance {clearance:g} m" if clearance else allowed)
+        return q
+
+    def path_is_free(self, path: JointPath, step: float, clearance: float = 0.0) -> bool:
+        """Whether the path is free wherever no joint moves more than `step` [rad or m] between two checks.
+
+        Coarse checks come first, so that a path that is not free is found out early.
+        """
+        s = path.fine_samples(step)
+        q = path(s)
+        order = np.argsort([(k & -k if k else 1 << 30) for k in range(len(s))])[::-1]
+        return not any(self.in_collision(q[k], clearance=clearance) for k in order)
+
+    def core(self, body: int) -> tuple[Array, float]:
+        """Core points (k, 3) of a geometry object in its joint's frame, and the radius around them [m]."""
+        item = self.geometry.geometryObjects[body]
+        points, radius = core_of(item.geometry)
+        return points @ item.placement.rotation.T + item.placement.translation, radius
+
+    def _set_margin(self, clearance: float) -> None:
+        if clearance != self._margin:
+            for request in self._geometry_data.collisionRequests:
+                request.security_margin = clearance
+            self._margin = clearance
+
+
+def _self_model(robot: Robot) -> CollisionModel:
+    """The robot alone, built once: its primitives and the pairs of its own bodies that are checked."""
+    if "self" not in robot.cache:
+        geometry, origins = _primitive_geometry(robot)
+        primitives = geometry.ngeoms
+        dropped = _add_self_pairs(robot, geometry)
+        samples = [robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)]
+        for tighter in (_hull, _mesh):
+            _tighten_coarse_pairs(robot, geometry, origins, samples, tighter)
+        _drop_always_touching(robot, geometry, dropped, samples)
+        robot.cache["self"] = CollisionModel(robot, geometry, dropped, primitives)
+    model: CollisionModel = robot.cache["self"]
+    return model
+
+
+def _primitive_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int]]:
+    """The robot's geometry without meshes, and which object of the description each primitive stands for."""
+    geometry = pin.GeometryModel()
+    origins = []
+    for origin, item in enumerate(robot.geometry.geometryObjects):
+        if isinstance(item.geometry, coal.BVHModelBase):
+            fitted = fit_primitives(mesh_triangles(item.geometry))
+            shapes = [(primitive.shape, item.placement * primitive.placement) for primitive in fitted]
+        else:
+            shapes = [(item.geometry, item.placement)]
+        for k, (shape, placement) in enumerate(shapes):
+            name = item.name if len(shapes) == 1 else f"{item.name}.{k}"
+            geometry.addGeometryObject(pin.GeometryObject(name, item.parentJoint, item.parentFrame, placement, shape))
+            origins.append(origin)
+    return geometry, origins
+
+
+def _add_self_pairs(robot: Robot, geometry: pin.GeometryModel) -> dict[tuple[str, str], str]:
+    dropped: dict[tuple[str, str], str] = {}
+    parents = robot.model.parents
+    objects = list(geometry.geometryObjects)
+    for j, second in enumerate(objects):
+        for i, first in enumerate(objects[:j]):
+            joints = (first.parentJoint, second.parentJoint)
+            if joints[0] == joints[1]:
+                continue
+            if robot.disabled_pairs is not None:
+                links = frozenset(robot.model.frames[item.parentFrame].name for item in (first, second))
+                if links in robot.disabled_pairs:
+                    dropped[first.name, second.name] = "disabled in the SRDF"
+                    continue
+            if parents[joints[1]] == joints[0] or parents[joints[0]] == joints[1]:
+                dropped[first.name, second.name] = "adjacent"
+                continue
+            geometry.addCollisionPair(pin.CollisionPair(j, i))
+    return dropped
+
+
+def _hull(item: pin.GeometryObject) -> pin.GeometryObject:
+    if not isinstance(item.geometry, coal.BVHModelBase):
+        return _renamed(item, item.geometry, "exact")
+    item.geometry.buildConvexHull(True, "Qt")
+    return _renamed(item, item.geometry.convex, "hull")
+
+
+def _mesh(item: pin.GeometryObject) -> pin.GeometryObject:
+    return _renamed(item, item.geometry, "mesh")
+
+
+def _renamed(item: pin.GeometryObject, shape: coal.CollisionGeometry, suffix: str) -> pin.GeometryObject:
+    return pin.GeometryObject(f"{item.name}.{suffix}", item.parentJoint, item.parentFrame, item.placement, shape)
+
+
+def _tighten_coarse_pairs(
+    robot: Robot,
+    geometry: pin.GeometryModel,
+    origins: list[int],
+    samples: list[Array],
+    tighter: Callable[[pin.GeometryObject], pin.GeometryObject],
+) -> None:
+    """Pairs that touch at samples where the meshes they stand for do not are checked with tighter shapes instead."""
+    pairs = [(p.first, p.second) for p in geometry.collisionPairs]
+    stands_for = [(origins[i], origins[j]) for i, j in pairs]
+    described = robot.geometry.copy()
+    described_pairs = {pair: k for k, pair in enumerate(dict.fromkeys(stands_for))}
+    for i, j in described_pairs:
+        described.addCollisionPair(pin.CollisionPair(i, j))
+    model = CollisionModel(robot, geometry, {})
+    data, described_data = robot.model.createData(), pin.GeometryData(described)
+    coarse = Counter[tuple[int, int]]()
+    for number, q in enumerate(samples):
+        touching = {stands_for[k] for k in model.touching_pairs(q)}
+        pin.updateGeometryPlacements(robot.model, data, described, described_data, q)
+        for pair in touching:
+            if not pin.computeCollision(described, described_data, described_pairs[pair]):
+                coarse[pair] += SAMPLES if number == 0 else 1  # the first sample is the usual posture: it must be free
+    replaced = {pair for pair, count in coarse.items() if count > COARSE * SAMPLES}
+    added: dict[int, int] = {}
+    for pair in sorted(replaced):
+        for origin in pair:
+            if origin not in added:
+                added[origin] = geometry.addGeometryObject(tighter(robot.geometry.geometryObjects[origin]))
+                origins.append(origin)
+        geometry.addCollisionPair(pin.CollisionPair(added[pair[0]], added[pair[1]]))
+    for (i, j), origin_pair in zip(pairs, stands_for, strict=True):
+        if origin_pair in replaced:
+            geometry.removeCollisionPair(pin.CollisionPair(i, j))
+
+
+def _drop_always_touching(
+    robot: Robot, geometry: pin.GeometryModel, dropped: dict[tuple[str, str], str], samples: list[Array]
+) -> None:
+    """Drop pairs that touch nearly everywhere: they are built that way, as at a shoulder."""
+    model = CollisionModel(robot, geometry, {})
+    counts = Counter(k for q in samples for k in model.touching_pairs(q))
+    for k, pair in enumerate([(p.first, p.second) for p in geometry.collisionPairs]):
+        if counts[k] >= ALWAYS * len(samples):
+            geometry.removeCollisionPair(pin.CollisionPair(*pair))
+            dropped[model.pair_names[k]] = f"touching at {counts[k]} of {len(samples)} configurations"

@@ -1,0 +1,202 @@
+"""Robot descriptions: URDF, MJCF and SRDF files into Pinocchio models whose every configuration is a plain angle."""
+
+import xml.etree.ElementTree as ET
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TypeVar
+
+import numpy as np
+import pinocchio as pin
+
+from manipplan.checks import Array
+from manipplan.errors import FileFormatError
+from manipplan.robots.limits import JointLimits
+
+T = TypeVar("T")
+_LINK = " (link)"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Description:
+    """What a file says: the whole robot, its collision geometry, and which joint mimics which."""
+
+    file: Path
+    source: str
+    model: pin.Model
+    geometry: pin.GeometryModel
+    mimics: Mapping[str, str]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Semantics:
+    """What an SRDF says: the end effector, pairs not to check, and named postures."""
+
+    end_effector: str | None
+    disabled: frozenset[frozenset[str]]
+    postures: Mapping[str, Mapping[str, float]]
+
+    def posture(self, joints: Sequence[str], limits: JointLimits) -> Array | None:
+        """The first named posture that gives each of `joints` a value inside its limits."""
+        for values in self.postures.values():
+            if all(joint in values for joint in joints):
+                q = np.array([values[joint] for joint in joints])
+                if not limits.outside(q).any():
+                    return q
+        return None
+
+
+def read_urdf(file: Path, package_dirs: Sequence[str | Path] = ()) -> Description:
+    """The robot of a URDF; continuous joints become plain angles."""
+    root = _xml("file", file, "robot")
+    if root.find("link") is None:
+        raise FileFormatError("file", str(file), "a URDF with at least one <link>")
+    mimics = {}
+    for joint in root.iter("joint"):
+        leader = joint.find("mimic")
+        if leader is not None:
+            mimics[str(joint.get("name"))] = str(leader.get("joint"))
+    folders = [str(folder) for folder in package_dirs] + [str(folder) for folder in file.resolve().parents]
+    model = _pinocchio(file, "a URDF", lambda: pin.buildModelFromUrdf(str(file)))
+    geometry = _pinocchio(
+        file,
+        "a URDF whose meshes can be found (package_dirs= says where package:// starts)",
+        lambda: pin.buildGeomFromUrdf(model, str(file), pin.GeometryType.COLLISION, package_dirs=folders),
+    )
+    return Description(file=file, source="URDF", model=plain_angles(model), geometry=geometry, mimics=mimics)
+
+
+def read_mjcf(file: Path) -> Description:
+    """The robot of a MuJoCo MJCF file; unlimited hinges become plain angles."""
+    _xml("file", file, "mujoco")
+    model = _pinocchio(file, "an MJCF file", lambda: pin.buildModelFromMJCF(str(file)))
+    geometry = _pinocchio(
+        file,
+        "an MJCF file whose meshes can be found",
+        lambda: pin.buildGeomFromMJCF(model, str(file), pin.GeometryType.COLLISION),
+    )
+    return Description(file=file, source="MJCF", model=plain_angles(model), geometry=geometry, mimics={})
+
+
+def read_srdf(file: Path) -> Semantics:
+    """End effector, disabled pairs and named postures of an SRDF."""
+    root = _xml("srdf", file, "robot")
+    effector = root.find("end_effector")
+    disabled = {
+        frozenset((str(pair.get("link1")), str(pair.get("link2")))) for pair in root.findall("disable_collisions")
+    }
+    postures = {}
+    for state in root.findall("group_state"):
+        # a floating base has several values: it is no joint of an arm
+        single = [j for j in state.findall("joint") if len(str(j.get("value")).split()) == 1]
+        try:
+            postures[str(state.get("name"))] = {str(j.get("name")): float(str(j.get("value"))) for j in single}
+        except ValueError as error:
+            raise FileFormatError("srdf", str(file), f"numbers as joint values ({error})") from error
+    return Semantics(
+        end_effector=effector.get("parent_link") if effector is not None else None,
+        disabled=frozenset(disabled),
+        postures=postures,
+    )
+
+
+def is_revolute(joint: pin.JointModel) -> bool:
+    """Whether the joint turns about one fixed axis."""
+    return joint.shortname().startswith(("JointModelR", "JointModelRevolute")) and joint.nv == 1
+
+
+def is_prismatic(joint: pin.JointModel) -> bool:
+    """Whether the joint slides along one fixed axis."""
+    return joint.shortname().startswith("JointModelP") and joint.nv == 1 and "Planar" not in joint.shortname()
+
+
+def axis_of(joint: pin.JointModel) -> Array:
+    """Unit axis (3,) of a revolute or prismatic joint in its own frame."""
+    name = joint.shortname()
+    if name.endswith("Unaligned"):
+        return np.array(joint.extract().axis if hasattr(joint, "extract") else joint.axis, dtype=float)
+    return np.eye(3)["XYZ".index(name[-1])]
+
+
+def plain_angles(model: pin.Model) -> pin.Model:
+    """The same tree with unbounded revolute joints as plain angles, so that they count as one number each.
+
+    Pinocchio stores a continuous joint as cosine and sine; planning variables must be free.
+    """
+    if not any("RUB" in joint.shortname() or "RevoluteUnbounded" in joint.shortname() for joint in model.joints):
+        return model
+    plain = pin.Model()
+    plain.name = model.name
+    plain.gravity = model.gravity
+    for i in range(1, model.njoints):
+        joint = model.joints[i]
+        lower = model.lowerPositionLimit[joint.idx_q : joint.idx_q + joint.nq]
+        upper = model.upperPositionLimit[joint.idx_q : joint.idx_q + joint.nq]
+        effort = model.effortLimit[joint.idx_v : joint.idx_v + joint.nv]
+        velocity = model.velocityLimit[joint.idx_v : joint.idx_v + joint.nv]
+        if is_revolute(joint) and joint.nq == 2:
+            joint = pin.JointModelRevoluteUnaligned(axis_of(joint))
+            lower, upper = np.array([-np.inf]), np.array([np.inf])
+        index = plain.addJoint(model.parents[i], joint, model.jointPlacements[i], model.names[i], effort, velocity, lower, upper)
+        plain.inertias[index] = model.inertias[i]
+    plain.armature = model.armature
+    for frame in list(model.frames)[1:]:
+        plain.addFrame(frame, False)
+    return plain
+
+
+def reduce(
+    model: pin.Model, geometry: pin.GeometryModel, active: Sequence[str], held: Mapping[str, float]
+) -> tuple[pin.Model, pin.GeometryModel]:
+    """Lock every joint of `held` at its value; the geometry follows its link."""
+    q = pin.neutral(model)
+    for name, value in held.items():
+        joint = model.joints[model.getJointId(name)]
+        if joint.nq == 1:
+            q[joint.idx_q] = value
+    # Pinocchio looks a locked joint up by name alone, so a link of the same name stands aside meanwhile.
+    model = model.copy()
+    joints = set(model.names)
+    for frame in model.frames:
+        if frame.type == pin.FrameType.BODY and frame.name in joints:
+            frame.name = frame.name + _LINK
+    reduced, [geometry] = pin.buildReducedModel(model, [geometry], [model.getJointId(name) for name in held], q)
+    for frame in reduced.frames:
+        frame.name = frame.name.removesuffix(_LINK)
+    if list(reduced.names)[1:] != list(active):
+        raise FileFormatError("joints", list(active), f"the order of the description: {list(reduced.names)[1:]}")
+    return reduced, geometry
+
+
+def frame_index(model: pin.Model, name: str) -> int:
+    """Index of the frame called `name`; a link comes before a joint of the same name."""
+    found = [i for i, frame in enumerate(model.frames) if frame.name == name]
+    return min(found, key=lambda i: model.frames[i].type != pin.FrameType.BODY)
+
+
+def leaf_bodies(model: pin.Model) -> list[str]:
+    """Names of the body frames that carry no further body."""
+    bodies = [i for i, frame in enumerate(model.frames) if frame.type == pin.FrameType.BODY]
+    inner = set()
+    for frame in model.frames:
+        if frame.type in (pin.FrameType.JOINT, pin.FrameType.FIXED_JOINT):
+            inner.add(frame.parentFrame)
+    return [model.frames[i].name for i in bodies if i not in inner]
+
+
+def _xml(argument: str, file: Path, root_tag: str) -> ET.Element:
+    try:
+        root = ET.parse(file).getroot()
+    except ET.ParseError as error:
+        raise FileFormatError(argument, str(file), f"well-formed XML ({error})") from error
+    if root.tag != root_tag:
+        raise FileFormatError(argument, str(file), f"an XML file whose root is <{root_tag}>, not <{root.tag}>")
+    return root
+
+
+def _pinocchio(file: Path, wanted: str, build: Callable[[], T]) -> T:
+    try:
+        return build()
+    except (ValueError, RuntimeError, IndexError) as error:
+        reason = " ".join(str(error).split())[:200]
+        raise FileFormatError("file", str(file), f"{wanted}; Pinocchio says: {reason}") from error

@@ -1,0 +1,66 @@
+"""JointLimits: what each joint may do, and where each number comes from."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array, number_array, positive_array
+from manipplan.errors import InvalidInputError, UnknownNameError
+
+#: Where neither the user nor the catalogue names an acceleration limit: full speed is reached in this time [s].
+DEFAULT_RAMP_TIME = 0.2
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class JointLimits:
+    """Limits of n joints, each (n,), in SI units (rad or m, s, N m or N); inf where there is none.
+
+    `sources` tells for each kind where its numbers come from: the robot's file, a data sheet, the user, or the default.
+    Raises InvalidInputError when a limit is NaN, not above zero, or a lower bound is not below its upper bound.
+    """
+
+    lower: Array
+    upper: Array
+    velocity: Array
+    acceleration: Array
+    jerk: Array
+    effort: Array
+    sources: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        n = np.size(self.lower)
+        for name in ("lower", "upper"):
+            bound = number_array(f"limits.{name}", getattr(self, name))
+            if bound.shape != (n,) or np.isnan(bound).any():
+                raise InvalidInputError(f"limits.{name}", bound, f"{n} numbers, one per joint, no NaN")
+            bound.flags.writeable = False
+            object.__setattr__(self, name, bound)
+        if not (self.lower < self.upper).all():
+            raise InvalidInputError("limits.lower", self.lower, f"below limits.upper = {self.upper.tolist()}")
+        for name in ("velocity", "acceleration", "jerk", "effort"):
+            object.__setattr__(self, name, positive_array(f"limits.{name}", getattr(self, name), n))
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return len(self.lower)
+
+    def with_(self, *, source: str = "given", **changes: ArrayLike) -> "JointLimits":
+        """A copy with other limits, e.g. ``limits.with_(acceleration=5.0)``; one number serves all joints."""
+        known = {f.name for f in fields(self)} - {"sources"}
+        for name in changes:
+            if name not in known:
+                raise UnknownNameError("limit", name, known)
+        values = {
+            name: np.broadcast_to(number_array(f"limits.{name}", value), (self.n,))
+            if np.ndim(value) == 0
+            else number_array(f"limits.{name}", value)
+            for name, value in changes.items()
+        }
+        return replace(self, **values, sources={**self.sources, **dict.fromkeys(changes, source)})
+
+    def outside(self, q: Array) -> Array:
+        """How far each joint of q (..., n) is outside its position limits [rad or m]; 0 inside."""
+        return np.maximum(np.maximum(self.lower - q, q - self.upper), 0.0)

@@ -1,0 +1,338 @@
+"""Robot: a serial chain of active joints cut out of a robot description, with its limits, tool frame and geometry."""
+
+import logging
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array, configurations, existing_file, number_array
+from manipplan.errors import InvalidInputError, UnknownNameError, UnsupportedJointError
+from manipplan.robots import description
+from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
+
+if TYPE_CHECKING:
+    from manipplan.kinematics.kinematics import Kinematics
+    from manipplan.measures.task import Task
+
+log = logging.getLogger("manipplan")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Robot:
+    """An arm: n active joints from base to tool; every other joint of the description is locked.
+
+    Configurations are plain angles [rad] or lengths [m], (n,), also for continuous joints. Build one by
+    `load_robot`, `Robot.from_urdf`, `Robot.from_mjcf` or `planar_arm`.
+
+    Attributes:
+        name: what the arm is called.
+        model: the Pinocchio model of the active joints alone; its nq = nv = n.
+        geometry: the collision geometry as described (meshes and shapes), placed on `model`.
+        tool: name of the tool frame.
+        limits: JointLimits.
+        neutral: (n,) a usual posture inside the limits.
+        locked: joints of the description that are held, with the value they are held at.
+        disabled_pairs: pairs of bodies that need no self-collision check (from an SRDF); None without one.
+        planar: True when the arm moves in the x-y plane alone.
+        cache: what was built for this robot once and is used again (kinematics, fitted primitives).
+    """
+
+    name: str
+    model: pin.Model
+    geometry: pin.GeometryModel
+    tool: str
+    limits: JointLimits
+    neutral: Array
+    locked: Mapping[str, float] = field(default_factory=dict)
+    disabled_pairs: frozenset[frozenset[str]] | None = None
+    planar: bool = False
+    cache: dict[object, Any] = field(default_factory=dict, repr=False)
+
+    @classmethod
+    def from_urdf(
+        cls,
+        file: str | Path,
+        tool: str | None = None,
+        joints: Sequence[str] | None = None,
+        srdf: str | Path | None = None,
+        *,
+        name: str | None = None,
+        locked: Mapping[str, float] | None = None,
+        neutral: ArrayLike | None = None,
+        package_dirs: Sequence[str | Path] = (),
+        **limits: ArrayLike,
+    ) -> "Robot":
+        """Read an arm from a URDF.
+
+        Args:
+            file: the URDF.
+            tool: frame (link or joint) whose motion counts. Default: the end effector of the SRDF, or the only leaf.
+            joints: those kept active, from base to tool. Default: all that move the tool.
+            srdf: MoveIt's semantic description: pairs not to check, named postures.
+            name: default, the robot's name in the file.
+            locked: values [rad or m] at which other joints are held. Default: the SRDF's first posture, or 0 (or the
+                nearest limit).
+            neutral: (n,) usual posture. Default: the SRDF's first posture, or the middle of the limits.
+            package_dirs: where `package://` paths start; the folders above `file` are searched as well.
+            **limits: lower, upper, velocity, acceleration, jerk, effort: one number or (n,), instead of the file's.
+
+        Raises:
+            FileFormatError: a file is missing, not XML, or Pinocchio cannot read it.
+            UnknownNameError: a frame or joint does not exist (the nearest names are listed).
+            UnsupportedJointError: an active joint is mimic, floating, planar or of another kind.
+            InvalidInputError: joints out of order, or limits that are not positive.
+        """
+        read = description.read_urdf(existing_file("file", file), package_dirs)
+        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits)
+
+    @classmethod
+    def from_mjcf(
+        cls,
+        file: str | Path,
+        tool: str | None = None,
+        joints: Sequence[str] | None = None,
+        srdf: str | Path | None = None,
+        *,
+        name: str | None = None,
+        locked: Mapping[str, float] | None = None,
+        neutral: ArrayLike | None = None,
+        **limits: ArrayLike,
+    ) -> "Robot":
+        """Read an arm from a MuJoCo MJCF file; arguments and errors as for `from_urdf`.
+
+        MJCF states no velocity limits: they are infinite unless `velocity` is given.
+        """
+        read = description.read_mjcf(existing_file("file", file))
+        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits)
+
+    @classmethod
+    def _cut(
+        cls,
+        read: description.Description,
+        tool: str | None,
+        joints: Sequence[str] | None,
+        srdf: str | Path | None,
+        name: str | None,
+        locked: Mapping[str, float] | None,
+        neutral: ArrayLike | None,
+        limits: Mapping[str, ArrayLike],
+    ) -> "Robot":
+        semantic = description.read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
+        whole = read.model
+        tool = _choose_tool(whole, tool, semantic)
+        chain = [whole.names[i] for i in whole.supports[whole.frames[description.frame_index(whole, tool)].parentJoint]][1:]
+        active = _choose_joints(whole, tool, chain, joints, read.mimics)
+        held = _locked_values(whole, active, dict(locked or {}), semantic)
+        model, geometry = description.reduce(whole, read.geometry, active, held)
+        base = _limits_of(model, read.source)
+        base = base.with_(**limits) if limits else base
+        if "acceleration" not in limits:
+            base = base.with_(
+                acceleration=base.velocity / DEFAULT_RAMP_TIME,
+                source=f"default: full speed in {DEFAULT_RAMP_TIME:g} s",
+            )
+        if semantic is not None and neutral is None:
+            neutral = semantic.posture(active, base)
+        robot = cls(
+            name=name or model.name or read.file.stem,
+            model=model,
+            geometry=geometry,
+            tool=tool,
+            limits=base,
+            neutral=_neutral(base, neutral),
+            locked=held,
+            disabled_pairs=semantic.disabled if semantic is not None else None,
+        )
+        if held:
+            log.info("%s: locked joints: %s", robot.name, ", ".join(held))
+        return robot
+
+    @property
+    def n(self) -> int:
+        """Number of active joints."""
+        return int(self.model.nv)
+
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """Names of the active joints, from base to tool."""
+        return tuple(self.model.names)[1:]
+
+    @property
+    def joint_types(self) -> tuple[str, ...]:
+        """'revolute', 'continuous' or 'prismatic' for each active joint."""
+        kinds = []
+        for i, joint in enumerate(self.model.joints[1:]):
+            if description.is_prismatic(joint):
+                kinds.append("prismatic")
+            else:
+                kinds.append("continuous" if np.isinf(self.limits.lower[i]) else "revolute")
+        return tuple(kinds)
+
+    @property
+    def default_task(self) -> "Task":
+        """Task.planar() for a planar arm, Task.pose() from six joints on, otherwise Task.position()."""
+        from manipplan.measures.task import Task
+
+        if self.planar:
+            return Task.planar()
+        return Task.pose() if self.n >= 6 else Task.position()
+
+    def kinematics(self, task: "Task | None" = None, backend: str = "auto", compiled: bool | str = "auto") -> "Kinematics":
+        """Pose, Jacobian, manipulability index and its derivatives for a task; see `Kinematics`.
+
+        Args:
+            task: default `default_task`.
+            backend: "chain" (CasADi SX built from the model) or "auto" (the same today).
+            compiled: False or "auto": CasADi's virtual machine.
+        """
+        from manipplan.kinematics.kinematics import Kinematics
+
+        if backend not in ("auto", "chain"):
+            raise UnknownNameError("backend", str(backend), ["auto", "chain"])
+        if compiled not in ("auto", False):
+            raise InvalidInputError("compiled", compiled, "'auto' or False; compiled evaluation is not there yet")
+        task = task or self.default_task
+        if task not in self.cache:
+            self.cache[task] = Kinematics(robot=self, task=task)
+        kinematics: Kinematics = self.cache[task]
+        return kinematics
+
+    def configuration(self, argument: str, q: ArrayLike, *, tolerance: float = 0.0) -> Array:
+        """Check one configuration (n,): finite, right length, inside the position limits.
+
+        Raises InvalidInputError that names `argument`, the joint, its value and its limits.
+        """
+        q = configurations(argument, q, self.n)
+        if q.ndim != 1:
+            raise InvalidInputError(argument, q, f"one configuration of shape ({self.n},)")
+        outside = self.limits.outside(q)
+        if (outside > tolerance).any():
+            i = int(outside.argmax())
+            raise InvalidInputError(
+                f"{argument}[{i}] ({self.joint_names[i]})",
+                float(q[i]),
+                f"{self.limits.lower[i]:g} to {self.limits.upper[i]:g}",
+            )
+        return q
+
+    def random_configuration(self, rng: np.random.Generator, *, size: int | None = None) -> Array:
+        """Uniform configurations inside the limits, (n,) or (size, n); continuous joints in [-π, π]."""
+        lower = np.where(np.isfinite(self.limits.lower), self.limits.lower, -np.pi)
+        upper = np.where(np.isfinite(self.limits.upper), self.limits.upper, np.pi)
+        return rng.uniform(lower, upper, (self.n,) if size is None else (size, self.n))
+
+    def with_limits(self, **changes: ArrayLike) -> "Robot":
+        """A copy with other limits: lower, upper, velocity, acceleration, jerk, effort; one number or (n,)."""
+        return replace(self, limits=self.limits.with_(**changes), cache={})
+
+    def __str__(self) -> str:
+        limits = self.limits
+        head = ("joint", "type", "lower", "upper", "velocity", "acceleration", "jerk", "effort")
+        rows = [head]
+        for i, (name, kind) in enumerate(zip(self.joint_names, self.joint_types, strict=True)):
+            values = (getattr(limits, column)[i] for column in head[2:])
+            rows.append((name, kind, *(f"{v:.4g}" for v in values)))
+        widths = [max(len(row[k]) for row in rows) for k in range(len(head))]
+        lines = [f"{self.name}: {self.n} joints, tool frame {self.tool}   (SI units, rad)"]
+        for row in rows:
+            cells = [c.ljust(w) if k < 2 else c.rjust(w) for k, (c, w) in enumerate(zip(row, widths, strict=True))]
+            lines.append("  ".join(cells).rstrip())
+        lines += [f"{kind} limits: {source}" for kind, source in limits.sources.items()]
+        if self.locked:
+            shown = [f"{joint} = {value:g}" for joint, value in list(self.locked.items())[:6]]
+            more = f", ... ({len(self.locked)} in all)" if len(self.locked) > 6 else ""
+            lines.append(f"locked: {', '.join(shown)}{more}")
+        return "\n".join(lines)
+
+
+def _choose_tool(model: pin.Model, tool: str | None, semantic: "description.Semantics | None") -> str:
+    bodies = [frame.name for frame in model.frames if frame.name != "universe"]
+    if tool is None and semantic is not None and semantic.end_effector is not None:
+        tool = semantic.end_effector
+    if tool is None:
+        leaves = description.leaf_bodies(model)
+        if len(leaves) != 1:
+            raise InvalidInputError("tool", None, f"a frame name; the description has several ends: {', '.join(leaves[:8])}")
+        tool = leaves[0]
+    if tool not in bodies:
+        raise UnknownNameError("tool", str(tool), bodies)
+    return str(tool)
+
+
+def _choose_joints(
+    model: pin.Model, tool: str, chain: list[str], joints: Sequence[str] | None, mimics: Mapping[str, str]
+) -> list[str]:
+    active = list(chain) if joints is None else list(joints)
+    for joint in active:
+        if joint not in list(model.names)[1:]:
+            raise UnknownNameError("joints", str(joint), list(model.names)[1:])
+        if joint not in chain:
+            raise InvalidInputError("joints", joint, f"joints that move the tool {tool}: {', '.join(chain)}")
+        if joint in mimics:
+            raise UnsupportedJointError("joints", joint, f"independent joints; this one mimics {mimics[joint]}")
+        followers = [follower for follower, leader in mimics.items() if leader == joint and follower in chain]
+        if followers:
+            raise UnsupportedJointError("joints", joint, f"joints on which none of the chain depends; {followers[0]} mimics it")
+        kind = model.joints[model.getJointId(joint)]
+        if kind.nv != 1 or not (description.is_prismatic(kind) or description.is_revolute(kind)):
+            raise UnsupportedJointError(
+                "joints", f"{joint} ({kind.shortname()})", "revolute, continuous and prismatic joints; lock it or choose others"
+            )
+    ordered = [joint for joint in chain if joint in active]
+    if active != ordered:
+        raise InvalidInputError("joints", active, f"each joint once, from base to tool: {', '.join(ordered)}")
+    if not active:
+        raise InvalidInputError("joints", active, f"at least one joint that moves the tool {tool}")
+    return active
+
+
+def _locked_values(
+    model: pin.Model, active: list[str], given: dict[str, float], semantic: "description.Semantics | None"
+) -> dict[str, float]:
+    others = [name for name in list(model.names)[1:] if name not in active]
+    for name, value in given.items():
+        if name not in others:
+            raise UnknownNameError("locked", name, others)
+        if not np.isfinite(number_array(f"locked[{name!r}]", value)).all():
+            raise InvalidInputError(f"locked[{name!r}]", value, "a finite number")
+    usual = next(iter(semantic.postures.values()), {}) if semantic is not None else {}
+    held = {}
+    for name in others:
+        joint = model.joints[model.getJointId(name)]
+        if joint.nq == 1:
+            low, high = model.lowerPositionLimit[joint.idx_q], model.upperPositionLimit[joint.idx_q]
+            held[name] = float(given.get(name, np.clip(usual.get(name, 0.0), low, high)))
+        else:
+            held[name] = float(given.get(name, 0.0))
+    return held
+
+
+def _limits_of(model: pin.Model, source: str) -> JointLimits:
+    inf = np.full(model.nv, np.inf)
+    for name, velocity in zip(list(model.names)[1:], model.velocityLimit, strict=True):
+        if not velocity > 0:
+            raise InvalidInputError(f"velocity limit of {name}", float(velocity), "above zero; give velocity= to set it")
+    return JointLimits(
+        lower=model.lowerPositionLimit,
+        upper=model.upperPositionLimit,
+        velocity=model.velocityLimit,
+        acceleration=inf,
+        jerk=inf,
+        effort=np.where(model.effortLimit > 0, model.effortLimit, np.inf),
+        sources=dict.fromkeys(("position", "velocity", "effort"), source),
+    )
+
+
+def _neutral(limits: JointLimits, given: ArrayLike | None) -> Array:
+    lower = np.where(np.isfinite(limits.lower), limits.lower, -np.pi)
+    upper = np.where(np.isfinite(limits.upper), limits.upper, np.pi)
+    neutral = (lower + upper) / 2 if given is None else configurations("neutral", given, limits.n)
+    if (limits.outside(neutral) > 0).any():
+        raise InvalidInputError("neutral", neutral.tolist(), "a posture inside the position limits")
+    neutral.flags.writeable = False
+    return neutral

@@ -1,0 +1,284 @@
+"""Scene: the obstacles around a robot, in code or from a YAML file."""
+
+import math
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import ArrayLike, NDArray
+
+from manipplan.checks import Array, configurations, existing_file, finite_array, number
+from manipplan.errors import FileFormatError, InvalidInputError, UnknownNameError
+from manipplan.files import write_text
+
+if TYPE_CHECKING:
+    from manipplan.robots.collision import CollisionModel
+    from manipplan.robots.robot import Robot
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Obstacle:
+    """Something in the way. Its pose in the world: `position` (3,) [m] of its centre and `rotation`.
+
+    `rotation` is None, a rotation matrix (3, 3), or roll, pitch and yaw (3,) [rad] as in URDF.
+    """
+
+    position: ArrayLike = (0.0, 0.0, 0.0)
+    rotation: ArrayLike | None = None
+    name: str = ""
+    shape_name: ClassVar[str] = ""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "position", finite_array(self._argument("position"), self.position, (3,)))
+        if self.rotation is not None:
+            object.__setattr__(self, "rotation", self._rotation_matrix(self.rotation))
+        for length in ("radius", "length"):
+            if hasattr(self, length):
+                object.__setattr__(self, length, number(self._argument(length), getattr(self, length), above=0.0))
+
+    @property
+    def pose(self) -> pin.SE3:
+        """T_world_obstacle."""
+        rotation = np.eye(3) if self.rotation is None else np.asarray(self.rotation)
+        return pin.SE3(rotation, np.asarray(self.position))
+
+    def shapes(self) -> list[coal.CollisionGeometry]:
+        """Convex coal shapes that make up the obstacle, in its own frame."""
+        raise NotImplementedError  # abstract: every kind of obstacle below has its own
+
+    def _argument(self, name: str) -> str:
+        return f"{self.name or type(self).__name__}.{name}"
+
+    def _rotation_matrix(self, rotation: ArrayLike) -> Array:
+        argument = self._argument("rotation")
+        if np.shape(rotation) == (3,):
+            return np.asarray(pin.rpy.rpyToMatrix(*finite_array(argument, rotation, (3,))))
+        matrix = finite_array(argument, rotation, (3, 3))
+        if not np.allclose(matrix @ matrix.T, np.eye(3), atol=1e-6) or np.linalg.det(matrix) < 0:
+            raise InvalidInputError(argument, rotation, "a rotation matrix (3, 3), or roll, pitch, yaw (3,) [rad]")
+        return matrix
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Box(Obstacle):
+    """A box with edges `size` (dx, dy, dz) [m]."""
+
+    size: ArrayLike
+    shape_name = "box"
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        size = finite_array(self._argument("size"), self.size, (3,))
+        if not (size > 0).all():
+            raise InvalidInputError(self._argument("size"), self.size, "three numbers above zero [m]")
+        object.__setattr__(self, "size", size)
+
+    def shapes(self) -> list[coal.CollisionGeometry]:
+        return [coal.Box(np.asarray(self.size))]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Sphere(Obstacle):
+    """A ball of `radius` [m]."""
+
+    radius: float
+    shape_name = "sphere"
+
+    def shapes(self) -> list[coal.CollisionGeometry]:
+        return [coal.Sphere(self.radius)]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Capsule(Obstacle):
+    """A cylinder of `radius` and `length` [m] along z with a half ball on either end."""
+
+    radius: float
+    length: float
+    shape_name = "capsule"
+
+    def shapes(self) -> list[coal.CollisionGeometry]:
+        return [coal.Capsule(self.radius, self.length)]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Cylinder(Obstacle):
+    """A cylinder of `radius` and `length` [m] along z."""
+
+    radius: float
+    length: float
+    shape_name = "cylinder"
+
+    def shapes(self) -> list[coal.CollisionGeometry]:
+        return [coal.Cylinder(self.radius, self.length)]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Mesh(Obstacle):
+    """The mesh of a file (STL, OBJ, DAE, ...), its vertices times `scale`.
+
+    A mesh is a hollow surface, in which a robot could hide: every connected part of it counts as its convex hull.
+    """
+
+    file: str | Path
+    scale: float = 1.0
+    shape_name = "mesh"
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        object.__setattr__(self, "file", existing_file(self._argument("file"), self.file))
+        object.__setattr__(self, "scale", number(self._argument("scale"), self.scale, above=0.0))
+        object.__setattr__(self, "_hulls", _hulls(self._argument("file"), Path(self.file), self.scale))
+
+    def shapes(self) -> list[coal.CollisionGeometry]:
+        hulls: list[coal.CollisionGeometry] = getattr(self, "_hulls")  # noqa: B009  # set on a frozen instance
+        return hulls
+
+
+OBSTACLES: dict[str, type[Obstacle]] = {kind.shape_name: kind for kind in (Box, Sphere, Capsule, Cylinder, Mesh)}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Cache:
+    models: "dict[Robot, CollisionModel]" = field(default_factory=dict)
+
+
+class Scene:
+    """Obstacles that stand still. An empty scene still checks a robot against itself."""
+
+    def __init__(self, obstacles: Sequence[Obstacle] = ()) -> None:
+        for obstacle in obstacles:
+            if not isinstance(obstacle, Obstacle):
+                raise InvalidInputError("obstacles", obstacle, f"a list of {', '.join(k.__name__ for k in OBSTACLES.values())}")
+        self.obstacles = tuple(obstacles)
+        names = [obstacle.name or f"{obstacle.shape_name}{i}" for i, obstacle in enumerate(self.obstacles)]
+        doubled = next((name for name in names if names.count(name) > 1), None)
+        if doubled is not None:
+            raise InvalidInputError("obstacles", doubled, "names that differ")
+        self.names = tuple(names)
+        self._cache = _Cache()
+
+    @classmethod
+    def from_yaml(cls, file: str | Path) -> "Scene":
+        """Read a scene: ``obstacles: [{shape: box, size: [1, 1, 0.1], position: [0, 0, -0.05], name: table}, ...]``.
+
+        Shapes are box (size), sphere (radius), capsule and cylinder (radius, length) and mesh (file, scale); each takes
+        position, rotation (matrix, or roll-pitch-yaw [rad]) and name. A mesh file is looked for beside the scene file.
+
+        Raises FileFormatError or InvalidInputError that names the obstacle, the key and what is allowed.
+        """
+        import yaml
+
+        path = existing_file("scene", file)
+        try:
+            data = yaml.safe_load(path.read_text())
+        except (yaml.YAMLError, UnicodeDecodeError) as error:
+            raise FileFormatError("scene", str(path), f"YAML ({' '.join(str(error).split())})") from error
+        if not isinstance(data, dict) or set(data) != {"obstacles"} or not isinstance(data["obstacles"], list):
+            raise FileFormatError("scene", str(path), "one key, obstacles, with a list")
+        return cls([_obstacle(f"obstacles[{i}]", entry, path.parent) for i, entry in enumerate(data["obstacles"])])
+
+    def to_yaml(self, file: str | Path) -> None:
+        """Write the scene so that `from_yaml` reads it back."""
+        import yaml
+
+        entries = []
+        for name, obstacle in zip(self.names, self.obstacles, strict=True):
+            entry: dict[str, Any] = {"name": name, "shape": obstacle.shape_name}
+            for each in fields(obstacle):
+                value = getattr(obstacle, each.name)
+                if each.name == "name" or value is None:
+                    continue
+                if isinstance(value, Path):
+                    value = os.path.relpath(value, Path(file).resolve().parent)
+                entry[each.name] = value.tolist() if isinstance(value, np.ndarray) else value
+            entries.append(entry)
+        write_text(file, yaml.safe_dump({"obstacles": entries}, sort_keys=False, default_flow_style=None))
+
+    def collision_model(self, robot: "Robot") -> "CollisionModel":
+        """The robot among these obstacles, built once."""
+        from manipplan.robots.collision import CollisionModel
+
+        if robot not in self._cache.models:
+            self._cache.models[robot] = CollisionModel.of(robot, self)
+        return self._cache.models[robot]
+
+    def in_collision(self, robot: "Robot", q: ArrayLike) -> bool | NDArray[np.bool_]:
+        """Whether the robot touches an obstacle or itself at q (n,); an array of answers for q (..., n)."""
+        model = self.collision_model(robot)
+        batch = configurations("q", q, robot.n)
+        hits = np.array([model.in_collision(each) for each in batch.reshape(-1, robot.n)], dtype=bool)
+        return bool(hits[0]) if batch.ndim == 1 else hits.reshape(batch.shape[:-1])
+
+    def distances(self, robot: "Robot", q: ArrayLike) -> Array:
+        """Signed distance of every pair [m], (k,) for q (n,), (..., k) for q (..., n); negative where they overlap.
+
+        The pairs stand in the order of `collision_model(robot).pair_names`.
+        """
+        model = self.collision_model(robot)
+        batch = configurations("q", q, robot.n)
+        rows = [model.distances(each) for each in batch.reshape(-1, robot.n)]
+        return np.array(rows).reshape((*batch.shape[:-1], len(model.pair_names)))
+
+    def __repr__(self) -> str:
+        return f"Scene({', '.join(self.names)})"
+
+
+def _obstacle(where: str, entry: object, folder: Path) -> Obstacle:
+    if not isinstance(entry, dict) or "shape" not in entry:
+        raise InvalidInputError(where, entry, f"a mapping with shape: one of {', '.join(OBSTACLES)}")
+    if entry["shape"] not in OBSTACLES:
+        raise UnknownNameError(f"{where}.shape", str(entry["shape"]), OBSTACLES)
+    kind = OBSTACLES[entry["shape"]]
+    options = {key: value for key, value in entry.items() if key != "shape"}
+    known = [each.name for each in fields(kind)]
+    for key in options:
+        if key not in known:
+            raise UnknownNameError(f"{where} ({kind.shape_name})", str(key), known)
+    required = {Box: ["size"], Sphere: ["radius"], Mesh: ["file"]}.get(kind, ["radius", "length"])
+    for key in required:
+        if key not in options:
+            raise InvalidInputError(f"{where} ({kind.shape_name})", sorted(options), f"a mapping with {' and '.join(required)}")
+    if "file" in options:
+        options["file"] = folder / str(options["file"])
+    try:
+        return kind(**options)
+    except InvalidInputError as error:
+        raise InvalidInputError(f"{where} ({error.argument})", error.value, error.allowed) from error
+
+
+def _hulls(argument: str, file: Path, scale: float) -> list[coal.CollisionGeometry]:
+    """Convex hulls of the connected parts of a mesh file."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    try:
+        mesh = coal.MeshLoader(coal.NODE_TYPE.BV_OBBRSS).load(str(file), np.full(3, scale))
+    except (ValueError, RuntimeError) as error:
+        reason = " ".join(str(error).split())[:160]
+        raise FileFormatError(argument, str(file), f"a mesh (STL, OBJ, DAE, ...); the loader says: {reason}") from error
+    vertices, same = np.unique(np.array(mesh.vertices()).round(9), axis=0, return_inverse=True)
+    faces = same[np.array([[t[0], t[1], t[2]] for t in map(mesh.tri_indices, range(mesh.num_tris))])]
+    links = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]]])
+    graph = coo_array((np.ones(len(links)), (links[:, 0], links[:, 1])), shape=(len(vertices),) * 2)
+    count, part_of = connected_components(graph, directed=False)
+    hulls = []
+    for part in range(count):
+        corners = vertices[part_of == part]
+        if len(corners) < 4 or np.linalg.matrix_rank(corners - corners[0], tol=1e-9) < 3:
+            raise FileFormatError(argument, str(file), "a mesh whose parts have a volume; one part is flat")
+        points = coal.StdVec_Vec3s()
+        points.extend(list(corners))
+        cloud = coal.BVHModelOBBRSS()
+        cloud.beginModel(0, len(corners))
+        cloud.addVertices(corners)
+        cloud.endModel()
+        cloud.buildConvexHull(True, "Qt")
+        hulls.append(cloud.convex)
+    if not math.isfinite(float(vertices.sum())):
+        raise FileFormatError(argument, str(file), "a mesh with finite vertices")
+    return hulls

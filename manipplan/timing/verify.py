@@ -1,0 +1,104 @@
+"""What a trajectory asks of each joint, against its limits: exact extremes of the cubic pieces, not samples."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import pinocchio as pin
+
+from manipplan.checks import Array
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.limits import JointLimits
+
+
+@dataclass(frozen=True, kw_only=True)
+class LimitUse:
+    """The worst use of one kind of limit.
+
+    Attributes:
+        ratio: largest demand over limit; at most 1 when the limit holds. For position: largest excess [rad or m], at
+            most 0 when it holds.
+        joint: name of the joint where it is reached; "" where no joint has this limit.
+        time: when it is reached [s].
+    """
+
+    ratio: float
+    joint: str
+    time: float
+
+
+def limit_use(trajectory: Trajectory, limits: JointLimits) -> Mapping[str, LimitUse]:
+    """Worst use of position, velocity and acceleration over the whole trajectory, from closed forms.
+
+    On a cubic piece velocity is a parabola and acceleration a line, so each extreme is at an end of the piece, or at
+    the vertex of the parabola. Jerk is not stated: the acceleration of a fastest motion jumps.
+    """
+    widths, (_, first, second, third) = trajectory.segments()
+    h = widths[:, None]
+    starts = trajectory.t[:-1, None]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        vertex = np.where(third != 0, -second / (3 * third), 0.0)
+    vertex = np.clip(np.nan_to_num(vertex), 0.0, h)
+    at = [np.zeros_like(first), np.broadcast_to(h, first.shape), vertex]
+    velocity = [first + 2 * second * u + 3 * third * u**2 for u in at]
+    acceleration = [2 * second + 6 * third * u for u in at[:2]]
+    names = trajectory.joint_names
+    return {
+        "position": _position_use(trajectory, limits),
+        "velocity": _worst(velocity, at, starts, limits.velocity, names),
+        "acceleration": _worst(acceleration, at[:2], starts, limits.acceleration, names),
+    }
+
+
+def torque_use(trajectory: Trajectory, model: pin.Model, effort: Array, *, inside: int = 6) -> LimitUse:
+    """Worst use of the joints' effort, by Pinocchio's inverse dynamics at both ends of every piece and `inside` between."""
+    widths, coefficients = trajectory.segments()
+    data = model.createData()
+    worst = LimitUse(ratio=0.0, joint="", time=0.0)
+    for fraction in np.linspace(0.0, 1.0, inside + 2):
+        u = (widths * fraction)[:, None]
+        c0, c1, c2, c3 = coefficients
+        q = c0 + u * (c1 + u * (c2 + u * c3))
+        qd = c1 + u * (2 * c2 + 3 * u * c3)
+        qdd = 2 * c2 + 6 * u * c3
+        torque = np.array([pin.rnea(model, data, *state) for state in zip(q, qd, qdd, strict=True)])
+        ratio = np.abs(torque) / effort
+        k, joint = np.unravel_index(np.argmax(ratio), ratio.shape)
+        if ratio[k, joint] > worst.ratio:
+            worst = LimitUse(
+                ratio=float(ratio[k, joint]),
+                joint=trajectory.joint_names[joint],
+                time=float(trajectory.t[k] + widths[k] * fraction),
+            )
+    return worst
+
+
+def _worst(values: list[Array], at: list[Array], starts: Array, limit: Array, names: tuple[str, ...]) -> LimitUse:
+    ratios = np.abs(np.stack(values)) / limit
+    which, segment, joint = np.unravel_index(np.argmax(ratios), ratios.shape)
+    ratio = float(ratios[which, segment, joint])
+    if np.isinf(limit).all():
+        return LimitUse(ratio=0.0, joint="", time=0.0)
+    return LimitUse(ratio=ratio, joint=names[joint], time=float(starts[segment, 0] + at[which][segment, joint]))
+
+
+def _position_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
+    widths, (c0, c1, c2, c3) = trajectory.segments()
+    h = widths[:, None]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        root = np.sqrt(np.maximum(c2**2 - 3 * c1 * c3, 0.0))
+        turning = [
+            np.where(c3 != 0, (-c2 + root) / (3 * c3), -c1 / (2 * c2)),
+            np.where(c3 != 0, (-c2 - root) / (3 * c3), 0.0),
+        ]
+    at = [np.zeros_like(c0), np.broadcast_to(h, c0.shape), *(np.clip(np.nan_to_num(u), 0.0, h) for u in turning)]
+    q = np.stack([c0 + u * (c1 + u * (c2 + u * c3)) for u in at])
+    excess = np.maximum(limits.lower - q, q - limits.upper)
+    which, segment, joint = np.unravel_index(np.argmax(excess), excess.shape)
+    if np.isinf(excess[which, segment, joint]):
+        return LimitUse(ratio=-np.inf, joint="", time=0.0)
+    return LimitUse(
+        ratio=float(excess[which, segment, joint]),
+        joint=trajectory.joint_names[joint],
+        time=float(trajectory.t[segment] + at[which][segment, joint]),
+    )
