@@ -1,2 +1,78 @@
-from manipplan.robots.catalog import *
+"""manipplan: from a robot description and a task to a timed trajectory that keeps the arm far from singularities.
+
+    URDF / MJCF / name -> Robot -> Kinematics(task): pose, J, index m, its gradient and Hessian
+                               -> Scene: collision and distance
+    start, goal -> seed_path (OMPL) -> optimize_path (least ∫ ‖q'‖/m^p ds) -> retime (toppra) -> Trajectory -> Report
+
+One line each: ``mp.plan(robot, start, goal, scene)`` does all of it.
+"""
+
+from manipplan.errors import (
+    FileFormatError,
+    InvalidInputError,
+    ManipplanError,
+    MissingExtraError,
+    PlanningError,
+    UnknownNameError,
+    UnsupportedJointError,
+)
+from manipplan.jobs import Plan, plan
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.ellipsoid import Ellipsoid, velocity_ellipsoid
+from manipplan.measures.task import Task
+from manipplan.optimize.objective import PathCost, path_cost
+from manipplan.optimize.optimize import PathResult, optimize_path
+from manipplan.paths.joint import JointPath
+from manipplan.paths.report import Report
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.catalog import available_robots, load_robot, planar_arm
+from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
+from manipplan.robots.scene import Box, Capsule, Cylinder, Mesh, Obstacle, Scene, Sphere
+from manipplan.seeds.ompl import seed_path
+from manipplan.status import Status
+from manipplan.timing.retime import retime
+from manipplan.timing.verify import LimitUse, limit_use, torque_use
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Box",
+    "Capsule",
+    "Cylinder",
+    "Ellipsoid",
+    "FileFormatError",
+    "InvalidInputError",
+    "JointLimits",
+    "JointPath",
+    "Kinematics",
+    "LimitUse",
+    "ManipplanError",
+    "Mesh",
+    "MissingExtraError",
+    "Obstacle",
+    "PathCost",
+    "PathResult",
+    "Plan",
+    "PlanningError",
+    "Report",
+    "Robot",
+    "Scene",
+    "Sphere",
+    "Status",
+    "Task",
+    "Trajectory",
+    "UnknownNameError",
+    "UnsupportedJointError",
+    "available_robots",
+    "limit_use",
+    "load_robot",
+    "optimize_path",
+    "path_cost",
+    "plan",
+    "planar_arm",
+    "retime",
+    "seed_path",
+    "torque_use",
+    "velocity_ellipsoid",
+]

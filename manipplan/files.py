@@ -26,13 +26,14 @@ def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
         handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
     except OSError as error:
         raise InvalidInputError("file", str(path), f"a place that can be written ({error.strerror})") from error
+    part = Path(name)
     try:
         with os.fdopen(handle, "wb") as stream:
             write(stream)
-        os.chmod(name, 0o644)
-        os.replace(name, path)
+        part.chmod(0o644)
+        part.replace(path)
     except BaseException:
-        os.unlink(name)
+        part.unlink()
         raise
 
 

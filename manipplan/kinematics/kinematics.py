@@ -104,6 +104,6 @@ class Kinematics:
             return np.empty((*q.shape[:-1], *shape))
         # CasADi evaluates all columns in one call and sets the results side by side.
         out = np.asarray(function(ca.DM(batch.T)))
-        rows, columns = (shape + (1, 1))[:2]
+        rows, columns = (*shape, 1, 1)[:2]
         out = out.reshape(rows, len(batch), columns).transpose(1, 0, 2)
         return np.array(out.reshape((*q.shape[:-1], *shape)))

@@ -8,7 +8,7 @@ def row_norms(jacobian: ca.SX) -> list[ca.SX]:
 
     This is the diagonal of R in Jᵀ = Q R, so m loses no digits to the square in J Jᵀ.
     """
-    m, n = jacobian.shape
+    m = jacobian.shape[0]
     directions: list[ca.SX] = []
     norms: list[ca.SX] = []
     for i in range(m):
@@ -24,7 +24,7 @@ def row_norms(jacobian: ca.SX) -> list[ca.SX]:
 
 
 def yoshikawa(jacobian: ca.SX) -> ca.SX:
-    """m = sqrt(det(J Jᵀ)) of a task Jacobian (m, n); identically zero when m > n [yoshikawa1985]."""
+    """M = sqrt(det(J Jᵀ)) of a task Jacobian (m, n); identically zero when m > n [yoshikawa1985]."""
     if jacobian.shape[0] > jacobian.shape[1]:
         return ca.SX(0.0)
     product = ca.SX(1.0)
@@ -34,7 +34,7 @@ def yoshikawa(jacobian: ca.SX) -> ca.SX:
 
 
 def log_yoshikawa(jacobian: ca.SX, regularisation: float) -> ca.SX:
-    """log sqrt(det(J Jᵀ + ε I)) through a Cholesky factor, with ε = `regularisation` [unit of J squared]."""
+    """Log sqrt(det(J Jᵀ + ε I)) through a Cholesky factor, with ε = `regularisation` [unit of J squared]."""
     gram = jacobian @ jacobian.T + regularisation * ca.SX.eye(jacobian.shape[0])
     factor = ca.chol(gram)
     return ca.sum1(ca.log(ca.diag(factor)))

@@ -12,12 +12,13 @@ def bubbles(degree: int, s: Array) -> Array:
 
     Their derivatives are orthogonal, so the energy is well conditioned; φ_j(0) = φ_j(1) = 0 keeps the ends.
     """
-    return np.column_stack([legendre.legval(2 * s - 1, _integral(j)) for j in range(1, degree)] or [np.empty((len(s), 0))])
+    columns = [np.asarray(legendre.legval(2 * s - 1, _integral(j)), dtype=float) for j in range(1, degree)]
+    return np.column_stack(columns or [np.empty((len(s), 0))])
 
 
 def bubble_slopes(degree: int, s: Array) -> Array:
     """φ_j'(s) = P_j(2s - 1), (m, degree - 1)."""
-    return legendre.legvander(2 * s - 1, max(degree - 1, 1))[:, 1:degree]
+    return np.asarray(legendre.legvander(2 * s - 1, max(degree - 1, 1)), dtype=float)[:, 1:degree]
 
 
 def control_points(degree: int, start: Array, goal: Array, coefficients: Array) -> Array:
@@ -31,7 +32,7 @@ def control_points(degree: int, start: Array, goal: Array, coefficients: Array) 
 def to_bernstein(degree: int) -> Array:
     """The matrix (degree + 1, degree - 1) from coefficients of φ_j to Bernstein control points."""
     s = (1 - np.cos(np.linspace(0.0, np.pi, degree + 1))) / 2
-    return np.linalg.solve(bernstein(degree, s), bubbles(degree, s))
+    return np.asarray(np.linalg.solve(bernstein(degree, s), bubbles(degree, s)), dtype=float)
 
 
 def subdivision(degree: int, pieces: int) -> Array:

@@ -36,7 +36,7 @@ class PathCost:
 
 
 def path_cost(path: JointPath, kinematics: Kinematics, power: float) -> PathCost:
-    """g on a rule of at least 400 Gauss points, ten times finer than the solver's; the least index on 2001 points more."""
+    """G on a rule of at least 400 Gauss points, ten times finer than the solver's; the least index on 2001 points more."""
     s, weights = path.quadrature()
     speed = np.linalg.norm(path(s, 1), axis=1)
     index = kinematics.manipulability(path(s))
@@ -45,19 +45,25 @@ def path_cost(path: JointPath, kinematics: Kinematics, power: float) -> PathCost
     dense = np.linspace(0.0, 1.0, 2001)
     values = kinematics.manipulability(path(dense))
     k = int(values.argmin())
-    return PathCost(
-        g=g, length=float(weights @ speed), min_manipulability=float(values[k]), at=float(dense[k])
-    )
+    return PathCost(g=g, length=float(weights @ speed), min_manipulability=float(values[k]), at=float(dense[k]))
 
 
-def energy_density(kinematics: Kinematics, power: float) -> ca.Function:
-    """e(q, v) = ‖v‖² / m(q)^(2p), its gradient (2n) and Hessian (2n, 2n) in (q, v), as one CasADi Function."""
+@dataclass(frozen=True, kw_only=True)
+class EnergyDensity:
+    """e(q, v) = ‖v‖² / m(q)^(2p) as CasADi Functions of (q, v): value, gradient (2n), Hessian (2n, 2n)."""
+
+    value: ca.Function
+    gradient: ca.Function
+    hessian: ca.Function
+
+
+def energy_density(kinematics: Kinematics, power: float) -> EnergyDensity:
+    """The density whose integral over s is the energy E."""
     q = kinematics.symbolic.chain.q
     v = ca.SX.sym("v", q.shape[0])
     jacobian = kinematics.task.rows_of(kinematics.symbolic.chain.jacobian, kinematics.symbolic.chain.tool.rotation)
     log_index = log_yoshikawa(jacobian, REGULARISATION)
-    slope = ca.gradient(log_index, q)
-    bend, _ = ca.hessian(log_index, q)
+    bend, slope = ca.hessian(log_index, q)
     weight = ca.exp(-2 * power * log_index)
     square = ca.sumsqr(v)
     # by hand from w(q) = exp(-2p log m): w' = -2p w ∇log m, w'' = w (4p² ∇log m ∇log mᵀ - 2p ∇²log m)
@@ -65,7 +71,11 @@ def energy_density(kinematics: Kinematics, power: float) -> ca.Function:
     qq = weight * square * (4 * power**2 * slope @ slope.T - 2 * power * bend)
     qv = -4 * power * weight * slope @ v.T
     hessian = ca.vertcat(ca.horzcat(qq, qv), ca.horzcat(qv.T, 2 * weight * ca.SX.eye(v.shape[0])))
-    return ca.Function("energy", [q, v], [weight * square, gradient, ca.densify(hessian)])
+    return EnergyDensity(
+        value=ca.Function("energy", [q, v], [weight * square]),
+        gradient=ca.Function("energy_gradient", [q, v], [ca.densify(gradient)]),
+        hessian=ca.Function("energy_hessian", [q, v], [ca.densify(hessian)]),
+    )
 
 
 def constant_speed(path: JointPath, kinematics: Kinematics, power: float, count: int) -> Array:

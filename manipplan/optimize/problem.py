@@ -15,6 +15,7 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize import basis
 from manipplan.optimize.objective import energy_density
 from manipplan.paths.joint import JointPath
+from manipplan.robots.description import axis_of, is_prismatic
 
 #: Gauss points of the energy.
 NODES = 40
@@ -68,7 +69,7 @@ class PathProgram:
         s, weights = np.polynomial.legendre.leggauss(NODES)
         self._s, self._weights = (s + 1) / 2, weights / 2
         self._energy = energy_density(kinematics, power)
-        self._row = _row_function(kinematics)
+        self._rows = _row_functions(kinematics)
         matrix = basis.subdivision(degree, LIMIT_PIECES)
         line = matrix @ np.linspace(0.0, 1.0, degree + 1)
         rows = matrix @ basis.to_bernstein(degree)
@@ -114,7 +115,7 @@ class PathProgram:
     def _guess_energy(self, start: Array, goal: Array, guess: Array) -> float:
         q = start[:, None] + np.outer(goal - start, self._s) + guess @ basis.bubbles(self.degree, self._s).T
         v = (goal - start)[:, None] + guess @ basis.bubble_slopes(self.degree, self._s).T
-        energy = float(np.asarray(self._energy(q, v)[0]).ravel() @ self._weights)
+        energy = float(np.asarray(self._energy.value(q, v)).ravel() @ self._weights)
         return energy if np.isfinite(energy) and energy > 0 else 1.0
 
     def _row_parameters(self, rows: Sequence[ClearanceRow], capacity: int) -> Array:
@@ -151,13 +152,17 @@ class PathProgram:
         # the energy: e(q_i, v_i) at the nodes, q = line + x φ, v = line' + x φ'
         q = start @ ca.DM.ones(1, NODES) + (goal - start) @ ca.DM(self._s).T + x @ ca.DM(values).T
         v = (goal - start) @ ca.DM.ones(1, NODES) + x @ ca.DM(slopes).T
-        energy, gradient, hessian = self._energy.map(NODES)(q, v)
+        energy = self._energy.value.map(NODES)(q, v)
+        gradient = self._energy.gradient.map(NODES)(q, v)
+        hessian = self._energy.hessian.map(NODES)(q, v)
         weights = scale * ca.DM(self._weights).T
         f = ca.dot(energy, weights) + SLACK_COST * ca.sum1(slack)
         weighed = gradient * ca.repmat(weights, 2 * n, 1)
         grad_x = weighed[:n, :] @ ca.DM(values) + weighed[n:, :] @ ca.DM(slopes)
         grad_f = ca.vertcat(ca.vec(grad_x), SLACK_COST * ca.MX.ones(capacity))
-        maps = [ca.vertcat(*(ca.kron(ca.DM(row[None, :]), ca.DM.eye(n)) for row in (values[i], slopes[i]))) for i in range(NODES)]
+        maps = [
+            ca.vertcat(*(ca.kron(ca.DM(row[None, :]), ca.DM.eye(n)) for row in (values[i], slopes[i]))) for i in range(NODES)
+        ]
         stacked = ca.sparsify(ca.vertcat(*maps))
         blocks = ca.diagcat(*(w * h for w, h in zip(ca.horzsplit(weights), ca.horzsplit(hessian, 2 * n), strict=True)))
         hess_x = stacked.T @ blocks @ stacked
@@ -177,7 +182,7 @@ class PathProgram:
         if capacity:
             place, at = table[:bubbles, :], table[bubbles, :]
             q_rows = start @ ca.DM.ones(1, capacity) + (goal - start) @ at + x @ place
-            distance, slope, bend = self._row.map(capacity)(q_rows, table[bubbles + 1 :, :])
+            distance, slope, bend = (f.map(capacity)(q_rows, table[bubbles + 1 :, :]) for f in self._rows)
             g = ca.vertcat(g, distance.T + slack)
             chain = [ca.kron(column.T, ca.DM.eye(n)) for column in ca.horzsplit(place)]
             jac_rows = [column.T @ link for column, link in zip(ca.horzsplit(slope), chain, strict=True)]
@@ -199,7 +204,7 @@ class PathProgram:
             "ipopt": {
                 "print_level": 0,
                 "sb": "yes",
-                "max_iter": 300,
+                "max_iter": 100,
                 "tol": 1e-9,
                 "constr_viol_tol": 1e-9,
                 "bound_relax_factor": 0.0,
@@ -209,16 +214,17 @@ class PathProgram:
         return ca.nlpsol("path", "ipopt", {"x": z, "p": p, "f": f, "g": g}, options)
 
 
-def _row_function(kinematics: Kinematics) -> ca.Function:
-    """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q.
+def _row_functions(kinematics: Kinematics) -> tuple[ca.Function, ca.Function, ca.Function]:
+    """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q, a Function each.
 
-    The second argument is a column of the row table: which joint carries the point, which the plane, point, normal,
-    offset, distance to keep.
+    The second argument is a column of the row table: which joint carries the point, which the plane (one-hot), point,
+    normal, offset, distance to keep. Only joints between the two move the point against the plane: sign σ_i is 1 where
+    joint i carries the point alone, -1 where it carries the plane alone. Then with c_i the velocity of the point as
+    carried by joint i, ∂_i d = σ_i n · c_i, and for i <= j ∂_i ∂_j d = n · (z_i x c_j), or n · (z_j x c_i) for the plane.
     """
-    chain = kinematics.symbolic.chain
-    q = chain.q
-    joints = len(chain.joints)
-    carrier, other = ca.SX.sym("carrier", joints), ca.SX.sym("other", joints)
+    chain, model = kinematics.symbolic.chain, kinematics.robot.model
+    q, n = chain.q, kinematics.robot.n
+    carrier, other = ca.SX.sym("carrier", n + 1), ca.SX.sym("other", n + 1)
     point, normal = ca.SX.sym("point", 3), ca.SX.sym("normal", 3)
     offset, keep = ca.SX.sym("offset"), ca.SX.sym("keep")
     position, plane_origin, plane_normal = ca.SX.zeros(3), ca.SX.zeros(3), ca.SX.zeros(3)
@@ -227,6 +233,27 @@ def _row_function(kinematics: Kinematics) -> ca.Function:
         plane_origin += other[k] * placement.origin
         plane_normal += other[k] * (placement.rotation @ normal)
     distance = ca.dot(plane_normal, position - plane_origin) - offset - keep
-    hessian, gradient = ca.hessian(distance, q)
+
+    spin, velocity, sign = [], [], []
+    for i in range(1, n + 1):
+        axis = chain.joints[i].rotation @ ca.DM(axis_of(model.joints[i]))
+        slides = is_prismatic(model.joints[i])
+        spin.append(ca.SX.zeros(3) if slides else axis)
+        velocity.append(axis if slides else ca.cross(axis, position - chain.joints[i].origin))
+        sign.append(ca.sum1(carrier[i:]) - ca.sum1(other[i:]))
+    gradient = ca.vertcat(*(sign[i] * ca.dot(plane_normal, velocity[i]) for i in range(n)))
+    hessian = ca.SX.zeros(n, n)
+    for j in range(n):
+        for i in range(j + 1):
+            both = sign[i] * sign[j] / 2
+            bend = both * ca.dot(
+                plane_normal,
+                (1 + sign[i]) * ca.cross(spin[i], velocity[j]) + (1 - sign[i]) * ca.cross(spin[j], velocity[i]),
+            )
+            hessian[i, j] = hessian[j, i] = bend
     column = ca.vertcat(carrier, other, point, normal, offset, keep)
-    return ca.Function("row", [q, column], [distance, ca.densify(gradient), ca.densify(hessian)])
+    return (
+        ca.Function("row", [q, column], [distance]),
+        ca.Function("row_gradient", [q, column], [ca.densify(gradient)]),
+        ca.Function("row_hessian", [q, column], [ca.densify(hessian)]),
+    )

@@ -105,7 +105,7 @@ def from_ros(file: str | Path) -> Trajectory:
 
     def read() -> Trajectory:
         loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-        message = yaml.load(path.read_text(), Loader=loader)  # noqa: S506  # a safe loader, in C where there is one
+        message = yaml.load(path.read_text(), Loader=loader)  # a safe loader, in C where there is one
         if not isinstance(message, Mapping):
             raise FileFormatError("file", str(path), wanted)
         stamps = [point["time_from_start"] for point in message["points"]]
@@ -121,8 +121,8 @@ def from_ros(file: str | Path) -> Trajectory:
 
 def to_npz(trajectory: Trajectory, file: str | Path) -> None:
     """A NumPy archive with t, q, qd and joint_names."""
-    arrays = {"t": trajectory.t, "q": trajectory.q, "qd": trajectory.qd, "joint_names": np.array(trajectory.joint_names)}
-    write_bytes(file, lambda stream: np.savez(stream, **arrays))
+    names = np.array(trajectory.joint_names)
+    write_bytes(file, lambda stream: np.savez(stream, t=trajectory.t, q=trajectory.q, qd=trajectory.qd, joint_names=names))
 
 
 def from_npz(file: str | Path) -> Trajectory:

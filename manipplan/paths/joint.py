@@ -65,12 +65,12 @@ class JointPath:
     @property
     def start(self) -> Array:
         """q(0), (n,)."""
-        return self.control[0, 0]
+        return np.asarray(self.control[0, 0])
 
     @property
     def goal(self) -> Array:
         """q(1), (n,)."""
-        return self.control[-1, -1]
+        return np.asarray(self.control[-1, -1])
 
     def __call__(self, s: ArrayLike, order: int = 0) -> Array:
         """q(s), or its derivative of the given order with respect to s; s (...) in [0, 1] gives (..., n)."""
@@ -85,7 +85,7 @@ class JointPath:
                 return np.zeros((*s.shape, self.n))
             control = np.diff(control, axis=1) * ((control.shape[1] - 1) / width[:, None, None])
         u = (s - self.breaks[piece]) / width[piece]
-        return np.einsum("...k,...kn->...n", bernstein(control.shape[1] - 1, u), control[piece])
+        return np.asarray(np.einsum("...k,...kn->...n", bernstein(control.shape[1] - 1, u), control[piece]))
 
     @property
     def length(self) -> float:
@@ -144,6 +144,4 @@ def bernstein(degree: int, u: ArrayLike) -> Array:
 def _power_basis(control: Array) -> Array:
     """Coefficients, lowest power first, of a Bernstein polynomial (k + 1,)."""
     k = len(control) - 1
-    return np.array(
-        [comb(k, j) * sum((-1) ** (j - i) * comb(j, i) * control[i] for i in range(j + 1)) for j in range(k + 1)]
-    )
+    return np.array([comb(k, j) * sum((-1) ** (j - i) * comb(j, i) * control[i] for i in range(j + 1)) for j in range(k + 1)])

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, finite_array, number_array
 from manipplan.errors import InvalidInputError
+from manipplan.paths.joint import JointPath
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -75,9 +76,19 @@ class Trajectory:
             value = value * u + coefficient[segment]
         return value
 
+    def path(self) -> JointPath:
+        """The same curve over s = t / duration, as a JointPath of cubic pieces."""
+        h = np.diff(self.t)[:, None]
+        control = np.stack(
+            [self.q[:-1], self.q[:-1] + h * self.qd[:-1] / 3, self.q[1:] - h * self.qd[1:] / 3, self.q[1:]], axis=1
+        )
+        breaks = self.t / self.duration
+        breaks[-1] = 1.0
+        return JointPath(breaks=breaks, control=control)
+
     def slower(self, factor: float) -> "Trajectory":
         """The same motion in `factor` (>= 1) times the time; sample times in whole nanoseconds."""
-        t = np.round(self.t * factor, 9)
+        t: Array = np.round(self.t * factor, 9)
         return Trajectory(t=t, q=self.q, qd=self.qd / factor, joint_names=self.joint_names)
 
     def to_csv(self, file: str | Path) -> None:
@@ -133,7 +144,6 @@ class Trajectory:
         return export.from_npz(file)
 
 
-
 def joined(parts: Sequence[Trajectory]) -> Trajectory:
     """Trajectories one after another, each beginning where the one before ends."""
     t, q, qd = [parts[0].t], [parts[0].q], [parts[0].qd]
@@ -141,6 +151,4 @@ def joined(parts: Sequence[Trajectory]) -> Trajectory:
         t.append(part.t[1:] + t[-1][-1])
         q.append(part.q[1:])
         qd.append(part.qd[1:])
-    return Trajectory(
-        t=np.round(np.concatenate(t), 9), q=np.concatenate(q), qd=np.concatenate(qd), joint_names=parts[0].joint_names
-    )
+    return Trajectory(t=np.concatenate(t), q=np.concatenate(q), qd=np.concatenate(qd), joint_names=parts[0].joint_names)

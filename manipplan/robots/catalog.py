@@ -1,7 +1,7 @@
 """Known arms by name, from the package example-robot-data, and the planar n-link arm built without a file."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import coal
@@ -33,24 +33,26 @@ class Entry:
 
 
 # Accelerations and jerks stand only where the maker publishes them; elsewhere the default of JointLimits applies.
-_FRANKA = {
-    "acceleration": (15.0, 7.5, 10.0, 12.5, 15.0, 20.0, 20.0),
-    "jerk": (7500.0, 3750.0, 5000.0, 6250.0, 7500.0, 10000.0, 10000.0),
-    "data_sheet": "Franka Emika control interface, robot and interface specifications",
-}
+_PANDA = Entry(
+    folder="panda_description",
+    urdf="urdf/panda.urdf",
+    srdf="srdf/panda.srdf",
+    tool="panda_hand_tcp",
+    acceleration=(15.0, 7.5, 10.0, 12.5, 15.0, 20.0, 20.0),
+    jerk=(7500.0, 3750.0, 5000.0, 6250.0, 7500.0, 10000.0, 10000.0),
+    data_sheet="Franka Emika control interface, robot and interface specifications",
+)
 _UR_NEUTRAL = (0.0, -1.5708, 1.5708, -1.5708, -1.5708, 0.0)
 _BAXTER_NEUTRAL = (0.0, -0.55, 0.0, 0.75, 0.0, 1.26, 0.0)
 
 CATALOG: Mapping[str, Entry] = {
-    "panda": Entry(
-        folder="panda_description", urdf="urdf/panda.urdf", srdf="srdf/panda.srdf", tool="panda_hand_tcp", **_FRANKA
-    ),
-    "panda_collision": Entry(
-        folder="panda_description", urdf="urdf/panda_collision.urdf", tool="panda_hand_tcp", srdf="srdf/panda.srdf", **_FRANKA
-    ),
+    "panda": _PANDA,
+    "panda_collision": replace(_PANDA, urdf="urdf/panda_collision.urdf"),
     "ur3": Entry(folder="ur_description", urdf="urdf/ur3_robot.urdf", srdf="srdf/ur5.srdf", tool="tool0", neutral=_UR_NEUTRAL),
     "ur5": Entry(folder="ur_description", urdf="urdf/ur5_robot.urdf", srdf="srdf/ur5.srdf", tool="tool0", neutral=_UR_NEUTRAL),
-    "ur10": Entry(folder="ur_description", urdf="urdf/ur10_robot.urdf", srdf="srdf/ur5.srdf", tool="tool0", neutral=_UR_NEUTRAL),
+    "ur10": Entry(
+        folder="ur_description", urdf="urdf/ur10_robot.urdf", srdf="srdf/ur5.srdf", tool="tool0", neutral=_UR_NEUTRAL
+    ),
     "xarm7": Entry(
         folder="xarm_description",
         urdf="urdf/xarm7.urdf",
@@ -114,7 +116,9 @@ CATALOG: Mapping[str, Entry] = {
         urdf="robots/tiago.urdf",
         tool="arm_tool_link",
     ),
-    "icub": Entry(folder="icub_description", urdf="robots/icub.urdf", srdf="srdf/icub.srdf", tool="r_hand", first="r_shoulder_pitch"),
+    "icub": Entry(
+        folder="icub_description", urdf="robots/icub.urdf", srdf="srdf/icub.srdf", tool="r_hand", first="r_shoulder_pitch"
+    ),
     "so100": Entry(folder="so_arm_description", urdf="urdf/so100.urdf", tool="gripper"),
 }
 
@@ -214,9 +218,7 @@ def planar_arm(lengths: ArrayLike, *, radius: float | None = None) -> Robot:
         tool="tool",
         limits=limits,
         neutral=neutral,
-        disabled_pairs=frozenset(
-            frozenset((f"link{i + 1}", f"link{j + 1}")) for i in range(n) for j in range(i)
-        ),
+        disabled_pairs=frozenset(frozenset((f"link{i + 1}", f"link{j + 1}")) for i in range(n) for j in range(i)),
         planar=True,
     )
 

@@ -26,19 +26,24 @@ COARSE = 0.02
 
 @dataclass(frozen=True, kw_only=True)
 class Contact:
-    """The nearest points of one pair at one configuration.
+    """The nearest points of one pair at one configuration, and the plane between the two bodies.
 
     Attributes:
-        pair: index into `CollisionModel.pair_names`.
         distance: [m], negative where the two overlap.
-        normal: (3,) unit vector in the world, from the second body to the first.
-        point: (3,) point of the second body nearest to the first [m], in the world.
+        first, second: indices of the joints that carry the bodies (0: the world).
+        normal: (3,) unit vector from the second body to the first, in the frame of joint `second`.
+        offset: normal · p of the second body's point nearest to the first [m], in that frame: the body lies below it.
+        points: (k, 3) core points of the first body in the frame of joint `first` [m].
+        radius: of the first body around its core points [m].
     """
 
-    pair: int
     distance: float
+    first: int
+    second: int
     normal: Array
-    point: Array
+    offset: float
+    points: Array
+    radius: float
 
 
 class CollisionModel:
@@ -65,6 +70,7 @@ class CollisionModel:
         self._data = robot.model.createData()
         self._geometry_data = pin.GeometryData(geometry)
         self._margin = 0.0
+        self._cores: dict[int, tuple[Array, float]] = {}
 
     @classmethod
     def of(cls, robot: Robot, scene: Scene) -> "CollisionModel":
@@ -89,9 +95,7 @@ class CollisionModel:
     def in_collision(self, q: Array, *, clearance: float = 0.0) -> bool:
         """Whether any pair is nearer than `clearance` [m] at q (n,); 0: whether any pair touches."""
         self._set_margin(clearance)
-        return bool(
-            pin.computeCollisions(self.robot.model, self._data, self.geometry, self._geometry_data, q, True)
-        )
+        return bool(pin.computeCollisions(self.robot.model, self._data, self.geometry, self._geometry_data, q, True))
 
     def touching(self, q: Array) -> list[tuple[str, str]]:
         """Names of the pairs that touch at q (n,)."""
@@ -112,21 +116,31 @@ class CollisionModel:
         """Least signed distance over all pairs at q (n,) [m]; inf when there is no pair."""
         return float(self.distances(q).min(initial=np.inf))
 
-    def contacts(self, q: Array, pairs: Array) -> list[Contact]:
-        """Nearest points of the pairs with the given indices at q (n,)."""
+    def contact(self, q: Array, pair: int) -> Contact:
+        """Nearest points and separating plane of the pair with the given index at q (n,)."""
         pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
-        found = []
-        for pair in pairs:
-            result = pin.computeDistance(self.geometry, self._geometry_data, int(pair))
-            found.append(
-                Contact(
-                    pair=int(pair),
-                    distance=float(result.min_distance),
-                    normal=-np.array(result.normal),
-                    point=np.array(result.getNearestPoint2()),
-                )
-            )
-        return found
+        result = pin.computeDistance(self.geometry, self._geometry_data, pair)
+        bodies = self.geometry.collisionPairs[pair]
+        first, second = (self.geometry.geometryObjects[i].parentJoint for i in (bodies.first, bodies.second))
+        normal = -np.array(result.normal)  # coal's points from the first to the second
+        place = self._data.oMi[second]
+        points, radius = self._core(bodies.first)
+        return Contact(
+            distance=float(result.min_distance),
+            first=first,
+            second=second,
+            normal=place.rotation.T @ normal,
+            offset=float(normal @ (result.getNearestPoint2() - place.translation)),
+            points=points,
+            radius=radius,
+        )
+
+    def nearest_points(self, q: Array, contact: Contact, count: int) -> Array:
+        """The `count` core points of the contact's first body that are nearest to its plane at q (n,)."""
+        pin.forwardKinematics(self.robot.model, self._data, q)
+        normal = self._data.oMi[contact.second].rotation @ contact.normal
+        height = contact.points @ (self._data.oMi[contact.first].rotation.T @ normal)
+        return contact.points[np.argsort(height)[:count]]
 
     def free_configuration(self, argument: str, q: ArrayLike, clearance: float = 0.0) -> Array:
         """Check that q (n,) is inside the limits and free; raises InvalidInputError that names limit or pair."""
@@ -149,11 +163,13 @@ class CollisionModel:
         order = np.argsort([(k & -k if k else 1 << 30) for k in range(len(s))])[::-1]
         return not any(self.in_collision(q[k], clearance=clearance) for k in order)
 
-    def core(self, body: int) -> tuple[Array, float]:
+    def _core(self, body: int) -> tuple[Array, float]:
         """Core points (k, 3) of a geometry object in its joint's frame, and the radius around them [m]."""
-        item = self.geometry.geometryObjects[body]
-        points, radius = core_of(item.geometry)
-        return points @ item.placement.rotation.T + item.placement.translation, radius
+        if body not in self._cores:
+            item = self.geometry.geometryObjects[body]
+            points, radius = core_of(item.geometry)
+            self._cores[body] = points @ item.placement.rotation.T + item.placement.translation, radius
+        return self._cores[body]
 
     def _set_margin(self, clearance: float) -> None:
         if clearance != self._margin:

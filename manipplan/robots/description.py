@@ -25,7 +25,16 @@ class Description:
     source: str
     model: pin.Model
     geometry: pin.GeometryModel
-    mimics: Mapping[str, str]
+    mimics: Mapping[str, "Mimic"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mimic:
+    """A joint that follows another: multiplier * leader + offset."""
+
+    leader: str
+    multiplier: float
+    offset: float
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,7 +64,11 @@ def read_urdf(file: Path, package_dirs: Sequence[str | Path] = ()) -> Descriptio
     for joint in root.iter("joint"):
         leader = joint.find("mimic")
         if leader is not None:
-            mimics[str(joint.get("name"))] = str(leader.get("joint"))
+            mimics[str(joint.get("name"))] = Mimic(
+                leader=str(leader.get("joint")),
+                multiplier=float(leader.get("multiplier", "1")),
+                offset=float(leader.get("offset", "0")),
+            )
     folders = [str(folder) for folder in package_dirs] + [str(folder) for folder in file.resolve().parents]
     model = _pinocchio(file, "a URDF", lambda: pin.buildModelFromUrdf(str(file)))
     geometry = _pinocchio(
@@ -82,9 +95,7 @@ def read_srdf(file: Path) -> Semantics:
     """End effector, disabled pairs and named postures of an SRDF."""
     root = _xml("srdf", file, "robot")
     effector = root.find("end_effector")
-    disabled = {
-        frozenset((str(pair.get("link1")), str(pair.get("link2")))) for pair in root.findall("disable_collisions")
-    }
+    disabled = {frozenset((str(pair.get("link1")), str(pair.get("link2")))) for pair in root.findall("disable_collisions")}
     postures = {}
     for state in root.findall("group_state"):
         # a floating base has several values: it is no joint of an arm
@@ -102,20 +113,20 @@ def read_srdf(file: Path) -> Semantics:
 
 def is_revolute(joint: pin.JointModel) -> bool:
     """Whether the joint turns about one fixed axis."""
-    return joint.shortname().startswith(("JointModelR", "JointModelRevolute")) and joint.nv == 1
+    return bool(joint.shortname().startswith("JointModelR") and joint.nv == 1)
 
 
 def is_prismatic(joint: pin.JointModel) -> bool:
     """Whether the joint slides along one fixed axis."""
-    return joint.shortname().startswith("JointModelP") and joint.nv == 1 and "Planar" not in joint.shortname()
+    return bool(joint.shortname().startswith("JointModelP") and joint.nv == 1)
 
 
 def axis_of(joint: pin.JointModel) -> Array:
     """Unit axis (3,) of a revolute or prismatic joint in its own frame."""
     name = joint.shortname()
     if name.endswith("Unaligned"):
-        return np.array(joint.extract().axis if hasattr(joint, "extract") else joint.axis, dtype=float)
-    return np.eye(3)["XYZ".index(name[-1])]
+        return np.array(joint.extract().axis, dtype=float)
+    return np.asarray(np.eye(3)["XYZ".index(name[-1])])
 
 
 def plain_angles(model: pin.Model) -> pin.Model:
@@ -137,7 +148,9 @@ def plain_angles(model: pin.Model) -> pin.Model:
         if is_revolute(joint) and joint.nq == 2:
             joint = pin.JointModelRevoluteUnaligned(axis_of(joint))
             lower, upper = np.array([-np.inf]), np.array([np.inf])
-        index = plain.addJoint(model.parents[i], joint, model.jointPlacements[i], model.names[i], effort, velocity, lower, upper)
+        index = plain.addJoint(
+            model.parents[i], joint, model.jointPlacements[i], model.names[i], effort, velocity, lower, upper
+        )
         plain.inertias[index] = model.inertias[i]
     plain.armature = model.armature
     for frame in list(model.frames)[1:]:

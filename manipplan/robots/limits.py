@@ -1,7 +1,7 @@
 """JointLimits: what each joint may do, and where each number comes from."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, fields
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -47,8 +47,8 @@ class JointLimits:
         """Number of joints."""
         return len(self.lower)
 
-    def with_(self, *, source: str = "given", **changes: ArrayLike) -> "JointLimits":
-        """A copy with other limits, e.g. ``limits.with_(acceleration=5.0)``; one number serves all joints."""
+    def with_changes(self, changes: Mapping[str, ArrayLike], *, source: str = "given") -> "JointLimits":
+        """A copy with other limits, e.g. ``{"acceleration": 5.0}``; one number serves all joints."""
         known = {f.name for f in fields(self)} - {"sources"}
         for name in changes:
             if name not in known:
@@ -59,7 +59,8 @@ class JointLimits:
             else number_array(f"limits.{name}", value)
             for name, value in changes.items()
         }
-        return replace(self, **values, sources={**self.sources, **dict.fromkeys(changes, source)})
+        sources = {**self.sources, **dict.fromkeys(changes, source)}
+        return JointLimits(**{name: values.get(name, getattr(self, name)) for name in known}, sources=sources)
 
     def outside(self, q: Array) -> Array:
         """How far each joint of q (..., n) is outside its position limits [rad or m]; 0 inside."""

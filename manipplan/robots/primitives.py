@@ -11,8 +11,6 @@ import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
-from scipy.optimize import minimize
-from scipy.spatial import ConvexHull, QhullError
 
 from manipplan.checks import Array
 from manipplan.errors import ManipplanError
@@ -92,9 +90,11 @@ def core_of(shape: coal.CollisionGeometry) -> tuple[Array, float]:
         return np.array([[0.0, 0.0, -shape.halfLength], [0.0, 0.0, shape.halfLength]]), float(shape.radius)
     if isinstance(shape, coal.Box):
         signs = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T
-        return signs * shape.halfSide, 0.0
+        return np.asarray(signs * shape.halfSide), 0.0
     if isinstance(shape, coal.ConvexBase):
         return np.array([shape.point(i) for i in range(shape.num_points)]), 0.0
+    if isinstance(shape, coal.BVHModelBase):
+        return np.array(shape.vertices()), 0.0
     shape.computeLocalAABB()
     box = shape.aabb_local
     low, high = np.array(box.min_), np.array(box.max_)
@@ -106,7 +106,7 @@ def mesh_triangles(mesh: coal.BVHModelBase) -> Array:
     """Corners (t, 3, 3) of a mesh's triangles [m]."""
     vertices = np.array(mesh.vertices())
     faces = np.array([[t[0], t[1], t[2]] for t in map(mesh.tri_indices, range(mesh.num_tris))], dtype=int)
-    return vertices[faces]
+    return np.asarray(vertices[faces])
 
 
 def _best_cut(triangles: Array) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
@@ -149,8 +149,10 @@ def _subdivided(triangles: Array) -> Array:
 
 
 def _hull_points(points: Array) -> Array:
+    from scipy.spatial import ConvexHull, QhullError
+
     try:
-        return points[ConvexHull(points).vertices]
+        return np.asarray(points[ConvexHull(points).vertices])
     except (QhullError, ValueError):  # flat or fewer than four points: all of them count
         return points
 
@@ -161,6 +163,8 @@ def _volume(primitive: Primitive) -> float:
 
 def _turned(fit: Callable[[Array, Array], Primitive], points: Array, start: Primitive) -> Primitive:
     """The fit of least volume over all rotations near that of `start`."""
+    from scipy.optimize import minimize
+
     frame = start.placement.rotation
 
     def turned(x: Array) -> Primitive:

@@ -127,15 +127,13 @@ class Robot:
         tool = _choose_tool(whole, tool, semantic)
         chain = [whole.names[i] for i in whole.supports[whole.frames[description.frame_index(whole, tool)].parentJoint]][1:]
         active = _choose_joints(whole, tool, chain, joints, read.mimics)
-        held = _locked_values(whole, active, dict(locked or {}), semantic)
+        held = _locked_values(whole, active, dict(locked or {}), semantic, read.mimics)
         model, geometry = description.reduce(whole, read.geometry, active, held)
         base = _limits_of(model, read.source)
-        base = base.with_(**limits) if limits else base
+        base = base.with_changes(limits) if limits else base
         if "acceleration" not in limits:
-            base = base.with_(
-                acceleration=base.velocity / DEFAULT_RAMP_TIME,
-                source=f"default: full speed in {DEFAULT_RAMP_TIME:g} s",
-            )
+            ramp = {"acceleration": base.velocity / DEFAULT_RAMP_TIME}
+            base = base.with_changes(ramp, source=f"default: full speed in {DEFAULT_RAMP_TIME:g} s")
         if semantic is not None and neutral is None:
             neutral = semantic.posture(active, base)
         robot = cls(
@@ -226,14 +224,14 @@ class Robot:
         upper = np.where(np.isfinite(self.limits.upper), self.limits.upper, np.pi)
         return rng.uniform(lower, upper, (self.n,) if size is None else (size, self.n))
 
-    def with_limits(self, **changes: ArrayLike) -> "Robot":
+    def with_limits(self, *, source: str = "given", **changes: ArrayLike) -> "Robot":
         """A copy with other limits: lower, upper, velocity, acceleration, jerk, effort; one number or (n,)."""
-        return replace(self, limits=self.limits.with_(**changes), cache={})
+        return replace(self, limits=self.limits.with_changes(changes, source=source), cache={})
 
     def __str__(self) -> str:
         limits = self.limits
         head = ("joint", "type", "lower", "upper", "velocity", "acceleration", "jerk", "effort")
-        rows = [head]
+        rows: list[tuple[str, ...]] = [head]
         for i, (name, kind) in enumerate(zip(self.joint_names, self.joint_types, strict=True)):
             values = (getattr(limits, column)[i] for column in head[2:])
             rows.append((name, kind, *(f"{v:.4g}" for v in values)))
@@ -250,7 +248,7 @@ class Robot:
         return "\n".join(lines)
 
 
-def _choose_tool(model: pin.Model, tool: str | None, semantic: "description.Semantics | None") -> str:
+def _choose_tool(model: pin.Model, tool: str | None, semantic: description.Semantics | None) -> str:
     bodies = [frame.name for frame in model.frames if frame.name != "universe"]
     if tool is None and semantic is not None and semantic.end_effector is not None:
         tool = semantic.end_effector
@@ -265,7 +263,7 @@ def _choose_tool(model: pin.Model, tool: str | None, semantic: "description.Sema
 
 
 def _choose_joints(
-    model: pin.Model, tool: str, chain: list[str], joints: Sequence[str] | None, mimics: Mapping[str, str]
+    model: pin.Model, tool: str, chain: list[str], joints: Sequence[str] | None, mimics: Mapping[str, description.Mimic]
 ) -> list[str]:
     active = list(chain) if joints is None else list(joints)
     for joint in active:
@@ -274,8 +272,8 @@ def _choose_joints(
         if joint not in chain:
             raise InvalidInputError("joints", joint, f"joints that move the tool {tool}: {', '.join(chain)}")
         if joint in mimics:
-            raise UnsupportedJointError("joints", joint, f"independent joints; this one mimics {mimics[joint]}")
-        followers = [follower for follower, leader in mimics.items() if leader == joint and follower in chain]
+            raise UnsupportedJointError("joints", joint, f"independent joints; this one mimics {mimics[joint].leader}")
+        followers = [follower for follower, mimic in mimics.items() if mimic.leader == joint and follower in chain]
         if followers:
             raise UnsupportedJointError("joints", joint, f"joints on which none of the chain depends; {followers[0]} mimics it")
         kind = model.joints[model.getJointId(joint)]
@@ -292,7 +290,11 @@ def _choose_joints(
 
 
 def _locked_values(
-    model: pin.Model, active: list[str], given: dict[str, float], semantic: "description.Semantics | None"
+    model: pin.Model,
+    active: list[str],
+    given: dict[str, float],
+    semantic: description.Semantics | None,
+    mimics: Mapping[str, description.Mimic],
 ) -> dict[str, float]:
     others = [name for name in list(model.names)[1:] if name not in active]
     for name, value in given.items():
@@ -309,6 +311,9 @@ def _locked_values(
             held[name] = float(given.get(name, np.clip(usual.get(name, 0.0), low, high)))
         else:
             held[name] = float(given.get(name, 0.0))
+    for name, mimic in mimics.items():
+        if name in held and name not in given and mimic.leader in held:
+            held[name] = mimic.multiplier * held[mimic.leader] + mimic.offset
     return held
 
 

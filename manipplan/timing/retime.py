@@ -6,6 +6,7 @@ corner inside is cut there: the arm stops.
 """
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -55,7 +56,9 @@ def retime(
         raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of the path's {path.n} joints")
     if not (np.isfinite(limits.velocity) & np.isfinite(limits.acceleration)).all():
         raise InvalidInputError(
-            "limits", [limits.velocity.tolist(), limits.acceleration.tolist()], "finite velocity and acceleration for each joint"
+            "limits",
+            [limits.velocity.tolist(), limits.acceleration.tolist()],
+            "finite velocity and acceleration for each joint",
         )
     names = tuple(joint_names) if joint_names is not None else tuple(f"q{i}" for i in range(path.n))
     if path.length < 1e-9:
@@ -65,7 +68,7 @@ def retime(
     stops = _stops(path)
     parts = [
         _retime_piece(path, a, b, limits, names, torque_model, max(20, int(np.ceil(grid * (b - a)))))
-        for a, b in zip(stops, stops[1:], strict=False)
+        for a, b in pairwise(stops)
     ]
     return _slowed_to_limits(joined(parts), limits, torque_model)
 
@@ -137,7 +140,7 @@ class _ByArcLength:
         self._range = (a, b)
 
     def s(self, length: Array) -> Array:
-        return np.clip(self._s(length), *self._range)
+        return np.asarray(np.clip(self._s(length), *self._range))
 
     def tangent(self, length: Array) -> Array:
         derivative = self.path(self.s(length), 1)
@@ -220,7 +223,7 @@ def _speeds(
             f"no motion along the path from s = {interval[0]:.4f} to {interval[1]:.4f} obeys velocity, acceleration"
             f"{' and torque' if torque_model is not None else ''} limits (toppra failed)"
         )
-    return np.maximum(np.asarray(speed, dtype=float), 0.0)
+    return np.asarray(np.maximum(speed, 0.0), dtype=float)
 
 
 def _sampled(curve: _ByArcLength, points: Array, speed: Array, names: tuple[str, ...]) -> Trajectory:

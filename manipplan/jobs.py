@@ -1,0 +1,170 @@
+"""The jobs: nothing but the wiring of the rooms."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from numpy.typing import ArrayLike
+
+from manipplan.checks import number
+from manipplan.errors import PlanningError
+from manipplan.files import writable_folder
+from manipplan.measures.task import Task
+from manipplan.optimize.optimize import PathResult, optimize_path
+from manipplan.paths.joint import JointPath
+from manipplan.paths.report import Report
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.collision import CollisionModel
+from manipplan.robots.robot import Robot
+from manipplan.robots.scene import Scene
+from manipplan.seeds.ompl import seed_path
+from manipplan.status import Status
+from manipplan.timing.retime import retime
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plan:
+    """A finished plan. With a status that failed, what could not be made is None.
+
+    Attributes:
+        robot, scene: what was planned for.
+        status: how the path came about.
+        path: the JointPath from start to goal.
+        trajectory: the timed motion along it.
+        report: its figures, measured on the trajectory.
+        result: the optimiser's result, with seed and history.
+    """
+
+    robot: Robot
+    scene: Scene
+    status: Status
+    path: JointPath | None = None
+    trajectory: Trajectory | None = None
+    report: Report | None = None
+    result: PathResult | None = None
+
+    def save(self, folder: str | Path) -> list[Path]:
+        """Write trajectory.csv, .json and .yaml (ROS), report.json, report.txt and plan.png; returns the files.
+
+        Raises InvalidInputError when the folder cannot be written and PlanningError when there is no trajectory.
+        """
+        from manipplan.files import write_text
+        from manipplan.viz.plots import save_plan
+
+        if self.trajectory is None or self.report is None:
+            raise PlanningError(f"there is no trajectory to save: {self.status.value}", self)
+        to = writable_folder("folder", folder)
+        self.trajectory.to_csv(to / "trajectory.csv")
+        self.trajectory.to_json(to / "trajectory.json")
+        self.trajectory.to_ros(to / "trajectory.yaml")
+        self.report.to_json(to / "report.json")
+        write_text(to / "report.txt", f"{self.report}\n")
+        save_plan(self, to / "plan.png")
+        names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png")
+        return [to / name for name in names]
+
+
+def plan(
+    robot: Robot,
+    start: ArrayLike,
+    goal: ArrayLike,
+    scene: Scene | None = None,
+    *,
+    task: Task | None = None,
+    power: float = 1.0,
+    degree: int = 6,
+    clearance: float = 0.0,
+    torque: bool = False,
+    seed: int = 0,
+    time_limit: float = 10.0,
+    throw: bool = True,
+    progress: Callable[[str], None] | None = None,
+) -> Plan:
+    """From start to goal: a collision-free path far from singularities, timed, and checked again when finished.
+
+    A seed is found by OMPL and improved by the path optimiser; where no polynomial of `degree`, or of three degrees
+    more, stays clear, the seed itself is timed and the status says so.
+
+    Args:
+        robot: the arm.
+        start, goal: (n,) inside the limits and free [rad or m].
+        scene: obstacles; None: none. The arm is always checked against itself.
+        task: whose manipulability index counts; default `robot.default_task`.
+        power: exponent of the index in g = ∫ ‖q'‖ / m^power ds.
+        degree: of the path's polynomial.
+        clearance: distance [m] to keep from obstacles and between the arm's own links.
+        torque: limit the motion by the joints' effort, too.
+        seed: of the planner; the same seed gives the same plan.
+        time_limit: for the planner's search [s].
+        throw: raise PlanningError where no trajectory can be had; False: return a Plan whose status says why.
+        progress: called with a line of text as each step begins.
+
+    Raises:
+        InvalidInputError: an argument is not usable (also with throw=False).
+        PlanningError: no free path, or no motion within the limits; its `result` is the Plan so far.
+    """
+    scene = scene if scene is not None else Scene()
+    say = progress or _silent
+    number("clearance", clearance, least=0.0)
+    say("preparing collision shapes")
+    model = scene.collision_model(robot)
+    draft = Plan(robot=robot, scene=scene, status=Status.NO_PATH)
+    try:
+        say("looking for a collision-free seed path")
+        first = seed_path(robot, start, goal, scene, seed=seed, clearance=clearance, time_limit=time_limit)
+    except PlanningError as error:
+        return _failed(draft, throw, str(error))
+    say("optimising the path")
+    result = _optimised(robot, first, degree, power, task, scene, clearance)
+    draft = replace(draft, path=result.path, result=result, status=result.status)
+    try:
+        say("timing the motion")
+        trajectory = retime(
+            result.path, robot.limits, joint_names=robot.joint_names, torque_model=robot.model if torque else None
+        )
+    except PlanningError as error:
+        return _failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
+    say("checking the result")
+    return _checked(draft, trajectory, result, model, clearance=clearance, torque=torque, throw=throw)
+
+
+def _optimised(
+    robot: Robot, first: JointPath, degree: int, power: float, task: Task | None, scene: Scene, clearance: float
+) -> PathResult:
+    results = []
+    for each in (degree, degree + 3):
+        results.append(
+            optimize_path(
+                robot, first.start, first.goal, each, power, task, scene, initial=first, clearance=clearance, throw=False
+            )
+        )
+        if results[-1].status.ok:
+            break
+    return min(results, key=lambda result: (not result.status.ok, result.g))
+
+
+def _checked(
+    draft: Plan,
+    trajectory: Trajectory,
+    result: PathResult,
+    model: CollisionModel,
+    *,
+    clearance: float,
+    torque: bool,
+    throw: bool,
+) -> Plan:
+    report = Report.of(trajectory, result, model, result.path.goal, clearance=clearance, torque=torque)
+    finished = replace(draft, trajectory=trajectory, report=report)
+    if report.passed:
+        return finished
+    return _failed(replace(finished, status=Status.CHECK_FAILED), throw, f"{Status.CHECK_FAILED.value}\n{report}")
+
+
+def _silent(_: str) -> None:
+    """Tell nobody."""
+
+
+def _failed(plan: Plan, throw: bool, message: str) -> Plan:
+    if throw:
+        raise PlanningError(message, plan)
+    return plan

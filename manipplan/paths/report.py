@@ -1,0 +1,170 @@
+"""Report: every figure of a finished trajectory, measured on the trajectory itself."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.files import write_text
+from manipplan.optimize.objective import path_cost
+from manipplan.optimize.optimize import PathResult
+from manipplan.paths.joint import JointPath
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.collision import CollisionModel
+from manipplan.seeds.ompl import CHECK_STEP
+from manipplan.timing.verify import LimitUse, limit_use, torque_use
+
+#: A limit counts as kept when it is exceeded by no more than this [rad, m] or this share.
+TOLERANCE = 1e-6
+#: Places along the trajectory at which distances are measured for the report.
+PLACES = 400
+
+
+@dataclass(frozen=True, kw_only=True)
+class Report:
+    """What a trajectory reaches. Lengths in radians or metres of joint space, times in seconds.
+
+    Attributes:
+        robot, tool, task, index_unit, power: what was planned for, and the unit and exponent of the index.
+        status: text of the Status.
+        duration: of the trajectory [s].
+        g, seed_g: ∫ ‖q'‖ / m^power ds along the trajectory and along the seed.
+        length, seed_length: in joint space.
+        min_manipulability, min_at: least index along the trajectory, and the share of the time at which it is.
+        seed_min_manipulability, straight_min_manipulability: least index on the seed, and on the straight line.
+        index_note: how the least index compares with those, and why when it is less than twice as large.
+        clearance, nearest_pair: least distance [m] measured at evenly spaced times, and between what; inf and () when
+            nothing is checked.
+        collision_free: whether the trajectory is free at every milliradian.
+        limits: worst use of position, velocity, acceleration and, when it was asked for, torque.
+        goal_error: largest distance of the last sample from the goal [rad or m].
+        passed: every limit kept, collision-free, goal reached.
+    """
+
+    robot: str
+    tool: str
+    task: str
+    index_unit: str
+    power: float
+    status: str
+    duration: float
+    g: float
+    seed_g: float
+    length: float
+    seed_length: float
+    min_manipulability: float
+    min_at: float
+    seed_min_manipulability: float
+    straight_min_manipulability: float
+    index_note: str
+    clearance: float
+    nearest_pair: tuple[str, ...]
+    collision_free: bool
+    limits: Mapping[str, LimitUse]
+    goal_error: float
+    passed: bool
+
+    @classmethod
+    def of(
+        cls, trajectory: Trajectory, result: PathResult, model: CollisionModel, goal: Array, *, clearance: float, torque: bool
+    ) -> "Report":
+        """Measure a trajectory along `result.path`: nothing is taken over from the optimiser but the seed."""
+        robot = model.robot
+        kinematics = robot.kinematics(result.task)
+        path = trajectory.path()
+        cost = path_cost(path, kinematics, result.power)
+        straight = path_cost(JointPath.line(path.start, path.goal), kinematics, result.power)
+        use = dict(limit_use(trajectory, robot.limits))
+        if torque:
+            use["torque"] = torque_use(trajectory, robot.model, robot.limits.effort)
+        distances = np.array([model.distances(q) for q in path(np.linspace(0.0, 1.0, PLACES + 1))])
+        least, pair = np.inf, ()
+        if distances.size:
+            nearest = int(distances.argmin()) % distances.shape[1]
+            least, pair = float(distances.min()), model.pair_names[nearest]
+        free = model.path_is_free(path, CHECK_STEP, max(clearance - TOLERANCE, 0.0))
+        goal_error = float(np.abs(trajectory.q[-1] - goal).max())
+        kept = use["position"].ratio <= TOLERANCE and all(
+            each.ratio <= 1 + TOLERANCE for kind, each in use.items() if kind != "position"
+        )
+        return cls(
+            robot=robot.name,
+            tool=robot.tool,
+            task=result.task.name,
+            index_unit=result.task.unit,
+            power=result.power,
+            status=result.status.value,
+            duration=trajectory.duration,
+            g=cost.g,
+            seed_g=result.seed_cost.g,
+            length=cost.length,
+            seed_length=result.seed_cost.length,
+            min_manipulability=cost.min_manipulability,
+            min_at=cost.at,
+            seed_min_manipulability=result.seed_cost.min_manipulability,
+            straight_min_manipulability=straight.min_manipulability,
+            index_note=_index_note(
+                cost.min_manipulability, cost.at, result.seed_cost.min_manipulability, straight.min_manipulability
+            ),
+            clearance=least,
+            nearest_pair=pair,
+            collision_free=free,
+            limits=use,
+            goal_error=goal_error,
+            passed=bool(free and kept and goal_error <= TOLERANCE),
+        )
+
+    def __str__(self) -> str:
+        unit = f" {self.index_unit}" if self.index_unit != "1" else ""
+        lines = [
+            f"{self.robot}, tool {self.tool}, task {self.task}: {'all checks passed' if self.passed else 'CHECK FAILED'}",
+            f"  status       {self.status}",
+            f"  duration     {self.duration:.3f} s",
+            f"  least index  {self.min_manipulability:.4g}{unit} (seed {self.seed_min_manipulability:.4g}, "
+            f"straight {self.straight_min_manipulability:.4g}): {self.index_note}",
+            f"  g            {self.g:.5g} (seed {self.seed_g:.5g}), exponent {self.power:g}",
+            f"  length       {self.length:.4g} rad (seed {self.seed_length:.4g})",
+        ]
+        if self.nearest_pair:
+            lines.append(f"  clearance    {1e3 * self.clearance:.1f} mm between {' and '.join(self.nearest_pair)}")
+        for kind, use in self.limits.items():
+            if not use.joint:
+                continue
+            worst = f"{use.ratio:.2e} beyond" if kind == "position" else f"{100 * use.ratio:.2f} %"
+            if kind == "position" and use.ratio <= 0:
+                worst = f"{-use.ratio:.3f} inside"
+            lines.append(f"  {kind:<12} {worst} of the limit, {use.joint} at {use.time:.2f} s")
+        return "\n".join(lines)
+
+    def to_json(self, file: str | Path) -> None:
+        """Write all figures as JSON."""
+        write_text(file, json.dumps(asdict(self), indent=1) + "\n")
+
+    @classmethod
+    def from_json(cls, file: str | Path) -> "Report":
+        """Read what `to_json` wrote; raises FileFormatError for another file."""
+        from manipplan.checks import existing_file
+        from manipplan.errors import FileFormatError
+
+        path = existing_file("file", file)
+        try:
+            data = json.loads(path.read_text())
+            data["limits"] = {kind: LimitUse(**use) for kind, use in data["limits"].items()}
+            return cls(**{**data, "nearest_pair": tuple(data["nearest_pair"])})
+        except (ValueError, TypeError, KeyError, AttributeError) as error:
+            raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
+
+
+def _index_note(least: float, at: float, seed: float, straight: float) -> str:
+    times = [
+        f"{least / other:.3g} times the {name}'s" for name, other in (("seed", seed), ("straight path", straight)) if other
+    ]
+    note = ", ".join(times) or "the others meet a singularity"
+    if least >= 2 * min(seed, straight):
+        return note
+    if at <= 0 or at >= 1:
+        return f"{note}; it is at the {'start' if at <= 0 else 'goal'}, which every path between the two shares"
+    return f"{note}; a larger one would cost more length than it gains in g"

@@ -1,0 +1,38 @@
+"""Status of a result: what came out, and where something is left to do, the remedy."""
+
+from enum import Enum
+
+
+class Status(Enum):
+    """How a path came about. The value is the text for people; `ok` tells whether the request was met in full."""
+
+    OPTIMAL = "optimal: the optimiser converged and every check passed"
+    STOPPED_EARLY = (
+        "feasible, not converged: every check passed, but the optimiser stopped before its tolerance; "
+        "raise degree or start it from initial="
+    )
+    SEED_IS_BETTER = (
+        "seed: no optimised path of this degree has a lower g than the collision-free seed, which is returned; "
+        "raise degree, or try another seed="
+    )
+    SEED_IS_SAFE = (
+        "seed: no optimised path of this degree stays clear of collisions, so the collision-free seed is returned; "
+        "raise degree, lower clearance, or try another seed="
+    )
+    NO_PATH = "failed: no collision-free path was found; allow more time_limit, less clearance, or check the goal"
+
+    NO_TIMING = "failed: no motion along the path obeys the limits; raise effort or acceleration, or choose another path"
+    CHECK_FAILED = (
+        "failed: the finished trajectory did not pass its own check of limits, collisions or goal; "
+        "please report it with the robot, start and goal"
+    )
+
+    @property
+    def ok(self) -> bool:
+        """Whether an optimised, checked path is returned."""
+        return self in (Status.OPTIMAL, Status.STOPPED_EARLY)
+
+    @property
+    def has_path(self) -> bool:
+        """Whether there is a checked path that a robot could play."""
+        return not self.value.startswith("failed")
