@@ -1,0 +1,41 @@
+# make demo, make test: each does all set-up on a fresh machine; a second run starts in seconds.
+PYTHON ?= python3
+BIN := .venv/bin
+READY := .venv/.ready
+
+.PHONY: demo test test-long lint types docs benchmark clean
+
+demo: $(READY)
+	$(BIN)/manipplan demo
+
+test: $(READY)
+	$(BIN)/python -m pytest
+
+test-long: $(READY)
+	$(BIN)/python -m pytest -m long
+
+lint: $(READY)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+
+types: $(READY)
+	$(BIN)/mypy
+
+docs: $(READY)
+	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
+	@echo "open docs/_build/html/index.html"
+
+benchmark: $(READY)
+	$(BIN)/python benchmarks/panda_boxes.py
+	$(BIN)/python benchmarks/import_time.py
+
+$(READY): requirements.txt pyproject.toml
+	@$(PYTHON) -c 'import sys; v = sys.version_info[:2]; sys.exit(0 if (3, 11) <= v <= (3, 13) else "manipplan needs Python 3.11 to 3.13, not %d.%d; name another: make PYTHON=python3.12" % v)'
+	@echo "setting up .venv: downloads about 500 MB the first time, a few minutes"
+	$(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
+	@touch $(READY)
+
+clean:
+	rm -rf .venv demo docs/_build docs/gallery .mypy_cache .ruff_cache .pytest_cache

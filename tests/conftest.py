@@ -1,0 +1,63 @@
+"""What the tests share: real robots, loaded once, and the scene of five boxes."""
+
+import numpy as np
+import pytest
+
+import manipplan as mp
+from manipplan.demo import panda_among_boxes
+
+
+@pytest.fixture(scope="session")
+def panda():
+    return mp.load_robot("panda")
+
+
+@pytest.fixture(scope="session")
+def ur5():
+    return mp.load_robot("ur5")
+
+
+@pytest.fixture(scope="session")
+def planar():
+    return mp.planar_arm([1.0, 1.0, 1.0])
+
+
+@pytest.fixture(scope="session")
+def demo_problem():
+    return panda_among_boxes()
+
+
+@pytest.fixture(scope="session")
+def demo_plan(demo_problem):
+    return mp.plan(demo_problem.robot, demo_problem.start, demo_problem.goal, demo_problem.scene)
+
+
+@pytest.fixture
+def rng():
+    return np.random.default_rng(20120521)
+
+
+@pytest.fixture(scope="session")
+def two_link_urdf(tmp_path_factory):
+    """A URDF of a revolute and a prismatic joint, with a mimic finger beside the tool; {} is put into the first joint."""
+
+    def write(first_joint: str = "", name: str = "arm.urdf", axis: str = "0 0 1", velocity: str = "1.5") -> str:
+        file = tmp_path_factory.mktemp("urdf") / name
+        file.write_text(f"""<robot name="two">
+  <link name="base"/>
+  <link name="upper"><collision><origin xyz="0.25 0 0"/><geometry><box size="0.5 0.1 0.1"/></geometry></collision></link>
+  <link name="fore"><collision><origin xyz="0.2 0 0"/><geometry><sphere radius="0.08"/></geometry></collision></link>
+  <link name="tip"/><link name="left"/><link name="right"/>
+  <joint name="turn" type="revolute"><parent link="base"/><child link="upper"/><axis xyz="{axis}"/>
+    <limit lower="-2" upper="2" velocity="{velocity}" effort="10"/>{first_joint}</joint>
+  <joint name="slide" type="prismatic"><parent link="upper"/><child link="fore"/><origin xyz="0.5 0 0.2"/>
+    <axis xyz="0.6 0 0.8"/><limit lower="0" upper="0.4" velocity="0.3" effort="20"/></joint>
+  <joint name="end" type="fixed"><parent link="fore"/><child link="tip"/><origin xyz="0.3 0 0" rpy="0.1 0.2 0.3"/></joint>
+  <joint name="finger" type="prismatic"><parent link="fore"/><child link="left"/><axis xyz="0 1 0"/>
+    <limit lower="0" upper="0.1" velocity="0.3" effort="20"/></joint>
+  <joint name="mirror" type="prismatic"><parent link="fore"/><child link="right"/><axis xyz="0 -1 0"/>
+    <limit lower="0" upper="0.1" velocity="0.3" effort="20"/><mimic joint="finger" multiplier="2" offset="0.01"/></joint>
+</robot>""")
+        return str(file)
+
+    return write

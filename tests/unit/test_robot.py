@@ -1,0 +1,195 @@
+"""Robots from URDF, MJCF and the catalogue: joints, limits, locking, and every wrong input."""
+
+import numpy as np
+import pinocchio as pin
+import pytest
+
+import manipplan as mp
+
+
+def test_panda_has_seven_joints_and_locked_fingers(panda):
+    assert panda.n == 7
+    assert panda.joint_names == tuple(f"panda_joint{i}" for i in range(1, 8))
+    assert set(panda.locked) == {"panda_finger_joint1", "panda_finger_joint2"}
+    assert panda.tool == "panda_hand_tcp"
+    np.testing.assert_allclose(panda.limits.velocity, [2.175] * 4 + [2.61] * 3)
+    np.testing.assert_allclose(panda.limits.acceleration, [15, 7.5, 10, 12.5, 15, 20, 20])
+    text = str(panda)
+    assert "panda_joint4" in text
+    assert "locked: panda_finger_joint1" in text
+
+
+def test_continuous_joints_are_plain_angles():
+    kinova = mp.load_robot("kinova")
+    assert (kinova.model.nq, kinova.model.nv) == (6, 6)
+    assert kinova.joint_types.count("continuous") == 3
+    assert np.isinf(kinova.limits.upper[0])
+
+
+def test_from_urdf_defaults_to_all_joints_that_move_the_tool(two_link_urdf):
+    robot = mp.Robot.from_urdf(two_link_urdf(), tool="tip")
+    assert robot.joint_names == ("turn", "slide")
+    assert robot.joint_types == ("revolute", "prismatic")
+    np.testing.assert_allclose(robot.limits.acceleration, robot.limits.velocity / 0.2)
+    assert "default" in robot.limits.sources["acceleration"]
+
+
+def test_locked_mimic_follows_its_leader(two_link_urdf):
+    robot = mp.Robot.from_urdf(two_link_urdf(), tool="tip", locked={"finger": 0.03})
+    assert robot.locked["mirror"] == pytest.approx(2 * 0.03 + 0.01)
+
+
+def test_locking_holds_the_joint(two_link_urdf):
+    free = mp.Robot.from_urdf(two_link_urdf(), tool="tip")
+    held = mp.Robot.from_urdf(two_link_urdf(), tool="tip", joints=["turn"], locked={"slide": 0.2})
+    at = free.kinematics(mp.Task.position()).pose([0.7, 0.2])
+    np.testing.assert_allclose(held.kinematics(mp.Task.position()).pose([0.7]), at, atol=1e-14)
+
+
+def test_mjcf_arm(tmp_path):
+    file = tmp_path / "arm.xml"
+    file.write_text("""<mujoco model="two"><compiler angle="radian"/><worldbody><body name="upper">
+      <joint name="a" type="hinge" axis="0 0 1" range="-1 1" limited="true"/>
+      <geom type="capsule" size="0.05" fromto="0 0 0 0.5 0 0"/>
+      <body name="fore" pos="0.5 0 0"><joint name="b" type="hinge" axis="0 1 0" range="-2 2" limited="true"/>
+      <geom type="capsule" size="0.04" fromto="0 0 0 0.3 0 0"/></body></body></worldbody></mujoco>""")
+    robot = mp.load_robot(file, tool="fore", velocity=2.0)
+    assert robot.joint_names == ("a", "b")
+    np.testing.assert_allclose(robot.limits.upper, [1, 2])
+    np.testing.assert_allclose(robot.limits.velocity, [2, 2])
+    np.testing.assert_allclose(robot.kinematics(mp.Task.position()).pose([np.pi / 6, 0.4])[:3, 3], [0.5 * np.sqrt(0.75), 0.25, 0])
+
+
+def test_limits_can_be_given(panda):
+    slow = panda.with_limits(velocity=0.5, acceleration=np.arange(1.0, 8.0))
+    np.testing.assert_allclose(slow.limits.velocity, 0.5)
+    np.testing.assert_allclose(slow.limits.acceleration, np.arange(1.0, 8.0))
+    np.testing.assert_allclose(slow.limits.upper, panda.limits.upper)
+    assert slow.limits.sources["velocity"] == "given"
+
+
+def test_planar_arm_reaches_where_trigonometry_says(planar):
+    q = np.array([0.3, 0.5, -1.1])
+    angles = np.cumsum(q)
+    expected = [np.cos(angles).sum(), np.sin(angles).sum(), 0.0]
+    np.testing.assert_allclose(planar.kinematics().pose(q)[:3, 3], expected, atol=1e-14)
+
+
+@pytest.mark.parametrize("name", mp.available_robots())
+def test_every_arm_of_the_catalogue_loads_with_a_free_usual_posture(name):
+    robot = mp.load_robot(name)
+    assert not robot.limits.outside(robot.neutral).any()
+    assert robot.model.nq == robot.model.nv == robot.n == len(robot.joint_names)
+    if name in ("panda", "ur5", "xarm7", "baxter_left", "icub"):  # the fit of primitives takes seconds an arm
+        assert not mp.Scene().in_collision(robot, robot.neutral)
+
+
+def test_unknown_robot_names_the_nearest():
+    with pytest.raises(mp.UnknownNameError, match=r"name: got 'pandas'.*panda"):
+        mp.load_robot("pandas")
+
+
+def test_missing_file_names_the_nearest(two_link_urdf):
+    file = two_link_urdf(name="robot_arm.urdf")
+    with pytest.raises(mp.FileFormatError, match=r"did you mean robot_arm\.urdf"):
+        mp.load_robot(file.replace("robot_arm", "robt_arm"))
+
+
+def test_unknown_frame_names_the_nearest(two_link_urdf):
+    with pytest.raises(mp.UnknownNameError, match=r"tool: got 'tipp'.*tip"):
+        mp.Robot.from_urdf(two_link_urdf(), tool="tipp")
+
+
+def test_several_ends_ask_for_a_tool(two_link_urdf):
+    with pytest.raises(mp.InvalidInputError, match="several ends: tip, left, right"):
+        mp.Robot.from_urdf(two_link_urdf())
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("<robot name='x'><link name='a'>", "well-formed XML"),
+        ("<model/>", "root is <robot>, not <model>"),
+        ("<robot name='x'/>", "at least one <link>"),
+        ("<robot name='x'><link name='a'/><link name='b'/></robot>", "Pinocchio says"),
+    ],
+)
+def test_malformed_urdf(tmp_path, text, message):
+    file = tmp_path / "bad.urdf"
+    file.write_text(text)
+    with pytest.raises(mp.FileFormatError, match=message):
+        mp.load_robot(file)
+
+
+def test_missing_mesh_is_named(tmp_path):
+    file = tmp_path / "mesh.urdf"
+    file.write_text(
+        "<robot name='x'><link name='a'><collision><geometry><mesh filename='package://no/such.stl'/></geometry></collision>"
+        "</link></robot>"
+    )
+    with pytest.raises(mp.FileFormatError, match="package_dirs"):
+        mp.load_robot(file)
+
+
+def test_mimic_joints_cannot_be_active(two_link_urdf):
+    with pytest.raises(mp.UnsupportedJointError, match="mirror.*mimics finger"):
+        mp.Robot.from_urdf(two_link_urdf(), tool="right")
+
+
+def test_a_leader_of_the_chain_cannot_be_active(two_link_urdf):
+    file = two_link_urdf('<mimic joint="slide"/>')
+    with pytest.raises(mp.UnsupportedJointError, match="turn"):
+        mp.Robot.from_urdf(file, tool="tip")
+
+
+def test_floating_joint_is_named(tmp_path):
+    file = tmp_path / "float.urdf"
+    file.write_text(
+        "<robot name='x'><link name='a'/><link name='b'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' "
+        "ixz='0' iyz='0'/></inertial></link><joint name='drift' type='floating'><parent link='a'/><child link='b'/></joint></robot>"
+    )
+    with pytest.raises(mp.UnsupportedJointError, match="drift"):
+        mp.load_robot(file)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"joints": ["trun"]}, "joints: got 'trun'.*did you mean turn"),
+        ({"joints": ["slide", "turn"]}, "from base to tool: turn, slide"),
+        ({"joints": ["finger"]}, "joints that move the tool tip"),
+        ({"joints": []}, "at least one joint"),
+        ({"locked": {"turn": 0.1}}, "locked"),
+        ({"joints": ["turn"], "locked": {"slide": np.nan}}, "finite"),
+        ({"velocity": 0.0}, r"limits\.velocity: got .*above zero"),
+        ({"acceleration": [1.0, -2.0]}, r"limits\.acceleration: got .*above zero"),
+        ({"acceleration": [1.0, 2.0, 3.0]}, "one number or 2"),
+        ({"lower": [0.0, np.nan]}, "no NaN"),
+        ({"lower": [3.0, 0.0]}, "below limits.upper"),
+        ({"speed": 1.0}, "limit: got 'speed'"),
+        ({"neutral": [0.0, 5.0]}, "inside the position limits"),
+    ],
+)
+def test_wrong_options(two_link_urdf, options, message):
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.Robot.from_urdf(two_link_urdf(), tool="tip", **options)
+
+
+def test_zero_velocity_in_the_file_is_an_error(two_link_urdf):
+    with pytest.raises(mp.InvalidInputError, match=r"velocity limit of turn.*above zero"):
+        mp.Robot.from_urdf(two_link_urdf(velocity="0"), tool="tip")
+
+
+@pytest.mark.parametrize("lengths", [[1.0], [1.0, 0.0], [1.0, -1.0], [1.0, np.nan], "abc", [[1.0, 1.0]]])
+def test_wrong_lengths(lengths):
+    with pytest.raises(mp.InvalidInputError, match="lengths"):
+        mp.planar_arm(lengths)
+
+
+def test_unaligned_axis_turns_like_pinocchio(two_link_urdf):
+    robot = mp.Robot.from_urdf(two_link_urdf(axis="0 0.6 0.8"), tool="tip")
+    q = np.array([0.9, 0.1])
+    data = robot.model.createData()
+    pin.framesForwardKinematics(robot.model, data, q)
+    oracle = data.oMf[robot.model.getFrameId("tip")].homogeneous
+    np.testing.assert_allclose(robot.kinematics(mp.Task.position()).pose(q), oracle, atol=1e-14)
