@@ -17,6 +17,9 @@ from manipplan.paths.joint import JointPath
 #: ε in log sqrt(det(J Jᵀ + ε I)), which keeps the solved energy finite on a singular posture; g itself has none.
 REGULARISATION = 1e-10
 
+#: An index below this share of the path's largest counts as zero.
+SINGULAR = 1e-12
+
 
 @dataclass(frozen=True, kw_only=True)
 class PathCost:
@@ -40,11 +43,13 @@ def path_cost(path: JointPath, kinematics: Kinematics, power: float) -> PathCost
     s, weights = path.quadrature()
     speed = np.linalg.norm(path(s, 1), axis=1)
     index = kinematics.manipulability(path(s))
-    with np.errstate(divide="ignore"):
-        g = float(weights @ (speed / index**power))
     dense = np.linspace(0.0, 1.0, 2001)
     values = kinematics.manipulability(path(dense))
     k = int(values.argmin())
+    # Gauss points leave out the ends, where a singularity makes the integral diverge for p >= 1
+    singular = power >= 1 and values[k] <= SINGULAR * values.max()
+    with np.errstate(divide="ignore"):
+        g = np.inf if singular else float(weights @ (speed / index**power))
     return PathCost(g=g, length=float(weights @ speed), min_manipulability=float(values[k]), at=float(dense[k]))
 
 

@@ -120,5 +120,7 @@ def test_wrong_tasks(panda):
 def test_ellipsoid_holds_the_singular_values(panda):
     jacobian = panda.kinematics(mp.Task.position()).jacobian(GOLDEN)
     ellipsoid = mp.velocity_ellipsoid(jacobian)
-    np.testing.assert_allclose(ellipsoid.axes @ np.diag(ellipsoid.radii**2) @ ellipsoid.axes.T, jacobian @ jacobian.T, atol=1e-12)
+    np.testing.assert_allclose(
+        ellipsoid.axes @ np.diag(ellipsoid.radii**2) @ ellipsoid.axes.T, jacobian @ jacobian.T, atol=1e-12
+    )
     assert np.prod(ellipsoid.radii) == pytest.approx(0.1438, abs=5e-5)

@@ -57,7 +57,9 @@ def test_mjcf_arm(tmp_path):
     assert robot.joint_names == ("a", "b")
     np.testing.assert_allclose(robot.limits.upper, [1, 2])
     np.testing.assert_allclose(robot.limits.velocity, [2, 2])
-    np.testing.assert_allclose(robot.kinematics(mp.Task.position()).pose([np.pi / 6, 0.4])[:3, 3], [0.5 * np.sqrt(0.75), 0.25, 0])
+    np.testing.assert_allclose(
+        robot.kinematics(mp.Task.position()).pose([np.pi / 6, 0.4])[:3, 3], [0.5 * np.sqrt(0.75), 0.25, 0]
+    )
 
 
 def test_limits_can_be_given(panda):

@@ -1,0 +1,111 @@
+"""The command line: what it writes, its exit codes, and one-line errors without tracebacks."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import manipplan as mp
+from manipplan.cli import main
+
+START = ["0", "1.5", "-2"]
+
+
+@pytest.fixture(scope="module")
+def arm_file(tmp_path_factory):
+    """A planar arm as a file, since the command takes files and names."""
+    links = "".join(
+        f'<link name="l{i}"><collision><origin xyz="0.5 0 0" rpy="0 1.5707963 0"/><geometry><cylinder radius="0.03" length="0.9"/>'
+        f'</geometry></collision></link><joint name="j{i}" type="revolute"><parent link="{"base" if i == 0 else f"l{i - 1}"}"/>'
+        f'<child link="l{i}"/><origin xyz="{0 if i == 0 else 1} 0 {0.1 * (i > 0)}"/><axis xyz="0 0 1"/>'
+        '<limit lower="-4" upper="4" velocity="2" effort="10"/></joint>'
+        for i in range(3)
+    )
+    file = tmp_path_factory.mktemp("arm") / "arm.urdf"
+    tip = '<link name="tip"/><joint name="end" type="fixed"><parent link="l2"/><child link="tip"/><origin xyz="1 0 0"/></joint>'
+    file.write_text(f'<robot name="arm"><link name="base"/>{links}{tip}</robot>')
+    return str(file)
+
+
+def plan_arguments(arm_file, folder, **changes):
+    options = {"start": START, "goal": ["3.1", "-2", "2"], "out": [str(folder)], **changes}
+    return ["plan", arm_file, *[word for key, values in options.items() for word in (f"--{key}", *values)]]
+
+
+def test_plan_writes_all_files(arm_file, tmp_path, capsys):
+    assert main(plan_arguments(arm_file, tmp_path / "out")) == 0
+    shown = capsys.readouterr()
+    assert "all checks passed" in shown.out
+    assert "trajectory.yaml" in shown.out
+    trajectory = mp.Trajectory.from_csv(tmp_path / "out" / "trajectory.csv")
+    np.testing.assert_allclose(trajectory.q[-1], [3.1, -2, 2], atol=1e-9)
+
+
+def test_robots_lists_and_prints(arm_file, capsys):
+    assert main(["robots", arm_file]) == 0
+    assert "j2" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("changes", "code", "message"),
+    [
+        ({"start": ["0", "1"]}, 2, "start"),
+        ({"goal": ["9", "0", "0"]}, 2, "goal[0] (j0): got 9.0"),
+        ({"goal": ["nan", "0", "0"]}, 2, "finite"),
+        ({"scene": ["no_such_scene.yaml"]}, 2, "scene: got 'no_such_scene.yaml'"),
+        ({"degree": ["0"]}, 2, "degree: got 0"),
+        ({"out": ["/proc/nowhere"]}, 2, "out: got '/proc/nowhere'; allowed: a folder that can be written"),
+        ({"tool": ["tipp"]}, 2, "did you mean tip"),
+    ],
+)
+def test_wrong_input_is_one_line(arm_file, tmp_path, capsys, changes, code, message):
+    assert main(plan_arguments(arm_file, tmp_path / "out", **changes)) == code
+    errors = [line for line in capsys.readouterr().err.splitlines() if not line.startswith("...")]
+    assert len(errors) == 1
+    assert message in errors[0]
+    assert "Traceback" not in errors[0]
+    assert list(tmp_path.rglob("trajectory*")) == []
+
+
+def test_unknown_robot(capsys, tmp_path):
+    assert main(["plan", "pnada", "--start", "0", "--goal", "1", "--out", str(tmp_path)]) == 2
+    assert "did you mean panda" in capsys.readouterr().err
+
+
+def test_no_path_is_exit_code_one(arm_file, tmp_path, capsys):
+    scene = tmp_path / "cage.yaml"
+    scene.write_text(
+        "obstacles:\n- {shape: box, size: [0.05, 8, 1], position: [-0.4, 0, 0]}\n"
+        "- {shape: box, size: [5, 0.02, 1], position: [2.6, 0, 0]}\n"
+    )
+    changes = {"start": ["0.5"] * 3, "goal": ["-0.5"] * 3, "scene": [str(scene)], "time-limit": ["0.3"]}
+    assert main(plan_arguments(arm_file, tmp_path / "out", **changes)) == 1
+    assert "no path from start to goal" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("delay", [0.6, 1.5, 2.5])
+def test_an_interrupt_leaves_no_broken_file(tmp_path, delay):
+    """A real process, interrupted by a real signal while it plans or writes."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", "manipplan", "demo", "--out", str(tmp_path / "demo")],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONWARNINGS": "default"},
+    )
+    time.sleep(delay)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=60)
+    if delay > 1:  # before that Python may still be importing
+        assert process.returncode in (130, 0)
+        assert "Traceback" not in errors
+    for file in (tmp_path / "demo").rglob("*"):
+        assert not file.name.endswith(".part")
+        if file.name == "trajectory.csv":
+            mp.Trajectory.from_csv(file)
+        if file.name == "trajectory.json":
+            mp.Trajectory.from_json(file)

@@ -1,0 +1,185 @@
+"""The path optimiser: the thesis' planar problems, its building blocks, and what it promises among obstacles."""
+
+import casadi as ca
+import numpy as np
+import pytest
+
+import manipplan as mp
+from manipplan.optimize import basis
+from manipplan.optimize.problem import PathProgram, _row_functions
+from manipplan.paths.joint import bernstein
+
+THESIS = {  # start, goal, g of the straight line (p = 2 and p = 1), g of Tables 6.1 and 6.2 at degree 2: [kth2012]
+    "6.10": ((0.0, -3.0, -2.0), (np.pi, 0.1, 1.4), 2.7218, 3.7288),
+    "6.12": ((0.0, -1.1, -1.6), (np.pi / 2, 0.5, 1.5), 3.9420, 2.9307),
+}
+
+
+def g_by_hand(robot, path, power):
+    """∫ ‖q'‖ / m^p ds by a trapezoid of 200,001 points, index from numpy's determinant."""
+    s = np.linspace(0, 1, 200_001)
+    jacobian = robot.kinematics().jacobian(path(s))
+    index = np.sqrt(np.maximum(np.linalg.det(jacobian @ jacobian.transpose(0, 2, 1)), 1e-300))
+    return np.trapezoid(np.linalg.norm(path(s, 1), axis=1) / index**power, s)
+
+
+@pytest.mark.parametrize("problem", THESIS)
+def test_straight_lines_have_the_thesis_values(planar, problem):
+    start, goal, squared, single = THESIS[problem]
+    kinematics = planar.kinematics()
+    line = mp.JointPath.line(start, goal)
+    assert mp.path_cost(line, kinematics, 2).g == pytest.approx(squared, abs=6e-5)
+    assert mp.path_cost(line, kinematics, 1).g == pytest.approx(single, abs=6e-5)
+
+
+def test_cost_equals_a_plain_sum(planar):
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2)
+    assert result.g == pytest.approx(g_by_hand(planar, result.path, 2), rel=1e-8)
+    assert result.length == pytest.approx(result.path.length)
+
+
+def test_the_thesis_comparison_of_section_6_3(planar):
+    """Table 6.4 prints g / g_L = 0.27, under a column headed the other way round (ERRATA)."""
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], degree=6, power=2)
+    assert result.status is mp.Status.OPTIMAL
+    assert round(result.g / result.seed_cost.g, 2) == pytest.approx(0.27, abs=0.011)
+    assert round(result.seed_cost.length / result.length, 2) == pytest.approx(0.92, abs=0.011)
+    assert result.min_manipulability > 2 * result.seed_cost.min_manipulability
+
+
+@pytest.mark.parametrize("power", [0.5, 1, 2])
+def test_higher_degrees_never_cost_more_energy(planar, power):
+    start, goal, *_ = THESIS["6.12"]
+    costs = [mp.optimize_path(planar, start, goal, degree=k, power=power).g for k in (1, 2, 4, 7)]
+    assert costs[1] < costs[0]
+    assert costs[3] <= costs[1]
+
+
+def test_no_small_change_of_the_solution_lowers_the_energy(planar, rng):
+    program = PathProgram(planar.kinematics(), 2.0, 5)
+    start, goal = np.array([0.0, 1.5, -2]), np.array([np.pi, -2, 2])
+
+    def energy(coefficients):
+        path = program.path(start, goal, coefficients)
+        s, weights = path.quadrature()
+        return weights @ ((path(s, 1) ** 2).sum(axis=1) / planar.kinematics().manipulability(path(s)) ** 4)
+
+    best = program.solve(start, goal, np.zeros((3, 4))).coefficients
+    for _ in range(20):
+        assert energy(best + 1e-3 * rng.normal(size=best.shape)) > energy(best) - 1e-9
+
+
+def test_joint_limits_hold_on_the_whole_curve(planar):
+    start, goal, *_ = THESIS["6.12"]
+    free = mp.optimize_path(planar, start, goal, power=2)
+    low, high = free.path.bounds()
+    ends = np.minimum(start, goal), np.maximum(start, goal)
+    assert max((ends[0] - low).max(), (high - ends[1]).max()) > 0.1, "the limits below must bind"
+    tight = planar.with_limits(lower=0.3 * low + 0.7 * ends[0] - 1e-3, upper=0.3 * high + 0.7 * ends[1] + 1e-3)
+    held = mp.optimize_path(tight, start, goal, power=2)
+    low, high = held.path.bounds()
+    assert held.status is mp.Status.OPTIMAL
+    assert max(tight.limits.outside(low).max(), tight.limits.outside(high).max()) < 1e-7
+    assert free.g < held.g < held.seed_cost.g
+
+
+def test_shifted_goals_find_a_better_turn(planar):
+    """The first path of section 6.2 is much better with a goal 2π away (ERRATA)."""
+    start, goal, *_ = THESIS["6.10"]
+    plain = mp.optimize_path(planar, start, goal, power=2)
+    shifted = mp.optimize_path(planar, start, goal, power=2, shifts="within-limits")
+    assert shifted.g < 0.9 * plain.g
+    turns = (shifted.path.goal - np.array(goal)) / (2 * np.pi)
+    np.testing.assert_allclose(turns, np.round(turns), atol=1e-12)
+
+
+def test_a_singular_start_is_told(planar):
+    with pytest.raises(mp.PlanningError, match="index vanishes"):
+        mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], degree=1)
+    result = mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], degree=1, throw=False)
+    assert result.min_manipulability == pytest.approx(0, abs=1e-12)
+
+
+def test_bubbles_vanish_at_the_ends_and_bernstein_agrees(rng):
+    s = np.linspace(0, 1, 11)
+    for degree in (2, 5, 9):
+        values = basis.bubbles(degree, s)
+        np.testing.assert_allclose(values[[0, -1]], 0, atol=1e-14)
+        np.testing.assert_allclose(bernstein(degree, s) @ basis.to_bernstein(degree), values, atol=1e-12)
+        step = 1e-6
+        numeric = (basis.bubbles(degree, s + step) - basis.bubbles(degree, s - step)) / (2 * step)
+        np.testing.assert_allclose(basis.bubble_slopes(degree, s), numeric, atol=1e-8)
+
+
+def test_subdivision_gives_the_same_curve(rng):
+    control = rng.normal(size=(7, 2))
+    pieces = (basis.subdivision(6, 4) @ control).reshape(4, 7, 2)
+    whole = mp.JointPath(breaks=[0, 1], control=control[None])
+    parts = mp.JointPath(breaks=np.linspace(0, 1, 5), control=pieces)
+    s = np.linspace(0, 1, 41)
+    np.testing.assert_allclose(parts(s), whole(s), atol=1e-10)
+
+
+@pytest.mark.parametrize("name", ["panda", "tiago", "kinova"])
+def test_clearance_rows_have_exact_derivatives(name, rng):
+    robot = mp.load_robot(name)
+    value, gradient, hessian = _row_functions(robot.kinematics())
+    n = robot.n
+    q, column = ca.SX.sym("q", n), ca.SX.sym("column", value.size1_in(1))
+    second, first = ca.hessian(value(q, column), q)
+    automatic = ca.Function("automatic", [q, column], [first, second])
+    for carrier in range(n + 1):
+        for other in range(n + 1):
+            data = np.concatenate([np.eye(n + 1)[carrier], np.eye(n + 1)[other], rng.normal(size=8)])
+            at = robot.random_configuration(rng)
+            first, second = automatic(at, data)
+            np.testing.assert_allclose(gradient(at, data), first, atol=1e-13)
+            np.testing.assert_allclose(hessian(at, data), second, atol=1e-13)
+
+
+def test_a_row_is_the_distance_that_coal_measures(demo_problem, rng):
+    """Where coal finds a distance d, the nearest core point lies d + radius beyond the plane."""
+    robot = demo_problem.robot
+    model = demo_problem.scene.collision_model(robot)
+    data = robot.model.createData()
+    import pinocchio as pin
+
+    for q in robot.random_configuration(rng, size=10):
+        pin.forwardKinematics(robot.model, data, q)
+        for pair in rng.choice(len(model.pair_names), 15, replace=False):
+            contact = model.contact(q, int(pair))
+            plane, carrier = data.oMi[contact.second], data.oMi[contact.first]
+            points = model.nearest_points(q, contact, 1)
+            world = carrier.rotation @ points[0] + carrier.translation - plane.translation
+            beyond = (plane.rotation @ contact.normal) @ world - contact.offset - contact.radius
+            if contact.distance > 1e-3:
+                assert beyond == pytest.approx(contact.distance, abs=2e-5)
+
+
+def test_an_initial_path_is_used(planar):
+    detour = mp.JointPath.through([[0, 1.5, -2], [1.0, 1.0, 1.0], [np.pi, -2, 2]])
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2, initial=detour)
+    assert {step.first for step in result.history} == {"straight", "seed"}
+    assert result.g <= result.seed_cost.g
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"degree": 0}, "degree: got 0.*at least 1"),
+        ({"degree": 2.5}, "degree"),
+        ({"power": 0}, "power: got 0"),
+        ({"power": np.nan}, "power"),
+        ({"shifts": "all"}, "shifts: got 'all'.*within-limits"),
+        ({"clearance": -0.1}, "clearance"),
+        ({"start": [0, 1.5]}, "start"),
+        ({"goal": [0, 1.5, np.nan]}, "goal.*finite"),
+        ({"goal": [0.0, 1.5, -2.0]}, "goal.*differs from start"),
+        ({"task": mp.Task.pose()}, "task.*at most 3 rows"),
+        ({"initial": mp.JointPath.line([0, 0, 0], [1, 1, 1])}, "initial"),
+    ],
+)
+def test_wrong_arguments(planar, change, message):
+    arguments = {"start": [0.0, 1.5, -2.0], "goal": [np.pi, -2.0, 2.0], **change}
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.optimize_path(planar, arguments.pop("start"), arguments.pop("goal"), **arguments)

@@ -1,0 +1,137 @@
+"""The job from start to goal on a real arm, its files, and every wrong input."""
+
+import json
+
+import numpy as np
+import pytest
+
+import manipplan as mp
+
+
+def test_the_demo_plan_keeps_its_promises(demo_problem, demo_plan):
+    report = demo_plan.report
+    assert demo_plan.status is mp.Status.OPTIMAL
+    assert report.passed
+    assert report.collision_free
+    assert report.min_manipulability > 2 * report.seed_min_manipulability
+    assert report.min_manipulability > 2 * report.straight_min_manipulability
+    assert report.g <= report.seed_g
+    for kind in ("velocity", "acceleration"):
+        assert 0.9 < report.limits[kind].ratio <= 1 + 1e-6
+        assert report.limits[kind].joint.startswith("panda_joint")
+    np.testing.assert_allclose(demo_plan.trajectory.q[-1], demo_problem.goal, atol=1e-9)
+
+
+def test_the_same_seed_gives_the_same_plan(demo_problem, demo_plan):
+    again = mp.plan(demo_problem.robot, demo_problem.start, demo_problem.goal, demo_problem.scene)
+    np.testing.assert_array_equal(again.trajectory.q, demo_plan.trajectory.q)
+
+
+def test_files_have_a_way_back(tmp_path, demo_plan):
+    files = demo_plan.save(tmp_path / "out")
+    assert {file.name for file in files} == {
+        "trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png",
+    }  # fmt: skip
+    for name, read in (("csv", "from_csv"), ("json", "from_json"), ("yaml", "from_ros")):
+        again = getattr(mp.Trajectory, read)(tmp_path / "out" / f"trajectory.{name}")
+        np.testing.assert_array_equal(again.q, demo_plan.trajectory.q)
+        np.testing.assert_array_equal(again.t, demo_plan.trajectory.t)
+    assert mp.Report.from_json(tmp_path / "out" / "report.json") == demo_plan.report
+    picture = (tmp_path / "out" / "plan.png").read_bytes()
+    assert picture[:8] == b"\x89PNG\r\n\x1a\n"
+    assert 50_000 < len(picture) < 300_000
+
+
+def test_a_broken_report_is_told(tmp_path):
+    (tmp_path / "report.json").write_text(json.dumps({"robot": "panda"}))
+    with pytest.raises(mp.FileFormatError, match="a report written by manipplan"):
+        mp.Report.from_json(tmp_path / "report.json")
+
+
+def test_clearance_is_kept(demo_problem):
+    plan = mp.plan(demo_problem.robot, demo_problem.start, demo_problem.goal, demo_problem.scene, clearance=0.0005)
+    assert plan.report.clearance >= 0.0005 - 1e-6
+    assert plan.report.passed
+
+
+def test_torque_is_reported_and_kept(demo_problem):
+    plan = mp.plan(demo_problem.robot, demo_problem.start, demo_problem.goal, demo_problem.scene, torque=True)
+    assert 0 < plan.report.limits["torque"].ratio <= 1 + 1e-6
+
+
+def test_planar_arm_among_obstacles(planar):
+    """The free optimum of (6.13) passes (0, 2.2) m; a post there is avoided."""
+    scene = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+    plan = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], scene, power=2.0)
+    assert plan.report.collision_free
+    tool = planar.kinematics().pose(plan.path(np.linspace(0, 1, 500)))[:, :2, 3]
+    assert np.linalg.norm(tool - [0.03, 2.2], axis=1).min() > 0.12
+
+
+def test_progress_tells_each_step(planar):
+    steps = []
+    mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2.0, progress=steps.append)
+    assert steps[1:] == [
+        "looking for a collision-free seed path", "optimising the path", "timing the motion", "checking the result",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"start": [0.0] * 6}, r"start.*shape \(7,\)"),
+        ({"start": [[0.0] * 7]}, "start.*one configuration"),
+        ({"goal": [0.0] * 6 + [np.nan]}, "goal.*finite"),
+        ({"goal": "home"}, "goal: got 'home'"),
+        ({"start": [9.0, 0, 0, -2, 0, 2, 0]}, r"start\[0\] \(panda_joint1\): got 9\.0; allowed: -2\.8973 to 2\.8973"),
+        ({"goal": [0.0, 1.76, 0, -0.1, 0, 1.5, 0]}, "goal.*free configuration.*post overlap by"),
+        ({"clearance": -1}, "clearance"),
+        ({"clearance": 0.5}, "start.*clearance asked for is 0.5"),
+        ({"degree": 0}, "degree"),
+        ({"power": -1}, "power"),
+        ({"seed": -1}, "seed"),
+        ({"time_limit": 0}, "time_limit"),
+        ({"task": "pose"}, "task"),
+    ],
+)
+@pytest.mark.parametrize("throw", [True, False])
+def test_wrong_arguments_raise_at_once(demo_problem, change, message, throw):
+    arguments = {"start": demo_problem.start, "goal": demo_problem.goal, **change}
+    start, goal = arguments.pop("start"), arguments.pop("goal")
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.plan(demo_problem.robot, start, goal, demo_problem.scene, throw=throw, **arguments)
+
+
+def test_an_unreachable_goal_is_told(planar):
+    wall = mp.Scene([mp.Box(size=(0.05, 8.0, 1.0), position=(-0.4, 0.0, 0.0), name="wall")])
+    start, goal = [0.5, 0.5, 0.5], [-0.5, -0.5, -0.5]
+    # a second wall between the two on the other side
+    cage = mp.Scene([*wall.obstacles, mp.Box(size=(5.0, 0.02, 1.0), position=(2.6, 0.0, 0.0), name="shelf")])
+    with pytest.raises(mp.PlanningError, match=r"no path from start to goal .*time_limit") as caught:
+        mp.plan(planar, start, goal, cage, time_limit=0.5)
+    assert caught.value.result.status is mp.Status.NO_PATH
+    failed = mp.plan(planar, start, goal, cage, time_limit=0.5, throw=False)
+    assert failed.trajectory is None
+    assert not failed.status.has_path
+    with pytest.raises(mp.PlanningError, match="no trajectory to save"):
+        failed.save("nowhere")
+
+
+def test_no_motion_within_the_limits_is_told(panda):
+    weak = panda.with_limits(effort=np.array([87.0, 3.0, 87, 87, 12, 12, 12]))
+    goal = weak.neutral + 0.3
+    with pytest.raises(mp.PlanningError, match="gravity alone asks panda_joint2"):
+        mp.plan(weak, weak.neutral, goal, torque=True)
+    failed = mp.plan(weak, weak.neutral, goal, torque=True, throw=False)
+    assert failed.status is mp.Status.NO_TIMING
+    assert failed.path is not None
+
+
+def test_seed_path_is_deterministic_and_free(demo_problem):
+    problem = demo_problem
+    first = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, seed=3)
+    second = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, seed=3)
+    np.testing.assert_array_equal(first.control, second.control)
+    assert problem.scene.collision_model(problem.robot).path_is_free(first, 1e-3)
+    with pytest.raises(mp.UnknownNameError, match="RRTConnect"):
+        mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, planner="RRTconnect")

@@ -1,0 +1,159 @@
+"""Obstacles, their files, and collision and distance against closed forms."""
+
+import coal
+import numpy as np
+import pinocchio as pin
+import pytest
+
+import manipplan as mp
+from manipplan.robots.primitives import fit_primitives, mesh_triangles, outside
+
+
+def tetrahedra(file, offsets):
+    """An STL file (ASCII) of unit tetrahedra at the given x offsets."""
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], dtype=float)
+    facets = []
+    for x in offsets:
+        for face in ([0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]):
+            points = corners[face] + [x, 0, 0]
+            vertices = "".join(f"vertex {p[0]} {p[1]} {p[2]}\n" for p in points)
+            facets.append(f"facet normal 0 0 0\nouter loop\n{vertices}endloop\nendfacet\n")
+    file.write_text("solid t\n" + "".join(facets) + "endsolid t\n")
+    return file
+
+
+def one_joint_ball(tmp_path):
+    """An arm of one sliding joint along x with a ball of 0.1 m."""
+    file = tmp_path / "ball.urdf"
+    file.write_text("""<robot name="ball"><link name="base"/><link name="b"><collision><geometry><sphere radius="0.1"/></geometry>
+      </collision></link><joint name="x" type="prismatic"><parent link="base"/><child link="b"/><axis xyz="1 0 0"/>
+      <limit lower="-5" upper="5" velocity="1" effort="1"/></joint></robot>""")
+    return mp.load_robot(file)
+
+
+@pytest.mark.parametrize(
+    ("obstacle", "expected"),
+    [
+        (mp.Box(size=(1, 1, 1), position=(2, 0, 0)), 1.4),
+        (mp.Box(size=(1, 1, 1), position=(2, 0, 0), rotation=(0, 0, np.pi / 4)), 2 - np.sqrt(0.5) - 0.1),
+        (mp.Sphere(radius=0.5, position=(2, 0, 0)), 1.4),
+        (mp.Capsule(radius=0.2, length=1.0, position=(2, 0, 0)), 1.7),
+        (mp.Cylinder(radius=0.2, length=1.0, position=(2, 0, 0), rotation=(0, np.pi / 2, 0)), 1.4),
+        (mp.Sphere(radius=0.5, position=(0.3, 0, 0)), -0.3),
+    ],
+)
+def test_distance_to_every_shape(tmp_path, obstacle, expected):
+    robot = one_joint_ball(tmp_path)
+    scene = mp.Scene([obstacle])
+    assert scene.distances(robot, [0.0]).min() == pytest.approx(expected, abs=1e-6)
+    assert scene.in_collision(robot, [0.0]) is bool(expected < 0)
+
+
+def test_a_mesh_is_solid_and_its_parts_are_apart(tmp_path):
+    robot = one_joint_ball(tmp_path)
+    scene = mp.Scene([mp.Mesh(file=tetrahedra(tmp_path / "two.stl", [0.0, 3.0]), position=(0, -0.2, -0.2), scale=1.0)])
+    assert len(scene.obstacles[0].shapes()) == 2
+    inside, between = [0.25], [2.0]
+    assert scene.in_collision(robot, inside)
+    assert not scene.in_collision(robot, between)
+    np.testing.assert_array_equal(scene.in_collision(robot, [inside, between]), [True, False])
+
+
+@pytest.mark.parametrize("name", ["panda", "ur5", "baxter_left"])
+def test_primitives_contain_the_mesh_they_stand_for(name):
+    robot = mp.load_robot(name)
+    meshes = [item.geometry for item in robot.geometry.geometryObjects if isinstance(item.geometry, coal.BVHModelBase)]
+    for mesh in meshes[:6]:
+        triangles = mesh_triangles(mesh)
+        primitives = fit_primitives(triangles)
+        # every point of the surface, sampled, lies in at least one primitive
+        weights = np.random.default_rng(0).dirichlet([1, 1, 1], size=len(triangles))
+        points = np.einsum("tk,tkx->tx", weights, triangles)
+        excess = np.array([[outside(primitive, point[None]) for primitive in primitives] for point in points])
+        assert excess.min(axis=1).max() == 0.0
+        assert sum(primitive.volume for primitive in primitives) < 8 * abs(mesh.computeVolume())
+
+
+def test_primitives_touch_wherever_the_meshes_do(panda, demo_problem, rng):
+    """Against Pinocchio with the meshes of the description: nothing that touches is missed."""
+    scene = demo_problem.scene
+    geometry = panda.geometry.copy()
+    bodies = range(geometry.ngeoms)
+    for obstacle in scene.obstacles:
+        index = geometry.addGeometryObject(pin.GeometryObject("o", 0, 0, obstacle.pose, obstacle.shapes()[0]))
+        for body in bodies:
+            if geometry.geometryObjects[body].parentJoint > 0:
+                geometry.addCollisionPair(pin.CollisionPair(body, index))
+    data, geometry_data = panda.model.createData(), pin.GeometryData(geometry)
+    hits = 0
+    for q in panda.random_configuration(rng, size=150):
+        if pin.computeCollisions(panda.model, data, geometry, geometry_data, q, True):
+            hits += 1
+            assert scene.in_collision(panda, q)
+    assert hits >= 20
+
+
+def test_pairs_without_srdf_come_from_sampling(two_link_urdf):
+    robot = mp.Robot.from_urdf(two_link_urdf(), tool="tip")
+    model = mp.Scene().collision_model(robot)
+    assert model.pair_names == ()
+    assert set(model.dropped.values()) == {"adjacent"}
+
+
+def test_yaml_round_trip(tmp_path, panda):
+    tetrahedra(tmp_path / "part.stl", [0.0])
+    scene = mp.Scene(
+        [
+            mp.Box(size=(0.1, 0.2, 0.3), position=(0.4, 0.5, 0.6), rotation=(0.1, 0.2, 0.3), name="crate"),
+            mp.Sphere(radius=0.1, position=(0.5, 0, 0.5)),
+            mp.Capsule(radius=0.1, length=0.4, position=(0.5, 0.5, 0.5)),
+            mp.Cylinder(radius=0.1, length=0.4, position=(-0.5, 0.5, 0.5)),
+            mp.Mesh(file=tmp_path / "part.stl", scale=0.2, position=(-0.5, -0.5, 0.5)),
+        ]
+    )
+    scene.to_yaml(tmp_path / "scene.yaml")
+    again = mp.Scene.from_yaml(tmp_path / "scene.yaml")
+    assert again.names == ("crate", "sphere1", "capsule2", "cylinder3", "mesh4")
+    np.testing.assert_allclose(again.distances(panda, panda.neutral), scene.distances(panda, panda.neutral), atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("obstacles: [{shape: bocks, size: [1, 1, 1]}]", r"obstacles\[0\]\.shape: got 'bocks'.*box"),
+        ("obstacles: [{shape: box, size: [1, -1, 1]}]", r"obstacles\[0\].*size.*above zero"),
+        ("obstacles: [{shape: box, size: [1, .nan, 1]}]", r"obstacles\[0\].*size.*finite"),
+        ("obstacles: [{shape: box, size: [1, 1]}]", r"size.*shape \(3,\)"),
+        ("obstacles: [{shape: box}]", "size"),
+        ("obstacles: [{shape: sphere, radius: -0.1}]", "radius.*above 0"),
+        ("obstacles: [{shape: sphere, radius: big}]", "radius.*: got 'big'"),
+        ("obstacles: [{shape: sphere, radius: 1, colour: red}]", "colour"),
+        ("obstacles: [{shape: sphere, radius: 1, position: [0, .inf, 0]}]", "position.*finite"),
+        ("obstacles: [{shape: box, size: [1, 1, 1], rotation: [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}]", "rotation matrix"),
+        ("obstacles: [{shape: mesh, file: nothing.stl}]", "existing file"),
+        ("obstacles: [3]", "a mapping with shape"),
+        ("boxes: []", "one key, obstacles"),
+        ("obstacles: [", "YAML"),
+        ("", "one key"),
+        ("obstacles: [{shape: sphere, radius: 1, name: a}, {shape: sphere, radius: 1, name: a}]", "names that differ"),
+    ],
+)
+def test_wrong_scene_files(tmp_path, text, message):
+    file = tmp_path / "scene.yaml"
+    file.write_text(text)
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.Scene.from_yaml(file)
+
+
+def test_a_file_that_is_no_mesh(tmp_path):
+    (tmp_path / "bad.stl").write_text("not a mesh")
+    with pytest.raises(mp.FileFormatError, match="a mesh"):
+        mp.Mesh(file=tmp_path / "bad.stl")
+
+
+def test_obstacles_need_a_robot_with_geometry(tmp_path):
+    file = tmp_path / "bare.urdf"
+    file.write_text("""<robot name="bare"><link name="base"/><link name="b"/><joint name="x" type="prismatic"><parent link="base"/>
+      <child link="b"/><axis xyz="1 0 0"/><limit lower="-5" upper="5" velocity="1" effort="1"/></joint></robot>""")
+    with pytest.raises(mp.InvalidInputError, match="no collision geometry"):
+        mp.Scene([mp.Sphere(radius=1.0)]).in_collision(mp.load_robot(file), [0.0])
