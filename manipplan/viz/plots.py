@@ -29,15 +29,19 @@ def save_plan(plan: "Plan", file: str | Path) -> None:
     write_bytes(file, lambda stream: figure.savefig(stream, format="png", dpi=110))
 
 
-def plan_figure(plan: "Plan") -> Any:
-    """The picture of a plan: the arm along the path, the index against the seed's, and the joints over time."""
+def plan_figure(plan: "Plan", figure: Any = None) -> Any:
+    """Draw a plan: the arm along the path, the index against the seed's, and the joints over time.
+
+    `figure` is a Matplotlib figure to draw into; default, a new one of 11.5 x 6 inches. Returns the figure.
+    """
     from matplotlib import rc_context
     from matplotlib.figure import Figure
 
     if plan.trajectory is None or plan.result is None or plan.report is None:
         raise PlanningError(f"there is no trajectory to draw: {plan.status.value}", plan)
     with rc_context(style.STYLE):
-        figure = Figure(figsize=(11.5, 6.0), layout="constrained")
+        figure = figure if figure is not None else Figure(figsize=(11.5, 6.0))
+        figure.set_layout_engine("constrained")
         parts: Any = figure.subfigures(1, 2, width_ratios=(1.15, 1))
         left, right = parts
         title = f"{plan.robot.name}: {plan.trajectory.duration:.2f} s, least index {plan.report.min_manipulability:.3g}"
@@ -94,7 +98,7 @@ def plot_joints(plan: "Plan", *, ax: Any) -> None:
         ax.set_ylabel("joint angle [rad]")
     ax.set(xlabel="time [s]", xlim=(0, trajectory.duration))
     ax.set_title("joint positions", fontsize=9, loc="left")
-    ax.legend(fontsize=7, ncols=2 if len(trajectory.joint_names) > 4 else 1, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    ax.legend(fontsize=7, ncols=4, loc="upper center", bbox_to_anchor=(0.5, -0.16))
 
 
 def plot_arm(robot: Robot, path: JointPath, scene: Scene | None = None, *, seed: JointPath | None = None, ax: Any) -> None:

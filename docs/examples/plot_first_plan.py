@@ -1,0 +1,48 @@
+"""
+A Panda among five boxes
+========================
+
+From a start and a goal to a trajectory that a robot could play: the demo, step by step.
+"""
+
+# %%
+# The robot comes from the catalogue. Its fingers are locked, and its acceleration and jerk limits are those that the
+# maker publishes.
+import matplotlib.pyplot as plt
+
+import manipplan as mp
+from manipplan.viz.plots import plan_figure
+
+robot = mp.load_robot("panda")
+print(robot)
+
+# %%
+# Obstacles are shapes with a position of their centre in metres.
+scene = mp.Scene(
+    [
+        mp.Box(size=(0.9, 1.4, 0.05), position=(0.5, 0.0, -0.03), name="table"),
+        mp.Box(size=(0.10, 0.10, 0.45), position=(0.5, 0.0, 0.22), name="post"),
+        mp.Box(size=(0.35, 0.30, 0.03), position=(0.55, 0.42, 0.5), name="shelf"),
+        mp.Box(size=(0.22, 0.22, 0.2), position=(0.5, -0.45, 0.1), name="crate"),
+        mp.Box(size=(0.30, 0.30, 0.06), position=(0.25, 0.0, 1.15), name="lamp"),
+    ]
+)
+start = [-0.18, 0.07, -0.53, -2.09, -0.28, 1.93, -0.86]
+goal = [-1.53, -0.03, 2.63, -2.03, -0.5, 2.14, -0.63]
+
+# %%
+# One call finds a collision-free seed, improves it, times it, and checks the result again.
+plan = mp.plan(robot, start, goal, scene)
+print(plan.report)
+
+# %%
+# The straight motion would pass close to a singularity, and the planner's own path is not much better. The optimised path
+# stays far from both.
+_ = plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
+
+# %%
+# The trajectory is a cubic spline in time: positions, velocities and accelerations at any moment.
+trajectory = plan.trajectory
+print("duration [s]:", round(trajectory.duration, 3))
+print("joint speeds after half the time [rad/s]:")
+print(trajectory(trajectory.duration / 2, order=1).round(3))
