@@ -1,6 +1,7 @@
 """Twenty random start-goal pairs of the Panda among five boxes: `mp.plan` against the simplified RRTConnect seed.
 
-Run with `make benchmark`. Writes docs/benchmarks/panda_boxes.md; times are of this machine, ratios travel better.
+Run with `make benchmark`. Writes docs/benchmarks/panda_boxes.md and the table in README.md; times are of this machine,
+ratios travel better.
 """
 
 import platform
@@ -14,7 +15,9 @@ import manipplan as mp
 from manipplan.demo import panda_among_boxes
 
 PAIRS = 20
-OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "panda_boxes.md"
+ROOT = Path(__file__).parents[1]
+OUT = ROOT / "docs" / "benchmarks" / "panda_boxes.md"
+README, BEGIN, END = ROOT / "README.md", "<!-- benchmark -->", "<!-- /benchmark -->"
 
 
 def pairs(problem):
@@ -63,6 +66,8 @@ def main() -> None:
     ]
     OUT.parent.mkdir(parents=True, exist_ok=True)
     OUT.write_text("\n".join(lines) + "\n")
+    before, rest = README.read_text().split(BEGIN)
+    README.write_text(f"{before}{BEGIN}\n" + "\n".join(lines) + f"\n{END}{rest.split(END)[1]}")
     print("\n".join(lines))
 
 

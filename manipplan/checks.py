@@ -1,7 +1,7 @@
 """Checks of arguments that every public function shares: one clear error, before work starts."""
 
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from manipplan.errors import FileFormatError, InvalidInputError
 
 Array = NDArray[np.float64]
+T = TypeVar("T")
 
 
 def finite_array(argument: str, value: ArrayLike, shape: tuple[int | None, ...]) -> Array:
@@ -63,8 +64,25 @@ def whole_number(argument: str, value: Any, *, least: int) -> int:
     return int(value)
 
 
+def instance(argument: str, value: Any, kind: type[T]) -> T:
+    """`value`, which has to be a `kind`."""
+    if not isinstance(value, kind):
+        raise InvalidInputError(argument, value, f"a {kind.__name__}")
+    return value
+
+
+def distinct_names(argument: str, value: Any, n: int) -> tuple[str, ...]:
+    """`value` as n different names."""
+    names = () if isinstance(value, str) else tuple(value)
+    if len(names) != n or not all(isinstance(name, str) and name for name in names) or len(set(names)) != n:
+        raise InvalidInputError(argument, value, f"{n} different names")
+    return names
+
+
 def existing_file(argument: str, path: str | Path) -> Path:
     """`path` as an existing file; when it does not exist, names the files beside it that come nearest."""
+    if not isinstance(path, str | Path):
+        raise InvalidInputError(argument, path, "the path of a file")
     path = Path(path).expanduser()
     if path.is_file():
         return path

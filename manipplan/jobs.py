@@ -6,7 +6,7 @@ from pathlib import Path
 
 from numpy.typing import ArrayLike
 
-from manipplan.checks import number
+from manipplan.checks import Array, instance, number, whole_number
 from manipplan.errors import PlanningError
 from manipplan.files import writable_folder
 from manipplan.measures.task import Task
@@ -103,9 +103,10 @@ def plan(
         InvalidInputError: an argument is not usable (also with throw=False).
         PlanningError: no free path, or no motion within the limits; its `result` is the Plan so far.
     """
-    scene = scene if scene is not None else Scene()
+    scene = instance("scene", scene if scene is not None else Scene(), Scene)
+    degree = whole_number("degree", degree, least=1)
     say = progress or _silent
-    number("clearance", clearance, least=0.0)
+    clearance = number("clearance", clearance, least=0.0)
     say("preparing collision shapes")
     model = scene.collision_model(robot)
     draft = Plan(robot=robot, scene=scene, status=Status.NO_PATH)
@@ -116,16 +117,15 @@ def plan(
         return _failed(draft, throw, str(error))
     say("optimising the path")
     result = _optimised(robot, first, degree, power, task, scene, clearance)
-    draft = replace(draft, path=result.path, result=result, status=result.status)
+    path = result.path or first
+    draft = replace(draft, path=path, result=result, status=result.status)
     try:
         say("timing the motion")
-        trajectory = retime(
-            result.path, robot.limits, joint_names=robot.joint_names, torque_model=robot.model if torque else None
-        )
+        trajectory = retime(path, robot.limits, joint_names=robot.joint_names, torque_model=robot.model if torque else None)
     except PlanningError as error:
         return _failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     say("checking the result")
-    return _checked(draft, trajectory, result, model, clearance=clearance, torque=torque, throw=throw)
+    return _checked(draft, trajectory, result, model, path.goal, clearance=clearance, torque=torque, throw=throw)
 
 
 def _optimised(
@@ -148,12 +148,13 @@ def _checked(
     trajectory: Trajectory,
     result: PathResult,
     model: CollisionModel,
+    goal: Array,
     *,
     clearance: float,
     torque: bool,
     throw: bool,
 ) -> Plan:
-    report = Report.of(trajectory, result, model, result.path.goal, clearance=clearance, torque=torque)
+    report = Report.of(trajectory, result, model, goal, clearance=clearance, torque=torque)
     finished = replace(draft, trajectory=trajectory, report=report)
     if report.passed:
         return finished

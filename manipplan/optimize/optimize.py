@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, number, whole_number
+from manipplan.checks import Array, instance, number, whole_number
 from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.task import Task
@@ -26,7 +26,7 @@ log = logging.getLogger("manipplan")
 #: Rounds of solving and renewing clearance rows, from one first path.
 ROUNDS = 8
 #: Rounds end when one lowers g by less than this share.
-SMALL_GAIN = 2e-3
+SMALL_GAIN = 1e-2
 #: Clearance rows are added at so many places a round, the deepest dips first.
 NEW_PLACES = 10
 #: More rows than this take longer than they are worth: the seed is returned instead.
@@ -49,7 +49,7 @@ class PathResult:
     """What `optimize_path` found.
 
     Attributes:
-        path: the JointPath; the seed when `status` says so.
+        path: the JointPath; the seed when `status` says so, None when there is none (NO_PATH, with throw=False).
         g: ∫ ‖q'‖ / m^power ds on a fine rule: (6.6) in kth2012 with its exponent as a parameter.
         length: of the path in joint space [rad].
         min_manipulability: least index on a dense grid [task.unit], and `min_at`, the s where it is.
@@ -59,14 +59,14 @@ class PathResult:
         status: Status.
     """
 
-    path: JointPath
+    path: JointPath | None
     g: float
     length: float
     min_manipulability: float
     min_at: float
     power: float
     task: Task
-    seed: JointPath
+    seed: JointPath | None
     seed_cost: PathCost
     history: tuple[Step, ...]
     status: Status
@@ -111,13 +111,19 @@ def optimize_path(
             the same. Not together with a scene or `initial`.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         seed: for the planner of the first path.
-        throw: raise PlanningError when the path's index vanishes somewhere (g is infinite).
+        throw: raise PlanningError when no free path was found, or the path's index vanishes somewhere (g is infinite);
+            False: return the result, whose status or g says so.
 
     Raises:
         InvalidInputError: an argument is not usable.
-        PlanningError: no free seed was found; or, with `throw`, every path found meets a singularity.
+        PlanningError: with `throw`, no free seed was found, or every path found meets a singularity.
     """
-    whole_number("degree", degree, least=1)
+    instance("robot", robot, Robot)
+    if scene is not None:
+        instance("scene", scene, Scene)
+    if initial is not None:
+        instance("initial", initial, JointPath)
+    degree = whole_number("degree", degree, least=1)
     power = number("power", power, above=0.0)
     clearance = number("clearance", clearance, least=0.0)
     if shifts not in SHIFTS:
@@ -137,12 +143,35 @@ def optimize_path(
         model.free_configuration("goal", q_goal, clearance)
     results = []
     for each in goals:
-        first = _first_path(robot, q_start, each, scene, model, initial, clearance, seed)
+        try:
+            first = _first_path(robot, q_start, each, scene, model, initial, clearance, seed)
+        except PlanningError as error:
+            failed = _no_path(kinematics.task, power)
+            if throw:
+                raise PlanningError(str(error), failed) from error
+            return failed
         results.append(_optimize(kinematics, q_start, each, degree, power, first, model, clearance))
     best = min(results, key=lambda result: result.g)
     if throw and not np.isfinite(best.g):
         raise PlanningError(f"the index vanishes on the path at s = {best.min_at:.3f}, so g is infinite", best)
     return best
+
+
+def _no_path(task: Task, power: float) -> PathResult:
+    nothing = PathCost(g=np.inf, length=np.inf, min_manipulability=0.0, at=0.0)
+    return PathResult(
+        path=None,
+        g=np.inf,
+        length=np.inf,
+        min_manipulability=0.0,
+        min_at=0.0,
+        power=power,
+        task=task,
+        seed=None,
+        seed_cost=nothing,
+        history=(),
+        status=Status.NO_PATH,
+    )
 
 
 def _first_path(
@@ -197,16 +226,16 @@ def _optimize(
     first_cost = path_cost(first, kinematics, power)
     history: list[Step] = []
     found: list[_Candidate] = []
+    is_line = len(first.control) == 1 and first.degree == 1
+    if degree == 1 and is_line:
+        found.append(_Candidate(path=first, cost=first_cost, converged=True))
     if degree > 1:
         program = _program(kinematics, power, degree)
         search = _Search(program=program, start=start, goal=goal, model=model, clearance=clearance, history=history)
         found += search.unconstrained()
-        is_line = len(first.control) == 1 and first.degree == 1
         if not (found and is_line):  # from a straight seed the same solve would come again
             found += search.from_safe_path(first)
     safe = model is None or bool(found)
-    if model is None and degree == 1:
-        found.append(_Candidate(path=first, cost=first_cost, converged=True))
     best = min(found, key=lambda candidate: candidate.cost.g, default=None)
     if best is not None and best.cost.g <= first_cost.g:
         path, cost = best.path, best.cost

@@ -6,7 +6,7 @@ from math import comb
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, finite_array, number_array
+from manipplan.checks import Array, finite_array, number_array, whole_number
 from manipplan.errors import InvalidInputError
 
 
@@ -77,6 +77,7 @@ class JointPath:
         s = number_array("s", s)
         if not ((s >= 0) & (s <= 1)).all():
             raise InvalidInputError("s", s, "numbers from 0 to 1")
+        order = whole_number("order", order, least=0)
         piece = np.clip(np.searchsorted(self.breaks, s, side="right") - 1, 0, len(self.control) - 1)
         width = np.diff(self.breaks)
         control = self.control

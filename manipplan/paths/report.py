@@ -4,6 +4,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -71,7 +72,7 @@ class Report:
     def of(
         cls, trajectory: Trajectory, result: PathResult, model: CollisionModel, goal: Array, *, clearance: float, torque: bool
     ) -> "Report":
-        """Measure a trajectory along `result.path`: nothing is taken over from the optimiser but the seed."""
+        """Measure a finished trajectory: nothing is taken over from the optimiser but the figures of the seed."""
         robot = model.robot
         kinematics = robot.kinematics(result.task)
         path = trajectory.path()
@@ -130,6 +131,10 @@ class Report:
         ]
         if self.nearest_pair:
             lines.append(f"  clearance    {1e3 * self.clearance:.1f} mm between {' and '.join(self.nearest_pair)}")
+        else:
+            lines.append(
+                "  clearance    nothing to check: no two bodies of the description can touch, and there is no obstacle"
+            )
         for kind, use in self.limits.items():
             if not use.joint:
                 continue
@@ -141,7 +146,7 @@ class Report:
 
     def to_json(self, file: str | Path) -> None:
         """Write all figures as JSON."""
-        write_text(file, json.dumps(asdict(self), indent=1) + "\n")
+        write_text(file, json.dumps(_json_ready(asdict(self)), indent=1, allow_nan=False) + "\n")
 
     @classmethod
     def from_json(cls, file: str | Path) -> "Report":
@@ -152,18 +157,25 @@ class Report:
         path = existing_file("file", file)
         try:
             data = json.loads(path.read_text())
-            data["limits"] = {kind: LimitUse(**use) for kind, use in data["limits"].items()}
-            return cls(**{**data, "nearest_pair": tuple(data["nearest_pair"])})
+            data = {name: float(value) if value in ("inf", "-inf") else value for name, value in data.items()}
+            uses = {kind: LimitUse(**{**use, "ratio": float(use["ratio"])}) for kind, use in data["limits"].items()}
+            return cls(**{**data, "limits": uses, "nearest_pair": tuple(data["nearest_pair"])})
         except (ValueError, TypeError, KeyError, AttributeError) as error:
             raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
 
 
+def _json_ready(value: Any) -> Any:
+    """The same with infinite numbers as text, since JSON has none."""
+    if isinstance(value, dict):
+        return {key: _json_ready(item) for key, item in value.items()}
+    return str(value) if isinstance(value, float) and not np.isfinite(value) else value
+
+
 def _index_note(least: float, at: float, seed: float, straight: float) -> str:
-    times = [
-        f"{least / other:.3g} times the {name}'s" for name, other in (("seed", seed), ("straight path", straight)) if other
-    ]
-    note = ", ".join(times) or "the others meet a singularity"
-    if least >= 2 * min(seed, straight):
+    others = (("seed", seed), ("straight path", straight))
+    compared = [f"{least / value:.3g} times the {name}'s" if value else f"the {name}'s is zero" for name, value in others]
+    note = ", ".join(compared)
+    if least > 0 and least >= 2 * min(seed, straight):
         return note
     if at <= 0 or at >= 1:
         return f"{note}; it is at the {'start' if at <= 0 else 'goal'}, which every path between the two shares"

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, finite_array, number_array
+from manipplan.checks import Array, distinct_names, finite_array, number_array, whole_number
 from manipplan.errors import InvalidInputError
 from manipplan.paths.joint import JointPath
 
@@ -30,13 +30,14 @@ class Trajectory:
 
     def __post_init__(self) -> None:
         t = finite_array("t", self.t, (None,))
+        names = distinct_names("joint_names", self.joint_names, np.shape(self.q)[-1] if np.ndim(self.q) else 0)
         if len(t) < 2 or t[0] != 0 or not (np.diff(t) > 0).all():
             raise InvalidInputError("t", t, "at least two times, rising from 0")
-        shape = (len(t), len(self.joint_names))
+        shape = (len(t), len(names))
         object.__setattr__(self, "t", t)
         object.__setattr__(self, "q", finite_array("q", self.q, shape))
         object.__setattr__(self, "qd", finite_array("qd", self.qd, shape))
-        object.__setattr__(self, "joint_names", tuple(self.joint_names))
+        object.__setattr__(self, "joint_names", names)
 
     @property
     def n(self) -> int:
@@ -65,6 +66,7 @@ class Trajectory:
         t = number_array("t", t)
         if not ((t >= 0) & (t <= self.duration)).all():
             raise InvalidInputError("t", t, f"times from 0 to {self.duration:g} s")
+        order = whole_number("order", order, least=0)
         segment = np.clip(np.searchsorted(self.t, t, side="right") - 1, 0, len(self.t) - 2)
         coefficients = self.segments()[1]
         for _ in range(order):

@@ -139,6 +139,8 @@ def load_robot(name: str | Path, **options: object) -> Robot:
         UnknownNameError: no such name; the nearest names are listed.
         MissingExtraError: the package with the robot descriptions is not installed.
     """
+    if not isinstance(name, str | Path):
+        raise InvalidInputError("name", name, "a name of the catalogue, or the path of a URDF or MJCF file")
     file = Path(name).expanduser()
     if file.suffix == ".urdf":
         return Robot.from_urdf(file, **options)  # type: ignore[arg-type]  # checked by from_urdf itself

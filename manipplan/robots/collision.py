@@ -149,7 +149,9 @@ class CollisionModel:
         nearest = int(distances.argmin()) if len(distances) else -1
         if nearest >= 0 and (distances[nearest] <= 0 or distances[nearest] < clearance):
             first, second = self.pair_names[nearest]
-            apart = f"are {distances[nearest]:.4g} m apart" if distances[nearest] > 0 else f"overlap by {-distances[nearest]:.4g} m"
+            apart = (
+                f"are {distances[nearest]:.4g} m apart" if distances[nearest] > 0 else f"overlap by {-distances[nearest]:.4g} m"
+            )
             demanded = f", the clearance asked for is {clearance:g} m" if clearance else ""
             raise InvalidInputError(argument, q.tolist(), f"a free configuration; {first} and {second} {apart}{demanded}")
         return q

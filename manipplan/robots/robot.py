@@ -228,6 +228,9 @@ class Robot:
         """A copy with other limits: lower, upper, velocity, acceleration, jerk, effort; one number or (n,)."""
         return replace(self, limits=self.limits.with_changes(changes, source=source), cache={})
 
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "cache": {}}  # what was built holds pointers into Pinocchio
+
     def __str__(self) -> str:
         limits = self.limits
         head = ("joint", "type", "lower", "upper", "velocity", "acceleration", "jerk", "effort")
@@ -265,6 +268,8 @@ def _choose_tool(model: pin.Model, tool: str | None, semantic: description.Seman
 def _choose_joints(
     model: pin.Model, tool: str, chain: list[str], joints: Sequence[str] | None, mimics: Mapping[str, description.Mimic]
 ) -> list[str]:
+    if isinstance(joints, str):
+        raise InvalidInputError("joints", joints, "a list of names")
     active = list(chain) if joints is None else list(joints)
     for joint in active:
         if joint not in list(model.names)[1:]:

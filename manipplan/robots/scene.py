@@ -12,7 +12,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.checks import Array, configurations, existing_file, finite_array, number
+from manipplan.checks import Array, configurations, existing_file, finite_array, instance, number
 from manipplan.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.files import write_text
 
@@ -151,6 +151,8 @@ class Scene:
     """Obstacles that stand still. An empty scene still checks a robot against itself."""
 
     def __init__(self, obstacles: Sequence[Obstacle] = ()) -> None:
+        if isinstance(obstacles, Obstacle):
+            raise InvalidInputError("obstacles", obstacles, "a list of obstacles")
         for obstacle in obstacles:
             if not isinstance(obstacle, Obstacle):
                 raise InvalidInputError("obstacles", obstacle, f"a list of {', '.join(k.__name__ for k in OBSTACLES.values())}")
@@ -202,7 +204,9 @@ class Scene:
     def collision_model(self, robot: "Robot") -> "CollisionModel":
         """The robot among these obstacles, built once."""
         from manipplan.robots.collision import CollisionModel
+        from manipplan.robots.robot import Robot
 
+        instance("robot", robot, Robot)
         if robot not in self._cache.models:
             self._cache.models[robot] = CollisionModel.of(robot, self)
         return self._cache.models[robot]

@@ -9,7 +9,7 @@ import logging
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, number, whole_number
+from manipplan.checks import Array, instance, number, whole_number
 from manipplan.errors import PlanningError, UnknownNameError
 from manipplan.paths.joint import JointPath
 from manipplan.paths.smooth import rounded
@@ -57,10 +57,11 @@ def seed_path(
     """
     if planner not in PLANNERS:
         raise UnknownNameError("planner", str(planner), PLANNERS)
-    whole_number("seed", seed, least=0)
-    number("clearance", clearance, least=0.0)
-    number("time_limit", time_limit, above=0.0)
-    model = (scene or Scene()).collision_model(robot)
+    seed = whole_number("seed", seed, least=0)
+    clearance = number("clearance", clearance, least=0.0)
+    time_limit = number("time_limit", time_limit, above=0.0)
+    scene = instance("scene", scene if scene is not None else Scene(), Scene)
+    model = scene.collision_model(robot)
     q_start = model.free_configuration("start", start, clearance)
     q_goal = model.free_configuration("goal", goal, clearance)
     line = JointPath.line(q_start, q_goal)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
-from manipplan.checks import Array, whole_number
+from manipplan.checks import Array, distinct_names, instance, whole_number
 from manipplan.errors import InvalidInputError, PlanningError
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory, joined
@@ -51,7 +51,9 @@ def retime(
             acceleration together.
         PlanningError: no motion obeys the limits; says which joint, where and why when it can be known.
     """
-    whole_number("grid", grid, least=10)
+    instance("path", path, JointPath)
+    instance("limits", limits, JointLimits)
+    grid = whole_number("grid", grid, least=10)
     if limits.n != path.n:
         raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of the path's {path.n} joints")
     if not (np.isfinite(limits.velocity) & np.isfinite(limits.acceleration)).all():
@@ -60,11 +62,16 @@ def retime(
             [limits.velocity.tolist(), limits.acceleration.tolist()],
             "finite velocity and acceleration for each joint",
         )
-    names = tuple(joint_names) if joint_names is not None else tuple(f"q{i}" for i in range(path.n))
+    if torque_model is not None and torque_model.nv != path.n:
+        raise InvalidInputError(
+            "torque_model", f"a model of {torque_model.nv} joints", f"a model of the path's {path.n} joints"
+        )
+    names = distinct_names("joint_names", joint_names or [f"q{i}" for i in range(path.n)], path.n)
     if path.length < 1e-9:
         raise InvalidInputError("path", f"length {path.length:g}", "a path with a length")
     if torque_model is not None:
         _check_statics(path, limits, torque_model, names)
+    path = _without_standstills(path)
     stops = _stops(path)
     parts = [
         _retime_piece(path, a, b, limits, names, torque_model, max(20, int(np.ceil(grid * (b - a)))))
@@ -97,6 +104,17 @@ def _check_statics(path: JointPath, limits: JointLimits, model: pin.Model, names
                 f"gravity alone asks {names[joint]} for {ratio[joint]:.3g} times its effort limit at s = {s:.3f}; "
                 "raise effort, or choose another path"
             )
+
+
+def _without_standstills(path: JointPath) -> JointPath:
+    """The path without pieces on which nothing moves."""
+    moving = np.abs(path.control - path.control[:, :1]).max(axis=(1, 2)) > 1e-12
+    if moving.all():
+        return path
+    widths = np.diff(path.breaks)[moving]
+    breaks = np.concatenate([[0.0], np.cumsum(widths) / widths.sum()])
+    breaks[-1] = 1.0
+    return JointPath(breaks=breaks, control=path.control[moving])
 
 
 def _stops(path: JointPath) -> list[float]:

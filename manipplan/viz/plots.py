@@ -37,7 +37,7 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
     from matplotlib import rc_context
     from matplotlib.figure import Figure
 
-    if plan.trajectory is None or plan.result is None or plan.report is None:
+    if plan.trajectory is None or plan.result is None or plan.report is None or plan.path is None:
         raise PlanningError(f"there is no trajectory to draw: {plan.status.value}", plan)
     with rc_context(style.STYLE):
         figure = figure if figure is not None else Figure(figsize=(11.5, 6.0))
@@ -47,11 +47,13 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
         title = f"{plan.robot.name}: {plan.trajectory.duration:.2f} s, least index {plan.report.min_manipulability:.3g}"
         left.suptitle(title, fontsize=11, x=0.02, ha="left")
         if plan.robot.planar:
-            plot_planar_arm(plan.robot, plan.result.path, plan.scene, ax=left.subplots())
+            plot_planar_arm(plan.robot, plan.path, plan.scene, ax=left.subplots())
         else:
-            plot_arm(plan.robot, plan.result.path, plan.scene, seed=plan.result.seed, ax=left.add_subplot(projection="3d"))
+            plot_arm(plan.robot, plan.path, plan.scene, seed=plan.result.seed, ax=left.add_subplot(projection="3d"))
         top, bottom = right.subplots(2, 1)
-        paths = {"optimised": plan.result.path, "seed": plan.result.seed}
+        paths = {"optimised": plan.path}
+        if plan.result.seed is not None:
+            paths["seed"] = plan.result.seed
         plot_index(plan.robot, paths, task=plan.result.task, ax=top)
         plot_joints(plan, ax=bottom)
     return figure

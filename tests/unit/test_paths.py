@@ -111,6 +111,22 @@ def test_trajectory_equals_scipy_and_its_path(rng):
 
 
 @pytest.mark.parametrize("kind", ["csv", "json", "ros", "npz"])
+@pytest.mark.parametrize("names", [("a,b", 'c"d', "e\nf"), ("yes", "1", "null"), ("ü", "q_", "x:y")])
+def test_odd_joint_names_come_back(tmp_path, rng, kind, names):
+    plain = random_trajectory(rng)
+    trajectory = mp.Trajectory(t=plain.t, q=plain.q, qd=plain.qd, joint_names=names)
+    getattr(trajectory, f"to_{kind}")(tmp_path / "file")
+    assert getattr(mp.Trajectory, f"from_{kind}")(tmp_path / "file").joint_names == names
+
+
+@pytest.mark.parametrize("names", [("a", "a", "b"), (1, 2, 3), "abc", ("a", "b")])
+def test_joint_names_are_different_names(rng, names):
+    plain = random_trajectory(rng)
+    with pytest.raises(mp.InvalidInputError, match="joint_names"):
+        mp.Trajectory(t=plain.t, q=plain.q, qd=plain.qd, joint_names=names)
+
+
+@pytest.mark.parametrize("kind", ["csv", "json", "ros", "npz"])
 def test_round_trips_are_exact(tmp_path, rng, kind):
     trajectory = random_trajectory(rng)
     file = tmp_path / f"motion.{kind}"

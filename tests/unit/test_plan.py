@@ -68,6 +68,25 @@ def test_planar_arm_among_obstacles(planar):
     assert np.linalg.norm(tool - [0.03, 2.2], axis=1).min() > 0.12
 
 
+def test_wrong_kinds_of_things(demo_problem):
+    start, goal = demo_problem.start, demo_problem.goal
+    with pytest.raises(mp.InvalidInputError, match="robot: got 'panda'; allowed: a Robot"):
+        mp.plan("panda", start, goal)
+    with pytest.raises(mp.InvalidInputError, match="scene: got 'scene.yaml'; allowed: a Scene"):
+        mp.plan(demo_problem.robot, start, goal, "scene.yaml")
+    with pytest.raises(mp.InvalidInputError, match="a list of obstacles"):
+        mp.Scene(mp.Sphere(radius=1.0))
+
+
+def test_a_singular_start_is_planned_and_told(planar, tmp_path):
+    plan = mp.plan(planar, [0.0, 0.0, 0.0], [1.0, 1.0, 1.0])
+    assert plan.report.min_manipulability == pytest.approx(0.0, abs=1e-15)
+    assert "at the start, which every path" in plan.report.index_note
+    plan.report.to_json(tmp_path / "report.json")
+    assert json.loads((tmp_path / "report.json").read_text(), parse_constant=pytest.fail)["g"] == "inf"
+    assert mp.Report.from_json(tmp_path / "report.json") == plan.report
+
+
 def test_progress_tells_each_step(planar):
     steps = []
     mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2.0, progress=steps.append)
@@ -92,6 +111,10 @@ def test_progress_tells_each_step(planar):
         ({"seed": -1}, "seed"),
         ({"time_limit": 0}, "time_limit"),
         ({"task": "pose"}, "task"),
+        ({"start": [True] * 7}, "start.*real numbers"),
+        ({"goal": [1j] * 7}, "goal.*real numbers"),
+        ({"degree": "6"}, "degree: got '6'"),
+        ({"time_limit": np.inf}, "time_limit"),
     ],
 )
 @pytest.mark.parametrize("throw", [True, False])
@@ -115,6 +138,25 @@ def test_an_unreachable_goal_is_told(planar):
     assert not failed.status.has_path
     with pytest.raises(mp.PlanningError, match="no trajectory to save"):
         failed.save("nowhere")
+
+
+def test_the_optimiser_tells_that_there_is_no_path(planar):
+    cage = mp.Scene(
+        [mp.Box(size=(8.0, 0.02, 1.0), position=(0.0, 0.02 + sign * 0.5, 0.0), name=f"wall{sign}") for sign in (-1, 1)]
+    )
+    start, goal = [0.0, 0.1, 0.0], [np.pi, -0.1, 0.0]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("manipplan.optimize.optimize.seed_path", _no_seed)
+        with pytest.raises(mp.PlanningError, match="nothing") as caught:
+            mp.optimize_path(planar, start, goal, scene=cage)
+        result = mp.optimize_path(planar, start, goal, scene=cage, throw=False)
+    assert caught.value.result.status is result.status is mp.Status.NO_PATH
+    assert result.path is None
+    assert result.g == np.inf
+
+
+def _no_seed(*_, **__):
+    raise mp.PlanningError("nothing was found")
 
 
 def test_no_motion_within_the_limits_is_told(panda):

@@ -1,5 +1,7 @@
 """Robots from URDF, MJCF and the catalogue: joints, limits, locking, and every wrong input."""
 
+import pickle
+
 import numpy as np
 import pinocchio as pin
 import pytest
@@ -195,3 +197,16 @@ def test_unaligned_axis_turns_like_pinocchio(two_link_urdf):
     pin.framesForwardKinematics(robot.model, data, q)
     oracle = data.oMf[robot.model.getFrameId("tip")].homogeneous
     np.testing.assert_allclose(robot.kinematics(mp.Task.position()).pose(q), oracle, atol=1e-14)
+
+
+def test_a_used_robot_can_be_pickled(panda):
+    panda.kinematics()
+    mp.Scene().in_collision(panda, panda.neutral)
+    again = pickle.loads(pickle.dumps(panda))
+    np.testing.assert_array_equal(again.kinematics().pose(panda.neutral), panda.kinematics().pose(panda.neutral))
+
+
+@pytest.mark.parametrize("name", [None, 3, ["panda"]])
+def test_a_name_has_to_be_text(name):
+    with pytest.raises(mp.InvalidInputError, match="name: got"):
+        mp.load_robot(name)

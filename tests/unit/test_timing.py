@@ -106,3 +106,12 @@ def test_wrong_arguments(panda, planar):
         mp.retime(path, panda.limits, grid=2)
     with pytest.raises(mp.InvalidInputError, match="a path with a length"):
         mp.retime(mp.JointPath(breaks=[0, 1], control=np.zeros((1, 3, 7))), panda.limits)
+
+
+def test_pieces_that_stand_still_are_left_out():
+    robot = mp.planar_arm([1.0, 1.0])
+    still = np.array([[[0, 0], [1, 1]], [[1, 1], [1, 1]], [[1, 1], [2, 1]]], dtype=float)
+    trajectory = mp.retime(mp.JointPath(breaks=[0, 0.3, 0.6, 1], control=still), robot.limits)
+    without = mp.retime(mp.JointPath.through([[0, 0], [1, 1], [2, 1]]), robot.limits)
+    assert trajectory.duration == pytest.approx(without.duration, rel=1e-3)
+    assert limit_use(trajectory, robot.limits)["acceleration"].ratio <= 1
