@@ -113,5 +113,5 @@ def test_pieces_that_stand_still_are_left_out():
     still = np.array([[[0, 0], [1, 1]], [[1, 1], [1, 1]], [[1, 1], [2, 1]]], dtype=float)
     trajectory = mp.retime(mp.JointPath(breaks=[0, 0.3, 0.6, 1], control=still), robot.limits)
     without = mp.retime(mp.JointPath.through([[0, 0], [1, 1], [2, 1]]), robot.limits)
-    assert trajectory.duration == pytest.approx(without.duration, rel=1e-3)
+    assert trajectory.duration == pytest.approx(without.duration, rel=1e-2)
     assert limit_use(trajectory, robot.limits)["acceleration"].ratio <= 1
