@@ -57,10 +57,13 @@ def number(argument: str, value: Any, *, above: float = -np.inf, least: float = 
     return float(value)
 
 
-def whole_number(argument: str, value: Any, *, least: int) -> int:
-    """`value` as an int >= least."""
+def whole_number(argument: str, value: Any, *, least: int, most: int | None = None) -> int:
+    """`value` as an int >= least and <= most."""
+    wanted = f"a whole number, at least {least}" + (f", at most {most}" if most is not None else "")
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
-        raise InvalidInputError(argument, value, f"a whole number, at least {least}")
+        raise InvalidInputError(argument, value, wanted)
+    if most is not None and value > most:
+        raise InvalidInputError(argument, value, wanted)
     return int(value)
 
 

@@ -8,9 +8,9 @@ from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, instance, number, whole_number
 from manipplan.errors import PlanningError
-from manipplan.files import writable_folder
+from manipplan.files import writable_folder, write_text
 from manipplan.measures.task import Task
-from manipplan.optimize.optimize import PathResult, optimize_path
+from manipplan.optimize.optimize import PathResult, check_task, optimize_path
 from manipplan.paths.joint import JointPath
 from manipplan.paths.report import Report
 from manipplan.paths.trajectory import Trajectory
@@ -19,12 +19,12 @@ from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.seeds.ompl import seed_path
 from manipplan.status import Status
-from manipplan.timing.retime import retime
+from manipplan.timing.retime import check_timing_limits, retime
 
 
 @dataclass(frozen=True, kw_only=True)
 class Plan:
-    """A finished plan. With a status that failed, what could not be made is None.
+    """A finished plan. With a status that failed, what could not be made is None and `message` says why.
 
     Attributes:
         robot, scene: what was planned for.
@@ -33,6 +33,7 @@ class Plan:
         trajectory: the timed motion along it.
         report: its figures, measured on the trajectory.
         result: the optimiser's result, with seed and history.
+        message: why it failed, when it did.
     """
 
     robot: Robot
@@ -42,13 +43,13 @@ class Plan:
     trajectory: Trajectory | None = None
     report: Report | None = None
     result: PathResult | None = None
+    message: str = ""
 
     def save(self, folder: str | Path) -> list[Path]:
         """Write trajectory.csv, .json and .yaml (ROS), report.json, report.txt and plan.png; returns the files.
 
         Raises InvalidInputError when the folder cannot be written and PlanningError when there is no trajectory.
         """
-        from manipplan.files import write_text
         from manipplan.viz.plots import save_plan
 
         if self.trajectory is None or self.report is None:
@@ -104,8 +105,16 @@ def plan(
         PlanningError: no free path, or no motion within the limits; its `result` is the Plan so far.
     """
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
-    degree = whole_number("degree", degree, least=1)
+    degree = whole_number("degree", degree, least=1, most=20)
     say = progress or _silent
+    power = number("power", power, above=0.0)
+    time_limit = number("time_limit", time_limit, above=0.0)
+    seed = whole_number("seed", seed, least=0)
+    instance("robot", robot, Robot)
+    check_task(robot.kinematics(task))
+    check_timing_limits(robot.limits)
+    for argument, q in (("start", start), ("goal", goal)):
+        robot.configuration(argument, q)
     clearance = number("clearance", clearance, least=0.0)
     say("preparing collision shapes")
     model = scene.collision_model(robot)
@@ -132,7 +141,7 @@ def _optimised(
     robot: Robot, first: JointPath, degree: int, power: float, task: Task | None, scene: Scene, clearance: float
 ) -> PathResult:
     results = []
-    for each in (degree, degree + 3):
+    for each in (degree, min(degree + 3, 20)):
         results.append(
             optimize_path(
                 robot, first.start, first.goal, each, power, task, scene, initial=first, clearance=clearance, throw=False
@@ -158,7 +167,8 @@ def _checked(
     finished = replace(draft, trajectory=trajectory, report=report)
     if report.passed:
         return finished
-    return _failed(replace(finished, status=Status.CHECK_FAILED), throw, f"{Status.CHECK_FAILED.value}\n{report}")
+    report = replace(report, status=Status.CHECK_FAILED.value)
+    return _failed(replace(finished, status=Status.CHECK_FAILED, report=report), throw, str(report))
 
 
 def _silent(_: str) -> None:
@@ -166,6 +176,7 @@ def _silent(_: str) -> None:
 
 
 def _failed(plan: Plan, throw: bool, message: str) -> Plan:
+    failed = replace(plan, message=message)
     if throw:
-        raise PlanningError(message, plan)
-    return plan
+        raise PlanningError(message, failed)
+    return failed

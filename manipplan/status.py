@@ -6,7 +6,7 @@ from enum import Enum
 class Status(Enum):
     """How a path came about. The value is the text for people; `ok` tells whether the request was met in full."""
 
-    OPTIMAL = "optimal: the optimiser converged and every check passed"
+    OPTIMAL = "optimal: the optimiser converged to a local optimum and every check passed"
     STOPPED_EARLY = (
         "feasible, not converged: every check passed, but the optimiser stopped before its tolerance; "
         "raise degree or start it from initial="
@@ -18,6 +18,10 @@ class Status(Enum):
     SEED_IS_SAFE = (
         "seed: no optimised path of this degree stays clear of collisions, so the collision-free seed is returned; "
         "raise degree, lower clearance, or try another seed="
+    )
+    SINGULAR = (
+        "singular: every check passed, but the index vanishes somewhere on the path, so g is infinite; "
+        "choose another start or goal if it is at an end, or another power or seed="
     )
     NO_PATH = "failed: no collision-free path was found; allow more time_limit, less clearance, or check the goal"
 

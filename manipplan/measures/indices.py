@@ -18,13 +18,13 @@ def row_norms(jacobian: ca.SX) -> list[ca.SX]:
         square = ca.sumsqr(row)
         norm = ca.sqrt(square)
         norms.append(norm)
-        # A row that vanished has no direction; the floor keeps the others and all derivatives finite.
+        # A row that vanished has no direction; the floor keeps the other rows finite.
         directions.append(row / ca.fmax(norm, 1e-150))
     return norms
 
 
 def yoshikawa(jacobian: ca.SX) -> ca.SX:
-    """M = sqrt(det(J Jᵀ)) of a task Jacobian (m, n); identically zero when m > n [yoshikawa1985]."""
+    """The index m = sqrt(det(J Jᵀ)) of a task Jacobian (m, n); identically zero when m > n [yoshikawa1985]."""
     if jacobian.shape[0] > jacobian.shape[1]:
         return ca.SX(0.0)
     product = ca.SX(1.0)
@@ -34,7 +34,7 @@ def yoshikawa(jacobian: ca.SX) -> ca.SX:
 
 
 def log_yoshikawa(jacobian: ca.SX, regularisation: float) -> ca.SX:
-    """Log sqrt(det(J Jᵀ + ε I)) through a Cholesky factor, with ε = `regularisation` [unit of J squared]."""
+    """The value of log sqrt(det(J Jᵀ + ε I)) through a Cholesky factor, with ε = `regularisation` [unit of J squared]."""
     gram = jacobian @ jacobian.T + regularisation * ca.SX.eye(jacobian.shape[0])
     factor = ca.chol(gram)
     return ca.sum1(ca.log(ca.diag(factor)))

@@ -71,7 +71,7 @@ class Task:
 
     @property
     def unit(self) -> str:
-        """Unit of the manipulability index: every row counts metres."""
+        """Unit of the manipulability index: every row counts metres; with length 1 radians are left uncounted."""
         power = self.rows if self.length != 1.0 or not self.angular else len(self.linear)
         return "1" if power == 0 else f"m^{power}"
 

@@ -38,11 +38,21 @@ def to_bernstein(degree: int) -> Array:
 def subdivision(degree: int, pieces: int) -> Array:
     """The matrix (pieces (degree + 1), degree + 1) from control points of a curve to those of its equal pieces."""
     rows = []
-    u = np.linspace(0.0, 1.0, degree + 1)
-    inverse = np.linalg.inv(bernstein(degree, u))
-    for k in range(pieces):
-        rows.append(inverse @ bernstein(degree, (k + u) / pieces))
-    return np.concatenate(rows)
+    rest = np.eye(degree + 1)
+    for k in range(pieces - 1, 0, -1):
+        left, rest = _split(rest, 1 / (k + 1))
+        rows.append(left)
+    return np.concatenate([*rows, rest])
+
+
+def _split(control: Array, u: float) -> tuple[Array, Array]:
+    """Control points of the two parts of a curve cut at u: de Casteljau."""
+    left, right = [control[0]], [control[-1]]
+    while len(control) > 1:
+        control = (1 - u) * control[:-1] + u * control[1:]
+        left.append(control[0])
+        right.append(control[-1])
+    return np.array(left), np.array(right[::-1])
 
 
 def _integral(j: int) -> Array:

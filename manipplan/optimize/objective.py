@@ -18,7 +18,7 @@ from manipplan.paths.joint import JointPath
 REGULARISATION = 1e-10
 
 #: An index below this share of the path's largest counts as zero.
-SINGULAR = 1e-12
+SINGULAR = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,7 +28,7 @@ class PathCost:
     Attributes:
         g: ∫ ‖q'‖ / m^p ds, (6.6) in kth2012; inf when the path meets a singularity.
         length: ∫ ‖q'‖ ds [rad], (6.5).
-        min_manipulability: least index m on a dense grid.
+        min_manipulability: least index m, found by ever finer grids around its dips.
         at: the parameter s where it is least.
     """
 
@@ -39,18 +39,38 @@ class PathCost:
 
 
 def path_cost(path: JointPath, kinematics: Kinematics, power: float) -> PathCost:
-    """G on a rule of at least 400 Gauss points, ten times finer than the solver's; the least index on 2001 points more."""
+    """Measure g on a rule of at least 400 Gauss points, ten times finer than the solver's, and the least index."""
     s, weights = path.quadrature()
     speed = np.linalg.norm(path(s, 1), axis=1)
     index = kinematics.manipulability(path(s))
-    dense = np.linspace(0.0, 1.0, 2001)
-    values = kinematics.manipulability(path(dense))
-    k = int(values.argmin())
-    # Gauss points leave out the ends, where a singularity makes the integral diverge for p >= 1
-    singular = power >= 1 and values[k] <= SINGULAR * values.max()
+    least, at, largest = _least_index(path, kinematics)
+    # a singularity, which Gauss points can pass by, makes the integral diverge for p >= 1
+    singular = power >= 1 and least <= SINGULAR * largest
     with np.errstate(divide="ignore"):
         g = np.inf if singular else float(weights @ (speed / index**power))
-    return PathCost(g=g, length=float(weights @ speed), min_manipulability=float(values[k]), at=float(dense[k]))
+    return PathCost(g=g, length=float(weights @ speed), min_manipulability=least, at=at)
+
+
+def _least_index(path: JointPath, kinematics: Kinematics) -> tuple[float, float, float]:
+    """The least index on the path, where it is, and the largest: local minima of 2001 points are looked at ever closer.
+
+    Where a path crosses a singularity the index has a sharp kink, which no fixed grid would hit.
+    """
+    s = np.linspace(0.0, 1.0, 2001)
+    values = kinematics.manipulability(path(s))
+    padded = np.concatenate([[np.inf], values, [np.inf]])
+    dips = np.flatnonzero((values <= padded[:-2]) & (values <= padded[2:]))
+    least, at = np.inf, 0.0
+    for k in dips[np.argsort(values[dips])[:5]]:
+        low, high = s[max(k - 1, 0)], s[min(k + 1, 2000)]
+        for _ in range(8):
+            grid = np.linspace(low, high, 41)
+            inside = kinematics.manipulability(path(grid))
+            j = int(inside.argmin())
+            if inside[j] < least:
+                least, at = float(inside[j]), float(grid[j])
+            low, high = grid[max(j - 1, 0)], grid[min(j + 1, 40)]
+    return least, at, float(values.max())
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -29,7 +29,7 @@ ROUNDS = 8
 SMALL_GAIN = 1e-2
 #: Clearance rows are added at so many places a round, the deepest dips first.
 NEW_PLACES = 10
-#: More rows than this take longer than they are worth: the seed is returned instead.
+#: More rows than this take longer than they are worth: the search ends with what it has.
 MOST_ROWS = 500
 SHIFTS = ("none", "within-limits")
 
@@ -94,21 +94,22 @@ def optimize_path(
     seed: int = 0,
     throw: bool = True,
 ) -> PathResult:
-    """The path of `degree` from start to goal that minimises g = ∫ ‖q'‖ / m^power ds [kth2012, ch. 6].
+    """Find a path of `degree` from start to goal of low g = ∫ ‖q'‖ / m^power ds [kth2012, ch. 6].
 
-    The energy ∫ ‖q'‖² / m^(2 power) ds is minimised by IPOPT with exact Hessians; g is reported on a finer rule. Joint
-    limits hold on the whole curve. With a scene, the path is free at every milliradian: either optimised, or the seed.
+    The energy ∫ ‖q'‖² / m^(2 power) ds is minimised by IPOPT with exact Hessians, from the straight line and from the
+    seed; over all curves it has the minima of g. g itself is reported on a finer rule. Joint limits hold on the whole
+    curve. With a scene, the path is free at every milliradian: either optimised, or the seed.
 
     Args:
         robot: the arm.
         start, goal: (n,) inside the limits [rad or m].
-        degree: of the polynomial, >= 1; 1 is the straight line.
+        degree: of the polynomial, 1 to 20; 1 is the straight line.
         power: exponent p > 0 of the index.
         task: whose index counts; default `robot.default_task`.
         scene: obstacles; None: no collision is checked, not even of the arm with itself.
         initial: first path from start to goal; with a scene it must be free. Default: straight, or by `seed_path`.
         shifts: "within-limits" tries goals 2π away in each revolute joint too, and returns the best; the goal's pose is
-            the same. Not together with a scene or `initial`.
+            the same. That is up to 3 to the power of n solves. Not together with a scene or `initial`.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         seed: for the planner of the first path.
         throw: raise PlanningError when no free path was found, or the path's index vanishes somewhere (g is infinite);
@@ -123,7 +124,7 @@ def optimize_path(
         instance("scene", scene, Scene)
     if initial is not None:
         instance("initial", initial, JointPath)
-    degree = whole_number("degree", degree, least=1)
+    degree = whole_number("degree", degree, least=1, most=20)
     power = number("power", power, above=0.0)
     clearance = number("clearance", clearance, least=0.0)
     if shifts not in SHIFTS:
@@ -132,11 +133,8 @@ def optimize_path(
         raise InvalidInputError("shifts", shifts, "'none' together with a scene or an initial path")
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
     kinematics = robot.kinematics(task)
-    if kinematics.task.rows > robot.n:
-        raise InvalidInputError(
-            "task", kinematics.task.name, f"at most {robot.n} rows; with more rows than joints the index is identically zero"
-        )
-    goals = [q_goal] if shifts == "none" else _shifted_goals(robot, q_goal)
+    check_task(kinematics)
+    goals = [q_goal] if shifts == "none" else _shifted_goals(robot, q_start, q_goal)
     model = None if scene is None else scene.collision_model(robot)
     if model is not None:
         model.free_configuration("start", q_start, clearance)
@@ -155,6 +153,15 @@ def optimize_path(
     if throw and not np.isfinite(best.g):
         raise PlanningError(f"the index vanishes on the path at s = {best.min_at:.3f}, so g is infinite", best)
     return best
+
+
+def check_task(kinematics: Kinematics) -> None:
+    """Raise InvalidInputError when the task has more rows than the arm has joints."""
+    task, n = kinematics.task, kinematics.robot.n
+    if task.rows > n:
+        raise InvalidInputError(
+            "task", task.name, f"at most {n} rows; with more rows than joints the index is identically zero"
+        )
 
 
 def _no_path(task: Task, power: float) -> PathResult:
@@ -200,13 +207,14 @@ def _first_path(
     return initial
 
 
-def _shifted_goals(robot: Robot, goal: Array) -> list[Array]:
+def _shifted_goals(robot: Robot, start: Array, goal: Array) -> list[Array]:
     """The goal and all that differ from it by a turn in some revolute joints, inside the limits."""
     turns = []
     for joint, kind in enumerate(robot.joint_types):
         options = (0,) if kind == "prismatic" else (-1, 0, 1)
         turns.append([2 * np.pi * k for k in options if not _outside(robot, joint, goal[joint] + 2 * np.pi * k)])
-    return [goal + np.array(shift) for shift in itertools.product(*turns)]
+    goals = [goal + np.array(shift) for shift in itertools.product(*turns)]
+    return [each for each in goals if np.abs(each - start).max() > 1e-9]
 
 
 def _outside(robot: Robot, joint: int, value: float) -> bool:
@@ -227,9 +235,11 @@ def _optimize(
     history: list[Step] = []
     found: list[_Candidate] = []
     is_line = len(first.control) == 1 and first.degree == 1
-    if degree == 1 and is_line:
-        found.append(_Candidate(path=first, cost=first_cost, converged=True))
-    if degree > 1:
+    if degree == 1:
+        line = first if is_line else JointPath.line(start, goal)
+        if is_line or model is None or model.path_is_free(line, CHECK_STEP, clearance):
+            found.append(_Candidate(path=line, cost=path_cost(line, kinematics, power), converged=True))
+    else:
         program = _program(kinematics, power, degree)
         search = _Search(program=program, start=start, goal=goal, model=model, clearance=clearance, history=history)
         found += search.unconstrained()
@@ -243,6 +253,8 @@ def _optimize(
     else:
         path, cost = first, first_cost
         status = Status.SEED_IS_BETTER if safe else Status.SEED_IS_SAFE
+    if not np.isfinite(cost.g):
+        status = Status.SINGULAR
     log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
     return PathResult(
         path=path,
@@ -297,9 +309,11 @@ class _Search:
                 found.append(candidate)
                 if len(found) > 1 and found[-2].cost.g - candidate.cost.g < SMALL_GAIN * candidate.cost.g:
                     break
-            if candidate is not None and not places:
+            before = len(places)
+            deepest = near.dips(distances, self.clearance + near.SPARE)[:NEW_PLACES]
+            places = near.merged(places, near.around(deepest))
+            if len(places) == before and (candidate is not None or not deepest):
                 break
-            places = near.merged(places, near.around(near.dips(distances, self.clearance)[:NEW_PLACES]))
         return found
 
     def _solve(self, name: str, guess: Array, rows: list[ClearanceRow]) -> tuple[_Candidate | None, Array, Array]:

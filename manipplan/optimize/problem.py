@@ -49,12 +49,11 @@ class ClearanceRow:
 
 @dataclass(frozen=True, kw_only=True)
 class Solution:
-    """What one solve gave: coefficients (n, k - 1), the largest slack [m], IPOPT's word and iterations."""
+    """What one solve gave: coefficients (n, k - 1), the largest slack [m] and IPOPT's word."""
 
     coefficients: Array
     slack: float
     status: str
-    iterations: int
 
 
 class PathProgram:
@@ -89,12 +88,12 @@ class PathProgram:
 
     def solve(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
         """Minimise the energy from a guess (n, k - 1); rows that cannot hold come back with their slack."""
-        capacity = 0 if not rows else next(c for c in (32, 128, 512, 2048, 8192) if c >= len(rows))
+        capacity = 0 if not rows else 32 * 4 ** int(np.ceil(np.log(max(len(rows) / 32, 1)) / np.log(4)))
         solver = self._solver(capacity)
         scale = self._guess_energy(start, goal, guess)
         parameters = np.concatenate([start, goal, [1 / scale], self._row_parameters(rows, capacity).ravel(order="F")])
         limits = self.kinematics.robot.limits
-        joint_limits = np.repeat(limits.lower, len(self._limit_line)), np.repeat(limits.upper, len(self._limit_line))
+        joint_limits = np.tile(limits.lower, len(self._limit_line)), np.tile(limits.upper, len(self._limit_line))
         result = solver(
             x0=np.concatenate([guess.ravel(order="F"), np.zeros(capacity)]),
             p=parameters,
@@ -103,13 +102,11 @@ class PathProgram:
             lbg=np.concatenate([joint_limits[0], np.zeros(capacity)]),
             ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
         )
-        stats = solver.stats()
         x = np.asarray(result["x"]).ravel()
         return Solution(
             coefficients=x[: guess.size].reshape(guess.shape, order="F"),
             slack=float(x[guess.size : guess.size + len(rows)].max(initial=0.0)),
-            status=str(stats["return_status"]),
-            iterations=int(stats["iter_count"]),
+            status=str(solver.stats()["return_status"]),
         )
 
     def _guess_energy(self, start: Array, goal: Array, guess: Array) -> float:
@@ -170,10 +167,8 @@ class PathProgram:
         # joint limits: control points of the pieces, linear in x
         rows = len(self._limit_line)
         points = start @ ca.DM.ones(1, rows) + (goal - start) @ ca.DM(self._limit_line).T + x @ ca.DM(self._limit_rows).T
-        limits = ca.vec(points.T)
+        limits = ca.vec(points)
         jac_limits = ca.kron(ca.sparsify(ca.DM(self._limit_rows)), ca.DM.eye(n))
-        order = [j * rows + i for i in range(rows) for j in range(n)]
-        jac_limits = jac_limits[list(np.argsort(order)), :]
 
         # clearance: one row function of q a column of the table
         g = limits

@@ -39,7 +39,8 @@ class JointPath:
     @classmethod
     def line(cls, start: ArrayLike, goal: ArrayLike) -> "JointPath":
         """The straight path from start (n,) to goal (n,): (6.9) in kth2012."""
-        return cls.through(np.stack([number_array("start", start), number_array("goal", goal)]))
+        first = finite_array("start", start, (None,))
+        return cls.through(np.stack([first, finite_array("goal", goal, (len(first),))]))
 
     @classmethod
     def through(cls, waypoints: ArrayLike) -> "JointPath":
@@ -120,7 +121,7 @@ class JointPath:
         return low, high
 
     def fine_samples(self, step: float = 1e-3) -> Array:
-        """Parameters s (m,) from 0 to 1 between which no joint moves more than `step` [rad or m]."""
+        """Parameters s (m,) from 0 to 1; from each to the next no joint comes more than `step` [rad or m] further."""
         s = np.linspace(0.0, 1.0, 2001)
         speed = np.abs(self(s, 1)).max(axis=1)
         gained = np.concatenate([[0.0], np.cumsum((speed[1:] + speed[:-1]) / 2 * np.diff(s))])

@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.checks import Array, existing_file
+from manipplan.errors import FileFormatError
 from manipplan.files import write_text
-from manipplan.optimize.objective import path_cost
+from manipplan.optimize.objective import PathCost, path_cost
 from manipplan.optimize.optimize import PathResult
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
@@ -107,9 +108,7 @@ class Report:
             min_at=cost.at,
             seed_min_manipulability=result.seed_cost.min_manipulability,
             straight_min_manipulability=straight.min_manipulability,
-            index_note=_index_note(
-                cost.min_manipulability, cost.at, result.seed_cost.min_manipulability, straight.min_manipulability
-            ),
+            index_note=_index_note(cost, result.seed_cost, straight, is_seed=result.path is result.seed),
             clearance=least,
             nearest_pair=pair,
             collision_free=free,
@@ -151,9 +150,6 @@ class Report:
     @classmethod
     def from_json(cls, file: str | Path) -> "Report":
         """Read what `to_json` wrote; raises FileFormatError for another file."""
-        from manipplan.checks import existing_file
-        from manipplan.errors import FileFormatError
-
         path = existing_file("file", file)
         try:
             data = json.loads(path.read_text())
@@ -171,12 +167,17 @@ def _json_ready(value: Any) -> Any:
     return str(value) if isinstance(value, float) and not np.isfinite(value) else value
 
 
-def _index_note(least: float, at: float, seed: float, straight: float) -> str:
-    others = (("seed", seed), ("straight path", straight))
-    compared = [f"{least / value:.3g} times the {name}'s" if value else f"the {name}'s is zero" for name, value in others]
-    note = ", ".join(compared)
-    if least > 0 and least >= 2 * min(seed, straight):
+def _index_note(cost: PathCost, seed: PathCost, straight: PathCost, *, is_seed: bool) -> str:
+    """How the least index compares with the seed's and the straight path's, and why when it is not twice both."""
+    least = cost.min_manipulability
+    others = {"seed": seed.min_manipulability, "straight path": straight.min_manipulability}
+    note = ", ".join(
+        f"{least / other:.3g} times the {name}'s" if other > 0 else f"the {name}'s is zero" for name, other in others.items()
+    )
+    if least > 0 and all(least >= 2 * other for other in others.values()):
         return note
-    if at <= 0 or at >= 1:
-        return f"{note}; it is at the {'start' if at <= 0 else 'goal'}, which every path between the two shares"
-    return f"{note}; a larger one would cost more length than it gains in g"
+    if cost.at <= 0 or cost.at >= 1:
+        return f"{note}; it is at the {'start' if cost.at <= 0 else 'goal'}, which every path between the two shares"
+    if is_seed:
+        return f"{note}; this is the seed itself"
+    return f"{note}; the optimiser found no path of lower g with a larger one"

@@ -1,7 +1,7 @@
 """Known arms by name, from the package example-robot-data, and the planar n-link arm built without a file."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import coal
@@ -29,7 +29,6 @@ class Entry:
     acceleration: tuple[float, ...] | float | None = None
     jerk: tuple[float, ...] | float | None = None
     data_sheet: str = ""
-    locked: Mapping[str, float] = field(default_factory=dict)
 
 
 # Accelerations and jerks stand only where the maker publishes them; elsewhere the default of JointLimits applies.
@@ -155,12 +154,11 @@ def load_robot(name: str | Path, **options: object) -> Robot:
         "joints": None,
         "srdf": folder / entry.srdf if entry.srdf else None,
         "name": str(name),
-        "locked": entry.locked,
         "neutral": entry.neutral,
     }
     robot_options = {**chosen, **options}
     if entry.first is not None and robot_options["joints"] is None:
-        robot_options["joints"] = _chain_from(folder / entry.urdf, entry.tool, entry.first)
+        robot_options["joints"] = _chain_from(folder / entry.urdf, str(robot_options["tool"]), entry.first)
     robot = Robot.from_urdf(folder / entry.urdf, **robot_options)  # type: ignore[arg-type]
     published = {"acceleration": entry.acceleration, "jerk": entry.jerk}
     published = {kind: value for kind, value in published.items() if value is not None and kind not in options}
@@ -233,7 +231,10 @@ def _descriptions() -> Path:
     return Path(getModelPath("panda_description"))
 
 
-def _chain_from(urdf: Path, tool: str, first: str) -> Sequence[str]:
+def _chain_from(urdf: Path, tool: str, first: str) -> Sequence[str] | None:
+    """Joints from `first` to the tool; None, which lets `from_urdf` judge the tool, where `first` does not move it."""
     model = pin.buildModelFromUrdf(str(urdf))
+    if not model.existFrame(tool):
+        return None
     chain = [model.names[i] for i in model.supports[model.frames[frame_index(model, tool)].parentJoint]]
-    return chain[chain.index(first) :]
+    return chain[chain.index(first) :] if first in chain else None

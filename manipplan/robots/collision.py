@@ -74,7 +74,8 @@ class CollisionModel:
 
     @classmethod
     def of(cls, robot: Robot, scene: Scene) -> "CollisionModel":
-        """The robot's meshes become primitives; pairs come from its SRDF, or from sampling without one.
+        """The robot's meshes become primitives. An SRDF's disabled pairs, adjacent ones and those that touch nearly
+        everywhere are left out; `dropped` lists them.
 
         Raises InvalidInputError when there are obstacles but the robot's description has no collision geometry.
         """
@@ -97,10 +98,6 @@ class CollisionModel:
         self._set_margin(clearance)
         return bool(pin.computeCollisions(self.robot.model, self._data, self.geometry, self._geometry_data, q, True))
 
-    def touching(self, q: Array) -> list[tuple[str, str]]:
-        """Names of the pairs that touch at q (n,)."""
-        return [self.pair_names[k] for k in self.touching_pairs(q)]
-
     def touching_pairs(self, q: Array) -> list[int]:
         """Indices of the pairs that touch at q (n,)."""
         self._set_margin(0.0)
@@ -111,10 +108,6 @@ class CollisionModel:
         """Signed distance [m] of every pair at q (n,), (k,)."""
         pin.computeDistances(self.robot.model, self._data, self.geometry, self._geometry_data, q)
         return np.array([result.min_distance for result in self._geometry_data.distanceResults])
-
-    def clearance(self, q: Array) -> float:
-        """Least signed distance over all pairs at q (n,) [m]; inf when there is no pair."""
-        return float(self.distances(q).min(initial=np.inf))
 
     def contact(self, q: Array, pair: int) -> Contact:
         """Nearest points and separating plane of the pair with the given index at q (n,)."""

@@ -68,7 +68,7 @@ def enclose(triangles: Array, *, refine: bool = True) -> Primitive:
 
 
 def outside(primitive: Primitive, points: Array) -> float:
-    """How far the farthest of `points` (k, 3) lies outside the primitive [m]; 0 when all are inside."""
+    """How far the farthest of `points` (k, 3) lies outside the primitive (along its axes for a box) [m]; 0 when none does."""
     local = (points - primitive.placement.translation) @ primitive.placement.rotation
     core, radius = core_of(primitive.shape)
     if isinstance(primitive.shape, coal.Box):

@@ -10,7 +10,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, configurations, existing_file, number_array
+from manipplan.checks import Array, configurations, existing_file, instance, number_array
 from manipplan.errors import InvalidInputError, UnknownNameError, UnsupportedJointError
 from manipplan.robots import description
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
@@ -51,7 +51,7 @@ class Robot:
     locked: Mapping[str, float] = field(default_factory=dict)
     disabled_pairs: frozenset[frozenset[str]] | None = None
     planar: bool = False
-    cache: dict[object, Any] = field(default_factory=dict, repr=False)
+    cache: dict[object, Any] = field(default_factory=dict, init=False, repr=False)
 
     @classmethod
     def from_urdf(
@@ -189,12 +189,13 @@ class Robot:
             compiled: False or "auto": CasADi's virtual machine.
         """
         from manipplan.kinematics.kinematics import Kinematics
+        from manipplan.measures.task import Task
 
         if backend not in ("auto", "chain"):
             raise UnknownNameError("backend", str(backend), ["auto", "chain"])
         if compiled not in ("auto", False):
             raise InvalidInputError("compiled", compiled, "'auto' or False; compiled evaluation is not there yet")
-        task = task or self.default_task
+        task = instance("task", task if task is not None else self.default_task, Task)
         if task not in self.cache:
             self.cache[task] = Kinematics(robot=self, task=task)
         kinematics: Kinematics = self.cache[task]
@@ -226,7 +227,8 @@ class Robot:
 
     def with_limits(self, *, source: str = "given", **changes: ArrayLike) -> "Robot":
         """A copy with other limits: lower, upper, velocity, acceleration, jerk, effort; one number or (n,)."""
-        return replace(self, limits=self.limits.with_changes(changes, source=source), cache={})
+        limits = self.limits.with_changes(changes, source=source)
+        return replace(self, limits=limits, neutral=np.clip(self.neutral, limits.lower, limits.upper))
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "cache": {}}  # what was built holds pointers into Pinocchio
@@ -334,7 +336,7 @@ def _limits_of(model: pin.Model, source: str) -> JointLimits:
         acceleration=inf,
         jerk=inf,
         effort=np.where(model.effortLimit > 0, model.effortLimit, np.inf),
-        sources=dict.fromkeys(("position", "velocity", "effort"), source),
+        sources=dict.fromkeys(("lower", "upper", "velocity", "effort"), source),
     )
 
 

@@ -1,7 +1,7 @@
 """Scene: the obstacles around a robot, in code or from a YAML file."""
 
-import math
 import os
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Obstacle:
+class Obstacle(ABC):
     """Something in the way. Its pose in the world: `position` (3,) [m] of its centre and `rotation`.
 
     `rotation` is None, a rotation matrix (3, 3), or roll, pitch and yaw (3,) [rad] as in URDF.
@@ -34,6 +34,8 @@ class Obstacle:
     shape_name: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
+        if not isinstance(self.name, str):
+            raise InvalidInputError(f"{type(self).__name__}.name", self.name, "text")
         object.__setattr__(self, "position", finite_array(self._argument("position"), self.position, (3,)))
         if self.rotation is not None:
             object.__setattr__(self, "rotation", self._rotation_matrix(self.rotation))
@@ -47,9 +49,9 @@ class Obstacle:
         rotation = np.eye(3) if self.rotation is None else np.asarray(self.rotation)
         return pin.SE3(rotation, np.asarray(self.position))
 
+    @abstractmethod
     def shapes(self) -> list[coal.CollisionGeometry]:
         """Convex coal shapes that make up the obstacle, in its own frame."""
-        raise NotImplementedError  # abstract: every kind of obstacle below has its own
 
     def _argument(self, name: str) -> str:
         return f"{self.name or type(self).__name__}.{name}"
@@ -126,25 +128,20 @@ class Mesh(Obstacle):
 
     file: str | Path
     scale: float = 1.0
+    hulls: list[coal.CollisionGeometry] = field(init=False, repr=False)
     shape_name = "mesh"
 
     def __post_init__(self) -> None:
         super().__post_init__()
         object.__setattr__(self, "file", existing_file(self._argument("file"), self.file))
         object.__setattr__(self, "scale", number(self._argument("scale"), self.scale, above=0.0))
-        object.__setattr__(self, "_hulls", _hulls(self._argument("file"), Path(self.file), self.scale))
+        object.__setattr__(self, "hulls", _hulls(self._argument("file"), Path(self.file), self.scale))
 
     def shapes(self) -> list[coal.CollisionGeometry]:
-        hulls: list[coal.CollisionGeometry] = getattr(self, "_hulls")  # noqa: B009  # set on a frozen instance
-        return hulls
+        return self.hulls
 
 
 OBSTACLES: dict[str, type[Obstacle]] = {kind.shape_name: kind for kind in (Box, Sphere, Capsule, Cylinder, Mesh)}
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _Cache:
-    models: "dict[Robot, CollisionModel]" = field(default_factory=dict)
 
 
 class Scene:
@@ -162,7 +159,7 @@ class Scene:
         if doubled is not None:
             raise InvalidInputError("obstacles", doubled, "names that differ")
         self.names = tuple(names)
-        self._cache = _Cache()
+        self._models: dict[Robot, CollisionModel] = {}
 
     @classmethod
     def from_yaml(cls, file: str | Path) -> "Scene":
@@ -193,10 +190,10 @@ class Scene:
             entry: dict[str, Any] = {"name": name, "shape": obstacle.shape_name}
             for each in fields(obstacle):
                 value = getattr(obstacle, each.name)
-                if each.name == "name" or value is None:
+                if each.name == "name" or value is None or not each.init:
                     continue
                 if isinstance(value, Path):
-                    value = os.path.relpath(value, Path(file).resolve().parent)
+                    value = os.path.relpath(value, Path(file).expanduser().resolve().parent)
                 entry[each.name] = value.tolist() if isinstance(value, np.ndarray) else value
             entries.append(entry)
         write_text(file, yaml.safe_dump({"obstacles": entries}, sort_keys=False, default_flow_style=None))
@@ -207,9 +204,9 @@ class Scene:
         from manipplan.robots.robot import Robot
 
         instance("robot", robot, Robot)
-        if robot not in self._cache.models:
-            self._cache.models[robot] = CollisionModel.of(robot, self)
-        return self._cache.models[robot]
+        if robot not in self._models:
+            self._models[robot] = CollisionModel.of(robot, self)
+        return self._models[robot]
 
     def in_collision(self, robot: "Robot", q: ArrayLike) -> bool | NDArray[np.bool_]:
         """Whether the robot touches an obstacle or itself at q (n,); an array of answers for q (..., n)."""
@@ -235,11 +232,11 @@ class Scene:
 def _obstacle(where: str, entry: object, folder: Path) -> Obstacle:
     if not isinstance(entry, dict) or "shape" not in entry:
         raise InvalidInputError(where, entry, f"a mapping with shape: one of {', '.join(OBSTACLES)}")
-    if entry["shape"] not in OBSTACLES:
+    if not isinstance(entry["shape"], str) or entry["shape"] not in OBSTACLES:
         raise UnknownNameError(f"{where}.shape", str(entry["shape"]), OBSTACLES)
     kind = OBSTACLES[entry["shape"]]
     options = {key: value for key, value in entry.items() if key != "shape"}
-    known = [each.name for each in fields(kind)]
+    known = [each.name for each in fields(kind) if each.init]
     for key in options:
         if key not in known:
             raise UnknownNameError(f"{where} ({kind.shape_name})", str(key), known)
@@ -265,6 +262,8 @@ def _hulls(argument: str, file: Path, scale: float) -> list[coal.CollisionGeomet
     except (ValueError, RuntimeError) as error:
         reason = " ".join(str(error).split())[:160]
         raise FileFormatError(argument, str(file), f"a mesh (STL, OBJ, DAE, ...); the loader says: {reason}") from error
+    if not (mesh.num_tris and np.isfinite(np.array(mesh.vertices())).all()):
+        raise FileFormatError(argument, str(file), "a mesh of triangles with finite vertices")
     vertices, same = np.unique(np.array(mesh.vertices()).round(9), axis=0, return_inverse=True)
     faces = same[np.array([[t[0], t[1], t[2]] for t in map(mesh.tri_indices, range(mesh.num_tris))])]
     links = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]]])
@@ -283,6 +282,4 @@ def _hulls(argument: str, file: Path, scale: float) -> list[coal.CollisionGeomet
         cloud.endModel()
         cloud.buildConvexHull(True, "Qt")
         hulls.append(cloud.convex)
-    if not math.isfinite(float(vertices.sum())):
-        raise FileFormatError(argument, str(file), "a mesh with finite vertices")
     return hulls

@@ -5,6 +5,7 @@ OMPL is used for feasibility: its own check of a motion is coarse, so what it re
 """
 
 import logging
+import time
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -67,13 +68,17 @@ def seed_path(
     line = JointPath.line(q_start, q_goal)
     if model.path_is_free(line, CHECK_STEP, clearance):
         return line
+    began = time.monotonic()
     for step in MOTION_STEPS:
-        waypoints = _search(model, q_start, q_goal, planner, seed, clearance, time_limit, step)
+        left = time_limit - (time.monotonic() - began)
+        waypoints = _search(model, q_start, q_goal, planner, seed, clearance, left, step) if left > 0 else None
         if waypoints is None:
             break
         waypoints = _shortened(model, waypoints, clearance)
-        if model.path_is_free(JointPath.through(waypoints), CHECK_STEP, clearance):
-            return rounded(waypoints, lambda path: model.path_is_free(path, CHECK_STEP, clearance))
+        sharp = JointPath.through(waypoints)
+        if model.path_is_free(sharp, CHECK_STEP, clearance):
+            smooth = rounded(waypoints, lambda path: model.path_is_free(path, CHECK_STEP, clearance))
+            return smooth if model.path_is_free(smooth, CHECK_STEP, clearance) else sharp
         log.info("the simplified path touches something between OMPL's checks %g rad apart; checking finer", step)
     raise PlanningError(
         f"no path from start to goal was found by {planner} in {time_limit:g} s; "

@@ -47,8 +47,8 @@ def retime(
         A Trajectory that exceeds none of these limits, by the exact extremes of its pieces (torque: on a dense grid).
 
     Raises:
-        InvalidInputError: the path has no length, or the limits do not fit it or are infinite in velocity and
-            acceleration together.
+        InvalidInputError: the path has no length, the limits do not fit it, or a velocity or acceleration limit is
+            infinite.
         PlanningError: no motion obeys the limits; says which joint, where and why when it can be known.
     """
     instance("path", path, JointPath)
@@ -78,6 +78,16 @@ def retime(
         for a, b in pairwise(stops)
     ]
     return _slowed_to_limits(joined(parts), limits, torque_model)
+
+
+def check_timing_limits(limits: JointLimits) -> None:
+    """Raise InvalidInputError when a velocity or acceleration limit is infinite: there would be no fastest motion."""
+    for kind in ("velocity", "acceleration"):
+        values = getattr(limits, kind)
+        if not np.isfinite(values).all():
+            raise InvalidInputError(
+                f"limits.{kind}", values.tolist(), f"a finite {kind} for each joint; give {kind}= to set it"
+            )
 
 
 def _slowed_to_limits(trajectory: Trajectory, limits: JointLimits, torque_model: pin.Model | None) -> Trajectory:
@@ -137,7 +147,9 @@ def _stops(path: JointPath) -> list[float]:
         middle = (low + high) / 2
         if np.linalg.norm(path(middle, 1)) < STANDSTILL * mean:
             stops.append(float(middle))
-    return [*sorted(set(stops)), 1.0]
+    stops.sort()
+    apart = [s for k, s in enumerate(stops) if k == 0 or (s - stops[k - 1] > 1e-9 and s < 1 - 1e-9)]
+    return [*apart, 1.0]
 
 
 class _ByArcLength:
@@ -154,20 +166,26 @@ class _ByArcLength:
         inside = (s[:-1] + s[1:])[:, None] / 2 + half[:, None] * nodes
         length = np.concatenate([[0.0], np.cumsum(half * (np.linalg.norm(path(inside, 1), axis=2) @ weights))])
         self.length = float(length[-1])
-        self._s = CubicSpline(length, s)
+        rises = np.concatenate([[True], np.diff(length) > 1e-14 * self.length])
+        rises[-1] = True
+        self._s = CubicSpline(length[rises], s[rises])
         self._range = (a, b)
+        # directions are taken a little inside, since q' may vanish at the ends
+        margin = 1e-6 * (b - a)
+        self._inside = (a + margin, b - margin)
 
     def s(self, length: Array) -> Array:
         return np.asarray(np.clip(self._s(length), *self._range))
 
     def tangent(self, length: Array) -> Array:
-        derivative = self.path(self.s(length), 1)
+        derivative = self.path(np.clip(self.s(length), *self._inside), 1)
         norm = np.linalg.norm(derivative, axis=-1, keepdims=True)
         return np.asarray(derivative / np.maximum(norm, 1e-300))
 
     def curvature(self, length: Array) -> Array:
         """d²q/dl² = (q'' - t (t·q'')) / ‖q'‖² with the unit tangent t."""
-        first, second = self.path(self.s(length), 1), self.path(self.s(length), 2)
+        s = np.clip(self.s(length), *self._inside)
+        first, second = self.path(s, 1), self.path(s, 2)
         norm = np.maximum(np.linalg.norm(first, axis=-1, keepdims=True), 1e-300)
         tangent = first / norm
         along = (tangent * second).sum(axis=-1, keepdims=True)

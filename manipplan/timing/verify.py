@@ -87,10 +87,9 @@ def _position_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
     h = widths[:, None]
     with np.errstate(divide="ignore", invalid="ignore"):
         root = np.sqrt(np.maximum(c2**2 - 3 * c1 * c3, 0.0))
-        turning = [
-            np.where(c3 != 0, (-c2 + root) / (3 * c3), -c1 / (2 * c2)),
-            np.where(c3 != 0, (-c2 - root) / (3 * c3), 0.0),
-        ]
+        # roots of c1 + 2 c2 u + 3 c3 u² without cancellation, also where c3 is all but zero
+        sum_ = -(c2 + np.copysign(root, c2))
+        turning = [sum_ / (3 * c3), c1 / sum_]
     at = [np.zeros_like(c0), np.broadcast_to(h, c0.shape), *(np.clip(np.nan_to_num(u), 0.0, h) for u in turning)]
     q = np.stack([c0 + u * (c1 + u * (c2 + u * c3)) for u in at])
     excess = np.maximum(limits.lower - q, q - limits.upper)

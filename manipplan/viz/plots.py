@@ -12,8 +12,9 @@ from manipplan.files import write_bytes
 from manipplan.measures.ellipsoid import velocity_ellipsoid
 from manipplan.measures.task import Task
 from manipplan.paths.joint import JointPath
+from manipplan.robots.description import frame_index
 from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Box, Scene
+from manipplan.robots.scene import Scene
 from manipplan.viz import style
 
 if TYPE_CHECKING:
@@ -140,8 +141,9 @@ def plot_arm(robot: Robot, path: JointPath, scene: Scene | None = None, *, seed:
 
 
 def plot_planar_arm(robot: Robot, path: JointPath, scene: Scene | None = None, *, ax: Any) -> None:
-    """The planar arm along a path, from light to dark, with its velocity ellipses."""
-    from matplotlib.patches import Ellipse, Rectangle
+    """The planar arm along a path, from light to dark, with its velocity ellipses and the obstacles' bounding boxes."""
+    from matplotlib.patches import Ellipse, Polygon
+    from scipy.spatial import ConvexHull
 
     kinematics = robot.kinematics(Task.planar())
     places = np.linspace(0.0, 1.0, POSTURES)
@@ -158,10 +160,9 @@ def plot_planar_arm(robot: Robot, path: JointPath, scene: Scene | None = None, *
     straight = JointPath.line(path.start, path.goal)
     trace = kinematics.pose(straight(np.linspace(0.0, 1.0, 200)))[:, :2, 3]
     ax.plot(trace[:, 0], trace[:, 1], ":", color=style.STRAIGHT, label="tool, straight in joint space")
-    for obstacle in scene.obstacles if scene is not None else ():
-        if isinstance(obstacle, Box):
-            corner = np.asarray(obstacle.position)[:2] - np.asarray(obstacle.size)[:2] / 2
-            ax.add_patch(Rectangle(tuple(corner), *np.asarray(obstacle.size)[:2], color=style.OBSTACLE, alpha=0.4))
+    for faces in _obstacle_faces(scene):
+        corners = faces.reshape(-1, 3)[:, :2]
+        ax.add_patch(Polygon(corners[ConvexHull(corners).vertices], color=style.OBSTACLE, alpha=0.4))
     ax.set_aspect("equal", adjustable="datalim")
     ax.set(xlabel="x [m]", ylabel="y [m]")
     ax.legend(fontsize=8, loc="upper right")
@@ -179,8 +180,7 @@ def _skeleton(robot: Robot, q: Array) -> Array:
     data = robot.model.createData()
     pin.framesForwardKinematics(robot.model, data, q)
     origins = [data.oMi[i].translation for i in range(robot.model.njoints)]
-    tool = robot.kinematics(robot.default_task).pose(q)[:3, 3]
-    return np.array([*origins, tool])
+    return np.array([*origins, data.oMf[frame_index(robot.model, robot.tool)].translation])
 
 
 def _ball() -> Array:
