@@ -102,11 +102,14 @@ class PathProgram:
             lbg=np.concatenate([joint_limits[0], np.zeros(capacity)]),
             ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
         )
+        status = str(solver.stats()["return_status"])
+        if status == "User_Requested_Stop":  # CasADi swallows the signal
+            raise KeyboardInterrupt
         x = np.asarray(result["x"]).ravel()
         return Solution(
             coefficients=x[: guess.size].reshape(guess.shape, order="F"),
             slack=float(x[guess.size : guess.size + len(rows)].max(initial=0.0)),
-            status=str(solver.stats()["return_status"]),
+            status=status,
         )
 
     def _guess_energy(self, start: Array, goal: Array, guess: Array) -> float:

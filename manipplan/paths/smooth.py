@@ -15,7 +15,8 @@ LEAST = 1e-4
 def rounded(waypoints: Array, is_free: Callable[[JointPath], bool]) -> JointPath:
     """A path through straight pieces and rounded corners, twice continuously differentiable in its arc length.
 
-    Every corner starts as wide as its edges allow and is halved until `is_free` accepts it with its two edges. A corner that cannot even be rounded over `LEAST` stays sharp: there the arm will stop.
+    Every corner starts as wide as its edges allow and is halved until `is_free` accepts it with its two edges. A corner
+    that cannot even be rounded over `LEAST` stays sharp: there the arm will stop.
 
     Args:
         waypoints: (k, n), whose straight pieces `is_free` accepts.

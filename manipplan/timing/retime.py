@@ -37,7 +37,8 @@ def retime(
     """Fastest verified trajectory along `path`, from rest to rest.
 
     Args:
-        path: q(s).
+        path: q(s), a curve in space: its parameter is not time. (What `Trajectory.path` gives starts and ends so slowly
+            that timing it anew is slower than it need be.)
         limits: velocity and acceleration count; effort too when `torque_model` is given. Jerk is not limited.
         joint_names: (n,) default q0, q1, ...
         torque_model: Pinocchio model of the arm, whose inverse dynamics limit the motion by `limits.effort`.
@@ -56,12 +57,7 @@ def retime(
     grid = whole_number("grid", grid, least=10)
     if limits.n != path.n:
         raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of the path's {path.n} joints")
-    if not (np.isfinite(limits.velocity) & np.isfinite(limits.acceleration)).all():
-        raise InvalidInputError(
-            "limits",
-            [limits.velocity.tolist(), limits.acceleration.tolist()],
-            "finite velocity and acceleration for each joint",
-        )
+    check_timing_limits(limits)
     if torque_model is not None and torque_model.nv != path.n:
         raise InvalidInputError(
             "torque_model", f"a model of {torque_model.nv} joints", f"a model of the path's {path.n} joints"

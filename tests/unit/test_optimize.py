@@ -9,10 +9,11 @@ from manipplan.optimize import basis
 from manipplan.optimize.problem import PathProgram, _row_functions
 from manipplan.paths.joint import bernstein
 
-THESIS = {  # start, goal, g of the straight line (p = 2 and p = 1), g of Tables 6.1 and 6.2 at degree 2: [kth2012]
+THESIS = {  # start, goal, g of the straight line for p = 2 (Tables 6.1 and 6.2) and p = 1 (ERRATA): [kth2012]
     "6.10": ((0.0, -3.0, -2.0), (np.pi, 0.1, 1.4), 2.7218, 3.7288),
     "6.12": ((0.0, -1.1, -1.6), (np.pi / 2, 0.5, 1.5), 3.9420, 2.9307),
 }
+TABLE_6_2 = {2: 1.1371, 3: 1.1185, 4: 1.1143, 5: 1.1114, 6: 1.1114}
 
 
 def g_by_hand(robot, path, power):
@@ -42,17 +43,57 @@ def test_the_thesis_comparison_of_section_6_3(planar):
     """Table 6.4 prints g / g_L = 0.27, under a column headed the other way round (ERRATA)."""
     result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], degree=6, power=2)
     assert result.status is mp.Status.OPTIMAL
-    assert round(result.g / result.seed_cost.g, 2) == pytest.approx(0.27, abs=0.011)
-    assert round(result.seed_cost.length / result.length, 2) == pytest.approx(0.92, abs=0.011)
+    assert result.g / result.seed_cost.g == pytest.approx(0.27, abs=0.006)
+    assert result.seed_cost.length / result.length == pytest.approx(0.92, abs=0.006)
     assert result.min_manipulability > 2 * result.seed_cost.min_manipulability
 
 
-@pytest.mark.parametrize("power", [0.5, 1, 2])
-def test_higher_degrees_never_cost_more_energy(planar, power):
+@pytest.mark.parametrize("degree", TABLE_6_2)
+def test_table_6_2_is_met_within_half_a_percent(planar, degree):
+    """The energy is minimised, not g itself, so a path of low degree may cost a little more than the printed optimum."""
     start, goal, *_ = THESIS["6.12"]
-    costs = [mp.optimize_path(planar, start, goal, degree=k, power=power).g for k in (1, 2, 4, 7)]
-    assert costs[1] < costs[0]
-    assert costs[3] <= costs[1]
+    assert mp.optimize_path(planar, start, goal, degree=degree, power=2).g < 1.005 * TABLE_6_2[degree]
+
+
+@pytest.mark.parametrize("power", [0.5, 1, 2])
+def test_higher_degrees_never_have_more_energy(planar, power):
+    start, goal, *_ = THESIS["6.12"]
+    kinematics = planar.kinematics()
+
+    def energy(path):
+        s, weights = path.quadrature()
+        return weights @ ((path(s, 1) ** 2).sum(axis=1) / kinematics.manipulability(path(s)) ** (2 * power))
+
+    energies = [energy(mp.optimize_path(planar, start, goal, degree=k, power=power).path) for k in (1, 2, 3, 5, 8)]
+    assert (np.diff(energies) < 1e-6).all()
+    assert energies[-1] < 0.95 * energies[0]
+
+
+def test_degree_one_is_the_straight_line(planar, demo_problem):
+    detour = mp.JointPath.through([[0, 1.5, -2], [1.0, 1.0, 1.0], [np.pi, -2, 2]])
+    for options in ({}, {"initial": detour}, {"scene": mp.Scene()}):
+        result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], degree=1, power=2, **options)
+        assert result.path.degree == 1
+        assert result.status in (mp.Status.OPTIMAL, mp.Status.SEED_IS_BETTER)
+    assert mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], degree=1).path.degree == 1
+
+
+def test_an_interior_singularity_is_seen():
+    """Every path of a two-link arm from q2 = -1 to sqrt(2) crosses q2 = 0, between the points of any grid."""
+    arm = mp.planar_arm([1.0, 1.0])
+    cost = mp.path_cost(mp.JointPath.line([0.0, -1.0], [0.5, np.sqrt(2.0)]), arm.kinematics(), 1)
+    assert cost.g == np.inf
+    assert cost.min_manipulability < 1e-9
+    assert cost.at == pytest.approx(1 / (1 + np.sqrt(2.0)), abs=1e-9)
+    result = mp.optimize_path(arm, [0.0, -1.0], [0.5, np.sqrt(2.0)], throw=False)
+    assert result.status is mp.Status.SINGULAR
+    with pytest.raises(mp.PlanningError, match="index vanishes"):
+        mp.optimize_path(arm, [0.0, -1.0], [0.5, np.sqrt(2.0)])
+
+
+def test_a_full_turn_to_the_same_place_is_a_shift(planar):
+    result = mp.optimize_path(planar, [2 * np.pi, 1.0, 1.0], [0.0, 1.0, 1.0], power=2, shifts="within-limits")
+    assert np.abs(result.path.goal - [2 * np.pi, 1.0, 1.0]).max() > 1
 
 
 def test_no_small_change_of_the_solution_lowers_the_energy(planar, rng):
@@ -111,9 +152,10 @@ def test_bubbles_vanish_at_the_ends_and_bernstein_agrees(rng):
         np.testing.assert_allclose(basis.bubble_slopes(degree, s), numeric, atol=1e-8)
 
 
-def test_subdivision_gives_the_same_curve(rng):
-    control = rng.normal(size=(7, 2))
-    pieces = (basis.subdivision(6, 4) @ control).reshape(4, 7, 2)
+@pytest.mark.parametrize("degree", [1, 6, 20])
+def test_subdivision_gives_the_same_curve(rng, degree):
+    control = rng.normal(size=(degree + 1, 2))
+    pieces = (basis.subdivision(degree, 4) @ control).reshape(4, degree + 1, 2)
     whole = mp.JointPath(breaks=[0, 1], control=control[None])
     parts = mp.JointPath(breaks=np.linspace(0, 1, 5), control=pieces)
     s = np.linspace(0, 1, 41)
@@ -168,6 +210,7 @@ def test_an_initial_path_is_used(planar):
     [
         ({"degree": 0}, "degree: got 0.*at least 1"),
         ({"degree": 2.5}, "degree"),
+        ({"degree": 21}, "degree.*at most 20"),
         ({"power": 0}, "power: got 0"),
         ({"power": np.nan}, "power"),
         ({"shifts": "all"}, "shifts: got 'all'.*within-limits"),

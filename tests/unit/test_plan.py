@@ -48,10 +48,13 @@ def test_a_broken_report_is_told(tmp_path):
         mp.Report.from_json(tmp_path / "report.json")
 
 
-def test_clearance_is_kept(demo_problem):
-    plan = mp.plan(demo_problem.robot, demo_problem.start, demo_problem.goal, demo_problem.scene, clearance=0.0005)
-    assert plan.report.clearance >= 0.0005 - 1e-6
-    assert plan.report.passed
+def test_clearance_is_kept(planar):
+    scene = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+    near = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], scene, power=2.0)
+    wide = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], scene, power=2.0, clearance=0.1)
+    assert near.report.clearance < 0.05
+    assert wide.report.clearance >= 0.1 - 1e-6
+    assert wide.status.ok
 
 
 def test_torque_is_reported_and_kept(demo_problem):
@@ -62,6 +65,9 @@ def test_torque_is_reported_and_kept(demo_problem):
 def test_planar_arm_among_obstacles(planar):
     """The free optimum of (6.13) passes (0, 2.2) m; a post there is avoided."""
     scene = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+    free = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2.0)
+    tool = planar.kinematics().pose(free.path(np.linspace(0, 1, 500)))[:, :2, 3]
+    assert np.linalg.norm(tool - [0.03, 2.2], axis=1).min() < 0.05
     plan = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], scene, power=2.0)
     assert plan.report.collision_free
     tool = planar.kinematics().pose(plan.path(np.linspace(0, 1, 500)))[:, :2, 3]
@@ -80,6 +86,7 @@ def test_wrong_kinds_of_things(demo_problem):
 
 def test_a_singular_start_is_planned_and_told(planar, tmp_path):
     plan = mp.plan(planar, [0.0, 0.0, 0.0], [1.0, 1.0, 1.0])
+    assert plan.status is mp.Status.SINGULAR
     assert plan.report.min_manipulability == pytest.approx(0.0, abs=1e-15)
     assert "at the start, which every path" in plan.report.index_note
     plan.report.to_json(tmp_path / "report.json")
@@ -121,8 +128,11 @@ def test_progress_tells_each_step(planar):
 def test_wrong_arguments_raise_at_once(demo_problem, change, message, throw):
     arguments = {"start": demo_problem.start, "goal": demo_problem.goal, **change}
     start, goal = arguments.pop("start"), arguments.pop("goal")
+    steps = []
     with pytest.raises(mp.InvalidInputError, match=message):
-        mp.plan(demo_problem.robot, start, goal, demo_problem.scene, throw=throw, **arguments)
+        mp.plan(demo_problem.robot, start, goal, demo_problem.scene, throw=throw, progress=steps.append, **arguments)
+    needs_shapes = "free configuration" in message or "clearance asked" in message
+    assert len(steps) <= (2 if needs_shapes else 0)
 
 
 def test_an_unreachable_goal_is_told(planar):
@@ -167,6 +177,14 @@ def test_no_motion_within_the_limits_is_told(panda):
     failed = mp.plan(weak, weak.neutral, goal, torque=True, throw=False)
     assert failed.status is mp.Status.NO_TIMING
     assert failed.path is not None
+    assert "gravity alone asks panda_joint2" in failed.message
+
+
+def test_unlimited_speed_is_told_before_work_starts(panda):
+    steps = []
+    with pytest.raises(mp.InvalidInputError, match=r"limits\.velocity.*give velocity="):
+        mp.plan(panda.with_limits(velocity=np.inf), panda.neutral, panda.neutral + 0.3, progress=steps.append)
+    assert steps == []
 
 
 def test_seed_path_is_deterministic_and_free(demo_problem):
@@ -175,5 +193,13 @@ def test_seed_path_is_deterministic_and_free(demo_problem):
     second = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, seed=3)
     np.testing.assert_array_equal(first.control, second.control)
     assert problem.scene.collision_model(problem.robot).path_is_free(first, 1e-3)
+    other = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, seed=4)
+    assert abs(other.length - first.length) > 1e-6
     with pytest.raises(mp.UnknownNameError, match="RRTConnect"):
-        mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, planner="RRTconnect")
+        mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, planner="RRTconnect", time_limit=3)
+
+
+def test_whole_numbers_serve_where_numbers_are_asked_for(demo_problem):
+    problem = demo_problem
+    path = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, time_limit=5, clearance=0)
+    assert len(path.control) > 1

@@ -1,5 +1,6 @@
 """Robots from URDF, MJCF and the catalogue: joints, limits, locking, and every wrong input."""
 
+import dataclasses
 import pickle
 
 import numpy as np
@@ -70,6 +71,27 @@ def test_limits_can_be_given(panda):
     np.testing.assert_allclose(slow.limits.acceleration, np.arange(1.0, 8.0))
     np.testing.assert_allclose(slow.limits.upper, panda.limits.upper)
     assert slow.limits.sources["velocity"] == "given"
+
+
+def test_other_limits_keep_the_posture_inside(panda):
+    tight = panda.with_limits(lower=-0.05, upper=0.05)
+    assert not tight.limits.outside(tight.neutral).any()
+
+
+def test_a_changed_copy_has_its_own_kinematics(panda):
+    panda.kinematics()
+    other = dataclasses.replace(panda, tool="panda_link4")
+    assert np.abs(other.kinematics().pose(panda.neutral) - panda.kinematics().pose(panda.neutral)).max() > 0.1
+    with pytest.raises(mp.InvalidInputError, match="task: got 'self'"):
+        panda.kinematics("self")
+
+
+def test_another_tool_of_a_humanoid():
+    robot = mp.load_robot("icub", tool="r_forearm")
+    assert robot.tool == "r_forearm"
+    assert robot.joint_names[0] == "r_shoulder_pitch"
+    with pytest.raises(mp.UnknownNameError, match="r_forearm"):
+        mp.load_robot("icub", tool="r_foream")
 
 
 def test_planar_arm_reaches_where_trigonometry_says(planar):

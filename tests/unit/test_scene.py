@@ -132,6 +132,8 @@ def test_yaml_round_trip(tmp_path, panda):
         ("obstacles: [{shape: box, size: [1, 1, 1], rotation: [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}]", "rotation matrix"),
         ("obstacles: [{shape: mesh, file: nothing.stl}]", "existing file"),
         ("obstacles: [3]", "a mapping with shape"),
+        ("obstacles: [{shape: [box]}]", "shape"),
+        ("obstacles: [{shape: sphere, radius: 1, name: 7}]", r"name\): got 7"),
         ("boxes: []", "one key, obstacles"),
         ("obstacles: [", "YAML"),
         ("", "one key"),

@@ -96,11 +96,47 @@ def test_a_standstill_inside_the_path_is_a_stop():
     assert trajectory.duration < 10
 
 
+@pytest.mark.parametrize(
+    "control",
+    [[[0, 0], [0, 0], [0.7, 0.3], [1, 1]], [[0, 0], [0, 0], [0, 0], [1, 1], [1, 1], [1, 1]], [[0, 0], [1, 1], [1, 1]]],
+)
+def test_a_path_that_starts_or_ends_standing_is_timed(control):
+    robot = mp.planar_arm([1.0, 1.0])
+    trajectory = mp.retime(polynomial(np.array(control, dtype=float)), robot.limits)
+    use = limit_use(trajectory, robot.limits)
+    assert max(use["velocity"].ratio, use["acceleration"].ratio) <= 1
+    assert trajectory.duration < 1.5
+    np.testing.assert_allclose(trajectory.q[-1], control[-1], atol=1e-9)
+
+
+@pytest.mark.parametrize("middle", [0.3, 0.4, 0.5, 0.77])
+def test_a_standstill_at_a_break_is_one_stop(middle):
+    robot = mp.planar_arm([1.0, 1.0])
+    control = [[[0, 0], [0.5, 0.5], [0.5, 0.5]], [[0.5, 0.5], [0.5, 0.5], [1.0, 0.0]]]
+    trajectory = mp.retime(mp.JointPath(breaks=[0, middle, 1], control=control), robot.limits)
+    use = limit_use(trajectory, robot.limits)
+    assert max(use["velocity"].ratio, use["acceleration"].ratio) <= 1
+    assert trajectory.duration < 2.0
+
+
+def test_position_extremes_of_nearly_quadratic_pieces():
+    """c3 of a piece at constant acceleration is all but zero: its roots must not cancel."""
+    t = np.array([0.0, 0.1])
+    q = np.array([[0.0], [0.0]])
+    qd = np.array([[0.06], [-0.06 * (1 + 1e-15)]])
+    trajectory = mp.Trajectory(t=t, q=q, qd=qd, joint_names=("a",))
+    arm = mp.planar_arm([1.0, 1.0]).with_limits(lower=-1.0, upper=1.0)
+    limits = mp.JointLimits(
+        **{name: getattr(arm.limits, name)[:1] for name in ("lower", "upper", "velocity", "acceleration", "jerk", "effort")}
+    )
+    assert limit_use(trajectory, limits)["position"].ratio == pytest.approx(0.0015 - 1, abs=1e-12)
+
+
 def test_wrong_arguments(panda, planar):
     path = mp.JointPath.line(panda.neutral, panda.neutral + 0.1)
     with pytest.raises(mp.InvalidInputError, match="limits"):
         mp.retime(path, planar.limits)
-    with pytest.raises(mp.InvalidInputError, match="finite velocity"):
+    with pytest.raises(mp.InvalidInputError, match="a finite acceleration for each joint"):
         mp.retime(path, panda.with_limits(acceleration=np.inf).limits)
     with pytest.raises(mp.InvalidInputError, match="grid"):
         mp.retime(path, panda.limits, grid=2)
