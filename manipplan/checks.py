@@ -76,10 +76,14 @@ def instance(argument: str, value: Any, kind: type[T]) -> T:
 
 def distinct_names(argument: str, value: Any, n: int) -> tuple[str, ...]:
     """`value` as n different names."""
-    names = () if isinstance(value, str) else tuple(value)
-    if len(names) != n or not all(isinstance(name, str) and name for name in names) or len(set(names)) != n:
-        raise InvalidInputError(argument, value, f"{n} different names")
-    return names
+    names = tuple(value) if isinstance(value, list | tuple | np.ndarray) else ()
+    if (
+        len(names) != n
+        or not all(isinstance(name, str) and name and name.isprintable() for name in names)
+        or len(set(names)) != n
+    ):
+        raise InvalidInputError(argument, value, f"{n} different names of printable characters")
+    return tuple(str(name) for name in names)
 
 
 def existing_file(argument: str, path: str | Path) -> Path:

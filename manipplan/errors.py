@@ -22,6 +22,9 @@ class InvalidInputError(ManipplanError, ValueError):
         self.allowed = allowed
         super().__init__(f"{argument}: got {_short(value)}; allowed: {allowed}")
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.argument, self.value, self.allowed)
+
 
 class UnknownNameError(InvalidInputError):
     """A name that does not exist, with the nearest names that do."""
@@ -33,6 +36,9 @@ class UnknownNameError(InvalidInputError):
         more = "" if near or len(self.known) <= 12 else f", ... ({len(self.known)} in all)"
         allowed = f"did you mean {listed}?" if near else f"one of {listed}{more}"
         super().__init__(argument, name, allowed)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.argument, self.value, self.known)
 
 
 class FileFormatError(InvalidInputError):
@@ -51,6 +57,9 @@ class MissingExtraError(ManipplanError, ImportError):
         self.extra = extra
         super().__init__(f"{package} is not installed; install it with: pip install 'manipplan[{extra}]'")
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.package, self.extra)
+
 
 class PlanningError(ManipplanError):
     """No answer was found. `result` is what there is, with its status; None when there is nothing."""
@@ -58,6 +67,9 @@ class PlanningError(ManipplanError):
     def __init__(self, message: str, result: Any = None) -> None:
         self.result = result
         super().__init__(message)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (*self.args, self.result)
 
 
 def _short(value: object) -> str:

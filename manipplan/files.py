@@ -19,10 +19,12 @@ def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
 
     Raises InvalidInputError when the folder does not exist or cannot be written.
     """
+    if not isinstance(file, str | Path):
+        raise InvalidInputError("file", file, "the path of a file")
     path = Path(file).expanduser()
-    if path.is_dir():
-        raise InvalidInputError("file", str(path), "a file, not a folder")
     try:
+        if path.is_dir():
+            raise InvalidInputError("file", str(path), "a file, not a folder")
         handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
     except OSError as error:
         raise InvalidInputError("file", str(path), f"a place that can be written ({error.strerror})") from error

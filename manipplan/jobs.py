@@ -107,7 +107,7 @@ def plan(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     degree = whole_number("degree", degree, least=1, most=20)
     say = progress or _silent
-    power = number("power", power, above=0.0)
+    power = number("power", power, above=0.0, most=100.0)
     time_limit = number("time_limit", time_limit, above=0.0)
     seed = whole_number("seed", seed, least=0)
     instance("robot", robot, Robot)

@@ -18,7 +18,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
-from manipplan.seeds.ompl import CHECK_STEP, seed_path
+from manipplan.seeds.ompl import CHECK_STEP, check_apart, seed_path
 from manipplan.status import Status
 
 log = logging.getLogger("manipplan")
@@ -104,7 +104,7 @@ def optimize_path(
         robot: the arm.
         start, goal: (n,) inside the limits [rad or m].
         degree: of the polynomial, 1 to 20; 1 is the straight line.
-        power: exponent p > 0 of the index.
+        power: exponent p of the index, above 0 and at most 100.
         task: whose index counts; default `robot.default_task`.
         scene: obstacles; None: no collision is checked, not even of the arm with itself.
         initial: first path from start to goal; with a scene it must be free. Default: straight, or by `seed_path`.
@@ -125,7 +125,7 @@ def optimize_path(
     if initial is not None:
         instance("initial", initial, JointPath)
     degree = whole_number("degree", degree, least=1, most=20)
-    power = number("power", power, above=0.0)
+    power = number("power", power, above=0.0, most=100.0)
     clearance = number("clearance", clearance, least=0.0)
     if shifts not in SHIFTS:
         raise UnknownNameError("shifts", str(shifts), SHIFTS)
@@ -191,8 +191,7 @@ def _first_path(
     clearance: float,
     seed: int,
 ) -> JointPath:
-    if np.abs(goal - start).max() < 1e-9:
-        raise InvalidInputError("goal", goal.tolist(), "a configuration that differs from start")
+    check_apart(start, goal)
     if initial is None:
         if model is None:
             return JointPath.line(start, goal)
@@ -309,11 +308,12 @@ class _Search:
                 found.append(candidate)
                 if len(found) > 1 and found[-2].cost.g - candidate.cost.g < SMALL_GAIN * candidate.cost.g:
                     break
-            before = len(places)
-            deepest = near.dips(distances, self.clearance + near.SPARE)[:NEW_PLACES]
-            places = near.merged(places, near.around(deepest))
-            if len(places) == before and (candidate is not None or not deepest):
+            if candidate is not None and not places:
                 break
+            more = near.merged(places, near.around(near.dips(distances, self.clearance)[:NEW_PLACES]))
+            if candidate is None and len(more) == len(places):  # it touches something between the places looked at
+                more = near.merged(places, near.around(near.dips(distances, self.clearance + near.SPARE)[:NEW_PLACES]))
+            places = more
         return found
 
     def _solve(self, name: str, guess: Array, rows: list[ClearanceRow]) -> tuple[_Candidate | None, Array, Array]:

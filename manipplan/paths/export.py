@@ -35,8 +35,8 @@ def from_csv(file: str | Path) -> Trajectory:
     wanted = "a CSV with columns time, q_<joint>..., qd_<joint>... (qdd_<joint>... may follow)"
 
     def read() -> Trajectory:
-        with path.open(newline="") as stream:
-            header, *rows = list(csv.reader(stream))
+        with path.open(newline="", encoding="utf-8-sig") as stream:
+            header, *rows = [row for row in csv.reader(stream) if row]
         names = [column.removeprefix("q_") for column in header[1:] if column.startswith("q_")]
         n = len(names)
         if n == 0 or header[: 1 + 2 * n] != ["time", *(f"q_{x}" for x in names), *(f"qd_{x}" for x in names)]:

@@ -9,6 +9,9 @@ from numpy.typing import ArrayLike
 from manipplan.checks import Array, finite_array, number_array, whole_number
 from manipplan.errors import InvalidInputError
 
+#: Shorter paths [rad or m] than this are no motion.
+SHORTEST = 1e-6
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class JointPath:

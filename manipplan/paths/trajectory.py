@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, distinct_names, finite_array, number_array, whole_number
+from manipplan.checks import Array, distinct_names, finite_array, number, number_array, whole_number
 from manipplan.errors import InvalidInputError
 from manipplan.paths.joint import JointPath
 
@@ -90,6 +90,7 @@ class Trajectory:
 
     def slower(self, factor: float) -> "Trajectory":
         """The same motion in `factor` (>= 1) times the time; sample times in whole nanoseconds."""
+        factor = number("factor", factor, least=1.0)
         t: Array = np.round(self.t * factor, 9)
         return Trajectory(t=t, q=self.q, qd=self.qd / factor, joint_names=self.joint_names)
 

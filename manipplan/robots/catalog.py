@@ -9,7 +9,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.checks import number_array
+from manipplan.checks import number, number_array
 from manipplan.errors import InvalidInputError, MissingExtraError, UnknownNameError
 from manipplan.robots.description import frame_index
 from manipplan.robots.limits import JointLimits
@@ -156,6 +156,8 @@ def load_robot(name: str | Path, **options: object) -> Robot:
         "name": str(name),
         "neutral": entry.neutral,
     }
+    if "joints" in options or "tool" in options:
+        chosen["neutral"] = None  # the catalogue's posture is that of the whole arm
     robot_options = {**chosen, **options}
     if entry.first is not None and robot_options["joints"] is None:
         robot_options["joints"] = _chain_from(folder / entry.urdf, str(robot_options["tool"]), entry.first)
@@ -181,9 +183,7 @@ def planar_arm(lengths: ArrayLike, *, radius: float | None = None) -> Robot:
     size = number_array("lengths", lengths)
     if size.ndim != 1 or len(size) < 2 or not (np.isfinite(size).all() and (size > 0).all()):
         raise InvalidInputError("lengths", lengths, "at least two finite numbers above zero [m]")
-    radius = 0.03 * float(size.min()) if radius is None else radius
-    if not 0 < radius < np.inf:
-        raise InvalidInputError("radius", radius, "a finite number above zero [m]")
+    radius = 0.03 * float(size.min()) if radius is None else number("radius", radius, above=0.0)
     n = len(size)
     model = pin.Model()
     model.name = f"planar_{n}_link"

@@ -179,7 +179,7 @@ def _self_model(robot: Robot) -> CollisionModel:
     if "self" not in robot.cache:
         geometry, origins = _primitive_geometry(robot)
         primitives = geometry.ngeoms
-        dropped = _add_self_pairs(robot, geometry)
+        dropped = _add_self_pairs(robot, geometry, origins)
         samples = [robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)]
         for tighter in (_hull, _mesh):
             _tighten_coarse_pairs(robot, geometry, origins, samples, tighter)
@@ -206,9 +206,8 @@ def _primitive_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int]]:
     return geometry, origins
 
 
-def _add_self_pairs(robot: Robot, geometry: pin.GeometryModel) -> dict[tuple[str, str], str]:
+def _add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]) -> dict[tuple[str, str], str]:
     dropped: dict[tuple[str, str], str] = {}
-    parents = robot.model.parents
     objects = list(geometry.geometryObjects)
     for j, second in enumerate(objects):
         for i, first in enumerate(objects[:j]):
@@ -220,7 +219,8 @@ def _add_self_pairs(robot: Robot, geometry: pin.GeometryModel) -> dict[tuple[str
                 if links in robot.disabled_pairs:
                     dropped[first.name, second.name] = "disabled in the SRDF"
                     continue
-            if parents[joints[1]] == joints[0] or parents[joints[0]] == joints[1]:
+            origin = frozenset(robot.geometry.geometryObjects[origins[k]].name for k in (i, j))
+            if origin in robot.adjacent_pairs:
                 dropped[first.name, second.name] = "adjacent"
                 continue
             geometry.addCollisionPair(pin.CollisionPair(j, i))

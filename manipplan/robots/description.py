@@ -64,11 +64,11 @@ def read_urdf(file: Path, package_dirs: Sequence[str | Path] = ()) -> Descriptio
     for joint in root.iter("joint"):
         leader = joint.find("mimic")
         if leader is not None:
-            mimics[str(joint.get("name"))] = Mimic(
-                leader=str(leader.get("joint")),
-                multiplier=float(leader.get("multiplier", "1")),
-                offset=float(leader.get("offset", "0")),
-            )
+            try:
+                factor, offset = float(leader.get("multiplier", "1")), float(leader.get("offset", "0"))
+            except ValueError as error:
+                raise FileFormatError("file", str(file), f"numbers in <mimic> of {joint.get('name')} ({error})") from error
+            mimics[str(joint.get("name"))] = Mimic(leader=str(leader.get("joint")), multiplier=factor, offset=offset)
     folders = [str(folder) for folder in package_dirs] + [str(folder) for folder in file.resolve().parents]
     model = _pinocchio(file, "a URDF", lambda: pin.buildModelFromUrdf(str(file)))
     geometry = _pinocchio(
@@ -104,6 +104,9 @@ def read_srdf(file: Path) -> Semantics:
             postures[str(state.get("name"))] = {str(j.get("name")): float(str(j.get("value"))) for j in single}
         except ValueError as error:
             raise FileFormatError("srdf", str(file), f"numbers as joint values ({error})") from error
+        for name, value in postures[str(state.get("name"))].items():
+            if not np.isfinite(value):
+                raise FileFormatError("srdf", str(file), f"finite joint values; {name} is {value}")
     return Semantics(
         end_effector=effector.get("parent_link") if effector is not None else None,
         disabled=frozenset(disabled),
@@ -185,6 +188,18 @@ def frame_index(model: pin.Model, name: str) -> int:
     """Index of the frame called `name`; a link comes before a joint of the same name."""
     found = [i for i, frame in enumerate(model.frames) if frame.name == name]
     return min(found, key=lambda i: model.frames[i].type != pin.FrameType.BODY)
+
+
+def adjacent_pairs(model: pin.Model, geometry: pin.GeometryModel) -> frozenset[frozenset[str]]:
+    """Names of geometry objects whose links are the same or joined by one joint: these touch by construction."""
+    objects = list(geometry.geometryObjects)
+    pairs = set()
+    for j, second in enumerate(objects):
+        for first in objects[:j]:
+            a, b = first.parentJoint, second.parentJoint
+            if a == b or model.parents[a] == b or model.parents[b] == a:
+                pairs.add(frozenset((first.name, second.name)))
+    return frozenset(pairs)
 
 
 def leaf_bodies(model: pin.Model) -> list[str]:

@@ -10,7 +10,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, configurations, existing_file, instance, number_array
+from manipplan.checks import Array, configurations, existing_file, instance, number
 from manipplan.errors import InvalidInputError, UnknownNameError, UnsupportedJointError
 from manipplan.robots import description
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
@@ -27,7 +27,8 @@ class Robot:
     """An arm: n active joints from base to tool; every other joint of the description is locked.
 
     Configurations are plain angles [rad] or lengths [m], (n,), also for continuous joints. Build one by
-    `load_robot`, `Robot.from_urdf`, `Robot.from_mjcf` or `planar_arm`.
+    `load_robot`, `Robot.from_urdf`, `Robot.from_mjcf` or `planar_arm`. A robot holds working data of Pinocchio and IPOPT:
+    give every thread or process its own, by `copy.deepcopy` or pickle.
 
     Attributes:
         name: what the arm is called.
@@ -38,6 +39,7 @@ class Robot:
         neutral: (n,) a usual posture inside the limits.
         locked: joints of the description that are held, with the value they are held at.
         disabled_pairs: pairs of bodies that need no self-collision check (from an SRDF); None without one.
+        adjacent_pairs: pairs of geometry objects (by name) that one joint of the whole description connects, or none.
         planar: True when the arm moves in the x-y plane alone.
         cache: what was built for this robot once and is used again (kinematics, fitted primitives).
     """
@@ -50,6 +52,7 @@ class Robot:
     neutral: Array
     locked: Mapping[str, float] = field(default_factory=dict)
     disabled_pairs: frozenset[frozenset[str]] | None = None
+    adjacent_pairs: frozenset[frozenset[str]] = frozenset()
     planar: bool = False
     cache: dict[object, Any] = field(default_factory=dict, init=False, repr=False)
 
@@ -129,8 +132,7 @@ class Robot:
         active = _choose_joints(whole, tool, chain, joints, read.mimics)
         held = _locked_values(whole, active, dict(locked or {}), semantic, read.mimics)
         model, geometry = description.reduce(whole, read.geometry, active, held)
-        base = _limits_of(model, read.source)
-        base = base.with_changes(limits) if limits else base
+        base = _limits_of(model, read.source, limits)
         if "acceleration" not in limits:
             ramp = {"acceleration": base.velocity / DEFAULT_RAMP_TIME}
             base = base.with_changes(ramp, source=f"default: full speed in {DEFAULT_RAMP_TIME:g} s")
@@ -145,6 +147,7 @@ class Robot:
             neutral=_neutral(base, neutral),
             locked=held,
             disabled_pairs=semantic.disabled if semantic is not None else None,
+            adjacent_pairs=description.adjacent_pairs(whole, read.geometry),
         )
         if held:
             log.info("%s: locked joints: %s", robot.name, ", ".join(held))
@@ -280,9 +283,9 @@ def _choose_joints(
             raise InvalidInputError("joints", joint, f"joints that move the tool {tool}: {', '.join(chain)}")
         if joint in mimics:
             raise UnsupportedJointError("joints", joint, f"independent joints; this one mimics {mimics[joint].leader}")
-        followers = [follower for follower, mimic in mimics.items() if mimic.leader == joint and follower in chain]
+        followers = [follower for follower, mimic in mimics.items() if mimic.leader == joint]
         if followers:
-            raise UnsupportedJointError("joints", joint, f"joints on which none of the chain depends; {followers[0]} mimics it")
+            raise UnsupportedJointError("joints", joint, f"joints that no other follows; {followers[0]} mimics it")
         kind = model.joints[model.getJointId(joint)]
         if kind.nv != 1 or not (description.is_prismatic(kind) or description.is_revolute(kind)):
             raise UnsupportedJointError(
@@ -307,8 +310,13 @@ def _locked_values(
     for name, value in given.items():
         if name not in others:
             raise UnknownNameError("locked", name, others)
-        if not np.isfinite(number_array(f"locked[{name!r}]", value)).all():
-            raise InvalidInputError(f"locked[{name!r}]", value, "a finite number")
+        number(f"locked[{name!r}]", value)
+        joint = model.joints[model.getJointId(name)]
+        if joint.nq != 1:
+            raise InvalidInputError(f"locked[{name!r}]", value, f"no value: a {joint.shortname()} stays at its origin")
+        low, high = model.lowerPositionLimit[joint.idx_q], model.upperPositionLimit[joint.idx_q]
+        if not low <= value <= high:
+            raise InvalidInputError(f"locked[{name!r}]", value, f"{low:g} to {high:g}")
     usual = next(iter(semantic.postures.values()), {}) if semantic is not None else {}
     held = {}
     for name in others:
@@ -324,20 +332,27 @@ def _locked_values(
     return held
 
 
-def _limits_of(model: pin.Model, source: str) -> JointLimits:
+def _limits_of(model: pin.Model, source: str, given: Mapping[str, ArrayLike]) -> JointLimits:
+    """The limits of the description, with those that were given in their place."""
     inf = np.full(model.nv, np.inf)
-    for name, velocity in zip(list(model.names)[1:], model.velocityLimit, strict=True):
-        if not velocity > 0:
-            raise InvalidInputError(f"velocity limit of {name}", float(velocity), "above zero; give velocity= to set it")
-    return JointLimits(
-        lower=model.lowerPositionLimit,
-        upper=model.upperPositionLimit,
-        velocity=model.velocityLimit,
+    lower, upper, velocity = model.lowerPositionLimit, model.upperPositionLimit, model.velocityLimit
+    for i, name in enumerate(list(model.names)[1:]):
+        if "velocity" not in given and not velocity[i] > 0:
+            raise InvalidInputError(f"velocity limit of {name}", float(velocity[i]), "above zero; give velocity= to set it")
+        if not {"lower", "upper"} & set(given) and not lower[i] < upper[i]:
+            raise InvalidInputError(
+                f"position limits of {name}", [lower[i], upper[i]], "lower below upper; give lower= and upper= to set them"
+            )
+    described = JointLimits(
+        lower=-inf if "lower" in given else lower,
+        upper=inf if "upper" in given else upper,
+        velocity=inf if "velocity" in given else velocity,
         acceleration=inf,
         jerk=inf,
         effort=np.where(model.effortLimit > 0, model.effortLimit, np.inf),
         sources=dict.fromkeys(("lower", "upper", "velocity", "effort"), source),
     )
+    return described.with_changes(given) if given else described
 
 
 def _neutral(limits: JointLimits, given: ArrayLike | None) -> Array:

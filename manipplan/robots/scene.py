@@ -148,7 +148,7 @@ class Scene:
     """Obstacles that stand still. An empty scene still checks a robot against itself."""
 
     def __init__(self, obstacles: Sequence[Obstacle] = ()) -> None:
-        if isinstance(obstacles, Obstacle):
+        if not isinstance(obstacles, list | tuple):
             raise InvalidInputError("obstacles", obstacles, "a list of obstacles")
         for obstacle in obstacles:
             if not isinstance(obstacle, Obstacle):
@@ -224,6 +224,9 @@ class Scene:
         batch = configurations("q", q, robot.n)
         rows = [model.distances(each) for each in batch.reshape(-1, robot.n)]
         return np.array(rows).reshape((*batch.shape[:-1], len(model.pair_names)))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_models": {}}  # a model holds pointers into Pinocchio
 
     def __repr__(self) -> str:
         return f"Scene({', '.join(self.names)})"

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, instance, number, whole_number
-from manipplan.errors import PlanningError, UnknownNameError
-from manipplan.paths.joint import JointPath
+from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
+from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.smooth import rounded
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
@@ -65,6 +65,7 @@ def seed_path(
     model = scene.collision_model(robot)
     q_start = model.free_configuration("start", start, clearance)
     q_goal = model.free_configuration("goal", goal, clearance)
+    check_apart(q_start, q_goal)
     line = JointPath.line(q_start, q_goal)
     if model.path_is_free(line, CHECK_STEP, clearance):
         return line
@@ -84,6 +85,12 @@ def seed_path(
         f"no path from start to goal was found by {planner} in {time_limit:g} s; "
         "allow more time (time_limit), less clearance, or check that the goal can be reached"
     )
+
+
+def check_apart(start: Array, goal: Array) -> None:
+    """Raise InvalidInputError when there is no way to go between start and goal."""
+    if np.abs(goal - start).max() < SHORTEST:
+        raise InvalidInputError("goal", goal.tolist(), f"a configuration that differs from start by {SHORTEST:g} or more")
 
 
 def _search(

@@ -14,7 +14,7 @@ import pinocchio as pin
 
 from manipplan.checks import Array, distinct_names, instance, whole_number
 from manipplan.errors import InvalidInputError, PlanningError
-from manipplan.paths.joint import JointPath
+from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.limits import JointLimits
 from manipplan.timing.verify import limit_use, torque_use
@@ -22,8 +22,12 @@ from manipplan.timing.verify import limit_use, torque_use
 #: Below this share of the mean speed ‖q'‖ the path stands still; above this angle [rad] it turns a corner.
 STANDSTILL = 1e-6
 CORNER = 1e-4
+#: Where a grid is too coarse for a bend as sharp as a corner, a stop where ‖q'‖ is below this share is tried.
+NEAR_STANDSTILL = 0.02
 #: What the verified trajectory stays below each limit by, relative.
 SPARE = 1e-9
+#: A grid is refined while what it left over slows the whole motion by more than this.
+ENOUGH = 1.02
 
 
 def retime(
@@ -42,10 +46,11 @@ def retime(
         limits: velocity and acceleration count; effort too when `torque_model` is given. Jerk is not limited.
         joint_names: (n,) default q0, q1, ...
         torque_model: Pinocchio model of the arm, whose inverse dynamics limit the motion by `limits.effort`.
-        grid: points along the path on which toppra works.
+        grid: points along the path on which toppra works; more are taken where they make the motion faster.
 
     Returns:
-        A Trajectory that exceeds none of these limits, by the exact extremes of its pieces (torque: on a dense grid).
+        A Trajectory whose samples lie on the path and that exceeds none of these limits, by the exact extremes of its
+        pieces (torque: on a dense grid).
 
     Raises:
         InvalidInputError: the path has no length, the limits do not fit it, or a velocity or acceleration limit is
@@ -54,26 +59,38 @@ def retime(
     """
     instance("path", path, JointPath)
     instance("limits", limits, JointLimits)
-    grid = whole_number("grid", grid, least=10)
+    grid = whole_number("grid", grid, least=50)
     if limits.n != path.n:
         raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of the path's {path.n} joints")
     check_timing_limits(limits)
-    if torque_model is not None and torque_model.nv != path.n:
+    if torque_model is not None and instance("torque_model", torque_model, pin.Model).nv != path.n:
         raise InvalidInputError(
             "torque_model", f"a model of {torque_model.nv} joints", f"a model of the path's {path.n} joints"
         )
     names = distinct_names("joint_names", joint_names or [f"q{i}" for i in range(path.n)], path.n)
-    if path.length < 1e-9:
-        raise InvalidInputError("path", f"length {path.length:g}", "a path with a length")
+    if path.length < SHORTEST:
+        raise InvalidInputError("path", f"length {path.length:g}", f"a path with a length of at least {SHORTEST:g}")
     if torque_model is not None:
         _check_statics(path, limits, torque_model, names)
     path = _without_standstills(path)
-    stops = _stops(path)
+    found = []
+    for points, standstill in ((grid, STANDSTILL), (4 * grid, STANDSTILL), (grid, NEAR_STANDSTILL)):
+        trajectory = _timed(path, _stops(path, standstill), limits, names, torque_model, points)
+        found.append(_slowed_to_limits(trajectory, limits, torque_model))
+        if found[-1].duration <= ENOUGH * trajectory.duration:
+            break
+    return min(found, key=lambda each: each.duration)
+
+
+def _timed(
+    path: JointPath, stops: list[float], limits: JointLimits, names: tuple[str, ...], torque_model: pin.Model | None, grid: int
+) -> Trajectory:
+    """toppra's motion between all stops, before it is compared with the limits."""
     parts = [
         _retime_piece(path, a, b, limits, names, torque_model, max(20, int(np.ceil(grid * (b - a)))))
         for a, b in pairwise(stops)
     ]
-    return _slowed_to_limits(joined(parts), limits, torque_model)
+    return joined(parts)
 
 
 def check_timing_limits(limits: JointLimits) -> None:
@@ -123,7 +140,7 @@ def _without_standstills(path: JointPath) -> JointPath:
     return JointPath(breaks=breaks, control=path.control[moving])
 
 
-def _stops(path: JointPath) -> list[float]:
+def _stops(path: JointPath, standstill: float) -> list[float]:
     """Parameters at which the arm must stop: the ends, corners between pieces, and points where q' vanishes."""
     stops = [0.0]
     for s, before, after in zip(path.breaks[1:-1], path.control[:-1], path.control[1:], strict=True):
@@ -141,7 +158,7 @@ def _stops(path: JointPath) -> list[float]:
             left, right = np.linalg.norm(path(thirds, 1), axis=1)
             low, high = (low, thirds[1]) if left < right else (thirds[0], high)
         middle = (low + high) / 2
-        if np.linalg.norm(path(middle, 1)) < STANDSTILL * mean:
+        if np.linalg.norm(path(middle, 1)) < standstill * mean:
             stops.append(float(middle))
     stops.sort()
     apart = [s for k, s in enumerate(stops) if k == 0 or (s - stops[k - 1] > 1e-9 and s < 1 - 1e-9)]
@@ -155,8 +172,9 @@ class _ByArcLength:
         from scipy.interpolate import CubicSpline
 
         self.path = path
+        nodes_along = max(1200, 12 * len(path.control))
         # dense near the ends, where a path may start from q' = 0
-        s = a + (b - a) * (1 - np.cos(np.linspace(0.0, np.pi, 1201))) / 2
+        s = a + (b - a) * (1 - np.cos(np.linspace(0.0, np.pi, nodes_along + 1))) / 2
         nodes, weights = np.polynomial.legendre.leggauss(6)
         half = np.diff(s) / 2
         inside = (s[:-1] + s[1:])[:, None] / 2 + half[:, None] * nodes
@@ -164,11 +182,24 @@ class _ByArcLength:
         self.length = float(length[-1])
         rises = np.concatenate([[True], np.diff(length) > 1e-14 * self.length])
         rises[-1] = True
-        self._s = CubicSpline(length[rises], s[rises])
+        self._at = length[rises]
+        self._s = CubicSpline(self._at, s[rises])
         self._range = (a, b)
         # directions are taken a little inside, since q' may vanish at the ends
         margin = 1e-6 * (b - a)
         self._inside = (a + margin, b - margin)
+
+    def grid(self, count: int) -> Array:
+        """Lengths (count + 1,) from 0 to the end: evenly spaced, and twice as dense where the path turns on average."""
+        s = np.linspace(*self._inside, max(4000, 10 * count))
+        tangent = self.path(s, 1)
+        tangent /= np.maximum(np.linalg.norm(tangent, axis=1, keepdims=True), 1e-300)
+        turned = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(tangent, axis=0), axis=1))])
+        length = np.interp(s, self._s(self._at), self._at)
+        share = length / self.length + turned / max(turned[-1], 0.1)
+        points = np.asarray(np.interp(np.linspace(share[0], share[-1], count + 1), share, length), dtype=float)
+        points[0], points[-1] = 0.0, self.length
+        return points
 
     def s(self, length: Array) -> Array:
         return np.asarray(np.clip(self._s(length), *self._range))
@@ -195,7 +226,7 @@ def _retime_piece(
     # the grid holds every end of a polynomial piece, where the curvature may jump
     breaks = path.breaks[(path.breaks > a) & (path.breaks < b)]
     at_breaks = np.interp(breaks, curve.s(np.linspace(0, curve.length, 4001)), np.linspace(0, curve.length, 4001))
-    points = np.union1d(np.linspace(0.0, curve.length, grid + 1), at_breaks)
+    points = np.union1d(curve.grid(grid), at_breaks)
     points = points[np.concatenate([[True], np.diff(points) > 1e-7 * curve.length])]
     points[-1] = curve.length
     speed = _speeds(curve, points, limits, torque_model, (a, b))

@@ -78,6 +78,61 @@ def test_other_limits_keep_the_posture_inside(panda):
     assert not tight.limits.outside(tight.neutral).any()
 
 
+def test_locking_does_not_hide_collisions(panda):
+    """Links merge when joints are locked; what is adjacent is decided on the whole arm before."""
+    locked = {f"panda_joint{i}": value for i, value in {1: 0.0, 2: 1.7, 3: 0.0, 5: 0.0, 6: 1.0, 7: 0.0}.items()}
+    elbow = mp.load_robot("panda", joints=["panda_joint4"], locked=locked)
+    angles = np.linspace(-3.0, -0.1, 40)
+    whole = np.zeros((40, 7))
+    whole[:, [1, 5]], whole[:, 3] = (1.7, 1.0), angles
+    expected = mp.Scene().in_collision(panda, whole)
+    assert expected.any()
+    assert not expected.all()
+    np.testing.assert_array_equal(mp.Scene().in_collision(elbow, angles[:, None]), expected)
+
+
+def test_given_limits_stand_in_for_bad_ones(two_link_urdf):
+    robot = mp.Robot.from_urdf(two_link_urdf(velocity="0"), tool="tip", velocity=1.0)
+    np.testing.assert_allclose(robot.limits.velocity, 1.0)
+
+
+def test_a_follower_of_an_active_joint_is_told(two_link_urdf):
+    with pytest.raises(mp.UnsupportedJointError, match="finger.*mirror mimics it"):
+        mp.Robot.from_urdf(two_link_urdf(), tool="left")
+
+
+@pytest.mark.parametrize("value", ["nan", "inf", "two"])
+def test_wrong_numbers_in_an_srdf(two_link_urdf, tmp_path, value):
+    srdf = tmp_path / "two.srdf"
+    srdf.write_text(f'<robot name="two"><group_state name="a"><joint name="turn" value="{value}"/></group_state></robot>')
+    with pytest.raises(mp.FileFormatError, match="srdf.*joint values"):
+        mp.Robot.from_urdf(two_link_urdf(), tool="tip", srdf=srdf)
+
+
+def test_a_wrong_multiplier_of_a_mimic(two_link_urdf):
+    with pytest.raises(mp.FileFormatError, match="<mimic> of turn"):
+        mp.Robot.from_urdf(two_link_urdf('<mimic joint="slide" multiplier="two"/>'), tool="tip")
+
+
+def test_a_part_of_a_known_arm():
+    assert mp.load_robot("ur5", joints=["elbow_joint", "wrist_1_joint", "wrist_2_joint"]).n == 3
+    assert mp.load_robot("ur5", tool="wrist_1_link").n == 4
+
+
+@pytest.mark.parametrize(
+    "error",
+    [
+        mp.InvalidInputError("a", 1, "b"),
+        mp.UnknownNameError("a", "pnada", ["panda"]),
+        mp.MissingExtraError("viser", "viewer"),
+        mp.PlanningError("no path", 3),
+    ],
+)
+def test_errors_travel_between_processes(error):
+    again = pickle.loads(pickle.dumps(error))
+    assert (type(again), str(again), again.__dict__) == (type(error), str(error), error.__dict__)
+
+
 def test_a_changed_copy_has_its_own_kinematics(panda):
     panda.kinematics()
     other = dataclasses.replace(panda, tool="panda_link4")
@@ -187,6 +242,8 @@ def test_floating_joint_is_named(tmp_path):
         ({"joints": []}, "at least one joint"),
         ({"locked": {"turn": 0.1}}, "locked"),
         ({"joints": ["turn"], "locked": {"slide": np.nan}}, "finite"),
+        ({"joints": ["turn"], "locked": {"slide": 9.0}}, "0 to 0.4"),
+        ({"joints": ["turn"], "locked": {"slide": [1.0]}}, "a finite number"),
         ({"velocity": 0.0}, r"limits\.velocity: got .*above zero"),
         ({"acceleration": [1.0, -2.0]}, r"limits\.acceleration: got .*above zero"),
         ({"acceleration": [1.0, 2.0, 3.0]}, "one number or 2"),

@@ -109,6 +109,14 @@ def test_a_path_that_starts_or_ends_standing_is_timed(control):
     np.testing.assert_allclose(trajectory.q[-1], control[-1], atol=1e-9)
 
 
+def test_a_sharp_bend_does_not_slow_the_whole_motion():
+    robot = mp.planar_arm([1.0, 1.0]).with_limits(velocity=1.0, acceleration=10.0)
+    hairpin = polynomial([[0.829921, 0], [-0.992079, 0.0005], [1.185921, 0.001]])
+    stopping = mp.JointPath.through([hairpin(0.0), hairpin(0.4555), hairpin(1.0)])
+    ratio = mp.retime(hairpin, robot.limits).duration / mp.retime(stopping, robot.limits).duration
+    assert ratio < 1.3
+
+
 @pytest.mark.parametrize("middle", [0.3, 0.4, 0.5, 0.77])
 def test_a_standstill_at_a_break_is_one_stop(middle):
     robot = mp.planar_arm([1.0, 1.0])
@@ -139,7 +147,7 @@ def test_wrong_arguments(panda, planar):
     with pytest.raises(mp.InvalidInputError, match="a finite acceleration for each joint"):
         mp.retime(path, panda.with_limits(acceleration=np.inf).limits)
     with pytest.raises(mp.InvalidInputError, match="grid"):
-        mp.retime(path, panda.limits, grid=2)
+        mp.retime(path, panda.limits, grid=49)
     with pytest.raises(mp.InvalidInputError, match="a path with a length"):
         mp.retime(mp.JointPath(breaks=[0, 1], control=np.zeros((1, 3, 7))), panda.limits)
 
