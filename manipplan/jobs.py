@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from manipplan.checks import Array, instance, number, whole_number
 from manipplan.errors import PlanningError
 from manipplan.files import writable_folder, write_text
+from manipplan.interrupts import interruptible
 from manipplan.measures.task import Task
 from manipplan.optimize.optimize import PathResult, check_task, optimize_path
 from manipplan.paths.joint import JointPath
@@ -65,6 +66,7 @@ class Plan:
         return [to / name for name in names]
 
 
+@interruptible()
 def plan(
     robot: Robot,
     start: ArrayLike,

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, instance, number, whole_number
 from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
+from manipplan.interrupts import interruptible
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.task import Task
 from manipplan.optimize import clearance as near
@@ -79,6 +80,7 @@ class _Candidate:
     converged: bool
 
 
+@interruptible()
 def optimize_path(
     robot: Robot,
     start: ArrayLike,
@@ -316,6 +318,7 @@ class _Search:
             places = more
         return found
 
+    @interruptible()
     def _solve(self, name: str, guess: Array, rows: list[ClearanceRow]) -> tuple[_Candidate | None, Array, Array]:
         """The candidate when the solution is inside the limits and free, its coefficients, and its distance profile."""
         solution = self.program.solve(self.start, self.goal, guess, rows)

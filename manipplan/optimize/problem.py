@@ -103,8 +103,6 @@ class PathProgram:
             ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
         )
         status = str(solver.stats()["return_status"])
-        if status == "User_Requested_Stop":  # CasADi swallows the signal
-            raise KeyboardInterrupt
         x = np.asarray(result["x"]).ravel()
         return Solution(
             coefficients=x[: guess.size].reshape(guess.shape, order="F"),

@@ -87,7 +87,16 @@ def test_no_path_is_exit_code_one(arm_file, tmp_path, capsys):
     assert "no path from start to goal" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(("step", "delay"), [("optimising the path", 0.1), ("writing files", 0.05), ("writing files", 0.35)])
+@pytest.mark.parametrize(
+    ("step", "delay"),
+    [
+        ("optimising the path", 0.1),
+        ("optimising the path", 0.4),
+        ("checking the result", 0.0),
+        ("writing files", 0.05),
+        ("writing files", 0.35),
+    ],
+)
 def test_an_interrupt_leaves_no_broken_file(tmp_path, step, delay):
     """A real process, interrupted by a real signal while it plans or writes."""
     process = subprocess.Popen(
