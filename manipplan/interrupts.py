@@ -1,6 +1,7 @@
 """An interrupt that arrives while CasADi computes is not lost.
 
-CasADi turns it into a failed evaluation, a stopped solver or a SystemError, as chance will have it.
+CasADi turns it into a failed evaluation, a stopped solver, a SystemError or the complaint that an argument has the wrong
+type, as chance will have it.
 """
 
 import signal
@@ -28,7 +29,7 @@ def interruptible() -> Iterator[None]:
     signal.signal(signal.SIGINT, remember)
     try:
         yield
-    except SystemError as error:
+    except Exception as error:
         if came:
             raise KeyboardInterrupt from error
         raise

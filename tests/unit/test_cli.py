@@ -120,5 +120,5 @@ def test_an_interrupt_leaves_no_broken_file(tmp_path, step, delay):
     assert not [file for file in files if file.name.endswith(".part")]
     readers = {"trajectory.csv": mp.Trajectory.from_csv, "trajectory.json": mp.Trajectory.from_json}
     read = [readers[file.name](file) for file in files if file.name in readers]
-    if delay > 0.3:
+    if step == "writing files" and delay > 0.3:
         assert read, "by then the first files are there"
