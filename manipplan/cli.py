@@ -2,7 +2,7 @@
 
 import logging
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -145,9 +145,9 @@ def _solve(problem: Problem, folder: Path, seed: int) -> None:
     _print_result(str(made.report), files)
 
 
-def _notice(locked: object) -> None:
+def _notice(locked: Mapping[str, float]) -> None:
     if locked:
-        shown = ", ".join(f"{name} at {value:g}" for name, value in dict(locked).items())  # type: ignore[call-overload]
+        shown = ", ".join(f"{name} at {value:g}" for name, value in locked.items())
         Console().print(f"locked joints: {escape(shown)}", style="dim", highlight=False)
 
 
