@@ -61,6 +61,22 @@ class MissingExtraError(ManipplanError, ImportError):
         return type(self), (self.package, self.extra)
 
 
+class CompilerError(ManipplanError):
+    """Machine code could not be made: there is no compiler, or it failed. `output` is what it said."""
+
+    def __init__(self, subject: str, output: str) -> None:
+        self.subject = subject
+        self.output = output
+        super().__init__(f"compiling {subject}: {output}")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.subject, self.output)
+
+
+class CompilerWarning(UserWarning):
+    """The compiler failed; CasADi's virtual machine does the same work more slowly."""
+
+
 class PlanningError(ManipplanError):
     """No answer was found. `result` is what there is, with its status; None when there is nothing."""
 

@@ -4,12 +4,14 @@ Symbols: R, p rotation (3, 3) and origin (3,) of a frame in the world; S_i = (v_
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import casadi as ca
 import numpy as np
 import pinocchio as pin
 
 from manipplan.checks import Array
+from manipplan.measures.task import Task
 from manipplan.robots.description import axis_of, frame_index, is_prismatic
 
 
@@ -26,22 +28,30 @@ class Placement:
             origin=self.origin + self.rotation @ other.origin,
         )
 
+    def inverse(self) -> "Placement":
+        """The world in this frame."""
+        return Placement(rotation=self.rotation.T, origin=-(self.rotation.T @ self.origin))
+
     def matrix(self) -> ca.SX:
         """The homogeneous matrix (4, 4)."""
         return ca.vertcat(ca.horzcat(self.rotation, self.origin), ca.DM([[0.0, 0.0, 0.0, 1.0]]))
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class SymbolicChain:
-    """The arm at symbolic q (n,): every joint's frame, the tool frame, and the tool's Jacobian.
+    """The arm at symbolic q (n,): every joint's frame, the tool frame, the tool's Jacobian, the arm's inertia.
 
     Attributes:
+        model: the Pinocchio model it is of.
+        frame: Pinocchio's description of the tool frame.
         q: (n, 1) symbols [rad or m].
         joints: n + 1 placements in the world; the first is the world itself, as in Pinocchio.
         tool: placement of the tool frame.
         jacobian: (6, n) LOCAL_WORLD_ALIGNED Jacobian of the tool, linear rows [m/rad] first.
     """
 
+    model: pin.Model
+    frame: pin.Frame
     q: ca.SX
     joints: tuple[Placement, ...]
     tool: Placement
@@ -51,24 +61,82 @@ class SymbolicChain:
     def of(cls, model: pin.Model, tool: str) -> "SymbolicChain":
         """Build the chain of `model`, whose joints are revolute (plain angle) or prismatic."""
         q = ca.SX.sym("q", model.nv)
-        placements = [Placement(rotation=ca.SX.eye(3), origin=ca.SX.zeros(3))]
+        placements = [_WORLD]
         for i in range(1, model.njoints):
-            before = placements[model.parents[i]] @ _constant(model.jointPlacements[i])
-            placements.append(before @ _joint_motion(model.joints[i], q[i - 1]))
+            placements.append(placements[model.parents[i]] @ _step(model, i, q))
         frame = model.frames[frame_index(model, tool)]
         end = placements[frame.parentJoint] @ _constant(frame.placement)
         supports = set(model.supports[frame.parentJoint])
-        columns = []
-        for i in range(1, model.njoints):
-            if i not in supports:
-                columns.append(ca.SX.zeros(6))
-                continue
-            axis = placements[i].rotation @ _sparse(axis_of(model.joints[i]))
-            if is_prismatic(model.joints[i]):
-                columns.append(ca.vertcat(axis, ca.SX.zeros(3)))
-            else:
-                columns.append(ca.vertcat(ca.cross(axis, end.origin - placements[i].origin), axis))
-        return cls(q=q, joints=tuple(placements), tool=end, jacobian=ca.horzcat(*columns))
+        carriers = [placements[i] if i in supports else None for i in range(1, model.njoints)]
+        jacobian = _jacobian(model, carriers, end.origin)
+        return cls(model=model, frame=frame, q=q, joints=tuple(placements), tool=end, jacobian=jacobian)
+
+    @cached_property
+    def mass_matrix(self) -> ca.SX:
+        """M(q), (n, n), with the rotors' inertia (armature): the sum of Jᵀ I J over the bodies."""
+        model, n = self.model, self.model.nv
+        matrix = ca.diag(_sparse(model.armature))
+        for i in range(1, n + 1):
+            inertia, body = model.inertias[i], self.joints[i]
+            centre = body.origin + body.rotation @ _sparse(inertia.lever)
+            supports = set(model.supports[i])
+            carriers = [self.joints[j] if j in supports else None for j in range(1, n + 1)]
+            jacobian = _jacobian(model, carriers, centre)
+            spin = body.rotation.T @ jacobian[3:, :]
+            matrix += inertia.mass * (jacobian[:3, :].T @ jacobian[:3, :]) + spin.T @ _sparse(inertia.inertia) @ spin
+        return matrix
+
+    def isometric(self, task: Task) -> ca.SX:
+        """A Jacobian (m, n) with Yoshikawa's index of the task, of as few operations as we know.
+
+        Where the task allows it, the arm is seen from one of its middle joints: turning all rows leaves the index as it is,
+        and so does another reference point for all six rows. Then base and tool angle do not occur.
+        """
+        n, straight = self.model.nv, list(self.model.parents)[1:] == list(range(self.model.nv))
+        if not (task.turns_freely and straight and self.frame.parentJoint == n):
+            return task.rows_of(self.jacobian, self.tool.rotation)
+        if task.tool_rows:
+            return task.rows_of(*self._seen_from(n, None))
+        whole = len(task.world_rows) == 6
+        middle = (n + 1) // 2
+        places = [(f, at) for f in (middle, max(middle - 1, 1)) for at in (range(1, n + 1) if whole else [None])]
+        views = [task.rows_of(*self._seen_from(f, at)) for f, at in places]
+        return min(views, key=lambda view: view.nnz())
+
+    def _seen_from(self, f: int, at: int | None) -> tuple[ca.SX, ca.SX]:
+        """The Jacobian (6, n) with the axes of joint f, for the point at joint `at` or at the tool; and the tool's rotation."""
+        model, n = self.model, self.model.nv
+        frames = {f: _WORLD}
+        for i in range(f + 1, n + 1):
+            frames[i] = frames[i - 1] @ _step(model, i, self.q)
+        for i in range(f - 1, 0, -1):
+            frames[i] = frames[i + 1] @ _step(model, i + 1, self.q).inverse()
+        end = frames[n] @ _constant(self.frame.placement)
+        jacobian = _jacobian(model, [frames[i] for i in range(1, n + 1)], end.origin if at is None else frames[at].origin)
+        return ca.sparsify(jacobian), end.rotation
+
+
+_WORLD = Placement(rotation=ca.SX.eye(3), origin=ca.SX(3, 1))
+
+
+def _step(model: pin.Model, i: int, q: ca.SX) -> Placement:
+    """Placement of joint i, moved by its q, on the joint before it."""
+    return _constant(model.jointPlacements[i]) @ _joint_motion(model.joints[i], q[i - 1])
+
+
+def _jacobian(model: pin.Model, carriers: list[Placement | None], point: ca.SX) -> ca.SX:
+    """Jacobian (6, n) of a point; `carriers` are the placements of the joints, None for those that do not carry it."""
+    columns = []
+    for i, joint in enumerate(carriers, start=1):
+        if joint is None:
+            columns.append(ca.SX(6, 1))
+            continue
+        axis = joint.rotation @ _sparse(axis_of(model.joints[i]))
+        if is_prismatic(model.joints[i]):
+            columns.append(ca.vertcat(axis, ca.SX(3, 1)))
+        else:
+            columns.append(ca.vertcat(ca.cross(axis, point - joint.origin), axis))
+    return ca.horzcat(*columns)
 
 
 def _joint_motion(joint: pin.JointModel, q: ca.SX) -> Placement:

@@ -1,36 +1,176 @@
-"""Yoshikawa's manipulability index m = sqrt(det(J Jᵀ)) as a CasADi expression."""
+"""Measures that are smooth functions of J Jᵀ: Yoshikawa's index, its logarithm, the Frobenius norm, isotropy."""
+
+from dataclasses import dataclass
+from typing import ClassVar
 
 import casadi as ca
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.checks import number, positive_array
+from manipplan.kinematics.derivatives import Factor, index_gradient, index_hessian, log_gradient, log_hessian
+from manipplan.measures.measure import JacobianMeasure, Posture, row_unit
+from manipplan.measures.task import Task
+
+#: ρ of the regularised form m_ρ = sqrt(det(J Jᵀ + ρ² I)), in units of the Jacobian's rows.
+REGULARISATION = 1e-9
 
 
-def row_norms(jacobian: ca.SX) -> list[ca.SX]:
-    """Lengths r_i of J's rows after Gram-Schmidt against the rows before; m is their product.
+@dataclass(frozen=True, kw_only=True)
+class Yoshikawa(JacobianMeasure):
+    """The manipulability index m = sqrt(det(J Jᵀ)), the product of the singular values.
 
-    This is the diagonal of R in Jᵀ = Q R, so m loses no digits to the square in J Jᵀ.
+    Its value is exact. Its derivatives are those of sqrt(det(J Jᵀ + ρ² I)), which also exist where m = 0.
+
+    Attributes:
+        regularisation: ρ > 0, in the unit of the Jacobian's rows.
     """
-    m = jacobian.shape[0]
-    directions: list[ca.SX] = []
-    norms: list[ca.SX] = []
-    for i in range(m):
-        row = jacobian[i, :].T
-        for direction in directions:
-            row = row - direction * ca.dot(direction, row)
-        square = ca.sumsqr(row)
-        norm = ca.sqrt(square)
-        norms.append(norm)
-        # A row that vanished has no direction; the floor keeps the other rows finite.
-        directions.append(row / ca.fmax(norm, 1e-150))
-    return norms
+
+    regularisation: float = REGULARISATION
+    name: ClassVar[str] = "yoshikawa"
+    formula: ClassVar[str] = "sqrt(det(J Jᵀ))"
+    source: ClassVar[str] = "yoshikawa1985"
+
+    def __post_init__(self) -> None:
+        number("regularisation", self.regularisation, above=0.0)
+
+    def unit(self, task: Task) -> str:
+        return task.unit
+
+    def of(self, jacobian: ca.SX) -> ca.SX:
+        return yoshikawa(jacobian)
+
+    def value(self, posture: Posture) -> ca.SX:
+        return yoshikawa(posture.isometric)
+
+    def gradient(self, posture: Posture) -> ca.SX:
+        return index_gradient(posture.jacobian, posture.motion, self.regularisation)
+
+    def hessian(self, posture: Posture) -> ca.SX:
+        return index_hessian(posture.jacobian, posture.motion, self.regularisation)
+
+
+@dataclass(frozen=True, kw_only=True)
+class LogDet(JacobianMeasure):
+    """The logarithm log m_ρ = log sqrt(det(J Jᵀ + ρ² I)); smooth and finite also on a singularity.
+
+    Attributes:
+        regularisation: ρ > 0, in the unit of the Jacobian's rows.
+    """
+
+    regularisation: float = REGULARISATION
+    name: ClassVar[str] = "log_det"
+    formula: ClassVar[str] = "log sqrt(det(J Jᵀ + ρ² I))"
+    source: ClassVar[str] = "dufour2020"
+    vanishes: ClassVar[bool] = False
+
+    def __post_init__(self) -> None:
+        number("regularisation", self.regularisation, above=0.0)
+
+    def unit(self, task: Task) -> str:
+        return f"log {task.unit}"
+
+    def of(self, jacobian: ca.SX) -> ca.SX:
+        return ca.sum1(ca.log(ca.diag(Factor.of(jacobian, self.regularisation).L)))
+
+    def gradient(self, posture: Posture) -> ca.SX:
+        return log_gradient(Factor.of(posture.jacobian, self.regularisation), posture.motion)
+
+    def hessian(self, posture: Posture) -> ca.SX:
+        return log_hessian(Factor.of(posture.jacobian, self.regularisation), posture.motion)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FrobeniusNorm(JacobianMeasure):
+    """The weighted Frobenius norm sqrt(tr(J W Jᵀ)), definition 2.9 in kth2012. It does not vanish on singularities.
+
+    Attributes:
+        weights: diagonal of W, one number > 0 or n of them, one a joint.
+    """
+
+    weights: ArrayLike = 1.0
+    name: ClassVar[str] = "frobenius"
+    formula: ClassVar[str] = "sqrt(tr(J W Jᵀ))"
+    source: ClassVar[str] = "kth2012"
+    vanishes: ClassVar[bool] = False
+
+    def __post_init__(self) -> None:
+        weights = positive_array("weights", self.weights, np.size(self.weights))
+        plain = float(weights[0]) if np.ndim(self.weights) == 0 else tuple(weights.tolist())
+        object.__setattr__(self, "weights", plain)
+
+    def check(self, m: int, n: int) -> None:
+        super().check(m, n)
+        positive_array("weights", self.weights, n)
+
+    def unit(self, task: Task) -> str:
+        return row_unit(task)
+
+    def of(self, jacobian: ca.SX) -> ca.SX:
+        weights = positive_array("weights", self.weights, jacobian.shape[1])
+        return ca.sqrt(ca.sum2(ca.sum1(jacobian**2) * ca.DM(weights).T))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Isotropy(JacobianMeasure):
+    """Geometric over arithmetic mean of the squared singular values, det(J Jᵀ)^(1/m) / (tr(J Jᵀ) / m), from 0 to 1.
+
+    1 where the tool moves equally well in all directions, 0 on a singularity, where derivatives are those of m_ρ.
+
+    Attributes:
+        regularisation: ρ > 0, in the unit of the Jacobian's rows.
+    """
+
+    regularisation: float = REGULARISATION
+    name: ClassVar[str] = "isotropy"
+    formula: ClassVar[str] = "det(J Jᵀ)^(1/m) / (tr(J Jᵀ) / m)"
+    source: ClassVar[str] = "kim1991"
+
+    def __post_init__(self) -> None:
+        number("regularisation", self.regularisation, above=0.0)
+
+    def unit(self, task: Task) -> str:  # noqa: ARG002
+        return "1"
+
+    def of(self, jacobian: ca.SX) -> ca.SX:
+        m = jacobian.shape[0]
+        return m * yoshikawa(jacobian) ** (2 / m) / ca.sumsqr(jacobian)
+
+    def gradient(self, posture: Posture) -> ca.SX:
+        return self._regular(posture)[1]
+
+    def hessian(self, posture: Posture) -> ca.SX:
+        value, slope, log_bend = self._regular(posture)
+        return value * log_bend() + slope @ slope.T / value
+
+    def _regular(self, posture: Posture) -> tuple:
+        """Value, gradient and Hessian of the logarithm, by log Δ = (2/m) log m_ρ - log tr(J Jᵀ) + constant."""
+        m = posture.jacobian.shape[0]
+        factor = Factor.of(posture.jacobian, self.regularisation)
+        size = ca.log(ca.sumsqr(posture.jacobian))
+        bend, slope = ca.hessian(size, posture.q)
+        value = m * factor.index ** (2 / m) * ca.exp(-size)
+        gradient = value * (2 / m * log_gradient(factor, posture.motion) - slope)
+        return value, gradient, lambda: 2 / m * log_hessian(factor, posture.motion) - bend
 
 
 def yoshikawa(jacobian: ca.SX) -> ca.SX:
-    """The index m = sqrt(det(J Jᵀ)) of a task Jacobian (m, n); identically zero when m > n [yoshikawa1985]."""
+    """The index sqrt(det(J Jᵀ)) of a Jacobian (m, n), m <= n; zero where rows depend on each other [yoshikawa1985].
+
+    By Gram-Schmidt on the rows without square roots: m² is the product of the squared lengths that are left of them. No
+    digits are lost to the square in J Jᵀ.
+    """
     if jacobian.shape[0] > jacobian.shape[1]:
         return ca.SX(0.0)
-    product = ca.SX(1.0)
-    for norm in row_norms(jacobian):
-        product *= norm
-    return product
+    square = ca.SX(1.0)
+    rows = ca.vertsplit(jacobian)
+    for i, row in enumerate(rows):
+        left = ca.sumsqr(row)
+        square *= left
+        inverse = 1 / ca.fmax(left, 1e-300)  # a row that vanished has no direction
+        for j in range(i + 1, len(rows)):
+            rows[j] -= ca.dot(row, rows[j]) * inverse * row
+    return ca.sqrt(square)
 
 
 def log_yoshikawa(jacobian: ca.SX, regularisation: float) -> ca.SX:

@@ -6,81 +6,144 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import finite_array, number
+from manipplan.checks import Array, finite_array, number
+from manipplan.errors import InvalidInputError, UnknownNameError
+
+Row = tuple[float, ...]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Task:
-    """Rows of the tool's Jacobian: linear rows, then angular rows times `length` [m].
+    """Rows of the tool's Jacobian; build one by `pose`, `position`, `orientation`, `planar`, `pointing`, `direction`,
+    `rotation` or `custom`.
 
-    Build one by `pose`, `position`, `orientation`, `planar` or `pointing`.
+    A row is six numbers: a direction of the tool's origin, then an axis of rotation, which `length` multiplies.
 
     Attributes:
         name: what it is called in reports.
-        linear: rows, each a direction (3) in the world along which the tool's origin moves.
-        angular: rows, each an axis (3) about which the tool turns; in the tool's frame when `in_tool`, else in the world.
-        length: characteristic length [m] that weighs angular rows; 1.0 leaves the raw Jacobian.
-        in_tool: whether the angular axes turn with the tool.
+        world_rows: rows whose directions and axes are those of the world; they come first in the Jacobian.
+        tool_rows: rows whose directions and axes turn with the tool.
+        length: characteristic length [m] that weighs rotation; 1.0 leaves the raw Jacobian.
     """
 
     name: str
-    linear: tuple[tuple[float, float, float], ...]
-    angular: tuple[tuple[float, float, float], ...]
+    world_rows: tuple[Row, ...] = ()
+    tool_rows: tuple[Row, ...] = ()
     length: float = 1.0
-    in_tool: bool = False
 
     @classmethod
     def pose(cls, length: float = 0.5) -> "Task":
         """Position and orientation, 6 rows; angular rows times `length` [m] > 0."""
-        return cls(name="pose", linear=_AXES, angular=_AXES, length=number("length", length, above=0.0))
+        return cls(name="pose", world_rows=_LINEAR + _ANGULAR, length=number("length", length, above=0.0))
 
     @classmethod
     def position(cls) -> "Task":
         """Position alone, 3 rows."""
-        return cls(name="position", linear=_AXES, angular=())
+        return cls(name="position", world_rows=_LINEAR)
 
     @classmethod
     def orientation(cls) -> "Task":
         """Orientation alone, 3 rows."""
-        return cls(name="orientation", linear=(), angular=_AXES)
+        return cls(name="orientation", world_rows=_ANGULAR)
 
     @classmethod
     def planar(cls) -> "Task":
         """Position in the x-y plane, 2 rows: the index of the planar arm in [kth2012]."""
-        return cls(name="planar", linear=_AXES[:2], angular=())
+        return cls(name="planar", world_rows=_LINEAR[:2])
 
     @classmethod
     def pointing(cls, axis: ArrayLike = (0.0, 0.0, 1.0), length: float = 0.5) -> "Task":
         """Position and direction of a tool axis (3,) given in the tool's frame, 5 rows: rotation about it is free."""
-        direction = finite_array("axis", axis, (3,))
-        size = number("the length of axis", float(np.linalg.norm(direction)), above=1e-9)
-        _, _, basis = np.linalg.svd((direction / size)[None, :])
-        first, second = (tuple(float(x) for x in row) for row in basis[1:])
+        _, _, basis = np.linalg.svd(_unit("axis", axis)[None, :])
+        across = tuple((0.0, 0.0, 0.0, *(float(x) for x in row)) for row in basis[1:])
+        return cls(name="pointing", world_rows=_LINEAR, tool_rows=across, length=number("length", length, above=0.0))
+
+    @classmethod
+    def direction(cls, axis: ArrayLike, frame: str = "world") -> "Task":
+        """Speed of the tool's origin along one axis (3,) of the "world" or of the "tool", 1 row."""
+        return cls._rows("direction", np.concatenate([_unit("axis", axis), np.zeros(3)])[None, :], frame, 1.0)
+
+    @classmethod
+    def rotation(cls, axis: ArrayLike, frame: str = "world") -> "Task":
+        """Angular speed of the tool about one axis (3,) of the "world" or of the "tool", 1 row."""
+        return cls._rows("rotation", np.concatenate([np.zeros(3), _unit("axis", axis)])[None, :], frame, 1.0)
+
+    @classmethod
+    def custom(cls, rows: ArrayLike, frame: str = "world", length: float = 1.0, name: str = "custom") -> "Task":
+        """Any rows (m, 6), independent of each other: a direction of the tool's origin, then an axis of rotation.
+
+        Args:
+            rows: directions and axes of `frame`; the last three columns are multiplied by `length`.
+            frame: "world" or "tool".
+            length: characteristic length [m] > 0.
+            name: what the task is called.
+        """
+        matrix = finite_array("rows", rows, (None, 6))
+        length = number("length", length, above=0.0)
+        if not len(matrix) or np.linalg.matrix_rank(matrix * np.array([1.0] * 3 + [length] * 3)) < len(matrix):
+            raise InvalidInputError("rows", matrix.tolist(), "1 to 6 rows of six numbers that do not depend on each other")
+        if not isinstance(name, str) or not name:
+            raise InvalidInputError("name", name, "a word")
+        return cls._rows(name, matrix, frame, length)
+
+    @classmethod
+    def _rows(cls, name: str, matrix: Array, frame: str, length: float) -> "Task":
+        if frame not in ("world", "tool"):
+            raise UnknownNameError("frame", str(frame), ["world", "tool"])
+        rows = tuple(tuple(float(x) for x in row) for row in matrix)
         return cls(
-            name="pointing",
-            linear=_AXES,
-            angular=((first[0], first[1], first[2]), (second[0], second[1], second[2])),
-            length=number("length", length, above=0.0),
-            in_tool=True,
+            name=name,
+            world_rows=rows if frame == "world" else (),
+            tool_rows=rows if frame == "tool" else (),
+            length=length,
         )
 
     @property
     def rows(self) -> int:
         """Number m of task rows."""
-        return len(self.linear) + len(self.angular)
+        return len(self.world_rows) + len(self.tool_rows)
+
+    @property
+    def matrices(self) -> tuple[Array, Array]:
+        """The world's and the tool's rows, (k, 6) and (m - k, 6), with `length` multiplied in."""
+        scale = np.array([1.0, 1.0, 1.0] + [self.length] * 3)
+        world, tool = (np.array(rows).reshape(-1, 6) * scale for rows in (self.world_rows, self.tool_rows))
+        return world, tool
+
+    @property
+    def metres(self) -> int:
+        """How many rows count metres; with length 1 radians are left uncounted."""
+        if self.length != 1.0:
+            return self.rows
+        return sum(any(row[:3]) for row in self.world_rows + self.tool_rows)
 
     @property
     def unit(self) -> str:
-        """Unit of the manipulability index: every row counts metres; with length 1 radians are left uncounted."""
-        power = self.rows if self.length != 1.0 or not self.angular else len(self.linear)
-        return "1" if power == 0 else f"m^{power}"
+        """Unit of Yoshikawa's index: every row counts metres; with length 1 radians are left uncounted."""
+        return "1" if self.metres == 0 else f"m^{self.metres}"
+
+    @property
+    def turns_freely(self) -> bool:
+        """Whether the index stays the same when base or tool frame are turned: linear and angular rows are all or none."""
+        world, tool = self.matrices
+        full = not (world[:, :3].any(1) & world[:, 3:].any(1)).any()
+        for part in (world[:, :3], world[:, 3:]):
+            full = full and np.linalg.matrix_rank(part) in (0, 3)
+        return full and not tool[:, :3].any()
 
     def rows_of(self, jacobian: ca.SX, rotation: ca.SX) -> ca.SX:
         """The task's rows (m, n) of a (6, n) LOCAL_WORLD_ALIGNED Jacobian, for a tool with `rotation` (3, 3)."""
-        linear = ca.DM(self.linear).reshape((len(self.linear), 3)) @ jacobian[:3, :]
-        axes = ca.DM(self.angular).reshape((len(self.angular), 3))
-        spin = (axes @ rotation.T if self.in_tool else axes) @ jacobian[3:, :]
-        return ca.vertcat(linear, self.length * spin)
+        world, tool = (ca.sparsify(ca.DM(matrix)) for matrix in self.matrices)
+        if not self.tool_rows:
+            return world @ jacobian
+        turned = ca.vertcat(rotation.T @ jacobian[:3, :], rotation.T @ jacobian[3:, :])
+        return ca.vertcat(world @ jacobian, tool @ turned)
 
 
-_AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+def _unit(argument: str, axis: ArrayLike) -> Array:
+    direction = finite_array(argument, axis, (3,))
+    return direction / number(f"the length of {argument}", float(np.linalg.norm(direction)), above=1e-9)
+
+
+_LINEAR: tuple[Row, ...] = tuple(tuple(row) for row in np.eye(6)[:3].tolist())
+_ANGULAR: tuple[Row, ...] = tuple(tuple(row) for row in np.eye(6)[3:].tolist())

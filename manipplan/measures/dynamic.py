@@ -1,0 +1,89 @@
+"""Measures that count the arm's inertia M(q): what accelerations the motors can give the tool."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import casadi as ca
+
+from manipplan.checks import number
+from manipplan.kinematics.derivatives import index_gradient, index_hessian
+from manipplan.kinematics.motion import MatrixMotion
+from manipplan.measures.indices import REGULARISATION, yoshikawa
+from manipplan.measures.measure import Measure, Posture, row_unit
+from manipplan.measures.spectral import SingularValues, ratio_gradient, ratio_hessian
+from manipplan.measures.task import Task
+
+
+@dataclass(frozen=True, kw_only=True)
+class DynamicManipulability(Measure):
+    """The index w_d = sqrt(det(J M⁻² Jᵀ)) of the arm at rest without gravity: accelerations for joint torques of norm 1.
+
+    Attributes:
+        regularisation: ρ > 0 as for `Yoshikawa`, in the unit of the rows of J M⁻¹.
+    """
+
+    regularisation: float = REGULARISATION
+    name: ClassVar[str] = "dynamic"
+    formula: ClassVar[str] = "sqrt(det(J M⁻² Jᵀ))"
+    source: ClassVar[str] = "yoshikawa1985b"
+
+    def __post_init__(self) -> None:
+        number("regularisation", self.regularisation, above=0.0)
+
+    def unit(self, task: Task) -> str:
+        unit = row_unit(task)
+        return f"({unit}/(kg m²))^{task.rows}"
+
+    def value(self, posture: Posture) -> ca.SX:
+        return yoshikawa(_accelerations(posture))
+
+    def gradient(self, posture: Posture) -> ca.SX:
+        matrix = _accelerations(posture)
+        return index_gradient(matrix, MatrixMotion(matrix=matrix, q=posture.q), self.regularisation)
+
+    def hessian(self, posture: Posture) -> ca.SX:
+        matrix = _accelerations(posture)
+        return index_hessian(matrix, MatrixMotion(matrix=matrix, q=posture.q), self.regularisation)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Asada(Measure):
+    """Isotropy of the generalised inertia ellipsoid: least over largest eigenvalue of the tool's inertia (J M⁻¹ Jᵀ)⁻¹.
+
+    From 0 (singular) to 1 (the tool feels equally heavy in all directions).
+    """
+
+    name: ClassVar[str] = "asada"
+    formula: ClassVar[str] = "λ_min / λ_max of (J M⁻¹ Jᵀ)⁻¹"
+    source: ClassVar[str] = "asada1983"
+
+    def unit(self, task: Task) -> str:  # noqa: ARG002
+        return "1"
+
+    def value(self, posture: Posture) -> ca.SX:
+        values = SingularValues.of(_mobility_root(posture))
+        return (values.sigma[-1] / values.sigma[0]) ** 2
+
+    def gradient(self, posture: Posture) -> ca.SX:
+        values, motion = self._parts(posture)
+        return 2 * values.sigma[-1] / values.sigma[0] * ratio_gradient(values, motion)
+
+    def hessian(self, posture: Posture) -> ca.SX:
+        values, motion = self._parts(posture)
+        slope = ratio_gradient(values, motion)
+        return 2 * (slope @ slope.T + values.sigma[-1] / values.sigma[0] * ratio_hessian(values, motion))
+
+    def _parts(self, posture: Posture) -> tuple[SingularValues, MatrixMotion]:
+        matrix = _mobility_root(posture)
+        return SingularValues.of(matrix), MatrixMotion(matrix=matrix, q=posture.q)
+
+
+def _accelerations(posture: Posture) -> ca.SX:
+    """J M⁻¹, (m, n): the tool's acceleration for unit joint torques."""
+    factor = ca.chol(posture.mass_matrix())  # M = factorᵀ factor
+    return ca.solve(factor, ca.solve(factor.T, posture.jacobian.T)).T
+
+
+def _mobility_root(posture: Posture) -> ca.SX:
+    """B (m, n) with B Bᵀ = J M⁻¹ Jᵀ."""
+    return ca.solve(ca.chol(posture.mass_matrix()).T, posture.jacobian.T).T

@@ -1,0 +1,107 @@
+"""What every measure of manipulability is: a number of a posture, with unit, definition, source and derivatives."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import ClassVar
+
+import casadi as ca
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array, number_array
+from manipplan.errors import InvalidInputError
+from manipplan.kinematics.motion import Motion
+from manipplan.measures.task import Task
+
+
+@dataclass(frozen=True, kw_only=True)
+class Posture:
+    """What a measure may depend on, symbolically.
+
+    Attributes:
+        q: (n, 1) symbols [rad or m].
+        jacobian: the task's rows (m, n).
+        motion: how `jacobian` changes with q.
+        isometric: a Jacobian (m, n) of the same Yoshikawa index, seen from the place on the arm where it is simplest.
+        mass_matrix: M(q), (n, n), built when called.
+        lower, upper: position limits (n,) [rad or m]; infinite where there are none.
+    """
+
+    q: ca.SX
+    jacobian: ca.SX
+    motion: Motion
+    isometric: ca.SX
+    mass_matrix: Callable[[], ca.SX]
+    lower: Array
+    upper: Array
+
+
+class Measure(ABC):
+    """A measure of manipulability; the children are frozen values with their options.
+
+    Attributes:
+        name: the name by which `Robot.kinematics(measure=...)` knows it.
+        formula: its definition.
+        source: citation key of its source.
+        vanishes: whether it is constant (zero, or not defined) for every arm with fewer joints than task rows.
+    """
+
+    name: ClassVar[str]
+    formula: ClassVar[str]
+    source: ClassVar[str]
+    vanishes: ClassVar[bool] = True
+
+    @abstractmethod
+    def unit(self, task: Task) -> str:
+        """The unit of the value for a task of an arm with revolute joints."""
+
+    @abstractmethod
+    def value(self, posture: Posture) -> ca.SX:
+        """The value, a scalar expression."""
+
+    def gradient(self, posture: Posture) -> ca.SX:
+        """The gradient with respect to q, (n, 1)."""
+        return ca.gradient(self.value(posture), posture.q)
+
+    def hessian(self, posture: Posture) -> ca.SX:
+        """The Hessian with respect to q, (n, n)."""
+        return ca.hessian(self.value(posture), posture.q)[0]
+
+    def check(self, m: int, n: int) -> None:
+        """Raise InvalidInputError where the measure says nothing about m task rows and n joints."""
+        if self.vanishes and m > n:
+            raise InvalidInputError(
+                "measure", self.name, f"at most as many task rows as joints; with {m} rows and {n} joints it is identically zero"
+            )
+
+
+class JacobianMeasure(Measure):
+    """A measure that depends on the Jacobian alone; called with Jacobians (..., m, n) it gives their values (...)."""
+
+    @abstractmethod
+    def of(self, jacobian: ca.SX) -> ca.SX:
+        """The value of a Jacobian (m, n), a scalar expression."""
+
+    def value(self, posture: Posture) -> ca.SX:
+        return self.of(posture.jacobian)
+
+    def __call__(self, jacobian: ArrayLike) -> Array:
+        """Values (...) of Jacobians (..., m, n); raises InvalidInputError for NaN, inf, or more rows than columns."""
+        matrices = number_array("jacobian", jacobian)
+        if matrices.ndim < 2 or 0 in matrices.shape[-2:] or not np.isfinite(matrices).all():
+            raise InvalidInputError("jacobian", jacobian, "finite matrices of shape (..., m, n)")
+        m, n = matrices.shape[-2:]
+        self.check(m, n)
+        symbols = ca.SX.sym("J", m, n)
+        function = ca.Function("measure", [ca.vec(symbols)], [self.of(symbols)])
+        columns = matrices.reshape(-1, m, n).transpose(0, 2, 1).reshape(-1, m * n)
+        values = np.asarray(function(ca.DM(columns.T))) if len(columns) else np.empty(0)
+        return np.array(values.reshape(matrices.shape[:-2]))
+
+
+def row_unit(task: Task) -> str:
+    """Unit of a singular value: metres per radian, which SI counts as metres."""
+    if task.metres == task.rows:
+        return "m"
+    return "1" if task.metres == 0 else "m and 1 mixed; give the task a length"

@@ -1,0 +1,86 @@
+"""How velocity and force pass from the joints to the tool along one direction [chiu1988]."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import casadi as ca
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.checks import finite_array, number
+from manipplan.errors import InvalidInputError
+from manipplan.kinematics.derivatives import Factor
+from manipplan.measures.indices import REGULARISATION
+from manipplan.measures.measure import JacobianMeasure, row_unit
+from manipplan.measures.task import Task
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Transmission(JacobianMeasure):
+    direction: ArrayLike
+
+    def __post_init__(self) -> None:
+        direction = finite_array("direction", self.direction, (None,))
+        size = number("the length of direction", float(np.linalg.norm(direction)), above=1e-9)
+        object.__setattr__(self, "direction", tuple((direction / size).tolist()))
+
+    def check(self, m: int, n: int) -> None:
+        super().check(m, n)
+        if np.size(self.direction) != m:
+            raise InvalidInputError("direction", self.direction, f"{m} numbers, one a task row")
+
+    @property
+    def _unit_vector(self) -> ca.DM:
+        return ca.DM(np.array(self.direction))
+
+
+@dataclass(frozen=True, kw_only=True)
+class VelocityTransmission(_Transmission):
+    """β = (uᵀ (J Jᵀ + ρ² I)⁻¹ u)^(-1/2): the largest speed along u, and along nothing else, for joint speeds of norm 1.
+
+    It is the distance from the centre to the surface of the velocity ellipsoid along u.
+
+    Attributes:
+        direction: u (m,) in task rows, of any length > 0.
+        regularisation: ρ > 0, in the unit of the Jacobian's rows; where u cannot be reached β falls to ρ, not to 0.
+    """
+
+    regularisation: float = REGULARISATION
+    name: ClassVar[str] = "velocity_transmission"
+    formula: ClassVar[str] = "(uᵀ (J Jᵀ + ρ² I)⁻¹ u)^(-1/2)"
+    source: ClassVar[str] = "chiu1988"
+    vanishes: ClassVar[bool] = False
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        number("regularisation", self.regularisation, above=0.0)
+
+    def unit(self, task: Task) -> str:
+        return row_unit(task)
+
+    def of(self, jacobian: ca.SX) -> ca.SX:
+        lower = Factor.of(jacobian, self.regularisation).L
+        return 1 / ca.norm_2(ca.solve(lower, self._unit_vector))
+
+
+@dataclass(frozen=True, kw_only=True)
+class ForceTransmission(_Transmission):
+    """α = (uᵀ J Jᵀ u)^(-1/2): the largest force along u that joint torques of norm 1 hold; inf where they bear none of it.
+
+    It is the distance from the centre to the surface of the force ellipsoid along u.
+
+    Attributes:
+        direction: u (m,) in task rows, of any length > 0.
+    """
+
+    name: ClassVar[str] = "force_transmission"
+    formula: ClassVar[str] = "(uᵀ J Jᵀ u)^(-1/2)"
+    source: ClassVar[str] = "chiu1988"
+    vanishes: ClassVar[bool] = False
+
+    def unit(self, task: Task) -> str:
+        unit = row_unit(task)
+        return "1/m" if unit == "m" else unit
+
+    def of(self, jacobian: ca.SX) -> ca.SX:
+        return 1 / ca.norm_2(jacobian.T @ self._unit_vector)
