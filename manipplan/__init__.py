@@ -8,6 +8,8 @@ One line each: ``mp.plan(robot, start, goal, scene)`` does all of it.
 """
 
 from manipplan.errors import (
+    CompilerError,
+    CompilerWarning,
     FileFormatError,
     InvalidInputError,
     ManipplanError,
@@ -17,9 +19,18 @@ from manipplan.errors import (
     UnsupportedJointError,
 )
 from manipplan.jobs import Plan, plan
+from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.measures.ellipsoid import Ellipsoid, velocity_ellipsoid
+from manipplan.kinematics.pinocchio_casadi import PinocchioCasadi, pinocchio_casadi
+from manipplan.measures.dynamic import Asada, DynamicManipulability
+from manipplan.measures.ellipsoid import Ellipsoid, dynamic_ellipsoid, force_ellipsoid, velocity_ellipsoid
+from manipplan.measures.indices import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
+from manipplan.measures.limited import JointLimitPenalised
+from manipplan.measures.measure import Measure
+from manipplan.measures.names import available_measures
+from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
 from manipplan.measures.task import Task
+from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
 from manipplan.optimize.objective import PathCost, path_cost
 from manipplan.optimize.optimize import PathResult, optimize_path
 from manipplan.paths.joint import JointPath
@@ -37,38 +48,59 @@ from manipplan.timing.verify import LimitUse, limit_use, torque_use
 __version__ = "0.1.0"
 
 __all__ = [
+    "Asada",
     "Box",
     "Capsule",
+    "CompilerError",
+    "CompilerWarning",
+    "ConditionNumber",
     "Cylinder",
+    "DynamicManipulability",
     "Ellipsoid",
+    "Evaluator",
     "FileFormatError",
+    "ForceTransmission",
+    "FrobeniusNorm",
     "InvalidInputError",
+    "InverseCondition",
+    "Isotropy",
+    "JointLimitPenalised",
     "JointLimits",
     "JointPath",
     "Kinematics",
     "LimitUse",
+    "LogDet",
     "ManipplanError",
+    "Measure",
     "Mesh",
     "MissingExtraError",
     "Obstacle",
     "PathCost",
     "PathResult",
+    "PinocchioCasadi",
     "Plan",
     "PlanningError",
     "Report",
     "Robot",
     "Scene",
+    "SmallestSingularValue",
     "Sphere",
     "Status",
     "Task",
     "Trajectory",
     "UnknownNameError",
     "UnsupportedJointError",
+    "VelocityTransmission",
+    "Yoshikawa",
+    "available_measures",
     "available_robots",
+    "dynamic_ellipsoid",
+    "force_ellipsoid",
     "limit_use",
     "load_robot",
     "optimize_path",
     "path_cost",
+    "pinocchio_casadi",
     "plan",
     "planar_arm",
     "retime",

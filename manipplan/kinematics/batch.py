@@ -6,6 +6,7 @@ Every instruction of the Function becomes one on vectors (structure of arrays); 
 import ctypes
 import os
 from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
 
 import casadi as ca
 import numpy as np
@@ -43,7 +44,7 @@ class BatchKernel:
             bad: int = self._run(at, to, last - first)
             return bad
 
-        parts = list(zip(edges, edges[1:], strict=False))
+        parts = list(pairwise(edges))
         if shares == 1:
             return None if run(parts[0]) else out
         with ThreadPoolExecutor(shares) as pool:

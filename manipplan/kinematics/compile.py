@@ -12,7 +12,8 @@ import platform
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -65,7 +66,9 @@ def cache_folder() -> Path:
     return Path(os.environ.get("MANIPPLAN_CACHE") or platformdirs.user_cache_path("manipplan"))
 
 
-def shared_library(source: str, *, flags: Sequence[str] = NATIVE, language: str = "c", subject: str) -> Path:
+def shared_library(
+    source: str, *, flags: Sequence[str] = NATIVE, language: str = "c", subject: str, announce: bool = False
+) -> Path:
     """The library of `source`, from the cache or built now.
 
     Args:
@@ -73,6 +76,7 @@ def shared_library(source: str, *, flags: Sequence[str] = NATIVE, language: str 
         flags: options of the compiler, libraries included.
         language: "c" or "c++".
         subject: what is built, for messages.
+        announce: show a line of progress on stderr while it is built.
 
     Raises:
         CompilerError: there is no compiler, or it fails; its message is kept.
@@ -84,7 +88,8 @@ def shared_library(source: str, *, flags: Sequence[str] = NATIVE, language: str 
     folder = cache_folder() / hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
     if not _sound(folder):
         try:
-            _build(folder, source, compiler, flags, language, subject)
+            with _announced(subject) if announce else nullcontext():
+                _build(folder, source, compiler, flags, language, subject)
         except OSError as error:
             raise CompilerError(subject, f"the cache folder {cache_folder()} cannot be written ({error.strerror})") from error
     return folder / LIBRARY
@@ -113,6 +118,17 @@ def _build(folder: Path, source: str, compiler: Compiler, flags: Sequence[str], 
             raise CompilerError(subject, f"{' '.join(command)}\n{answer.stderr.strip()}")
         (place / CHECKSUM).write_text(_digest(place / LIBRARY))
         _put(place, folder)
+
+
+@contextmanager
+def _announced(subject: str) -> Iterator[None]:
+    from rich.console import Console
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        console.print(f"compiling {subject} ...")
+    with console.status(f"compiling {subject} ..."):
+        yield
 
 
 def _put(made: Path, folder: Path) -> None:

@@ -48,7 +48,7 @@ class Factor:
 
 
 def log_gradient(factor: Factor, motion: Motion) -> ca.SX:
-    """∇ log m_ρ, (n, 1): its entries are tr(D_k J⁺), (18) in dufour2020, with Pᵀ for J⁺."""
+    """∇ log m_ρ, (n, 1): its entries are tr((J Jᵀ + ρ² I)⁻¹ D_k Jᵀ) = <P, D_k>, (18) in dufour2020."""
     return motion.first(factor.weights)
 
 

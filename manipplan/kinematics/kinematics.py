@@ -1,5 +1,6 @@
-"""Kinematics: pose, Jacobian, manipulability index and its derivatives of one arm for one task."""
+"""Kinematics: pose, Jacobian, a measure of manipulability and its derivatives for one arm and one task."""
 
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -10,99 +11,224 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, configurations
-from manipplan.errors import InvalidInputError
+from manipplan.errors import CompilerError, CompilerWarning, InvalidInputError, UnknownNameError
+from manipplan.kinematics.batch import BatchKernel
 from manipplan.kinematics.chain import SymbolicChain
-from manipplan.measures.indices import yoshikawa
+from manipplan.kinematics.compile import compiled, find_compiler
+from manipplan.kinematics.evaluate import Evaluator
+from manipplan.kinematics.motion import TaskMotion
+from manipplan.measures.measure import Measure, Posture
 from manipplan.measures.task import Task
 
 if TYPE_CHECKING:
     from manipplan.robots.robot import Robot
 
+QUANTITIES = ("pose", "jacobian", "manipulability", "gradient", "hessian")
+
 
 class SymbolicKinematics:
-    """The CasADi Functions of one arm and task, each built when first asked for; every one takes q (n,)."""
+    """The CasADi expressions and Functions of one arm and task, each built when first asked for.
 
-    def __init__(self, chain: SymbolicChain, task: Task) -> None:
+    Attributes:
+        chain: the arm at symbolic q.
+        posture: what measures are made of.
+    """
+
+    def __init__(self, chain: SymbolicChain, task: Task, measure: Measure, robot: "Robot") -> None:
         self.chain = chain
         self.task = task
-        self._jacobian = task.rows_of(chain.jacobian, chain.tool.rotation)
-        self._index = yoshikawa(self._jacobian)
+        self.measure = measure
+        self.posture = Posture(
+            q=chain.q,
+            jacobian=task.rows_of(chain.jacobian, chain.tool.rotation),
+            motion=TaskMotion(chain=chain, task=task),
+            isometric=chain.isometric(task),
+            mass_matrix=lambda: chain.mass_matrix,
+            lower=robot.limits.lower,
+            upper=robot.limits.upper,
+        )
+        self._expressions: dict[str, ca.SX] = {}
 
     @cached_property
     def pose(self) -> ca.Function:
-        """T_world_tool (4, 4)."""
-        return ca.Function("pose", [self.chain.q], [self.chain.tool.matrix()], ["q"], ["T"])
+        """T_world_tool (4, 4) of q (n,)."""
+        return self.function("pose")
 
     @cached_property
     def jacobian(self) -> ca.Function:
-        """Task Jacobian (m, n)."""
-        return ca.Function("jacobian", [self.chain.q], [ca.densify(self._jacobian)], ["q"], ["J"])
+        """Task Jacobian (m, n) of q (n,)."""
+        return self.function("jacobian")
 
     @cached_property
     def manipulability(self) -> ca.Function:
-        """Index m (1, 1)."""
-        return ca.Function("manipulability", [self.chain.q], [ca.densify(self._index)], ["q"], ["m"])
+        """The measure (1, 1) of q (n,)."""
+        return self.function("manipulability")
 
     @cached_property
     def gradient(self) -> ca.Function:
-        """∇m (n, 1)."""
-        gradient = ca.gradient(self._index, self.chain.q)
-        return ca.Function("gradient", [self.chain.q], [ca.densify(gradient)], ["q"], ["grad"])
+        """The measure's gradient (n, 1) of q (n,)."""
+        return self.function("gradient")
 
     @cached_property
     def hessian(self) -> ca.Function:
-        """∇²m (n, n)."""
-        hessian, _ = ca.hessian(self._index, self.chain.q)
-        return ca.Function("hessian", [self.chain.q], [ca.densify(hessian)], ["q"], ["H"])
+        """The measure's Hessian (n, n) of q (n,)."""
+        return self.function("hessian")
+
+    @cached_property
+    def mass_matrix(self) -> ca.Function:
+        """M (n, n) of q (n,), with the rotors' inertia."""
+        return ca.Function("mass_matrix", [self.chain.q], [ca.densify(self.chain.mass_matrix)], ["q"], ["M"])
+
+    def function(self, *quantities: str, with_sum: bool = False) -> ca.Function:
+        """One Function of q that gives several of pose, jacobian, manipulability, gradient, hessian, and the sum of q."""
+        outputs = [ca.densify(self._expression(quantity)) for quantity in quantities]
+        names = list(quantities)
+        if with_sum:
+            outputs.append(ca.sum1(self.chain.q))
+            names.append("sum")
+        return ca.Function("_".join(quantities), [self.chain.q], outputs, ["q"], names)
+
+    def _expression(self, quantity: str) -> ca.SX:
+        if quantity not in self._expressions:
+            if quantity not in ("pose", "jacobian"):
+                self.measure.check(*self.posture.jacobian.shape)
+            build: dict[str, Callable[[], ca.SX]] = {
+                "pose": self.chain.tool.matrix,
+                "jacobian": lambda: self.posture.jacobian,
+                "manipulability": lambda: self.measure.value(self.posture),
+                "gradient": lambda: self.measure.gradient(self.posture),
+                "hessian": lambda: self.measure.hessian(self.posture),
+            }
+            self._expressions[quantity] = build[quantity]()
+        return self._expressions[quantity]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Kinematics:
-    """Kinematics of `robot` for `task`. Every method takes q (n,) or (..., n) [rad or m] and raises InvalidInputError
-    for another shape, NaN or inf.
+    """Kinematics of `robot` for `task`; made by `Robot.kinematics`.
 
-    The Jacobian is LOCAL_WORLD_ALIGNED: velocity of the tool's origin along world axes, then angular velocity about
-    world axes times `task.length`. The index is Yoshikawa's, m = sqrt(det(J Jᵀ)), in `task.unit`; with fewer joints
-    than rows it is identically zero. At a singular q, where m has a kink, gradient and Hessian are one element of its
-    generalised derivative or not finite.
+    Every method takes q (n,) or (..., n) [rad or m] and raises InvalidInputError for another shape, NaN or inf. The
+    Jacobian is LOCAL_WORLD_ALIGNED: velocity of the tool's origin along world axes, then angular velocity about world axes
+    times `task.length`. Where the arm has fewer joints than the task rows, a measure that would be identically zero raises
+    InvalidInputError.
+
+    Attributes:
+        robot, task: whose kinematics, and for what.
+        measure: what `manipulability`, `gradient` and `hessian` are of; Yoshikawa's index unless asked otherwise.
+        compiled: "auto", True or False; see `Robot.kinematics`.
+        threads: how many threads share a large batch.
+        chain: the arm at symbolic q.
+        symbolic: the CasADi Functions themselves.
     """
 
     robot: "Robot"
     task: Task
+    measure: Measure
+    compiled: bool | str
+    threads: int
+    chain: SymbolicChain = field(repr=False)
     symbolic: SymbolicKinematics = field(init=False, repr=False)
+    _evaluators: dict[tuple[str, ...], Evaluator] = field(default_factory=dict, init=False, repr=False)
+    _kernels: dict[str, BatchKernel | None] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
-        if not isinstance(self.task, Task):
-            raise InvalidInputError("task", self.task, "a Task, such as mp.Task.pose(length=0.5)")
-        chain = SymbolicChain.of(self.robot.model, self.robot.tool)
-        object.__setattr__(self, "symbolic", SymbolicKinematics(chain, self.task))
+        symbolic = SymbolicKinematics(self.chain, self.task, self.measure, self.robot)
+        object.__setattr__(self, "symbolic", symbolic)
 
     def pose(self, q: ArrayLike) -> Array:
         """T_world_tool, (..., 4, 4)."""
-        return self._evaluate(self.symbolic.pose, q, (4, 4))
+        return self._evaluate("pose", q)
 
     def jacobian(self, q: ArrayLike) -> Array:
         """Task Jacobian, (..., m, n) [m per rad or m]."""
-        return self._evaluate(self.symbolic.jacobian, q, (self.task.rows, self.robot.n))
+        return self._evaluate("jacobian", q)
 
     def manipulability(self, q: ArrayLike) -> Array:
-        """Yoshikawa index m, (...) [task.unit]; a scalar array for one q."""
-        return self._evaluate(self.symbolic.manipulability, q, ())
+        """The measure, (...) [measure.unit(task)]; a scalar array for one q. Yoshikawa's index by default."""
+        return self._evaluate("manipulability", q)
 
     def gradient(self, q: ArrayLike) -> Array:
-        """∇m, (..., n) [task.unit per rad or m]."""
-        return self._evaluate(self.symbolic.gradient, q, (self.robot.n,))
+        """The measure's gradient, (..., n) [its unit per rad or m]."""
+        return self._evaluate("gradient", q)
 
     def hessian(self, q: ArrayLike) -> Array:
-        """∇²m, exact, (..., n, n)."""
-        return self._evaluate(self.symbolic.hessian, q, (self.robot.n, self.robot.n))
+        """The measure's exact Hessian, (..., n, n)."""
+        return self._evaluate("hessian", q)
 
-    def _evaluate(self, function: Callable[[ca.DM], ca.DM], q: ArrayLike, shape: tuple[int, ...]) -> Array:
-        q = configurations("q", q, self.robot.n)
-        batch = q.reshape(-1, self.robot.n)
+    def mass_matrix(self, q: ArrayLike) -> Array:
+        """Joint-space inertia M with the rotors' inertia, (..., n, n) [kg m², kg m, kg]."""
+        return self._columns(self.symbolic.mass_matrix, configurations("q", q, self.robot.n), self._shape("hessian"))
+
+    def evaluator(self, *quantities: str) -> Evaluator:
+        """The fastest way to several quantities at one q: one call, for instance of a control step.
+
+        `kin.evaluator("jacobian", "manipulability", "gradient")` gives a callable with `J, m, slope = call(q)`.
+
+        Raises UnknownNameError for names other than pose, jacobian, manipulability, gradient and hessian.
+        """
+        if not quantities:
+            raise InvalidInputError("quantities", quantities, f"some of {', '.join(QUANTITIES)}")
+        for quantity in quantities:
+            if quantity not in QUANTITIES:
+                raise UnknownNameError("quantities", str(quantity), QUANTITIES)
+        function = self.symbolic.function(*quantities, with_sum=True)
+        if self._wants_machine_code():
+            try:
+                function = compiled(function, f"{function.name()} of {self.robot.name}")
+            except CompilerError as error:
+                self._without_compiler(error)
+        return Evaluator(function, [self._shape(quantity) for quantity in quantities])
+
+    def _evaluate(self, quantity: str, q: ArrayLike) -> Array:
+        n, shape = self.robot.n, self._shape(quantity)
+        if np.ndim(q) == 1:
+            if (quantity,) not in self._evaluators:
+                self._evaluators[quantity,] = self.evaluator(quantity)
+            return self._evaluators[quantity,](q)[0].copy()
+        kernel = self._kernel(quantity)
+        if kernel is None or not (isinstance(q, np.ndarray) and q.dtype == np.float64 and q.shape[-1:] == (n,)):
+            q = configurations("q", q, n)
+        if q.size == 0:
+            return np.empty((*q.shape[:-1], *shape))
+        if kernel is None:
+            return self._columns(getattr(self.symbolic, quantity), q, shape)
+        values = kernel(np.ascontiguousarray(q).reshape(-1, n), threads=self.threads)
+        if values is None:
+            raise InvalidInputError("q", q, "finite numbers, no NaN or inf")
+        if len(shape) == 2:  # CasADi holds matrices column by column
+            return np.ascontiguousarray(values.reshape(*q.shape[:-1], *shape[::-1]).swapaxes(-1, -2))
+        return values.reshape(*q.shape[:-1], *shape)
+
+    def _kernel(self, quantity: str) -> BatchKernel | None:
+        if quantity not in self._kernels:
+            self._kernels[quantity] = None
+            function = getattr(self.symbolic, quantity)
+            if self._wants_machine_code():
+                try:
+                    self._kernels[quantity] = BatchKernel(function, f"{quantity} of {self.robot.name}, in batches")
+                except CompilerError as error:
+                    self._without_compiler(error)
+        return self._kernels[quantity]
+
+    def _wants_machine_code(self) -> bool:
+        return self.compiled is True or (self.compiled == "auto" and find_compiler() is not None)
+
+    def _without_compiler(self, error: CompilerError) -> None:
+        if self.compiled is True:
+            raise error
+        warnings.warn(f"CasADi's virtual machine is used instead: {error}", CompilerWarning, stacklevel=4)
+
+    def _shape(self, quantity: str) -> tuple[int, ...]:
+        n = self.robot.n
+        shapes = {"pose": (4, 4), "jacobian": (self.task.rows, n), "manipulability": (), "gradient": (n,), "hessian": (n, n)}
+        return shapes[quantity]
+
+    @staticmethod
+    def _columns(function: ca.Function, q: Array, shape: tuple[int, ...]) -> Array:
+        """In CasADi's virtual machine, which evaluates all columns in one call and sets the results side by side."""
+        batch = q.reshape(-1, q.shape[-1])
         if len(batch) == 0:
             return np.empty((*q.shape[:-1], *shape))
-        # CasADi evaluates all columns in one call and sets the results side by side.
         out = np.asarray(function(ca.DM(batch.T)))
         rows, columns = (*shape, 1, 1)[:2]
         out = out.reshape(rows, len(batch), columns).transpose(1, 0, 2)

@@ -6,7 +6,6 @@ world axes ∂_k S_j = (w_k x v_j, w_k x w_j) for k <= j and (w_j x v_k, 0) for 
 """
 
 from abc import ABC, abstractmethod
-
 from dataclasses import dataclass
 
 import casadi as ca
@@ -95,7 +94,7 @@ class Columns:
                 before_w += ca.cross(f[k], self.v[k]) + ca.cross(t[k], self.w[k])
             return ca.vertcat(*slopes)
         after = ca.SX.zeros(3)
-        carried = []
+        carried: list[ca.SX] = []
         for k in reversed(range(n)):
             after += ca.cross(self.v[k], f[k]) + ca.cross(self.w[k], t[k])
             carried.insert(0, after)

@@ -1,5 +1,6 @@
 """Measures that are smooth functions of J Jᵀ: Yoshikawa's index, its logarithm, the Frobenius norm, isotropy."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -143,8 +144,8 @@ class Isotropy(JacobianMeasure):
         value, slope, log_bend = self._regular(posture)
         return value * log_bend() + slope @ slope.T / value
 
-    def _regular(self, posture: Posture) -> tuple:
-        """Value, gradient and Hessian of the logarithm, by log Δ = (2/m) log m_ρ - log tr(J Jᵀ) + constant."""
+    def _regular(self, posture: Posture) -> tuple[ca.SX, ca.SX, Callable[[], ca.SX]]:
+        """Value, gradient, and what builds the logarithm's Hessian, by log Δ = (2/m) log m_ρ - log tr(J Jᵀ) + constant."""
         m = posture.jacobian.shape[0]
         factor = Factor.of(posture.jacobian, self.regularisation)
         size = ca.log(ca.sumsqr(posture.jacobian))

@@ -6,7 +6,8 @@ from typing import ClassVar
 import casadi as ca
 import numpy as np
 
-from manipplan.checks import instance, number
+from manipplan.checks import number
+from manipplan.errors import InvalidInputError
 from manipplan.measures.indices import Yoshikawa
 from manipplan.measures.measure import Measure, Posture
 from manipplan.measures.task import Task
@@ -31,7 +32,8 @@ class JointLimitPenalised(Measure):
     vanishes: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
-        instance("measure", self.measure, Measure)
+        if not isinstance(self.measure, Measure):
+            raise InvalidInputError("measure", self.measure, "a Measure, such as mp.Yoshikawa()")
         number("k", self.k, above=0.0)
 
     def check(self, m: int, n: int) -> None:

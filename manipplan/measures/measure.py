@@ -72,7 +72,9 @@ class Measure(ABC):
         """Raise InvalidInputError where the measure says nothing about m task rows and n joints."""
         if self.vanishes and m > n:
             raise InvalidInputError(
-                "measure", self.name, f"at most as many task rows as joints; with {m} rows and {n} joints it is identically zero"
+                "measure",
+                self.name,
+                f"at most as many task rows as joints; with {m} rows and {n} joints it is identically zero",
             )
 
 

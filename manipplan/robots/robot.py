@@ -10,13 +10,14 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, configurations, existing_file, instance, number
+from manipplan.checks import Array, configurations, existing_file, instance, number, whole_number
 from manipplan.errors import InvalidInputError, UnknownNameError, UnsupportedJointError
 from manipplan.robots import description
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
 
 if TYPE_CHECKING:
     from manipplan.kinematics.kinematics import Kinematics
+    from manipplan.measures.measure import Measure
     from manipplan.measures.task import Task
 
 log = logging.getLogger("manipplan")
@@ -183,25 +184,47 @@ class Robot:
             return Task.planar()
         return Task.pose() if self.n >= 6 else Task.position()
 
-    def kinematics(self, task: "Task | None" = None, backend: str = "auto", compiled: bool | str = "auto") -> "Kinematics":
-        """Pose, Jacobian, manipulability index and its derivatives for a task; see `Kinematics`.
+    def kinematics(
+        self,
+        task: "Task | None" = None,
+        backend: str = "auto",
+        compiled: bool | str = "auto",
+        *,
+        measure: "Measure | str | None" = None,
+        threads: int | None = None,
+    ) -> "Kinematics":
+        """Pose, Jacobian, a measure of manipulability and its derivatives for a task; see `Kinematics`.
 
         Args:
             task: default `default_task`.
-            backend: "chain" (CasADi SX built from the model) or "auto" (the same today).
-            compiled: False or "auto": CasADi's virtual machine.
+            backend: "chain" (CasADi SX built from the model), "bindings" (pinocchio.casadi), "bridge" (Pinocchio's C++,
+                compiled once on this machine; see `pinocchio_casadi`) or "auto": the bindings where they can be imported,
+                otherwise the chain. All agree to 1e-12.
+            compiled: True: machine code, made by the C compiler at the first call of each quantity (0.1 to 4 s) and kept in
+                the user's cache folder. False: CasADi's virtual machine. "auto": machine code where there is a compiler.
+            measure: one of `available_measures()`, or a Measure with its options. Default Yoshikawa's index.
+            threads: how many threads share a large batch. Default: all cores this process may use.
+
+        Raises:
+            UnknownNameError: no such backend or measure; the nearest names are listed.
+            CompilerError: at the first call, when compiled is True and there is no compiler or it fails.
         """
+        from manipplan.kinematics.backends import chain_of
+        from manipplan.kinematics.batch import all_cores
         from manipplan.kinematics.kinematics import Kinematics
+        from manipplan.measures.names import measure_of
         from manipplan.measures.task import Task
 
-        if backend not in ("auto", "chain"):
-            raise UnknownNameError("backend", str(backend), ["auto", "chain"])
-        if compiled not in ("auto", False):
-            raise InvalidInputError("compiled", compiled, "'auto' or False; compiled evaluation is not there yet")
         task = instance("task", task if task is not None else self.default_task, Task)
-        if task not in self.cache:
-            self.cache[task] = Kinematics(robot=self, task=task)
-        kinematics: Kinematics = self.cache[task]
+        chosen = measure_of(measure)
+        if compiled not in ("auto", True, False):
+            raise InvalidInputError("compiled", compiled, "'auto', True or False")
+        threads = all_cores() if threads is None else whole_number("threads", threads, least=1)
+        key = (task, backend, compiled, chosen, threads)
+        if key not in self.cache:
+            chain = chain_of(self, backend)
+            self.cache[key] = Kinematics(robot=self, task=task, measure=chosen, compiled=compiled, threads=threads, chain=chain)
+        kinematics: Kinematics = self.cache[key]
         return kinematics
 
     def configuration(self, argument: str, q: ArrayLike, *, tolerance: float = 0.0) -> Array:

@@ -1,0 +1,48 @@
+"""The measures by name."""
+
+from manipplan.errors import InvalidInputError, UnknownNameError
+from manipplan.measures.dynamic import Asada, DynamicManipulability
+from manipplan.measures.indices import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
+from manipplan.measures.limited import JointLimitPenalised
+from manipplan.measures.measure import Measure
+from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
+from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
+
+MEASURES: dict[str, type[Measure]] = {
+    kind.name: kind
+    for kind in (
+        Yoshikawa,
+        LogDet,
+        FrobeniusNorm,
+        ConditionNumber,
+        InverseCondition,
+        SmallestSingularValue,
+        Isotropy,
+        DynamicManipulability,
+        Asada,
+        VelocityTransmission,
+        ForceTransmission,
+        JointLimitPenalised,
+    )
+}
+
+
+def available_measures() -> tuple[str, ...]:
+    """Names that `Robot.kinematics(measure=...)` knows."""
+    return tuple(MEASURES)
+
+
+def measure_of(measure: Measure | str | None) -> Measure:
+    """The measure itself, or the one of that name with its usual options; Yoshikawa's index for None."""
+    if measure is None:
+        return Yoshikawa()
+    if isinstance(measure, Measure):
+        return measure
+    if not isinstance(measure, str):
+        raise InvalidInputError("measure", measure, "a Measure or the name of one")
+    if measure not in MEASURES:
+        raise UnknownNameError("measure", measure, MEASURES)
+    kind = MEASURES[measure]
+    if kind in (VelocityTransmission, ForceTransmission):
+        raise InvalidInputError("measure", measure, f"mp.{kind.__name__}(direction=...), which needs a direction")
+    return kind()
