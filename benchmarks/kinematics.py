@@ -80,7 +80,9 @@ def one_configuration(robot, peer, q):
     np.testing.assert_allclose(hessians[True](q)[0], peer.second_differences(q), atol=1e-5)
     peer_step, peer_hessian = best(lambda: peer.step(q), 2000), best(lambda: peer.second_differences(q), 20)
     rows = [("J, m, ∇m of one q: Pinocchio and NumPy, by (18)", peer_step, None, "")]
-    rows += [("the same, finite differences (17) for ∇m", best(lambda: (peer.index(q), peer.differences(q)), 200), peer_step, "")]
+    rows += [
+        ("the same, finite differences (17) for ∇m", best(lambda: (peer.index(q), peer.differences(q)), 200), peer_step, "")
+    ]
     rows += [("the same, ours in CasADi's virtual machine", best(lambda: steps[False](q), 5000), peer_step, "3")]
     rows += [("the same, ours compiled", best(lambda: steps[True](q), 20000), peer_step, "10")]
     rows += [("Hessian of one q: the paper's (19), Pinocchio and NumPy", peer_hessian, None, "")]
@@ -147,7 +149,9 @@ def main() -> None:
     lines = ["| work | time | faster | wanted |", "|---|---|---|---|"]
     for what, seconds, reference, wanted in rows + many:
         shown = f"{seconds * 1e6:.2f} µs" if seconds > 1e-7 else f"{seconds * 1e9:.1f} ns"
-        lines.append(f"| {what} | {shown} | {f'{reference / seconds:.1f} x' if reference else ''} | {wanted and wanted + ' x'} |")
+        lines.append(
+            f"| {what} | {shown} | {f'{reference / seconds:.1f} x' if reference else ''} | {wanted and wanted + ' x'} |"
+        )
     lines += [
         "",
         "| figure | value | wanted |",
@@ -158,7 +162,7 @@ def main() -> None:
         f"| first call for a new robot without the compiler | {first:.3f} s | 0.3 s |",
         f"| first call for a new robot with the compiler | {compile_time:.2f} s | |",
         "",
-        f"Panda, six rows; Python {platform.python_version()}, {platform.machine()}, two shared cores; command: `make benchmark`.",
+        f"Panda, six rows; Python {platform.python_version()}, {platform.machine()}; command: `make benchmark`.",
     ]
     OUT.parent.mkdir(parents=True, exist_ok=True)
     OUT.write_text("\n".join(lines) + "\n")

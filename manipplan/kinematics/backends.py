@@ -1,13 +1,12 @@
 """Which symbolic kinematics a robot gets: our own chain, or Pinocchio's in CasADi's scalar."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import casadi as ca
 
 from manipplan.errors import UnknownNameError
 from manipplan.kinematics.chain import Placement, SymbolicChain
 from manipplan.kinematics.pinocchio_casadi import bindings_installed, pinocchio_casadi
-from manipplan.measures.task import Task
 from manipplan.robots.description import frame_index
 
 if TYPE_CHECKING:
@@ -34,6 +33,8 @@ def chain_of(robot: "Robot", backend: str) -> SymbolicChain:
 class PinocchioChain(SymbolicChain):
     """The same, with every expression made by Pinocchio."""
 
+    own: ClassVar[bool] = False
+
     @classmethod
     def by(cls, robot: "Robot", source: str) -> "PinocchioChain":
         """Build the chain through "bindings" or "bridge"."""
@@ -50,9 +51,6 @@ class PinocchioChain(SymbolicChain):
         )
         chain.__dict__["mass_matrix"] = functions.mass_matrix(q)
         return chain
-
-    def isometric(self, task: Task) -> ca.SX:
-        return task.rows_of(self.jacobian, self.tool.rotation)
 
 
 def _placement(matrix: ca.SX) -> Placement:

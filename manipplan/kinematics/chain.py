@@ -5,13 +5,13 @@ Symbols: R, p rotation (3, 3) and origin (3,) of a frame in the world; S_i = (v_
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import ClassVar
 
 import casadi as ca
 import numpy as np
 import pinocchio as pin
 
 from manipplan.checks import Array
-from manipplan.measures.task import Task
 from manipplan.robots.description import axis_of, frame_index, is_prismatic
 
 
@@ -48,8 +48,10 @@ class SymbolicChain:
         joints: n + 1 placements in the world; the first is the world itself, as in Pinocchio.
         tool: placement of the tool frame.
         jacobian: (6, n) LOCAL_WORLD_ALIGNED Jacobian of the tool, linear rows [m/rad] first.
+        own: whether the expressions are ours, which may be seen from other frames too.
     """
 
+    own: ClassVar[bool] = True
     model: pin.Model
     frame: pin.Frame
     q: ca.SX
@@ -61,14 +63,14 @@ class SymbolicChain:
     def of(cls, model: pin.Model, tool: str) -> "SymbolicChain":
         """Build the chain of `model`, whose joints are revolute (plain angle) or prismatic."""
         q = ca.SX.sym("q", model.nv)
-        placements = [_WORLD]
+        placements = [WORLD]
         for i in range(1, model.njoints):
-            placements.append(placements[model.parents[i]] @ _step(model, i, q))
+            placements.append(placements[model.parents[i]] @ step(model, i, q))
         frame = model.frames[frame_index(model, tool)]
-        end = placements[frame.parentJoint] @ _constant(frame.placement)
+        end = placements[frame.parentJoint] @ constant(frame.placement)
         supports = set(model.supports[frame.parentJoint])
         carriers = [placements[i] if i in supports else None for i in range(1, model.njoints)]
-        jacobian = _jacobian(model, carriers, end.origin)
+        jacobian = jacobian_of(model, carriers, end.origin)
         return cls(model=model, frame=frame, q=q, joints=tuple(placements), tool=end, jacobian=jacobian)
 
     @cached_property
@@ -81,50 +83,21 @@ class SymbolicChain:
             centre = body.origin + body.rotation @ _sparse(inertia.lever)
             supports = set(model.supports[i])
             carriers = [self.joints[j] if j in supports else None for j in range(1, n + 1)]
-            jacobian = _jacobian(model, carriers, centre)
+            jacobian = jacobian_of(model, carriers, centre)
             spin = body.rotation.T @ jacobian[3:, :]
             matrix += inertia.mass * (jacobian[:3, :].T @ jacobian[:3, :]) + spin.T @ _sparse(inertia.inertia) @ spin
         return matrix
 
-    def isometric(self, task: Task) -> ca.SX:
-        """A Jacobian (m, n) with Yoshikawa's index of the task, of as few operations as we know.
 
-        Where the task allows it, the arm is seen from one of its middle joints: turning all rows leaves the index as it is,
-        and so does another reference point for all six rows. Then base and tool angle do not occur.
-        """
-        n, straight = self.model.nv, list(self.model.parents)[1:] == list(range(self.model.nv))
-        if not (task.turns_freely and straight and self.frame.parentJoint == n):
-            return task.rows_of(self.jacobian, self.tool.rotation)
-        if task.tool_rows:
-            return task.rows_of(*self._seen_from(n, None))
-        whole = len(task.world_rows) == 6
-        middle = (n + 1) // 2
-        places = [(f, at) for f in (middle, max(middle - 1, 1)) for at in (range(1, n + 1) if whole else [None])]
-        views = [task.rows_of(*self._seen_from(f, at)) for f, at in places]
-        return min(views, key=lambda view: view.nnz())
-
-    def _seen_from(self, f: int, at: int | None) -> tuple[ca.SX, ca.SX]:
-        """The Jacobian (6, n) with the axes of joint f, for the point at joint `at` or at the tool; and the tool's rotation."""
-        model, n = self.model, self.model.nv
-        frames = {f: _WORLD}
-        for i in range(f + 1, n + 1):
-            frames[i] = frames[i - 1] @ _step(model, i, self.q)
-        for i in range(f - 1, 0, -1):
-            frames[i] = frames[i + 1] @ _step(model, i + 1, self.q).inverse()
-        end = frames[n] @ _constant(self.frame.placement)
-        jacobian = _jacobian(model, [frames[i] for i in range(1, n + 1)], end.origin if at is None else frames[at].origin)
-        return ca.sparsify(jacobian), end.rotation
+WORLD = Placement(rotation=ca.SX.eye(3), origin=ca.SX(3, 1))
 
 
-_WORLD = Placement(rotation=ca.SX.eye(3), origin=ca.SX(3, 1))
-
-
-def _step(model: pin.Model, i: int, q: ca.SX) -> Placement:
+def step(model: pin.Model, i: int, q: ca.SX) -> Placement:
     """Placement of joint i, moved by its q, on the joint before it."""
-    return _constant(model.jointPlacements[i]) @ _joint_motion(model.joints[i], q[i - 1])
+    return constant(model.jointPlacements[i]) @ _joint_motion(model.joints[i], q[i - 1])
 
 
-def _jacobian(model: pin.Model, carriers: list[Placement | None], point: ca.SX) -> ca.SX:
+def jacobian_of(model: pin.Model, carriers: list[Placement | None], point: ca.SX) -> ca.SX:
     """Jacobian (6, n) of a point; `carriers` are the placements of the joints, None for those that do not carry it."""
     columns = []
     for i, joint in enumerate(carriers, start=1):
@@ -150,7 +123,8 @@ def _joint_motion(joint: pin.JointModel, q: ca.SX) -> Placement:
     return Placement(rotation=rotation, origin=ca.SX.zeros(3))
 
 
-def _constant(placement: pin.SE3) -> Placement:
+def constant(placement: pin.SE3) -> Placement:
+    """A placement that does not depend on q."""
     return Placement(rotation=_sparse(placement.rotation), origin=_sparse(placement.translation))
 
 

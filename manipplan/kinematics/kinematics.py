@@ -17,6 +17,7 @@ from manipplan.kinematics.chain import SymbolicChain
 from manipplan.kinematics.compile import compiled, find_compiler
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.motion import TaskMotion
+from manipplan.kinematics.view import View
 from manipplan.measures.measure import Measure, Posture
 from manipplan.measures.task import Task
 
@@ -38,11 +39,13 @@ class SymbolicKinematics:
         self.chain = chain
         self.task = task
         self.measure = measure
+        view = View.of(chain, task)
         self.posture = Posture(
             q=chain.q,
             jacobian=task.rows_of(chain.jacobian, chain.tool.rotation),
             motion=TaskMotion(chain=chain, task=task),
-            isometric=chain.isometric(task),
+            isometric=view.jacobian,
+            smooth=view.smooth,
             mass_matrix=lambda: chain.mass_matrix,
             lower=robot.limits.lower,
             upper=robot.limits.upper,

@@ -21,7 +21,8 @@ REGULARISATION = 1e-9
 class Yoshikawa(JacobianMeasure):
     """The manipulability index m = sqrt(det(J Jᵀ)), the product of the singular values.
 
-    Its value is exact. Its derivatives are those of sqrt(det(J Jᵀ + ρ² I)), which also exist where m = 0.
+    Its value is exact. Its derivatives are those of sqrt(det(J Jᵀ + ρ² I)), which also exist where m = 0; where the task
+    is a whole pose, of a J seen from the middle of the arm, whose index is the same.
 
     Attributes:
         regularisation: ρ > 0, in the unit of the Jacobian's rows.
@@ -45,10 +46,10 @@ class Yoshikawa(JacobianMeasure):
         return yoshikawa(posture.isometric)
 
     def gradient(self, posture: Posture) -> ca.SX:
-        return index_gradient(posture.jacobian, posture.motion, self.regularisation)
+        return index_gradient(*posture.smooth, self.regularisation)
 
     def hessian(self, posture: Posture) -> ca.SX:
-        return index_hessian(posture.jacobian, posture.motion, self.regularisation)
+        return index_hessian(*posture.smooth, self.regularisation)
 
 
 @dataclass(frozen=True, kw_only=True)

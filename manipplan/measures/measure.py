@@ -24,6 +24,7 @@ class Posture:
         jacobian: the task's rows (m, n).
         motion: how `jacobian` changes with q.
         isometric: a Jacobian (m, n) of the same Yoshikawa index, seen from the place on the arm where it is simplest.
+        smooth: a Jacobian of that index with its motion, for derivatives of the index.
         mass_matrix: M(q), (n, n), built when called.
         lower, upper: position limits (n,) [rad or m]; infinite where there are none.
     """
@@ -32,6 +33,7 @@ class Posture:
     jacobian: ca.SX
     motion: Motion
     isometric: ca.SX
+    smooth: tuple[ca.SX, Motion]
     mass_matrix: Callable[[], ca.SX]
     lower: Array
     upper: Array

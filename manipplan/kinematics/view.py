@@ -1,0 +1,120 @@
+"""The arm seen from one of its middle joints: the same index from a Jacobian of far fewer operations.
+
+Turning all rows leaves Yoshikawa's index as it is, and so does another reference point where all six rows count. Then base
+and tool angle do not occur, and the columns near the middle are short.
+"""
+
+from dataclasses import dataclass
+
+import casadi as ca
+
+from manipplan.kinematics.chain import WORLD, SymbolicChain, constant, jacobian_of, step
+from manipplan.kinematics.motion import Motion, TaskMotion
+from manipplan.measures.task import Task
+
+
+@dataclass(frozen=True, kw_only=True)
+class View:
+    """Jacobians with the index of a task.
+
+    Attributes:
+        jacobian: (m, n), of as few operations as we know.
+        smooth: a Jacobian (m, n) of that index, with its motion: what derivatives are made of.
+    """
+
+    jacobian: ca.SX
+    smooth: tuple[ca.SX, Motion]
+
+    @classmethod
+    def of(cls, chain: SymbolicChain, task: Task) -> "View":
+        """The best view of `chain` for the index of `task`; the plain one where the task depends on the world's axes."""
+        n = chain.q.shape[0]
+        plain = task.rows_of(chain.jacobian, chain.tool.rotation)
+        smooth: tuple[ca.SX, Motion] = (plain, TaskMotion(chain=chain, task=task))
+        straight = list(chain.model.parents)[1:] == list(range(n)) and chain.frame.parentJoint == n
+        if not (task.turns_freely and straight and chain.own):
+            return cls(jacobian=plain, smooth=smooth)
+        if task.tool_rows:
+            return cls(jacobian=task.rows_of(*_seen_from(chain, n, None)), smooth=smooth)
+        middle = (n + 1) // 2
+        if len(task.world_rows) < 6:
+            return cls(jacobian=task.rows_of(*_seen_from(chain, middle, None)), smooth=smooth)
+        places = [(f, at) for f in (middle, max(middle - 1, 1)) for at in range(1, n + 1)]
+        views = [(_seen_from(chain, f, at)[0], f) for f, at in places]
+        seen, f = min(views, key=lambda view: int(view[0].nnz()))
+        rows = ca.sparsify(ca.DM(task.matrices[0]))
+        return cls(jacobian=rows @ seen, smooth=(rows @ seen, ViewMotion(jacobian=seen, f=f, rows=rows)))
+
+
+@dataclass(frozen=True, kw_only=True)
+class ViewMotion(Motion):
+    """The six rows of a pose seen from joint f: its axes, and a point that is fixed on it.
+
+    There a column only changes with the joints between it and f: ∂_k S_j = ± [S_k, S_j], plus for f < k < j, minus for
+    j < k <= f, with the bracket (w_k x v_j + v_k x w_j, w_k x w_j). So most of the kinematic Hessian is zero.
+
+    Attributes:
+        jacobian: (6, n), not weighted.
+        f: the joint, counted from 1.
+        rows: the task's rows (6, 6), its length multiplied in.
+    """
+
+    jacobian: ca.SX
+    f: int
+    rows: ca.DM
+
+    def kinematic_hessian(self) -> list[ca.SX]:
+        n = self.jacobian.shape[1]
+        derivatives = []
+        for k in range(n):
+            moved = self._moved(k)
+            derivatives.append(self.rows @ ca.horzcat(*(moved.get(j, ca.SX(6, 1)) for j in range(n))))
+        return derivatives
+
+    def first(self, weights: ca.SX) -> ca.SX:
+        plain = self.rows.T @ weights
+        n = self.jacobian.shape[1]
+        return ca.vertcat(*(sum((ca.dot(plain[:, j], s) for j, s in self._moved(k).items()), ca.SX(0.0)) for k in range(n)))
+
+    def second(self, weights: ca.SX) -> ca.SX:
+        plain = self.rows.T @ weights
+        n = self.jacobian.shape[1]
+        out = ca.SX(n, n)
+        for k in range(n):
+            after = k >= self.f
+            # <weights_j, [S_i, [S_k, S_j]]> = S_i · Σ_j (dual of [S_k, S_j] with weights_j), for every i nearer to f
+            dual = sum((_dual(s, plain[:, j]) for j, s in self._moved(k).items()), ca.SX(6, 1))
+            for i in range(self.f, k + 1) if after else range(k, self.f):
+                entry = ca.dot(self.jacobian[:, i], dual)
+                out[i, k] = out[k, i] = entry if after else -entry
+        return out
+
+    def _moved(self, k: int) -> dict[int, ca.SX]:
+        """∂_k S_j for those j that joint k moves; joints counted from 0."""
+        n = self.jacobian.shape[1]
+        if k >= self.f:
+            return {j: _bracket(self.jacobian[:, k], self.jacobian[:, j]) for j in range(k + 1, n)}
+        return {j: -_bracket(self.jacobian[:, k], self.jacobian[:, j]) for j in range(k)}
+
+
+def _bracket(a: ca.SX, b: ca.SX) -> ca.SX:
+    return ca.vertcat(ca.cross(a[3:], b[:3]) + ca.cross(a[:3], b[3:]), ca.cross(a[3:], b[3:]))
+
+
+def _dual(b: ca.SX, weights: ca.SX) -> ca.SX:
+    """The vector d with <weights, [a, b]> = a · d for every a."""
+    f, t = weights[:3], weights[3:]
+    return ca.vertcat(ca.cross(b[3:], f), ca.cross(b[:3], f) + ca.cross(b[3:], t))
+
+
+def _seen_from(chain: SymbolicChain, f: int, at: int | None) -> tuple[ca.SX, ca.SX]:
+    """The Jacobian (6, n) with the axes of joint f, for the point at joint `at` or at the tool; and the tool's rotation."""
+    model, n = chain.model, chain.q.shape[0]
+    frames = {f: WORLD}
+    for i in range(f + 1, n + 1):
+        frames[i] = frames[i - 1] @ step(model, i, chain.q)
+    for i in range(f - 1, 0, -1):
+        frames[i] = frames[i + 1] @ step(model, i + 1, chain.q).inverse()
+    end = frames[n] @ constant(chain.frame.placement)
+    point = end.origin if at is None else frames[at].origin
+    return ca.sparsify(jacobian_of(model, [frames[i] for i in range(1, n + 1)], point)), end.rotation
