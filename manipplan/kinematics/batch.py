@@ -64,7 +64,9 @@ def kernel_source(function: ca.Function) -> str:
     """
     copies = 2 if function.n_instructions() < LONG else 1
     body = "\n  ".join(_instructions(function, "ab"[:copies]))
-    sizes = {"@N@": function.nnz_in(0), "@M@": function.nnz_out(0), "@COPIES@": copies, "@BODY@": body}
+    n, turning = function.nnz_in(0), _angles(function)
+    marks = ", ".join("1" if i in turning else "0" for i in range(n))
+    sizes = {"@N@": n, "@M@": function.nnz_out(0), "@COPIES@": copies, "@ANGLES@": marks, "@BODY@": body}
     kernel = _KERNEL
     for place, value in sizes.items():
         kernel = kernel.replace(place, str(value))
@@ -104,26 +106,44 @@ _INFIX = {
 }
 
 
+def _angles(function: ca.Function) -> set[int]:
+    """Inputs of which nothing but sine and cosine is taken, so that whole turns do not count."""
+    held: dict[int, int | None] = {}
+    other = set()
+    for k in range(function.n_instructions()):
+        code, inputs, outputs = function.instruction_id(k), function.instruction_input(k), function.instruction_output(k)
+        if code == ca.OP_INPUT:
+            held[outputs[0]] = inputs[1]
+            continue
+        if code != ca.OP_CONST and code not in (ca.OP_SIN, ca.OP_COS):
+            other |= {held[i] for i in inputs if held.get(i) is not None}
+        if code != ca.OP_OUTPUT:
+            held[outputs[0]] = None
+    return set(range(function.nnz_in(0))) - other
+
+
 def _instructions(function: ca.Function, copies: str) -> list[str]:
     """The statements; names of copy a end in a, those of copy b in b."""
     lines: list[str] = []
     held: dict[int, str] = {}  # CasADi's work vector: what each slot holds now
     angles: dict[str, int] = {}
+    near = {f"x#[{i}]" for i in _angles(function)}
     for k in range(function.n_instructions()):
         code, inputs, outputs = function.instruction_id(k), function.instruction_input(k), function.instruction_output(k)
         statement = ""
-        if code == ca.OP_OUTPUT:
+        if code == ca.OP_INPUT:
+            held[outputs[0]] = f"x#[{inputs[1]}]"
+        elif code == ca.OP_OUTPUT:
             statement = f"y#[{outputs[1]}] = {held[inputs[0]]};"
         elif code in (ca.OP_SIN, ca.OP_COS):
             angle = held[inputs[0]]
             if angle not in angles:
                 i = angles[angle] = len(angles)
-                statement = f"vec s{i}#, c{i}#; sine_cosine({angle}, &s{i}#, &c{i}#);"
+                call = "sine_cosine" if angle in near else "far_sine_cosine"
+                statement = f"vec s{i}#, c{i}#; {call}({angle}, &s{i}#, &c{i}#);"
             held[outputs[0]] = f"{'s' if code == ca.OP_SIN else 'c'}{angles[angle]}#"
         else:
-            if code == ca.OP_INPUT:
-                value = f"x#[{inputs[1]}]"
-            elif code == ca.OP_CONST:
+            if code == ca.OP_CONST:
                 value = f"zero + {_constant(function.instruction_constant(k))}"
             else:
                 value = _INFIX[code].format(*(held[i] for i in inputs))
@@ -140,7 +160,7 @@ def _constant(value: float) -> str:
 
 
 # Sine and cosine: x = k π/2 + r in three parts of π/2 [cody1980], then the minimax polynomials of the Cephes library
-# for |r| <= π/4; angles above 1e5, where this loses digits, go to the C library.
+# for |r| <= π/4. Angles above NEAR, where this loses digits, go to the C library.
 _HEAD = r"""
 #include <math.h>
 #include <string.h>
@@ -152,8 +172,10 @@ _HEAD = r"""
 #define W 2
 #endif
 typedef double vec __attribute__((vector_size(8 * W)));
+typedef double unaligned __attribute__((vector_size(8 * W), aligned(8), may_alias));
 typedef long long mask __attribute__((vector_size(8 * W)));
 static const vec zero = {0};
+#define NEAR 1e5
 #if defined(__AVX512F__)
 #include <immintrin.h>
 #endif
@@ -210,7 +232,12 @@ static inline void sine_cosine(vec x, vec *s, vec *c) {
   const mask odd = -(k & 1);
   *s = (vec)((mask)choose(odd, cosine, sine) ^ ((k & 2) << 62));
   *c = (vec)((mask)choose(odd, sine, cosine) ^ (((k + 1) & 2) << 62));
-  const mask far = ~((x < 1e5) & (x > -1e5));
+}
+
+/* the same for an angle of any size */
+static inline void far_sine_cosine(vec x, vec *s, vec *c) {
+  sine_cosine(x, s, c);
+  const mask far = ~((x < NEAR) & (x > -NEAR));
   if (__builtin_expect(any(far), 0)) {
     *s = choose(far, lanes(sin, x), *s);
     *c = choose(far, lanes(cos, x), *c);
@@ -228,17 +255,30 @@ static inline void block(const vec x[@COPIES@][@N@], vec y[@COPIES@][@M@]) {
   @BODY@
 }
 
+/* notes what is not finite; turns angles that are far from zero back by whole turns */
+static void tame(vec x[@COPIES@][@N@], int *bad) {
+  static const int angle[@N@] = {@ANGLES@};
+  for (int copy = 0; copy < @COPIES@; ++copy)
+    for (int i = 0; i < @N@; ++i)
+      for (int l = 0; l < W; ++l) {
+        const double value = x[copy][i][l];
+        if (!(__builtin_fabs(value) < INFINITY)) *bad = 1;
+        if (angle[i]) x[copy][i][l] = atan2(sin(value), cos(value));
+      }
+}
+
 /* out (ONCE, @M@) of q (ONCE, @N@) */
-static inline void batch(const double *q, double *out, vec *bad) {
+static inline void batch(const double *q, double *out, int *bad) {
   vec x[@COPIES@][@N@], y[@COPIES@][@M@];
-  for (int copy = 0; copy < @COPIES@; ++copy) {
-    vec sum = zero;
-    for (int i = 0; i < @N@; ++i) {
-      for (int l = 0; l < W; ++l) x[copy][i][l] = q[(copy * W + l) * @N@ + i];
-      sum += x[copy][i];
-    }
-    *bad += sum - sum; /* NaN when one of them is not finite */
+  vec squares = zero;
+  for (int i = 0; i < @COPIES@ * @N@; ++i) {
+    const vec some = *(const unaligned *)(q + i * W);
+    squares += some * some;
   }
+  for (int copy = 0; copy < @COPIES@; ++copy)
+    for (int i = 0; i < @N@; ++i)
+      for (int l = 0; l < W; ++l) x[copy][i][l] = q[(copy * W + l) * @N@ + i];
+  if (__builtin_expect(any(~(squares < NEAR * NEAR)), 0)) tame(x, bad);
   block(x, y);
   for (int copy = 0; copy < @COPIES@; ++copy)
     for (int i = 0; i < @M@; ++i)
@@ -247,7 +287,7 @@ static inline void batch(const double *q, double *out, vec *bad) {
 
 /* out (count, @M@) of q (count, @N@); returns 1 when an entry of q is not finite */
 int manipplan_batch(const double *q, double *out, long count) {
-  vec bad = zero;
+  int bad = 0;
   long k = 0;
   for (; k + ONCE <= count; k += ONCE) batch(q + k * @N@, out + k * @M@, &bad);
   if (k < count) {
@@ -256,8 +296,6 @@ int manipplan_batch(const double *q, double *out, long count) {
     batch(last, results, &bad);
     memcpy(out + k * @M@, results, (count - k) * @M@ * sizeof(double));
   }
-  for (int l = 0; l < W; ++l)
-    if (bad[l] != 0.0) return 1;
-  return 0;
+  return bad;
 }
 """
