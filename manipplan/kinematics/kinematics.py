@@ -1,5 +1,6 @@
 """Kinematics: pose, Jacobian, a measure of manipulability and its derivatives for one arm and one task."""
 
+import math
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -12,10 +13,11 @@ from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, configurations
 from manipplan.errors import CompilerError, CompilerWarning, InvalidInputError, UnknownNameError
-from manipplan.kinematics.batch import BatchKernel
+from manipplan.kinematics.batch import Kernel, numba_installed, run_kernel, simd_kernel
 from manipplan.kinematics.chain import SymbolicChain
 from manipplan.kinematics.compile import compiled, find_compiler
 from manipplan.kinematics.evaluate import Evaluator
+from manipplan.kinematics.jit import jit_kernel
 from manipplan.kinematics.motion import TaskMotion
 from manipplan.kinematics.view import View
 from manipplan.measures.measure import Measure, Posture
@@ -25,6 +27,9 @@ if TYPE_CHECKING:
     from manipplan.robots.robot import Robot
 
 QUANTITIES = ("pose", "jacobian", "manipulability", "gradient", "hessian")
+
+#: From so many configurations on numba's compile time is worth it.
+MANY = 300_000
 
 
 class SymbolicKinematics:
@@ -132,7 +137,7 @@ class Kinematics:
     chain: SymbolicChain = field(repr=False)
     symbolic: SymbolicKinematics = field(init=False, repr=False)
     _evaluators: dict[tuple[str, ...], Evaluator] = field(default_factory=dict, init=False, repr=False)
-    _kernels: dict[str, BatchKernel | None] = field(default_factory=dict, init=False, repr=False)
+    _kernels: dict[str, Kernel | None] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
         symbolic = SymbolicKinematics(self.chain, self.task, self.measure, self.robot)
@@ -188,29 +193,32 @@ class Kinematics:
             if (quantity,) not in self._evaluators:
                 self._evaluators[quantity,] = self.evaluator(quantity)
             return self._evaluators[quantity,](q)[0].copy()
-        kernel = self._kernel(quantity)
+        kernel = self._kernel(quantity, np.size(q) // n)
         if kernel is None or not (isinstance(q, np.ndarray) and q.dtype == np.float64 and q.shape[-1:] == (n,)):
             q = configurations("q", q, n)
         if q.size == 0:
             return np.empty((*q.shape[:-1], *shape))
         if kernel is None:
             return self._columns(getattr(self.symbolic, quantity), q, shape)
-        values = kernel(np.ascontiguousarray(q).reshape(-1, n), threads=self.threads)
+        values = run_kernel(kernel, np.ascontiguousarray(q).reshape(-1, n), math.prod(shape), threads=self.threads)
         if values is None:
             raise InvalidInputError("q", q, "finite numbers, no NaN or inf")
         if len(shape) == 2:  # CasADi holds matrices column by column
             return np.ascontiguousarray(values.reshape(*q.shape[:-1], *shape[::-1]).swapaxes(-1, -2))
         return values.reshape(*q.shape[:-1], *shape)
 
-    def _kernel(self, quantity: str) -> BatchKernel | None:
+    def _kernel(self, quantity: str, count: int) -> Kernel | None:
+        """Generated C where there is a compiler, else numba's work where it is worth its time; None: CasADi's machine."""
         if quantity not in self._kernels:
             self._kernels[quantity] = None
-            function = getattr(self.symbolic, quantity)
             if self._wants_machine_code():
                 try:
-                    self._kernels[quantity] = BatchKernel(function, f"{quantity} of {self.robot.name}, in batches")
+                    subject = f"{quantity} of {self.robot.name}, in batches"
+                    self._kernels[quantity] = simd_kernel(getattr(self.symbolic, quantity), subject)
                 except CompilerError as error:
                     self._without_compiler(error)
+        if self._kernels[quantity] is None and self.compiled == "auto" and count >= MANY and numba_installed():
+            self._kernels[quantity] = jit_kernel(getattr(self.symbolic, quantity))
         return self._kernels[quantity]
 
     def _wants_machine_code(self) -> bool:

@@ -1,0 +1,228 @@
+"""C source that evaluates an SX Function for as many q as fit a vector register."""
+
+import math
+
+import casadi as ca
+
+from manipplan.kinematics.instructions import SINE_COSINE, Instruction, instructions, pure_angles
+
+#: Functions of more instructions are long; see `kernel_source`.
+LONG = 3000
+
+
+def kernel_source(function: ca.Function) -> str:
+    """C source with `int manipplan_batch(const double *q, double *out, long count)`.
+
+    Every instruction becomes one on vectors (structure of arrays). Two vectors are worked on in turns, so that one's
+    instructions fill the waiting times of the other's; long Functions, whose values do not fit the registers, take one.
+    """
+    found = instructions(function)
+    copies = 2 if len(found) < LONG else 1
+    n, turning = function.nnz_in(0), pure_angles(found)
+    body = [_statement(each, copy, turning) for each in found for copy in "ab"[:copies]]
+    marks = ", ".join("1" if f"x{i}" in turning else "0" for i in range(n))
+    values = {
+        "@N@": n,
+        "@M@": function.nnz_out(0),
+        "@COPIES@": copies,
+        "@ANGLES@": marks,
+        "@BODY@": "\n  ".join(body),
+    }
+    kernel = _KERNEL
+    for place, value in values.items():
+        kernel = kernel.replace(place, str(value))
+    return _HEAD + kernel
+
+
+def _statement(each: Instruction, copy: str, turning: set[str]) -> str:
+    """The statement for one of the copies; names of copy a end in a, those of copy b in b."""
+    names = [f"x{copy}[{name[1:]}]" if name.startswith("x") else name + copy for name in each.arguments]
+    if each.code == ca.OP_OUTPUT:
+        return f"y{copy}[{each.result}] = {names[0]};"
+    if each.code == SINE_COSINE:
+        sine, cosine = f"s{each.result}{copy}", f"c{each.result}{copy}"
+        call = "sine_cosine" if each.arguments[0] in turning else "far_sine_cosine"
+        return f"vec {sine}, {cosine}; {call}({names[0]}, &{sine}, &{cosine});"
+    value = f"zero + {_constant(each.constant)}" if each.code == ca.OP_CONST else _OPERATIONS[each.code].format(*names)
+    return f"const vec t{each.result}{copy} = {value};"
+
+
+def _constant(value: float) -> str:
+    if math.isinf(value):
+        return "INFINITY" if value > 0 else "-INFINITY"
+    return "NAN" if math.isnan(value) else f"({value.hex()})"
+
+
+_OPERATIONS = {
+    ca.OP_ASSIGN: "{0}",
+    ca.OP_ADD: "{0} + {1}",
+    ca.OP_SUB: "{0} - {1}",
+    ca.OP_MUL: "{0} * {1}",
+    ca.OP_DIV: "{0} / {1}",
+    ca.OP_NEG: "-{0}",
+    ca.OP_SQ: "{0} * {0}",
+    ca.OP_TWICE: "{0} + {0}",
+    ca.OP_INV: "inverse({0})",
+    ca.OP_SQRT: "root({0})",
+    ca.OP_FABS: "choose({0} < 0.0, -{0}, {0})",
+    ca.OP_FMIN: "choose({0} < {1}, {0}, {1})",
+    ca.OP_FMAX: "choose({0} > {1}, {0}, {1})",
+    ca.OP_LT: "truth({0} < {1})",
+    ca.OP_LE: "truth({0} <= {1})",
+    ca.OP_EQ: "truth({0} == {1})",
+    ca.OP_NE: "truth({0} != {1})",
+    ca.OP_NOT: "truth({0} == 0.0)",
+    ca.OP_IF_ELSE_ZERO: "choose({0} != 0.0, {1}, zero)",
+    ca.OP_EXP: "lanes(exp, {0})",
+    ca.OP_LOG: "lanes(log, {0})",
+    ca.OP_TAN: "lanes(tan, {0})",
+    ca.OP_ASIN: "lanes(asin, {0})",
+    ca.OP_ACOS: "lanes(acos, {0})",
+    ca.OP_ATAN: "lanes(atan, {0})",
+    ca.OP_TANH: "lanes(tanh, {0})",
+    ca.OP_POW: "lanes2(pow, {0}, {1})",
+    ca.OP_CONSTPOW: "lanes2(pow, {0}, {1})",
+    ca.OP_ATAN2: "lanes2(atan2, {0}, {1})",
+}
+
+
+# Sine and cosine: x = k π/2 + r in three parts of π/2 [cody1980], then the minimax polynomials of the Cephes library
+# for |r| <= π/4. Angles above NEAR, where this loses digits, go to the C library.
+_HEAD = r"""
+#include <math.h>
+#include <string.h>
+#if defined(__AVX512F__)
+#define W 8
+#elif defined(__AVX__)
+#define W 4
+#else
+#define W 2
+#endif
+typedef double vec __attribute__((vector_size(8 * W)));
+typedef double unaligned __attribute__((vector_size(8 * W), aligned(8), may_alias));
+typedef long long mask __attribute__((vector_size(8 * W)));
+static const vec zero = {0};
+#define NEAR 1e5
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+
+static inline vec choose(mask m, vec a, vec b) { return (vec)(((mask)a & m) | ((mask)b & ~m)); }
+static inline vec truth(mask m) { return choose(m, zero + 1.0, zero); }
+#define lanes(f, a) ({ const vec a_ = (a); vec r_; for (int l = 0; l < W; ++l) r_[l] = f(a_[l]); r_; })
+#define lanes2(f, a, b) ({ const vec a_ = (a), b_ = (b); vec r_; for (int l = 0; l < W; ++l) r_[l] = f(a_[l], b_[l]); r_; })
+
+static inline int any(mask m) {
+#if defined(__AVX512DQ__)
+  return _mm512_movepi64_mask((__m512i)m) != 0;
+#else
+  long long all = 0;
+  for (int l = 0; l < W; ++l) all |= m[l];
+  return all != 0;
+#endif
+}
+
+static inline vec root(vec a) {
+#if defined(__AVX512F__)
+  return (vec)_mm512_sqrt_pd((__m512d)a);
+#else
+  return lanes(__builtin_sqrt, a);
+#endif
+}
+
+static inline vec inverse(vec a) {
+#if defined(__AVX512F__)
+  /* two steps of Newton from 14 bits take less time than a division; 0 and infinity keep the first guess */
+  const vec guess = (vec)_mm512_rcp14_pd((__m512d)a);
+  vec r = guess + guess * (1.0 - a * guess);
+  r = r + r * (1.0 - a * r);
+  return choose(r == r, r, guess);
+#else
+  return 1.0 / a;
+#endif
+}
+
+static inline void sine_cosine(vec x, vec *s, vec *c) {
+  const vec magic = zero + 0x1.8p52;
+  vec turns = x * 0x1.45f306dc9c883p-1 + magic;
+  const mask k = (mask)turns;
+  turns -= magic;
+  vec r = x - turns * 0x1.921fb544p+0;
+  r -= turns * 0x1.0b4611a6p-34;
+  r -= turns * 0x1.3198a2e037073p-69;
+  const vec z = r * r;
+  const vec ps = ((((1.58962301576546568060e-10 * z - 2.50507477628578072866e-8) * z + 2.75573136213857245213e-6) * z
+      - 1.98412698295895385996e-4) * z + 8.33333333332211858878e-3) * z - 1.66666666666666307295e-1;
+  const vec pc = ((((-1.13585365213876817300e-11 * z + 2.08757008419747316778e-9) * z - 2.75573141792967388112e-7) * z
+      + 2.48015872888517045348e-5) * z - 1.38888888888730564116e-3) * z + 4.16666666666665929218e-2;
+  const vec sine = r + r * z * ps, cosine = 1.0 - 0.5 * z + z * z * pc;
+  const mask odd = -(k & 1);
+  *s = (vec)((mask)choose(odd, cosine, sine) ^ ((k & 2) << 62));
+  *c = (vec)((mask)choose(odd, sine, cosine) ^ (((k + 1) & 2) << 62));
+}
+
+/* the same for an angle of any size */
+static inline void far_sine_cosine(vec x, vec *s, vec *c) {
+  sine_cosine(x, s, c);
+  const mask far = ~((x < NEAR) & (x > -NEAR));
+  if (__builtin_expect(any(far), 0)) {
+    *s = choose(far, lanes(sin, x), *s);
+    *c = choose(far, lanes(cos, x), *c);
+  }
+}
+"""
+
+_KERNEL = r"""
+enum { ONCE = @COPIES@ * W };
+
+static inline void block(const vec x[@COPIES@][@N@], vec y[@COPIES@][@M@]) {
+  const vec *xa = x[0], *xb = x[@COPIES@ - 1];
+  vec *ya = y[0], *yb = y[@COPIES@ - 1];
+  (void)xb, (void)yb;
+  @BODY@
+}
+
+/* notes what is not finite; turns angles that are far from zero back by whole turns */
+static void tame(vec x[@COPIES@][@N@], int *bad) {
+  static const int angle[@N@] = {@ANGLES@};
+  for (int copy = 0; copy < @COPIES@; ++copy)
+    for (int i = 0; i < @N@; ++i)
+      for (int l = 0; l < W; ++l) {
+        const double value = x[copy][i][l];
+        if (!(__builtin_fabs(value) < INFINITY)) *bad = 1;
+        if (angle[i]) x[copy][i][l] = atan2(sin(value), cos(value));
+      }
+}
+
+/* out (ONCE, @M@) of q (ONCE, @N@) */
+static inline void batch(const double *q, double *out, int *bad) {
+  vec x[@COPIES@][@N@], y[@COPIES@][@M@];
+  vec squares = zero;
+  for (int i = 0; i < @COPIES@ * @N@; ++i) {
+    const vec some = *(const unaligned *)(q + i * W);
+    squares += some * some;
+  }
+  for (int copy = 0; copy < @COPIES@; ++copy)
+    for (int i = 0; i < @N@; ++i)
+      for (int l = 0; l < W; ++l) x[copy][i][l] = q[(copy * W + l) * @N@ + i];
+  if (__builtin_expect(any(~(squares < NEAR * NEAR)), 0)) tame(x, bad);
+  block(x, y);
+  for (int copy = 0; copy < @COPIES@; ++copy)
+    for (int i = 0; i < @M@; ++i)
+      for (int l = 0; l < W; ++l) out[(copy * W + l) * @M@ + i] = y[copy][i][l];
+}
+
+/* out (count, @M@) of q (count, @N@); returns 1 when an entry of q is not finite */
+int manipplan_batch(const double *q, double *out, long count) {
+  int bad = 0;
+  long k = 0;
+  for (; k + ONCE <= count; k += ONCE) batch(q + k * @N@, out + k * @M@, &bad);
+  if (k < count) {
+    double last[ONCE * @N@] = {0}, results[ONCE * @M@];
+    memcpy(last, q + k * @N@, (count - k) * @N@ * sizeof(double));
+    batch(last, results, &bad);
+    memcpy(out + k * @M@, results, (count - k) * @M@ * sizeof(double));
+  }
+  return bad;
+}
+"""
