@@ -154,6 +154,16 @@ def _digest(file: Path) -> str:
     return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
+def first_failure() -> bool:
+    """Whether this is asked for the first time with this compiler and cache folder, so that a failure is told once."""
+    return next(_once(find_compiler(), cache_folder()), False)
+
+
+@cache
+def _once(*_: object) -> Iterator[bool]:
+    return iter((True,))
+
+
 @cache
 def _processor() -> str:
     """What -march=native depends on."""

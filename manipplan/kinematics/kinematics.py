@@ -15,7 +15,7 @@ from manipplan.checks import Array, configurations
 from manipplan.errors import CompilerError, CompilerWarning, InvalidInputError, UnknownNameError
 from manipplan.kinematics.batch import Kernel, numba_installed, run_kernel, simd_kernel
 from manipplan.kinematics.chain import SymbolicChain
-from manipplan.kinematics.compile import compiled, find_compiler
+from manipplan.kinematics.compile import compiled, find_compiler, first_failure
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.jit import jit_kernel
 from manipplan.kinematics.motion import TaskMotion
@@ -227,7 +227,8 @@ class Kinematics:
     def _without_compiler(self, error: CompilerError) -> None:
         if self.compiled is True:
             raise error
-        warnings.warn(f"CasADi's virtual machine is used instead: {error}", CompilerWarning, stacklevel=4)
+        if first_failure():
+            warnings.warn(f"CasADi's virtual machine is used instead: {error}", CompilerWarning, stacklevel=4)
 
     def _shape(self, quantity: str) -> tuple[int, ...]:
         n = self.robot.n

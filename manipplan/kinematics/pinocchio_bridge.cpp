@@ -43,11 +43,10 @@ Vector to_eigen(const SX& column) {
   return out;
 }
 
-std::string functions(const std::string& model_text, const std::string& tool) {
+std::string functions(const std::string& model_text, pinocchio::FrameIndex frame) {
   pinocchio::Model plain;
   plain.loadFromString(model_text);
   const Model model = plain.cast<Scalar>();
-  const auto frame = model.getFrameId(tool);
   const SX q = SX::sym("q", model.nq), qd = SX::sym("qd", model.nv);
   const SX qdd = SX::sym("qdd", model.nv), tau = SX::sym("tau", model.nv);
   const Vector q_ = to_eigen(q), qd_ = to_eigen(qd), qdd_ = to_eigen(qdd), tau_ = to_eigen(tau);
@@ -80,9 +79,9 @@ std::string functions(const std::string& model_text, const std::string& tool) {
 }  // namespace
 
 // Returns 0 and the functions, or 1 and the message of an error; the caller frees `text` with manipplan_free.
-extern "C" int manipplan_functions(const char* model_text, const char* tool, char** text) {
+extern "C" int manipplan_functions(const char* model_text, unsigned long frame, char** text) {
   try {
-    *text = strdup(functions(model_text, tool).c_str());
+    *text = strdup(functions(model_text, frame).c_str());
     return 0;
   } catch (const std::exception& error) {
     *text = strdup(error.what());

@@ -115,8 +115,8 @@ def _by_bindings(robot: "Robot") -> PinocchioCasadi:
 def _by_bridge(robot: "Robot") -> PinocchioCasadi:
     library = _bridge()
     text = ctypes.c_void_p()
-    model = robot.model.saveToString()
-    failed = library.manipplan_functions(model.encode(), robot.tool.encode(), ctypes.byref(text))
+    frame = frame_index(robot.model, robot.tool)
+    failed = library.manipplan_functions(robot.model.saveToString().encode(), frame, ctypes.byref(text))
     answer = ctypes.string_at(text.value or 0).decode()
     library.manipplan_free(text)
     if failed:
@@ -151,7 +151,7 @@ def _bridge() -> ctypes.CDLL:
     ]
     subject = "Pinocchio's algorithms in CasADi's scalar, once for this machine, about two minutes"
     library = ctypes.CDLL(str(shared_library(source, flags=flags, language="c++", subject=subject, announce=True)))
-    library.manipplan_functions.argtypes = [ctypes.c_char_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p)]
+    library.manipplan_functions.argtypes = [ctypes.c_char_p, ctypes.c_ulong, ctypes.POINTER(ctypes.c_void_p)]
     library.manipplan_functions.restype = ctypes.c_int
     library.manipplan_free.argtypes = [ctypes.c_void_p]
     return library

@@ -32,7 +32,8 @@ class DynamicManipulability(Measure):
 
     def unit(self, task: Task) -> str:
         unit = row_unit(task)
-        return f"({unit}/(kg m²))^{task.rows}"
+        power = f"^{task.rows}" if task.rows > 1 else ""
+        return f"({unit}/(kg m²)){power}"
 
     def value(self, posture: Posture) -> ca.SX:
         return yoshikawa(_accelerations(posture))

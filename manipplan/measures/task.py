@@ -120,7 +120,7 @@ class Task:
     @property
     def unit(self) -> str:
         """Unit of Yoshikawa's index: every row counts metres; with length 1 radians are left uncounted."""
-        return "1" if self.metres == 0 else f"m^{self.metres}"
+        return {0: "1", 1: "m"}.get(self.metres, f"m^{self.metres}")
 
     @property
     def turns_freely(self) -> bool:

@@ -1,0 +1,112 @@
+"""Many configurations at once: the same numbers as one by one, whatever evaluates them."""
+
+import numpy as np
+import pinocchio as pin
+import pytest
+
+import manipplan as mp
+from manipplan.kinematics import kinematics as module
+from manipplan.kinematics.compile import find_compiler
+
+QUANTITIES = ["pose", "jacobian", "manipulability", "gradient", "hessian"]
+
+
+@pytest.fixture
+def no_compiler(monkeypatch):
+    monkeypatch.setenv("CC", "")
+    find_compiler.cache_clear()
+    yield
+    monkeypatch.undo()
+    find_compiler.cache_clear()
+
+
+def one_by_one(kinematics, quantity, q):
+    return np.array([getattr(kinematics, quantity)(each) for each in q])
+
+
+@pytest.mark.parametrize("quantity", QUANTITIES)
+@pytest.mark.parametrize("task", [mp.Task.pose(), mp.Task.pointing(), mp.Task.position()], ids=lambda task: task.name)
+def test_batch_equals_single(panda, quantity, task, rng):
+    """Counts around the widths of vector registers, and one that threads share."""
+    kinematics = panda.kinematics(task, compiled=True, threads=2)
+    reference = panda.kinematics(task, compiled=False)
+    q = panda.random_configuration(rng, size=37)
+    single = one_by_one(reference, quantity, q)
+    for count in (1, 2, 7, 8, 9, 15, 16, 17, 31, 33, 37):
+        np.testing.assert_allclose(getattr(kinematics, quantity)(q[:count]), single[:count], rtol=1e-10, atol=1e-13)
+    many = np.tile(q, (2000, 1))
+    np.testing.assert_allclose(getattr(kinematics, quantity)(many)[-37:], single, rtol=1e-10, atol=1e-13)
+    np.testing.assert_allclose(getattr(reference, quantity)(q), single, rtol=1e-10, atol=1e-13)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+def test_layouts_and_kinds_of_numbers(panda, compiled, rng):
+    kinematics = panda.kinematics(compiled=compiled)
+    q = panda.random_configuration(rng, size=(20))
+    expected = kinematics.manipulability(q)
+    np.testing.assert_array_equal(kinematics.manipulability(np.asfortranarray(q)), expected)
+    np.testing.assert_array_equal(kinematics.manipulability(q.tolist()), expected)
+    np.testing.assert_array_equal(kinematics.manipulability(np.repeat(q, 2, axis=0)[::2]), expected)
+    np.testing.assert_array_equal(kinematics.manipulability(q.reshape(4, 5, 7)), expected.reshape(4, 5))
+    np.testing.assert_allclose(kinematics.manipulability(q.astype(np.float32)), expected, rtol=1e-4)
+    np.testing.assert_allclose(
+        kinematics.manipulability(np.ones((3, 7), dtype=int)), kinematics.manipulability(np.ones((3, 7)))
+    )
+    assert kinematics.manipulability(np.empty((0, 7))).shape == (0,)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_what_is_not_finite_is_found(panda, compiled, bad):
+    kinematics = panda.kinematics(compiled=compiled)
+    for joint in range(7):
+        q = np.zeros((19, 7))
+        q[17, joint] = bad
+        with pytest.raises(mp.InvalidInputError, match="finite numbers"):
+            kinematics.manipulability(q)
+
+
+def test_far_angles_and_prismatic_joints(rng):
+    """Angles far from zero lose no digits, and lengths are not turned back."""
+    robot = mp.load_robot("tiago")
+    assert "prismatic" in robot.joint_types
+    fast, slow = (robot.kinematics(mp.Task.pose(), compiled=compiled) for compiled in (True, False))
+    q = robot.random_configuration(rng, size=40)
+    q[::3] += 1e6
+    q[1::3] *= 1e3
+    np.testing.assert_allclose(fast.manipulability(q), slow.manipulability(q), rtol=1e-10)
+    np.testing.assert_allclose(fast.pose(q), slow.pose(q), rtol=1e-12, atol=1e-12)
+
+
+def test_index_to_ten_digits_against_pinocchio(panda, rng):
+    kinematics = panda.kinematics(mp.Task.pose(1.0), compiled=True)
+    q = panda.random_configuration(rng, size=3000)
+    data, frame = panda.model.createData(), panda.model.getFrameId(panda.tool)
+    jacobians = [pin.computeFrameJacobian(panda.model, data, each, frame, pin.LOCAL_WORLD_ALIGNED) for each in q]
+    oracle = np.prod(np.linalg.svd(np.array(jacobians), compute_uv=False), axis=1)
+    np.testing.assert_allclose(kinematics.manipulability(q), oracle, rtol=1e-10)
+
+
+@pytest.mark.parametrize("quantity", ["pose", "manipulability", "gradient"])
+def test_without_compiler_by_numba(quantity, no_compiler, monkeypatch, rng):
+    monkeypatch.setattr(module, "MANY", 100)
+    panda = mp.load_robot("panda")
+    assert find_compiler() is None
+    q = panda.random_configuration(rng, size=200)
+    kinematics = panda.kinematics(mp.Task.pose())
+    expected = getattr(panda.kinematics(mp.Task.pose(), compiled=False), quantity)(q)
+    np.testing.assert_allclose(getattr(kinematics, quantity)(q), expected, rtol=1e-10, atol=1e-14)
+    assert kinematics._kernels[quantity] is not None
+    q[3, 2] = np.nan
+    with pytest.raises(mp.InvalidInputError, match="finite"):
+        getattr(kinematics, quantity)(q)
+
+
+@pytest.mark.parametrize("measure", mp.available_measures())
+def test_every_measure_runs_in_a_kernel(measure, panda, rng):
+    chosen = {"velocity_transmission": mp.VelocityTransmission, "force_transmission": mp.ForceTransmission}
+    chosen = chosen[measure](direction=(1.0, 2.0, 3.0)) if measure in chosen else measure
+    fast, slow = (panda.kinematics(mp.Task.position(), compiled=c, measure=chosen) for c in (True, False))
+    q = panda.random_configuration(rng, size=20)
+    np.testing.assert_allclose(fast.manipulability(q), slow.manipulability(q), rtol=1e-9)
+    np.testing.assert_allclose(fast.gradient(q), slow.gradient(q), rtol=1e-7, atol=1e-9)
