@@ -27,6 +27,7 @@ docs: $(READY)
 
 benchmark: $(READY)
 	$(BIN)/python benchmarks/panda_boxes.py
+	$(BIN)/python benchmarks/kinematics.py
 	$(BIN)/python benchmarks/import_time.py
 
 $(READY): requirements.txt pyproject.toml

@@ -12,7 +12,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.checks import Array
-from manipplan.kinematics.compile import NATIVE, shared_library
+from manipplan.kinematics.compile import NATIVE, loaded, shared_library
 from manipplan.kinematics.simd import kernel_source
 
 #: A thread gets at least as many configurations.
@@ -25,7 +25,7 @@ Kernel = Callable[[Array, Array], bool]
 def simd_kernel(function: ca.Function, subject: str) -> Kernel:
     """A kernel in C on vectors of the processor's width; raises CompilerError where it cannot be built."""
     library = shared_library(kernel_source(function), flags=(*NATIVE, "-fschedule-insns", "-lm"), subject=subject)
-    run = ctypes.CDLL(str(library)).manipplan_batch
+    run = loaded(library, subject).manipplan_batch
     run.argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long]
     run.restype = ctypes.c_int
     return lambda q, out: run(q.ctypes.data, out.ctypes.data, len(q)) == 0

@@ -1,17 +1,20 @@
 """Source code to a shared library by the machine's own compiler, kept in the user's cache folder.
 
-A library's folder is named by a hash of all that it is made of: source, compiler, options and, where it is built for this
-processor alone, the processor. It is built in a temporary folder and renamed, so several processes may build at once; a
-checksum beside it is read before it is loaded, and one that does not fit is built again.
+A library is named by a hash of all that it is made of: source, compiler, options and, where it is built for this processor
+alone, the processor. It is built in a temporary folder and renamed, so several processes may build at once; a checksum
+beside it is read before it is loaded, and one that does not fit is built again. The folder may be deleted at any time.
 """
 
+import ctypes
 import hashlib
 import logging
 import os
 import platform
+import shlex
 import shutil
 import subprocess
 import tempfile
+import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
@@ -25,38 +28,38 @@ from manipplan.errors import CompilerError
 
 log = logging.getLogger("manipplan")
 
-LIBRARY = "library.so"
-CHECKSUM = "library.sha256"
-
 #: For functions that only this machine runs.
 NATIVE = ("-O2", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Compiler:
-    """A C or C++ compiler: its path and the first line of what it says about its version."""
+    """A C or C++ compiler: the command that calls it and the first line of what it says about its version."""
 
-    path: str
+    command: tuple[str, ...]
     version: str
 
 
 @cache
 def find_compiler(language: str = "c") -> Compiler | None:
-    """The compiler that $CC or $CXX names, otherwise the first of the usual ones on the PATH; None without one.
+    """The compiler that $CC or $CXX names, with options, otherwise the first of the usual ones on the PATH; None without.
 
     An empty $CC or $CXX means none.
     """
     variable, usual = {"c": ("CC", ("cc", "gcc", "clang")), "c++": ("CXX", ("c++", "g++", "clang++"))}[language]
-    names = [os.environ[variable]] if variable in os.environ else usual
-    for path in filter(None, (shutil.which(name) for name in names if name)):
-        answer = subprocess.run([path, "--version"], capture_output=True, text=True, check=False)
+    commands = [shlex.split(os.environ[variable])] if variable in os.environ else [[name] for name in usual]
+    for command in commands:
+        path = shutil.which(command[0]) if command else None
+        if path is None:
+            continue
+        answer = subprocess.run([path, *command[1:], "--version"], capture_output=True, text=True, check=False)
         if answer.returncode == 0:
-            return Compiler(path=path, version=answer.stdout.partition("\n")[0])
+            return Compiler(command=(path, *command[1:]), version=answer.stdout.partition("\n")[0])
     return None
 
 
 def install_line(language: str = "c") -> str:
-    """How to get a compiler on this machine."""
+    """How to get a compiler on systems with apt, and on macOS."""
     package = "gcc" if language == "c" else "g++"
     return "xcode-select --install" if platform.system() == "Darwin" else f"apt install {package}"
 
@@ -84,40 +87,67 @@ def shared_library(
     compiler = find_compiler(language)
     if compiler is None:
         raise CompilerError(subject, f"there is no {language.upper()} compiler; install one with: {install_line(language)}")
-    parts = [source, compiler.path, compiler.version, *flags, _processor() if "-march=native" in flags else platform.machine()]
-    folder = cache_folder() / hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
-    if not _sound(folder):
-        try:
-            with _announced(subject) if announce else nullcontext():
-                _build(folder, source, compiler, flags, language, subject)
-        except OSError as error:
-            raise CompilerError(subject, f"the cache folder {cache_folder()} cannot be written ({error.strerror})") from error
-    return folder / LIBRARY
+    parts = [source, *compiler.command, compiler.version, *flags]
+    parts.append(_processor() if "-march=native" in flags else platform.machine())
+    key = hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
+    file = cache_folder() / f"{key}.so"
+    if not _sound(file):
+        with _announced(subject) if announce else nullcontext():
+            _build(file, source, compiler, flags, language, subject)
+    return file
 
 
 def compiled(function: ca.Function, subject: str) -> ca.Function:
-    """The same function as machine code; raises CompilerError as `shared_library`."""
+    """The same function as machine code; raises CompilerError as `shared_library`, or when it cannot be loaded."""
     generator = ca.CodeGenerator(function.name(), {"casadi_real": "double"})
     generator.add(function)
-    return ca.external(function.name(), str(shared_library(generator.dump(), flags=(*NATIVE, "-lm"), subject=subject)))
+    file = shared_library(generator.dump(), flags=(*NATIVE, "-lm"), subject=subject)
+    try:
+        return ca.external(function.name(), str(file))
+    except RuntimeError as error:
+        raise CompilerError(subject, f"{file} cannot be loaded: {error}") from error
 
 
-def _build(folder: Path, source: str, compiler: Compiler, flags: Sequence[str], language: str, subject: str) -> None:
-    folder.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix="building-", dir=folder.parent) as name:
-        place = Path(name) / "made"
-        place.mkdir()
-        code = place / f"source.{'c' if language == 'c' else 'cpp'}"
-        code.write_text(source)
+def loaded(file: Path, subject: str) -> ctypes.CDLL:
+    """A library of our own; raises CompilerError when it cannot be loaded."""
+    try:
+        return ctypes.CDLL(str(file))
+    except OSError as error:
+        raise CompilerError(subject, f"it cannot be loaded: {error}") from error
+
+
+def _build(file: Path, source: str, compiler: Compiler, flags: Sequence[str], language: str, subject: str) -> None:
+    with _place_to_build(file.parent, subject) as place:
+        code, library = place / f"source.{'c' if language == 'c' else 'cpp'}", place / file.name
+        code.write_text(source, encoding="utf-8")
         log.debug("compiling %s", subject)
         options = [flag for flag in flags if not flag.startswith(("-l", "-L", "-Wl,"))]
         libraries = [flag for flag in flags if flag not in options]
-        command = [compiler.path, *options, "-shared", "-fPIC", str(code), "-o", str(place / LIBRARY), *libraries]
+        command = [*compiler.command, *options, "-shared", "-fPIC", str(code), "-o", str(library), *libraries]
         answer = subprocess.run(command, capture_output=True, text=True, check=False)
-        if answer.returncode != 0:
+        if answer.returncode != 0 or not library.is_file():
             raise CompilerError(subject, f"{' '.join(command)}\n{answer.stderr.strip()}")
-        (place / CHECKSUM).write_text(_digest(place / LIBRARY))
-        _put(place, folder)
+        checksum = place / "checksum"
+        checksum.write_text(_digest(library))
+        # Each rename is one step. Between the two, and after two builds that crossed, the checksum does not fit, and the
+        # next one who asks builds again.
+        library.replace(file)
+        checksum.replace(file.with_suffix(".sha256"))
+
+
+@contextmanager
+def _place_to_build(folder: Path, subject: str) -> Iterator[Path]:
+    """A temporary folder inside the cache folder; removes those that killed builds left there more than a day ago."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for left in folder.glob("building-*"):
+            if left.stat().st_mtime < time.time() - 86400:
+                shutil.rmtree(left, ignore_errors=True)
+        place = tempfile.TemporaryDirectory(prefix="building-", dir=folder)
+    except OSError as error:
+        raise CompilerError(subject, f"the cache folder {folder} cannot be written ({error.strerror})") from error
+    with place as name:
+        yield Path(name)
 
 
 @contextmanager
@@ -131,21 +161,9 @@ def _announced(subject: str) -> Iterator[None]:
         yield
 
 
-def _put(made: Path, folder: Path) -> None:
-    """Rename `made` to `folder`; one that another process put there meanwhile stays, one that is damaged goes."""
+def _sound(file: Path) -> bool:
     try:
-        made.rename(folder)
-    except OSError:
-        if _sound(folder):
-            return
-        damaged = made.with_name("damaged")
-        folder.rename(damaged)
-        made.rename(folder)
-
-
-def _sound(folder: Path) -> bool:
-    try:
-        return (folder / CHECKSUM).read_text() == _digest(folder / LIBRARY)
+        return file.with_suffix(".sha256").read_text() == _digest(file)
     except (OSError, UnicodeDecodeError):
         return False
 

@@ -1,7 +1,7 @@
 """Gradient and Hessian of Yoshikawa's index from the kinematic Hessian and trace identities.
 
-m_ρ = sqrt(det(J Jᵀ + ρ² I)) is the index with the regularisation ρ: it equals m to ρ²/(2 σ²) in relative terms, with σ the
-least singular value, and stays smooth where m = 0 has a kink.
+m_ρ = sqrt(det(J Jᵀ + ρ² I)) is the index with the regularisation ρ: it equals m to Σ ρ²/(2 σ_i²) in relative terms, with σ_i
+the singular values, and stays smooth where m = 0 has a kink.
 Symbols: L Lᵀ = J Jᵀ + ρ² I, J = L Qᵀ; P = L⁻ᵀ Qᵀ, so that Pᵀ = J⁺ for ρ = 0; D_k = ∂J/∂q_k.
 """
 

@@ -1,5 +1,6 @@
 """An SX Function as a list of operations on named values, for writing it in another language."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import casadi as ca
@@ -49,6 +50,13 @@ def instructions(function: ca.Function) -> list[Instruction]:
             found.append(Instruction(code=code, result=k, arguments=tuple(held[i] for i in inputs)))
             held[outputs[0]] = f"t{k}"
     return found
+
+
+def expressible(function: ca.Function, operations: Collection[int]) -> bool:
+    """Whether `function` holds no operation but these, sine, cosine and constants."""
+    basic = {ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_CONST, ca.OP_SIN, ca.OP_COS}
+    used = {function.instruction_id(k) for k in range(function.n_instructions())}
+    return used <= basic | set(operations)
 
 
 def pure_angles(found: list[Instruction]) -> set[str]:

@@ -35,12 +35,15 @@ def _statement(each: Instruction) -> str:
         return f"s{each.result} = sin({each.arguments[0]}); c{each.result} = cos({each.arguments[0]})"
     if each.code == ca.OP_CONST:
         return f"t{each.result} = {each.constant!r}"
-    return f"t{each.result} = {_OPERATIONS[each.code].format(*each.arguments)}"
+    return f"t{each.result} = {OPERATIONS[each.code].format(*each.arguments)}"
 
 
-_FUNCTIONS = ("sin", "cos", "sqrt", "exp", "log", "tan", "arcsin", "arccos", "arctan", "arctan2", "tanh", "inf", "nan")
+_FUNCTIONS = (
+    *("sin", "cos", "tan", "arcsin", "arccos", "arctan", "arctan2", "sinh", "cosh", "tanh"),
+    *("sqrt", "exp", "log", "floor", "ceil", "inf", "nan"),
+)
 
-_OPERATIONS = {
+OPERATIONS = {
     ca.OP_ASSIGN: "{0}",
     ca.OP_ADD: "{0} + {1}",
     ca.OP_SUB: "{0} - {1}",
@@ -62,6 +65,13 @@ _OPERATIONS = {
     ca.OP_IF_ELSE_ZERO: "{1} if {0} != 0.0 else 0.0",
     ca.OP_EXP: "exp({0})",
     ca.OP_LOG: "log({0})",
+    ca.OP_AND: "1.0 if {0} != 0.0 and {1} != 0.0 else 0.0",
+    ca.OP_OR: "1.0 if {0} != 0.0 or {1} != 0.0 else 0.0",
+    ca.OP_SIGN: "1.0 if {0} > 0.0 else -1.0 if {0} < 0.0 else {0}",
+    ca.OP_FLOOR: "floor({0})",
+    ca.OP_CEIL: "ceil({0})",
+    ca.OP_SINH: "sinh({0})",
+    ca.OP_COSH: "cosh({0})",
     ca.OP_TAN: "tan({0})",
     ca.OP_ASIN: "arcsin({0})",
     ca.OP_ACOS: "arccos({0})",

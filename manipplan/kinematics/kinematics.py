@@ -13,11 +13,12 @@ from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, configurations
 from manipplan.errors import CompilerError, CompilerWarning, InvalidInputError, UnknownNameError
+from manipplan.kinematics import jit, simd
 from manipplan.kinematics.batch import Kernel, numba_installed, run_kernel, simd_kernel
 from manipplan.kinematics.chain import SymbolicChain
 from manipplan.kinematics.compile import compiled, find_compiler, first_failure
 from manipplan.kinematics.evaluate import Evaluator
-from manipplan.kinematics.jit import jit_kernel
+from manipplan.kinematics.instructions import expressible
 from manipplan.kinematics.motion import TaskMotion
 from manipplan.kinematics.view import View
 from manipplan.measures.measure import Measure, Posture
@@ -189,17 +190,17 @@ class Kinematics:
 
     def _evaluate(self, quantity: str, q: ArrayLike) -> Array:
         n, shape = self.robot.n, self._shape(quantity)
-        if np.ndim(q) == 1:
+        if not (isinstance(q, np.ndarray) and q.dtype == np.float64 and q.ndim > 0 and q.shape[-1] == n):
+            q = configurations("q", q, n)
+        if q.ndim == 1:
             if (quantity,) not in self._evaluators:
                 self._evaluators[quantity,] = self.evaluator(quantity)
             return self._evaluators[quantity,](q)[0].copy()
-        kernel = self._kernel(quantity, np.size(q) // n)
-        if kernel is None or not (isinstance(q, np.ndarray) and q.dtype == np.float64 and q.shape[-1:] == (n,)):
-            q = configurations("q", q, n)
         if q.size == 0:
             return np.empty((*q.shape[:-1], *shape))
+        kernel = self._kernel(quantity, q.size // n)
         if kernel is None:
-            return self._columns(getattr(self.symbolic, quantity), q, shape)
+            return self._columns(getattr(self.symbolic, quantity), configurations("q", q, n), shape)
         values = run_kernel(kernel, np.ascontiguousarray(q).reshape(-1, n), math.prod(shape), threads=self.threads)
         if values is None:
             raise InvalidInputError("q", q, "finite numbers, no NaN or inf")
@@ -209,16 +210,18 @@ class Kinematics:
 
     def _kernel(self, quantity: str, count: int) -> Kernel | None:
         """Generated C where there is a compiler, else numba's work where it is worth its time; None: CasADi's machine."""
+        function = getattr(self.symbolic, quantity)
         if quantity not in self._kernels:
             self._kernels[quantity] = None
-            if self._wants_machine_code():
+            if self._wants_machine_code() and expressible(function, simd.OPERATIONS):
                 try:
                     subject = f"{quantity} of {self.robot.name}, in batches"
-                    self._kernels[quantity] = simd_kernel(getattr(self.symbolic, quantity), subject)
+                    self._kernels[quantity] = simd_kernel(function, subject)
                 except CompilerError as error:
                     self._without_compiler(error)
-        if self._kernels[quantity] is None and self.compiled == "auto" and count >= MANY and numba_installed():
-            self._kernels[quantity] = jit_kernel(getattr(self.symbolic, quantity))
+        by_numba = self.compiled == "auto" and count >= MANY and numba_installed()
+        if self._kernels[quantity] is None and by_numba and expressible(function, jit.OPERATIONS):
+            self._kernels[quantity] = jit.jit_kernel(function)
         return self._kernels[quantity]
 
     def _wants_machine_code(self) -> bool:
@@ -228,7 +231,7 @@ class Kinematics:
         if self.compiled is True:
             raise error
         if first_failure():
-            warnings.warn(f"CasADi's virtual machine is used instead: {error}", CompilerWarning, stacklevel=4)
+            warnings.warn(f"CasADi's virtual machine is used instead: {error}", CompilerWarning, stacklevel=5)
 
     def _shape(self, quantity: str) -> tuple[int, ...]:
         n = self.robot.n

@@ -16,8 +16,11 @@
 #include <pinocchio/multibody.hpp>
 #include <pinocchio/serialization.hpp>
 
+#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <string>
+#include <vector>
 
 using casadi::Function;
 using casadi::SX;
@@ -85,8 +88,10 @@ extern "C" int manipplan_functions(const char* model_text, unsigned long frame, 
     return 0;
   } catch (const std::exception& error) {
     *text = strdup(error.what());
-    return 1;
+  } catch (...) {
+    *text = strdup("an error of unknown kind");
   }
+  return 1;
 }
 
 extern "C" void manipplan_free(char* text) { free(text); }

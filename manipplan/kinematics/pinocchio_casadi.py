@@ -6,8 +6,8 @@ this machine and kept in the user's cache folder; it hands serialised CasADi Fun
 
 import ctypes
 import importlib.metadata
-import importlib.util
 import logging
+import platform
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import casadi as ca
 
 from manipplan.errors import CompilerError, InvalidInputError, ManipplanError, UnknownNameError
-from manipplan.kinematics.compile import shared_library
+from manipplan.kinematics.compile import loaded, shared_library
 from manipplan.robots.description import frame_index
 
 if TYPE_CHECKING:
@@ -56,10 +56,11 @@ def pinocchio_casadi(robot: "Robot", *, source: str = "auto") -> PinocchioCasadi
     Args:
         robot: the arm.
         source: "bindings" uses the module pinocchio.casadi, "bridge" compiles the wheel's headers with the machine's C++
-            compiler (some minutes, once), "auto" takes the bindings where they can be imported, otherwise the bridge.
+            compiler (about two minutes, once), "auto" takes the bindings where they can be imported, otherwise the bridge.
 
     Raises:
         CompilerError: the bridge is needed and there is no C++ compiler, or it fails; its message is kept.
+        UnknownNameError: no such source.
         InvalidInputError: source is "bindings" and pinocchio.casadi cannot be imported.
     """
     from manipplan.robots.robot import Robot
@@ -79,8 +80,12 @@ def pinocchio_casadi(robot: "Robot", *, source: str = "auto") -> PinocchioCasadi
 
 @cache
 def bindings_installed() -> bool:
-    """Whether the module pinocchio.casadi is there."""
-    return importlib.util.find_spec("pinocchio.casadi") is not None
+    """Whether the module pinocchio.casadi can be imported."""
+    try:
+        import pinocchio.casadi  # noqa: F401
+    except ImportError:
+        return False
+    return True
 
 
 def _by_bindings(robot: "Robot") -> PinocchioCasadi:
@@ -130,31 +135,41 @@ def _by_bridge(robot: "Robot") -> PinocchioCasadi:
 @cache
 def _bridge() -> ctypes.CDLL:
     """The compiled bridge, loaded."""
-    source = Path(__file__).with_name("pinocchio_bridge.cpp").read_text()
+    source = Path(__file__).with_name("pinocchio_bridge.cpp").read_text(encoding="utf-8")
     pinocchio = _prefix("libpinocchio", "include/pinocchio/autodiff/casadi.hpp")
     casadi = Path(ca.__file__).parent
-    versions = [f'-DMANIPPLAN_{name}="{importlib.metadata.version(name)}"' for name in ("libpinocchio", "casadi")]
+    # part of the cache's key: another version is another library
+    packages = {"PINOCCHIO": "libpinocchio", "CASADI": "casadi", "BOOST": "cmeel-boost"}
+    versions = [f"-DMANIPPLAN_{name}={_version(package)}" for name, package in packages.items()]
     flags = [
         "-std=c++17",
         "-O1",
         "-w",
-        *versions,  # part of the cache's key: another version is another library
+        *versions,
         f"-I{pinocchio / 'include'}",
         f"-I{casadi / 'include'}",
         f"-I{casadi / 'include' / 'eigen3'}",
         *(f"-L{folder}" for folder in (pinocchio / "lib", casadi)),
         *(f"-Wl,-rpath,{folder}" for folder in (pinocchio / "lib", casadi)),
-        "-Wl,--no-as-needed",
+        *(["-Wl,--no-as-needed"] if platform.system() == "Linux" else []),
         "-lpinocchio_default",
         "-lboost_serialization",
         "-lcasadi",
     ]
     subject = "Pinocchio's algorithms in CasADi's scalar, once for this machine, about two minutes"
-    library = ctypes.CDLL(str(shared_library(source, flags=flags, language="c++", subject=subject, announce=True)))
+    library = loaded(shared_library(source, flags=flags, language="c++", subject=subject, announce=True), subject)
     library.manipplan_functions.argtypes = [ctypes.c_char_p, ctypes.c_ulong, ctypes.POINTER(ctypes.c_void_p)]
     library.manipplan_functions.restype = ctypes.c_int
     library.manipplan_free.argtypes = [ctypes.c_void_p]
     return library
+
+
+def _version(package: str) -> str:
+    try:
+        return importlib.metadata.version(package)
+    except importlib.metadata.PackageNotFoundError as error:
+        wanted = f"the bridge needs the wheel {package}, which is not installed; pip install pin casadi"
+        raise CompilerError("Pinocchio's algorithms in CasADi's scalar", wanted) from error
 
 
 def _prefix(package: str, header: str) -> Path:

@@ -43,7 +43,7 @@ def _statement(each: Instruction, copy: str, turning: set[str]) -> str:
         sine, cosine = f"s{each.result}{copy}", f"c{each.result}{copy}"
         call = "sine_cosine" if each.arguments[0] in turning else "far_sine_cosine"
         return f"vec {sine}, {cosine}; {call}({names[0]}, &{sine}, &{cosine});"
-    value = f"zero + {_constant(each.constant)}" if each.code == ca.OP_CONST else _OPERATIONS[each.code].format(*names)
+    value = f"zero + {_constant(each.constant)}" if each.code == ca.OP_CONST else OPERATIONS[each.code].format(*names)
     return f"const vec t{each.result}{copy} = {value};"
 
 
@@ -53,7 +53,7 @@ def _constant(value: float) -> str:
     return "NAN" if math.isnan(value) else f"({value.hex()})"
 
 
-_OPERATIONS = {
+OPERATIONS = {
     ca.OP_ASSIGN: "{0}",
     ca.OP_ADD: "{0} + {1}",
     ca.OP_SUB: "{0} - {1}",
@@ -75,6 +75,13 @@ _OPERATIONS = {
     ca.OP_IF_ELSE_ZERO: "choose({0} != 0.0, {1}, zero)",
     ca.OP_EXP: "lanes(exp, {0})",
     ca.OP_LOG: "lanes(log, {0})",
+    ca.OP_AND: "truth(({0} != 0.0) & ({1} != 0.0))",
+    ca.OP_OR: "truth(({0} != 0.0) | ({1} != 0.0))",
+    ca.OP_SIGN: "choose({0} > 0.0, zero + 1.0, choose({0} < 0.0, zero - 1.0, {0}))",
+    ca.OP_FLOOR: "lanes(floor, {0})",
+    ca.OP_CEIL: "lanes(ceil, {0})",
+    ca.OP_SINH: "lanes(sinh, {0})",
+    ca.OP_COSH: "lanes(cosh, {0})",
     ca.OP_TAN: "lanes(tan, {0})",
     ca.OP_ASIN: "lanes(asin, {0})",
     ca.OP_ACOS: "lanes(acos, {0})",

@@ -19,7 +19,7 @@ class View:
 
     Attributes:
         jacobian: (m, n), of as few operations as we know.
-        smooth: a Jacobian (m, n) of that index, with its motion: what derivatives are made of.
+        smooth: a Jacobian (m, n) of that index, with its motion: for derivatives of functions of det(J Jᵀ) alone.
     """
 
     jacobian: ca.SX
@@ -48,10 +48,12 @@ class View:
 
 @dataclass(frozen=True, kw_only=True)
 class ViewMotion(Motion):
-    """The six rows of a pose seen from joint f: its axes, and a point that is fixed on it.
+    """The six rows of a pose seen from joint f: its axes, and a point that is frozen on it where it stands at q.
 
     There a column only changes with the joints between it and f: ∂_k S_j = ± [S_k, S_j], plus for f < k < j, minus for
-    j < k <= f, with the bracket (w_k x v_j + v_k x w_j, w_k x w_j). So most of the kinematic Hessian is zero.
+    j < k <= f, with the bracket (w_k x v_j + v_k x w_j, w_k x w_j). So most of the kinematic Hessian is zero. Where the
+    point that `jacobian` is for moves with q this is not the derivative of `jacobian`; yet det(J Jᵀ) does not depend on
+    the point, so that its gradient and Hessian come out right.
 
     Attributes:
         jacobian: (6, n), not weighted.

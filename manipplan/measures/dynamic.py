@@ -9,7 +9,7 @@ from manipplan.checks import number
 from manipplan.kinematics.derivatives import index_gradient, index_hessian
 from manipplan.kinematics.motion import MatrixMotion
 from manipplan.measures.indices import REGULARISATION, yoshikawa
-from manipplan.measures.measure import Measure, Posture, row_unit
+from manipplan.measures.measure import Measure, Posture, product_unit
 from manipplan.measures.spectral import SingularValues, ratio_gradient, ratio_hessian
 from manipplan.measures.task import Task
 
@@ -31,20 +31,16 @@ class DynamicManipulability(Measure):
         number("regularisation", self.regularisation, above=0.0)
 
     def unit(self, task: Task) -> str:
-        unit = row_unit(task)
-        power = f"^{task.rows}" if task.rows > 1 else ""
-        return f"({unit}/(kg m²)){power}"
+        return product_unit(task, "kg m²")
 
     def value(self, posture: Posture) -> ca.SX:
         return yoshikawa(_accelerations(posture))
 
     def gradient(self, posture: Posture) -> ca.SX:
-        matrix = _accelerations(posture)
-        return index_gradient(matrix, MatrixMotion(matrix=matrix, q=posture.q), self.regularisation)
+        return index_gradient(*_moving(_accelerations(posture), posture), self.regularisation)
 
     def hessian(self, posture: Posture) -> ca.SX:
-        matrix = _accelerations(posture)
-        return index_hessian(matrix, MatrixMotion(matrix=matrix, q=posture.q), self.regularisation)
+        return index_hessian(*_moving(_accelerations(posture), posture), self.regularisation)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,17 +62,19 @@ class Asada(Measure):
         return (values.sigma[-1] / values.sigma[0]) ** 2
 
     def gradient(self, posture: Posture) -> ca.SX:
-        values, motion = self._parts(posture)
+        matrix, motion = _moving(_mobility_root(posture), posture)
+        values = SingularValues.of(matrix)
         return 2 * values.sigma[-1] / values.sigma[0] * ratio_gradient(values, motion)
 
     def hessian(self, posture: Posture) -> ca.SX:
-        values, motion = self._parts(posture)
+        matrix, motion = _moving(_mobility_root(posture), posture)
+        values = SingularValues.of(matrix)
         slope = ratio_gradient(values, motion)
         return 2 * (slope @ slope.T + values.sigma[-1] / values.sigma[0] * ratio_hessian(values, motion))
 
-    def _parts(self, posture: Posture) -> tuple[SingularValues, MatrixMotion]:
-        matrix = _mobility_root(posture)
-        return SingularValues.of(matrix), MatrixMotion(matrix=matrix, q=posture.q)
+
+def _moving(matrix: ca.SX, posture: Posture) -> tuple[ca.SX, MatrixMotion]:
+    return matrix, MatrixMotion(matrix=matrix, q=posture.q)
 
 
 def _accelerations(posture: Posture) -> ca.SX:

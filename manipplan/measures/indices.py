@@ -1,6 +1,5 @@
 """Measures that are smooth functions of J Jᵀ: Yoshikawa's index, its logarithm, the Frobenius norm, isotropy."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -139,21 +138,22 @@ class Isotropy(JacobianMeasure):
         return m * yoshikawa(jacobian) ** (2 / m) / ca.sumsqr(jacobian)
 
     def gradient(self, posture: Posture) -> ca.SX:
-        return self._regular(posture)[1]
+        return self._regular(posture)[2]
 
     def hessian(self, posture: Posture) -> ca.SX:
-        value, slope, log_bend = self._regular(posture)
-        return value * log_bend() + slope @ slope.T / value
+        factor, value, slope = self._regular(posture)
+        log_bend = 2 / posture.jacobian.shape[0] * log_hessian(factor, posture.motion)
+        log_bend -= ca.hessian(ca.log(ca.sumsqr(posture.jacobian)), posture.q)[0]
+        return value * log_bend + slope @ slope.T / value
 
-    def _regular(self, posture: Posture) -> tuple[ca.SX, ca.SX, Callable[[], ca.SX]]:
-        """Value, gradient, and what builds the logarithm's Hessian, by log Δ = (2/m) log m_ρ - log tr(J Jᵀ) + constant."""
+    def _regular(self, posture: Posture) -> tuple[Factor, ca.SX, ca.SX]:
+        """Factor, value and gradient, by log Δ = (2/m) log m_ρ - log tr(J Jᵀ) + constant."""
         m = posture.jacobian.shape[0]
         factor = Factor.of(posture.jacobian, self.regularisation)
-        size = ca.log(ca.sumsqr(posture.jacobian))
-        bend, slope = ca.hessian(size, posture.q)
-        value = m * factor.index ** (2 / m) * ca.exp(-size)
-        gradient = value * (2 / m * log_gradient(factor, posture.motion) - slope)
-        return value, gradient, lambda: 2 / m * log_hessian(factor, posture.motion) - bend
+        trace = ca.sumsqr(posture.jacobian)
+        value = m * factor.index ** (2 / m) / trace
+        slope = 2 / m * log_gradient(factor, posture.motion) - ca.gradient(ca.log(trace), posture.q)
+        return factor, value, value * slope
 
 
 def yoshikawa(jacobian: ca.SX) -> ca.SX:
@@ -173,10 +173,3 @@ def yoshikawa(jacobian: ca.SX) -> ca.SX:
         for j in range(i + 1, len(rows)):
             rows[j] -= ca.dot(row, rows[j]) * inverse * row
     return ca.sqrt(square)
-
-
-def log_yoshikawa(jacobian: ca.SX, regularisation: float) -> ca.SX:
-    """The value of log sqrt(det(J Jᵀ + ε I)) through a Cholesky factor, with ε = `regularisation` [unit of J squared]."""
-    gram = jacobian @ jacobian.T + regularisation * ca.SX.eye(jacobian.shape[0])
-    factor = ca.chol(gram)
-    return ca.sum1(ca.log(ca.diag(factor)))

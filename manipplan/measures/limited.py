@@ -29,7 +29,6 @@ class JointLimitPenalised(Measure):
     name: ClassVar[str] = "joint_limit_penalised"
     formula: ClassVar[str] = "measure · (1 - exp(-k Π 4 (q - l)(u - q)/(u - l)²))"
     source: ClassVar[str] = "tsai1986"
-    vanishes: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         if not isinstance(self.measure, Measure):

@@ -24,7 +24,7 @@ class Posture:
         jacobian: the task's rows (m, n).
         motion: how `jacobian` changes with q.
         isometric: a Jacobian (m, n) of the same Yoshikawa index, seen from the place on the arm where it is simplest.
-        smooth: a Jacobian of that index with its motion, for derivatives of the index.
+        smooth: a Jacobian of that index with its motion, for derivatives of functions of det(J Jᵀ) alone.
         mass_matrix: M(q), (n, n), built when called.
         lower, upper: position limits (n,) [rad or m]; infinite where there are none.
     """
@@ -76,7 +76,7 @@ class Measure(ABC):
             raise InvalidInputError(
                 "measure",
                 self.name,
-                f"at most as many task rows as joints; with {m} rows and {n} joints it is identically zero",
+                f"at most as many task rows as joints; with {m} rows and {n} joints it is identically zero or not defined",
             )
 
 
@@ -91,7 +91,10 @@ class JacobianMeasure(Measure):
         return self.of(posture.jacobian)
 
     def __call__(self, jacobian: ArrayLike) -> Array:
-        """Values (...) of Jacobians (..., m, n); raises InvalidInputError for NaN, inf, or more rows than columns."""
+        """Values (...) of Jacobians (..., m, n).
+
+        Raises InvalidInputError for NaN, inf, or more rows than columns where the measure `vanishes` then.
+        """
         matrices = number_array("jacobian", jacobian)
         if matrices.ndim < 2 or 0 in matrices.shape[-2:] or not np.isfinite(matrices).all():
             raise InvalidInputError("jacobian", jacobian, "finite matrices of shape (..., m, n)")
@@ -105,7 +108,10 @@ class JacobianMeasure(Measure):
 
 
 def row_unit(task: Task) -> str:
-    """Unit of a singular value: metres per radian, which SI counts as metres."""
-    if task.metres == task.rows:
-        return "m"
-    return "1" if task.metres == 0 else "m and 1 mixed; give the task a length"
+    """Unit of a singular value; rows of metres and of radians have none in common."""
+    return {task.rows: "m", 0: "1"}.get(task.metres, "mixed")
+
+
+def product_unit(task: Task, divisor: str) -> str:
+    """Unit of a product of one value a row, each over `divisor`."""
+    return f"{task.unit}/({divisor})" + (f"^{task.rows}" if task.rows > 1 else "")

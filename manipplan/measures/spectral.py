@@ -58,13 +58,14 @@ class SingularValues:
     def hessian(self, i: int, motion: Motion) -> ca.SX:
         """The second derivatives of σ_i, (n, n), from those of the eigenvalue σ_i² of J Jᵀ.
 
-        ∂_k ∂_l σ_i = u_iᵀ ∂_l D_k v_i + (D_kᵀ u_i · D_lᵀ u_i + Σ_j x_kj x_lj / (σ_i² - σ_j²) - ∂_k σ_i ∂_l σ_i) / σ_i with
+        ∂_k ∂_l σ_i = u_iᵀ ∂_l D_k v_i + (D_kᵀ u_i · D_lᵀ u_i + Σ_(j≠i) x_kj x_lj / (σ_i² - σ_j²) - ∂_k σ_i ∂_l σ_i) / σ_i with
         x_kj = σ_i u_jᵀ D_k v_i + σ_j u_iᵀ D_k v_j.
         """
         derivatives = motion.kinematic_hessian()
         across = ca.horzcat(*(derivative.T @ self.u[:, i] for derivative in derivatives))
         slope = self.gradient(i, motion)
         bend = across.T @ across - slope @ slope.T
+        least = ca.fmax(GAP * self.sigma[0] ** 2, _TINY)
         for j in range(len(self.sigma)):
             if j == i:
                 continue
@@ -74,7 +75,6 @@ class SingularValues:
                     for d in derivatives
                 )
             )
-            least = ca.fmax(GAP * self.sigma[0] ** 2, _TINY)
             gap = ca.fmax(ca.fabs(self.sigma[i] ** 2 - self.sigma[j] ** 2), least)
             bend += (1 if i < j else -1) * (x @ x.T) / gap
         return motion.second(self.u[:, i] @ self.v[:, i].T) + bend / ca.fmax(self.sigma[i], _TINY)

@@ -79,8 +79,7 @@ class ForceTransmission(_Transmission):
     vanishes: ClassVar[bool] = False
 
     def unit(self, task: Task) -> str:
-        unit = row_unit(task)
-        return "1/m" if unit == "m" else unit
+        return {"m": "1/m"}.get(row_unit(task), row_unit(task))
 
     def of(self, jacobian: ca.SX) -> ca.SX:
         return 1 / ca.norm_2(jacobian.T @ self._unit_vector)

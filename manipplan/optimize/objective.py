@@ -11,11 +11,11 @@ import numpy as np
 
 from manipplan.checks import Array
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.measures.indices import log_yoshikawa
+from manipplan.measures.indices import LogDet
 from manipplan.paths.joint import JointPath
 
-#: ε in log sqrt(det(J Jᵀ + ε I)), which keeps the solved energy finite on a singular posture; g itself has none.
-REGULARISATION = 1e-10
+#: ρ in log sqrt(det(J Jᵀ + ρ² I)), which keeps the solved energy finite on a singular posture; g itself has none.
+REGULARISATION = 1e-5
 
 #: An index below this share of the path's largest counts as zero.
 SINGULAR = 1e-9
@@ -86,9 +86,8 @@ def energy_density(kinematics: Kinematics, power: float) -> EnergyDensity:
     """The density whose integral over s is the energy E."""
     q = kinematics.symbolic.chain.q
     v = ca.SX.sym("v", q.shape[0])
-    jacobian = kinematics.task.rows_of(kinematics.symbolic.chain.jacobian, kinematics.symbolic.chain.tool.rotation)
-    log_index = log_yoshikawa(jacobian, REGULARISATION)
-    bend, slope = ca.hessian(log_index, q)
+    measure, posture = LogDet(regularisation=REGULARISATION), kinematics.symbolic.posture
+    log_index, slope, bend = measure.value(posture), measure.gradient(posture), measure.hessian(posture)
     weight = ca.exp(-2 * power * log_index)
     square = ca.sumsqr(v)
     # by hand from w(q) = exp(-2p log m): w' = -2p w ∇log m, w'' = w (4p² ∇log m ∇log mᵀ - 2p ∇²log m)

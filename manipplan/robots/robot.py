@@ -217,7 +217,7 @@ class Robot:
 
         task = instance("task", task if task is not None else self.default_task, Task)
         chosen = measure_of(measure)
-        if compiled not in ("auto", True, False):
+        if not (isinstance(compiled, bool) or compiled == "auto"):
             raise InvalidInputError("compiled", compiled, "'auto', True or False")
         threads = all_cores() if threads is None else whole_number("threads", threads, least=1)
         key = (task, backend, compiled, chosen, threads)

@@ -16,6 +16,7 @@ from manipplan.robots.description import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.viz import style
+from manipplan.viz.ellipsoids import plot_ellipsoid
 
 if TYPE_CHECKING:
     from manipplan.jobs import Plan
@@ -117,9 +118,7 @@ def plot_arm(robot: Robot, path: JointPath, scene: Scene | None = None, *, seed:
         end = place in (0.0, 1.0)
         ax.plot(*skeleton.T, color=style.ARM, linewidth=3.0 if end else 1.4, alpha=0.25 + 0.7 * place, solid_capstyle="round")
         ax.plot(*skeleton[:-1].T, "o", color=style.ARM, markersize=2.5, alpha=0.25 + 0.7 * place)
-        ellipsoid = velocity_ellipsoid(kinematics.jacobian(q))
-        surface = _ball() * (0.12 * ellipsoid.radii) @ ellipsoid.axes.T + skeleton[-1]
-        ax.plot_surface(*np.moveaxis(surface, 2, 0), color=style.ELLIPSOID, alpha=0.3, linewidth=0)
+        plot_ellipsoid(velocity_ellipsoid(kinematics.jacobian(q)), skeleton[-1], ax=ax, scale=0.12)
     trace = kinematics.pose(path(np.linspace(0.0, 1.0, 120)))[:, :3, 3]
     ax.plot(*trace.T, color=style.OPTIMUM, linewidth=2.0, label="tool, optimised")
     if seed is not None:
@@ -142,7 +141,7 @@ def plot_arm(robot: Robot, path: JointPath, scene: Scene | None = None, *, seed:
 
 def plot_planar_arm(robot: Robot, path: JointPath, scene: Scene | None = None, *, ax: Any) -> None:
     """The planar arm along a path, from light to dark, with its velocity ellipses and the obstacles' bounding boxes."""
-    from matplotlib.patches import Ellipse, Polygon
+    from matplotlib.patches import Polygon
     from scipy.spatial import ConvexHull
 
     kinematics = robot.kinematics(Task.planar())
@@ -151,10 +150,7 @@ def plot_planar_arm(robot: Robot, path: JointPath, scene: Scene | None = None, *
         skeleton = _skeleton(robot, q)
         width = 3.0 if place in (0.0, 1.0) else 1.6
         ax.plot(skeleton[:, 0], skeleton[:, 1], "o-", color=style.ARM, alpha=0.2 + 0.7 * place, linewidth=width, markersize=3)
-        ellipsoid = velocity_ellipsoid(kinematics.jacobian(q))
-        angle = np.degrees(np.arctan2(*ellipsoid.axes[::-1, 0]))
-        width, height = 0.3 * ellipsoid.radii
-        ax.add_patch(Ellipse(tuple(skeleton[-1, :2]), width, height, angle=angle, color=style.ELLIPSOID, alpha=0.3))
+        plot_ellipsoid(velocity_ellipsoid(kinematics.jacobian(q)), skeleton[-1, :2], ax=ax, scale=0.15)
     trace = kinematics.pose(path(np.linspace(0.0, 1.0, 200)))[:, :2, 3]
     ax.plot(trace[:, 0], trace[:, 1], color=style.OPTIMUM, label="tool, optimised")
     straight = JointPath.line(path.start, path.goal)
@@ -181,11 +177,6 @@ def _skeleton(robot: Robot, q: Array) -> Array:
     pin.framesForwardKinematics(robot.model, data, q)
     origins = [data.oMi[i].translation for i in range(robot.model.njoints)]
     return np.array([*origins, data.oMf[frame_index(robot.model, robot.tool)].translation])
-
-
-def _ball() -> Array:
-    around, up = np.meshgrid(np.linspace(0, 2 * np.pi, 17), np.linspace(0, np.pi, 9))
-    return np.stack([np.cos(around) * np.sin(up), np.sin(around) * np.sin(up), np.cos(up)], axis=2)
 
 
 def _obstacle_faces(scene: Scene | None) -> list[Array]:

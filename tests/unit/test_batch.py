@@ -1,5 +1,6 @@
 """Many configurations at once: the same numbers as one by one, whatever evaluates them."""
 
+import casadi as ca
 import numpy as np
 import pinocchio as pin
 import pytest
@@ -110,3 +111,44 @@ def test_every_measure_runs_in_a_kernel(measure, panda, rng):
     q = panda.random_configuration(rng, size=20)
     np.testing.assert_allclose(fast.manipulability(q), slow.manipulability(q), rtol=1e-9)
     np.testing.assert_allclose(fast.gradient(q), slow.gradient(q), rtol=1e-7, atol=1e-9)
+
+
+def test_every_operation_of_the_kernels(tmp_path):
+    """Each operation that the kernels in C and by numba claim to know, against CasADi's virtual machine."""
+    from manipplan.kinematics import jit, simd
+    from manipplan.kinematics.batch import run_kernel, simd_kernel
+
+    x = ca.SX.sym("x", 2)
+    a, b = x[0], x[1]
+    near = 0.9 * ca.sin(a)
+    expressions = [a + b, a - b, a * b, a / b, -a, a**2, 2 * a, 1 / a, ca.sqrt(ca.fabs(a)), ca.fmin(a, b), ca.fmax(a, b)]
+    expressions += [a < b, a <= b, a == b, a != b, ca.logic_not(a), ca.if_else(a < b, a, b), ca.logic_and(a, b)]
+    expressions += [ca.logic_or(a, b), ca.sign(a), ca.floor(a), ca.ceil(a), ca.sinh(a), ca.cosh(a), ca.tanh(a), ca.tan(a)]
+    expressions += [ca.exp(a), ca.log(ca.fabs(a)), ca.asin(near), ca.acos(near), ca.atan(a), ca.atan2(a, b)]
+    expressions += [ca.fabs(a) ** b, ca.fabs(a) ** 1.5, ca.sin(a), ca.cos(b), ca.sin(1e7 * a), 3.0 + 0 * a]
+    function = ca.Function("all", [x], [ca.densify(ca.vertcat(*expressions))])
+    used = {function.instruction_id(k) for k in range(function.n_instructions())}
+    assert set(simd.OPERATIONS) - {ca.OP_ASSIGN} <= used
+    assert set(jit.OPERATIONS) == set(simd.OPERATIONS)
+    values = np.array([[-1.7, 0.3], [1.7, -0.3], [0.4, 0.4], [2.0, 1.0], [-0.2, -0.2], [0.0, 2.0]])
+    expected = np.asarray(function(ca.DM(values.T))).T
+    for kernel in (simd_kernel(function, "a test"), jit.jit_kernel(function)):
+        np.testing.assert_allclose(run_kernel(kernel, values, len(expressions), threads=1), expected, rtol=1e-13, atol=1e-13)
+
+
+def test_an_operation_that_kernels_do_not_know(panda, rng):
+    """A user's own measure with an exotic function still works, in CasADi's virtual machine."""
+    from manipplan.measures.measure import JacobianMeasure
+
+    class Exotic(JacobianMeasure):
+        name, formula, source = "exotic", "erf of the norm", "tests"
+
+        def unit(self, task):
+            return "1"
+
+        def of(self, jacobian):
+            return ca.erf(ca.norm_fro(jacobian))
+
+    kinematics = panda.kinematics(measure=Exotic(), compiled=True)
+    q = panda.random_configuration(rng, size=3)
+    np.testing.assert_allclose(kinematics.manipulability(q), [kinematics.manipulability(each) for each in q])

@@ -12,7 +12,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.kinematics import compile as module
-from manipplan.kinematics.compile import CHECKSUM, LIBRARY, find_compiler, shared_library
+from manipplan.kinematics.compile import find_compiler, shared_library
 
 SOURCE = "int answer(void) { return 42; }"
 
@@ -63,12 +63,12 @@ def test_a_damaged_entry_is_built_again(folder, damage):
     elif damage == "other bytes":
         file.write_bytes(file.read_bytes()[::-1])
     elif damage == "no checksum":
-        (file.parent / CHECKSUM).unlink()
+        file.with_suffix(".sha256").unlink()
     else:
         file.unlink()
     assert shared_library(SOURCE, subject="a test") == file
     assert answer(file) == "42"
-    assert {each.name for each in folder.iterdir()} == {file.parent.name}
+    assert {each.name for each in folder.iterdir()} == {file.name, file.with_suffix(".sha256").name}
 
 
 def test_several_processes_build_at_once(folder):
@@ -78,7 +78,7 @@ def test_several_processes_build_at_once(folder):
     assert all(process.returncode == 0 for process in running)
     assert len(files) == 1
     assert answer(files.pop()) == "42"
-    assert len(list(folder.iterdir())) == 1
+    assert len(list(folder.iterdir())) == 2
 
 
 def test_a_killed_build_leaves_nothing_that_is_used(folder, compiler):
@@ -87,7 +87,7 @@ def test_a_killed_build_leaves_nothing_that_is_used(folder, compiler):
     code = f"from manipplan.kinematics.compile import shared_library; shared_library({SOURCE!r}, subject='a test')"
     process = subprocess.Popen([sys.executable, "-c", code], start_new_session=True)
     end = time.monotonic() + 60
-    while not list(folder.glob(f"building-*/made/{LIBRARY}")):
+    while not list(folder.glob("building-*/*.so")):
         assert time.monotonic() < end, "the build never began"
         time.sleep(0.05)
     os.killpg(process.pid, signal.SIGKILL)
@@ -136,3 +136,31 @@ def test_a_folder_that_cannot_be_written(tmp_path, monkeypatch):
 
 def test_cache_keys_name_the_processor():
     assert module._processor()
+
+
+def test_a_library_that_cannot_be_loaded(folder, compiler):
+    """A compiler for another machine: its libraries are well-formed files and no use here."""
+    compiler('while [ "$1" != -o ]; do shift; done\necho not for this machine > "$2"\n')
+    robot = mp.planar_arm([0.9, 0.7, 0.4])
+    expected = robot.kinematics(compiled=False).manipulability([0.1, 0.5, 0.9])
+    with pytest.warns(mp.CompilerWarning, match="cannot be loaded"):
+        assert robot.kinematics().manipulability([0.1, 0.5, 0.9]) == expected
+    np.testing.assert_allclose(robot.kinematics().manipulability([[0.1, 0.5, 0.9]]), expected)
+
+
+def test_a_compiler_with_options(monkeypatch, folder):
+    monkeypatch.setenv("CC", "gcc -m64")
+    find_compiler.cache_clear()
+    assert answer(shared_library(SOURCE, subject="a test")) == "42"
+    monkeypatch.undo()
+    find_compiler.cache_clear()
+
+
+def test_old_remains_of_killed_builds_are_removed(folder):
+    old, new = folder / "building-old", folder / "building-new"
+    for each in (old, new):
+        each.mkdir(parents=True)
+    os.utime(old, (0, 0))
+    shared_library(SOURCE, subject="a test")
+    assert not old.exists()
+    assert new.exists()

@@ -192,3 +192,36 @@ def test_wrong_measures(panda):
         mp.Yoshikawa()([[np.nan]])
     with pytest.raises(mp.InvalidInputError, match="measure"):
         panda.kinematics(measure=3)
+
+
+def test_drawn_ellipsoids_lie_where_the_matrix_says(panda):
+    """In the plane the outline's points, in space the surface's, are images of the unit ball."""
+    from matplotlib.figure import Figure
+
+    from manipplan.viz.ellipsoids import plot_ellipsoid
+
+    jacobian = np.array([[1.0, 0.5, 0.0], [0.0, 1.0, 0.3]])
+    ax = Figure().add_subplot()
+    plot_ellipsoid(mp.velocity_ellipsoid(jacobian), (1.0, 2.0), ax=ax, scale=0.5, axes=True)
+    outline = (ax.patches[0].get_path().vertices[:-1] - (1.0, 2.0)) / 0.5
+    form = np.linalg.inv(jacobian @ jacobian.T)
+    np.testing.assert_allclose(np.einsum("ki,ij,kj->k", outline, form, outline), 1.0)
+    space = Figure().add_subplot(projection="3d")
+    plot_ellipsoid(mp.velocity_ellipsoid(panda.kinematics(mp.Task.position()).jacobian(panda.neutral)), (0, 0, 0), ax=space)
+    assert len(space.collections) == 1
+    stretched = mp.force_ellipsoid([[1.0, 0.0], [0.0, 0.0]])
+    with pytest.raises(mp.InvalidInputError, match="largest"):
+        plot_ellipsoid(stretched, (0, 0), ax=ax)
+    plot_ellipsoid(stretched, (0, 0), ax=ax, largest=4.0)
+    with pytest.raises(mp.InvalidInputError, match="2 or 3 radii"):
+        plot_ellipsoid(mp.velocity_ellipsoid(np.eye(6)), np.zeros(6), ax=ax)
+
+
+def test_sources_are_in_the_bibliography():
+    from pathlib import Path
+
+    from manipplan.measures.names import MEASURES
+
+    bibliography = (Path(__file__).parents[2] / "docs" / "references.bib").read_text()
+    for kind in MEASURES.values():
+        assert f"{{{kind.source}," in bibliography
