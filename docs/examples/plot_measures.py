@@ -49,8 +49,8 @@ ax = figure.add_subplot(projection="3d")
 plot_ellipsoid(velocity, centre, ax=ax, scale=0.3, alpha=0.35)
 plot_ellipsoid(acceleration, centre, ax=ax, scale=0.3 * velocity.radii[0] / acceleration.radii[0], color="#0072B2", alpha=0.35)
 ax.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
-ax.set_box_aspect((1, 1, 1))
 ax.set_aspect("equal")
+ax.locator_params(nbins=4)
 
 # %%
 # Every measure on the same posture.

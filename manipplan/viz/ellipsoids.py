@@ -52,10 +52,10 @@ def plot_ellipsoid(
         outline = middle + np.stack([np.cos(around), np.sin(around)], axis=1) @ spokes.T
         ax.fill(*outline.T, linewidth=0, **look)
     else:
-        ax.plot_surface(*np.moveaxis(_ball() @ spokes.T + middle, 2, 0), linewidth=0, **look)
+        ax.plot_surface(*np.moveaxis(_ball() @ spokes.T + middle, 2, 0), rcount=17, ccount=33, linewidth=0, **look)
 
 
 def _ball() -> Any:
-    """Points of the unit sphere, (9, 17, 3)."""
-    around, up = np.meshgrid(np.linspace(0, 2 * np.pi, 17), np.linspace(0, np.pi, 9))
+    """Points of the unit sphere, (17, 33, 3)."""
+    around, up = np.meshgrid(np.linspace(0, 2 * np.pi, 33), np.linspace(0, np.pi, 17))
     return np.stack([np.cos(around) * np.sin(up), np.sin(around) * np.sin(up), np.cos(up)], axis=2)
