@@ -11,6 +11,9 @@ from manipplan.errors import FileFormatError, InvalidInputError
 Array = NDArray[np.float64]
 T = TypeVar("T")
 
+#: How far a rotation matrix may be from one.
+ROTATION = 1e-6
+
 
 def finite_array(argument: str, value: ArrayLike, shape: tuple[int | None, ...]) -> Array:
     """`value` as a read-only float array of `shape` (None: any length), every entry finite."""
@@ -39,6 +42,16 @@ def positive_array(argument: str, value: ArrayLike, n: int) -> Array:
     array = np.broadcast_to(array, (n,)).copy()
     array.flags.writeable = False
     return array
+
+
+def pose_matrix(argument: str, value: Any) -> Array:
+    """A pose, (4, 4) or pin.SE3, as a read-only matrix (4, 4)."""
+    matrix = finite_array(argument, getattr(value, "homogeneous", value), (4, 4))
+    rotation = matrix[:3, :3]
+    turned = np.abs(rotation.T @ rotation - np.eye(3)).max() < ROTATION and np.linalg.det(rotation) > 0
+    if not turned or np.abs(matrix[3] - [0.0, 0.0, 0.0, 1.0]).max() > ROTATION:
+        raise InvalidInputError(argument, matrix.tolist(), "a rotation and a translation: a (4, 4) matrix, or a pin.SE3")
+    return matrix
 
 
 def number(argument: str, value: Any, *, above: float = -np.inf, least: float = -np.inf, most: float = np.inf) -> float:

@@ -15,6 +15,7 @@ import shutil
 import subprocess
 import tempfile
 import time
+import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
@@ -24,7 +25,7 @@ from pathlib import Path
 import casadi as ca
 import platformdirs
 
-from manipplan.errors import CompilerError
+from manipplan.errors import CompilerError, CompilerWarning
 
 log = logging.getLogger("manipplan")
 
@@ -121,7 +122,7 @@ def _build(file: Path, source: str, compiler: Compiler, flags: Sequence[str], la
         code, library = place / f"source.{'c' if language == 'c' else 'cpp'}", place / file.name
         code.write_text(source, encoding="utf-8")
         log.debug("compiling %s", subject)
-        options = [flag for flag in flags if not flag.startswith(("-l", "-L", "-Wl,"))]
+        options = [flag for flag in flags if not (flag.startswith(("-l", "-L", "-Wl,")) or flag.endswith(".a"))]
         libraries = [flag for flag in flags if flag not in options]
         command = [*compiler.command, *options, "-shared", "-fPIC", str(code), "-o", str(library), *libraries]
         answer = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -170,6 +171,19 @@ def _sound(file: Path) -> bool:
 
 def _digest(file: Path) -> str:
     return hashlib.sha256(file.read_bytes()).hexdigest()
+
+
+def wants_machine_code(compiled: bool | str) -> bool:
+    """Whether the option `compiled` (True, False or "auto") asks for a compiler on this machine."""
+    return compiled is True or (compiled == "auto" and find_compiler() is not None)
+
+
+def do_without(error: CompilerError, compiled: bool | str) -> None:
+    """Go on in CasADi's virtual machine, with a CompilerWarning the first time; raises `error` when compiled is True."""
+    if compiled is True:
+        raise error
+    if first_failure():
+        warnings.warn(f"CasADi's virtual machine is used instead: {error}", CompilerWarning, stacklevel=6)
 
 
 def first_failure() -> bool:

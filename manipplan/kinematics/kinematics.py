@@ -1,7 +1,6 @@
 """Kinematics: pose, Jacobian, a measure of manipulability and its derivatives for one arm and one task."""
 
 import math
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -12,11 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, configurations
-from manipplan.errors import CompilerError, CompilerWarning, InvalidInputError, UnknownNameError
+from manipplan.errors import CompilerError, InvalidInputError, UnknownNameError
 from manipplan.kinematics import jit, simd
 from manipplan.kinematics.batch import Kernel, numba_installed, run_kernel, simd_kernel
 from manipplan.kinematics.chain import SymbolicChain
-from manipplan.kinematics.compile import compiled, find_compiler, first_failure
+from manipplan.kinematics.compile import compiled, do_without, wants_machine_code
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.instructions import expressible
 from manipplan.kinematics.motion import TaskMotion
@@ -181,11 +180,11 @@ class Kinematics:
             if quantity not in QUANTITIES:
                 raise UnknownNameError("quantities", str(quantity), QUANTITIES)
         function = self.symbolic.function(*quantities, with_sum=True)
-        if self._wants_machine_code():
+        if wants_machine_code(self.compiled):
             try:
                 function = compiled(function, f"{function.name()} of {self.robot.name}")
             except CompilerError as error:
-                self._without_compiler(error)
+                do_without(error, self.compiled)
         return Evaluator(function, [self._shape(quantity) for quantity in quantities])
 
     def _evaluate(self, quantity: str, q: ArrayLike) -> Array:
@@ -213,25 +212,16 @@ class Kinematics:
         function = getattr(self.symbolic, quantity)
         if quantity not in self._kernels:
             self._kernels[quantity] = None
-            if self._wants_machine_code() and expressible(function, simd.OPERATIONS):
+            if wants_machine_code(self.compiled) and expressible(function, simd.OPERATIONS):
                 try:
                     subject = f"{quantity} of {self.robot.name}, in batches"
                     self._kernels[quantity] = simd_kernel(function, subject)
                 except CompilerError as error:
-                    self._without_compiler(error)
+                    do_without(error, self.compiled)
         by_numba = self.compiled == "auto" and count >= MANY and numba_installed()
         if self._kernels[quantity] is None and by_numba and expressible(function, jit.OPERATIONS):
             self._kernels[quantity] = jit.jit_kernel(function)
         return self._kernels[quantity]
-
-    def _wants_machine_code(self) -> bool:
-        return self.compiled is True or (self.compiled == "auto" and find_compiler() is not None)
-
-    def _without_compiler(self, error: CompilerError) -> None:
-        if self.compiled is True:
-            raise error
-        if first_failure():
-            warnings.warn(f"CasADi's virtual machine is used instead: {error}", CompilerWarning, stacklevel=5)
 
     def _shape(self, quantity: str) -> tuple[int, ...]:
         n = self.robot.n

@@ -179,7 +179,7 @@ def _self_model(robot: Robot) -> CollisionModel:
     if "self" not in robot.cache:
         geometry, origins = _primitive_geometry(robot)
         primitives = geometry.ngeoms
-        dropped = _add_self_pairs(robot, geometry, origins)
+        dropped = add_self_pairs(robot, geometry, origins)
         samples = [robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)]
         for tighter in (_hull, _mesh):
             _tighten_coarse_pairs(robot, geometry, origins, samples, tighter)
@@ -206,7 +206,11 @@ def _primitive_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int]]:
     return geometry, origins
 
 
-def _add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]) -> dict[tuple[str, str], str]:
+def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]) -> dict[tuple[str, str], str]:
+    """Add the pairs of different, not adjacent, not disabled links to `geometry`; returns those left out, and why.
+
+    `origins` tells which object of the robot's description each object of `geometry` stands for.
+    """
     dropped: dict[tuple[str, str], str] = {}
     objects = list(geometry.geometryObjects)
     for j, second in enumerate(objects):

@@ -31,17 +31,17 @@ class Primitive:
     volume: float
 
 
-def fit_primitives(triangles: Array) -> list[Primitive]:
-    """Primitives that together contain `triangles` (t, 3, 3) [m].
+def fit_primitives(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
+    """Primitives that together contain `triangles` (t, 3, 3) [m]; `boxes`: whether boxes may be among them.
 
     Raises ManipplanError should one triangle not lie inside the primitive of its part.
     """
     triangles = _subdivided(triangles)
-    parts = [(triangles, enclose(triangles))]
+    parts = [(triangles, enclose(triangles, boxes=boxes))]
     while len(parts) < MAX_PARTS:
-        cuts = [_best_cut(part) for part, _ in parts]
+        cuts = [_best_cut(part, boxes) for part, _ in parts]
         pieces = [[part[side] for side in cut] for (part, _), cut in zip(parts, cuts, strict=True)]
-        enclosed = [[enclose(piece) for piece in pair] for pair in pieces]
+        enclosed = [[enclose(piece, boxes=boxes) for piece in pair if len(piece)] for pair in pieces]
         saved = [whole.volume - sum(p.volume for p in pair) for (_, whole), pair in zip(parts, enclosed, strict=True)]
         k = int(np.argmax(saved))
         if saved[k] < MIN_SAVING * sum(whole.volume for _, whole in parts):
@@ -54,17 +54,19 @@ def fit_primitives(triangles: Array) -> list[Primitive]:
     return [primitive for _, primitive in parts]
 
 
-def enclose(triangles: Array, *, refine: bool = True) -> Primitive:
-    """The sphere, capsule or box of least volume found that contains `triangles` (t, 3, 3) [m]."""
+def enclose(triangles: Array, *, refine: bool = True, boxes: bool = True) -> Primitive:
+    """The sphere, capsule or (with `boxes`) box of least volume found that contains `triangles` (t, 3, 3) [m]."""
     points = _hull_points(triangles.reshape(-1, 3))
     axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=True)[2]
     axes[2] *= np.linalg.det(axes)
     capsule = min((_capsule(points, _frame(axis)) for axis in axes), key=_volume)
-    box = min((_box(points, frame) for frame in (np.eye(3), axes.T)), key=_volume)
     if refine:
         capsule = _turned(_capsule, points, capsule)
-        box = _turned(_box, points, box)
-    return min([capsule, box, _sphere(points)], key=_volume)
+    found = [capsule, _sphere(points)]
+    if boxes:
+        box = min((_box(points, frame) for frame in (np.eye(3), axes.T)), key=_volume)
+        found.append(_turned(_box, points, box) if refine else box)
+    return min(found, key=_volume)
 
 
 def outside(primitive: Primitive, points: Array) -> float:
@@ -109,7 +111,7 @@ def mesh_triangles(mesh: coal.BVHModelBase) -> Array:
     return np.asarray(vertices[faces])
 
 
-def _best_cut(triangles: Array) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+def _best_cut(triangles: Array, boxes: bool) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Which triangles lie on either side of the plane, across a principal axis, whose sides need least volume.
 
     Planes are compared on a few hundred of the triangles; the whole part is cut by the best.
@@ -122,7 +124,7 @@ def _best_cut(triangles: Array) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         along = some.mean(axis=1) @ axis
         for offset in np.quantile(along, [0.25, 0.4, 0.5, 0.6, 0.75]):
             left = along < offset
-            volume = sum(enclose(some[side], refine=False).volume for side in (left, ~left) if side.any())
+            volume = sum(enclose(some[side], refine=False, boxes=boxes).volume for side in (left, ~left) if side.any())
             if volume < best[0]:
                 best = (volume, axis, float(offset))
     left = triangles.mean(axis=1) @ best[1] < best[2]

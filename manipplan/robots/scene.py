@@ -120,6 +120,16 @@ class Cylinder(Obstacle):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class Plane(Obstacle):
+    """All that lies below the x-y plane of its pose: a floor, or turned, a wall."""
+
+    shape_name = "plane"
+
+    def shapes(self) -> list[coal.CollisionGeometry]:
+        return [coal.Halfspace(np.array([0.0, 0.0, 1.0]), 0.0)]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Mesh(Obstacle):
     """The mesh of a file (STL, OBJ, DAE, ...), its vertices times `scale`.
 
@@ -141,7 +151,7 @@ class Mesh(Obstacle):
         return self.hulls
 
 
-OBSTACLES: dict[str, type[Obstacle]] = {kind.shape_name: kind for kind in (Box, Sphere, Capsule, Cylinder, Mesh)}
+OBSTACLES: dict[str, type[Obstacle]] = {kind.shape_name: kind for kind in (Box, Sphere, Capsule, Cylinder, Plane, Mesh)}
 
 
 class Scene:
@@ -165,7 +175,7 @@ class Scene:
     def from_yaml(cls, file: str | Path) -> "Scene":
         """Read a scene: ``obstacles: [{shape: box, size: [1, 1, 0.1], position: [0, 0, -0.05], name: table}, ...]``.
 
-        Shapes are box (size), sphere (radius), capsule and cylinder (radius, length) and mesh (file, scale); each takes
+        Shapes are box (size), sphere (radius), capsule and cylinder (radius, length), plane and mesh (file, scale); each takes
         position, rotation (matrix, or roll-pitch-yaw [rad]) and name. A mesh file is looked for beside the scene file.
 
         Raises FileFormatError or InvalidInputError that names the obstacle, the key and what is allowed.
@@ -243,7 +253,7 @@ def _obstacle(where: str, entry: object, folder: Path) -> Obstacle:
     for key in options:
         if key not in known:
             raise UnknownNameError(f"{where} ({kind.shape_name})", str(key), known)
-    required = {Box: ["size"], Sphere: ["radius"], Mesh: ["file"]}.get(kind, ["radius", "length"])
+    required = {Box: ["size"], Sphere: ["radius"], Plane: [], Mesh: ["file"]}.get(kind, ["radius", "length"])
     for key in required:
         if key not in options:
             raise InvalidInputError(f"{where} ({kind.shape_name})", sorted(options), f"a mapping with {' and '.join(required)}")

@@ -1,0 +1,178 @@
+"""Collision avoidance as rows of the QP: velocity dampers on closest points, (A.1) and (A.2) in dufour2020."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from manipplan.checks import Array, instance, number
+from manipplan.errors import InvalidInputError, UnknownNameError
+from manipplan.kinematics.chain import Placement, SymbolicChain, jacobian_of
+from manipplan.robots import scene as shapes
+from manipplan.robots.robot import Robot
+from manipplan.robots.scene import Obstacle, Scene
+from manipplan.tracking.bodies import Bodies, Body
+from manipplan.tracking.distances import Box, Capsule, Nearest, Plane, nearest
+
+#: Numbers that give a moving obstacle: rotation (9, column by column), position (3), linear and angular velocity (3 each).
+OBSTACLE_SIZE = 18
+
+
+@dataclass(frozen=True, kw_only=True)
+class Avoidance:
+    """What a controller keeps away from, and from which distance.
+
+    Within `influence` of each other two bodies may approach at no more than ξ (d - d_s)/(d_i - d_s). Links are taken as
+    capsules that contain them; those of a robot's own pairs that its capsules are too coarse for are left out
+    (`Controller.unguarded` names them).
+
+    Attributes:
+        scene: obstacles; spheres, capsules, boxes, cylinders (as the capsule around them) and planes.
+        influence: d_i > d_s [m].
+        security: d_s >= 0 [m].
+        damping: ξ > 0 [m/s].
+        moving: names of obstacles whose pose and velocity are given at every step.
+        links: names of the links that are kept away; None: all that move.
+        itself: whether the robot is kept away from itself.
+    """
+
+    scene: Scene = Scene()  # noqa: RUF009
+    influence: float = 0.1
+    security: float = 0.02
+    damping: float = 0.5
+    moving: Sequence[str] = ()
+    links: Sequence[str] | None = None
+    itself: bool = True
+
+    def __post_init__(self) -> None:
+        instance("scene", self.scene, Scene)
+        number("security", self.security, least=0.0)
+        number("influence", self.influence, above=self.security)
+        number("damping", self.damping, above=0.0)
+        for name in self.moving:
+            if name not in self.scene.names:
+                raise UnknownNameError("moving", str(name), self.scene.names)
+        object.__setattr__(self, "moving", tuple(self.moving))
+        object.__setattr__(self, "links", None if self.links is None else tuple(self.links))
+        for name, obstacle in zip(self.scene.names, self.scene.obstacles, strict=True):
+            if isinstance(obstacle, shapes.Mesh):
+                raise InvalidInputError("scene", name, "no meshes: their distance has no closed form; use primitives")
+
+
+@dataclass(frozen=True, kw_only=True)
+class AvoidanceRows:
+    """Rows a_k q̇ >= b_k: symbolic (k, n) and (k, 1), the distances d_k (k, 1) [m], and who they are between.
+
+    Attributes:
+        matrix, bound, distance: as above; b is -inf beyond the distance of influence.
+        obstacles: symbols of the moving obstacles, OBSTACLE_SIZE numbers each.
+        names: pairs of names.
+    """
+
+    matrix: ca.SX
+    bound: ca.SX
+    distance: ca.SX
+    obstacles: ca.SX
+    names: tuple[tuple[str, str], ...]
+
+
+def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> AvoidanceRows:
+    """The rows of a robot at the symbolic posture of `chain`.
+
+    Raises InvalidInputError for a robot without collision geometry, UnknownNameError for a link that it has not.
+    """
+    bodies = Bodies.of(robot)
+    guarded = _guarded(robot, bodies, avoidance)
+    symbols = ca.SX.sym("obstacles", OBSTACLE_SIZE * len(avoidance.moving))
+    rows: list[tuple[ca.SX, ca.SX, ca.SX]] = []
+    names: list[tuple[str, str]] = []
+    for name, obstacle in zip(avoidance.scene.names, avoidance.scene.obstacles, strict=True):
+        motion = _motion(symbols, avoidance.moving.index(name)) if name in avoidance.moving else None
+        placement = motion[0] if motion else _constant(obstacle)
+        for body in guarded:
+            near = nearest(_capsule(chain, body), _shape(obstacle, placement))
+            approach = ca.dot(near.normal, _velocity_at(motion, near.second)) if motion else ca.SX(0)
+            rows.append(_row(avoidance, near, _rate(chain, body.joint, near.first, near.normal), approach))
+            names.append((body.name, name))
+    if avoidance.itself:
+        for i, j in bodies.pairs:
+            first, second = bodies.items[i], bodies.items[j]
+            if first not in guarded and second not in guarded:
+                continue
+            near = nearest(_capsule(chain, first), _capsule(chain, second))
+            rate = _rate(chain, first.joint, near.first, near.normal) - _rate(chain, second.joint, near.second, near.normal)
+            rows.append(_row(avoidance, near, rate, ca.SX(0)))
+            names.append((first.name, second.name))
+    if not rows:
+        raise InvalidInputError("avoidance", repr(avoidance.scene), "at least one obstacle, or itself=True for an arm that can")
+    matrix, bound, distance = (ca.vertcat(*column) for column in zip(*rows, strict=True))
+    return AvoidanceRows(matrix=matrix, bound=bound, distance=distance, obstacles=symbols, names=tuple(names))
+
+
+def obstacle_numbers(pose: Array, velocity: Array) -> Array:
+    """The OBSTACLE_SIZE numbers of a moving obstacle at `pose` (4, 4) with `velocity` (6,) of its origin, linear first."""
+    return np.concatenate([pose[:3, :3].ravel(order="F"), pose[:3, 3], velocity])
+
+
+def _row(avoidance: Avoidance, near: Nearest, rate: ca.SX, approach: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """(A.1) with n from the obstacle to the robot: nᵀ (J q̇ - v) >= - ξ (d - d_s) / (d_i - d_s) where d <= d_i."""
+    share = (near.distance - avoidance.security) / (avoidance.influence - avoidance.security)
+    bound = approach - avoidance.damping * share
+    return rate, ca.if_else(near.distance <= avoidance.influence, bound, -ca.inf), near.distance
+
+
+def _rate(chain: SymbolicChain, joint: int, point: ca.SX, normal: ca.SX) -> ca.SX:
+    """nᵀ J(q, p) of a point on the body that `joint` carries, (1, n)."""
+    if joint == 0:
+        return ca.SX(1, chain.q.shape[0])
+    supports = set(chain.model.supports[joint])
+    carriers = [chain.joints[i] if i in supports else None for i in range(1, chain.model.njoints)]
+    return normal.T @ jacobian_of(chain.model, carriers, point)[:3, :]
+
+
+def _capsule(chain: SymbolicChain, body: Body) -> Capsule:
+    place = chain.joints[body.joint]
+    ends = [place.origin + place.rotation @ ca.SX(ca.DM(point)) for point in (body.start, body.end)]
+    return Capsule(start=ends[0], end=None if np.array_equal(body.start, body.end) else ends[1], radius=body.radius)
+
+
+def _shape(obstacle: Obstacle, placement: Placement) -> Capsule | Box | Plane:
+    if isinstance(obstacle, shapes.Box):
+        half = tuple(float(side) / 2 for side in obstacle.size)
+        return Box(rotation=placement.rotation, centre=placement.origin, half=half)
+    if isinstance(obstacle, shapes.Plane):
+        normal = placement.rotation[:, 2]
+        return Plane(normal=normal, offset=ca.dot(normal, placement.origin))
+    if isinstance(obstacle, shapes.Sphere):
+        return Capsule(start=placement.origin, end=None, radius=obstacle.radius)
+    along = placement.rotation[:, 2] * (obstacle.length / 2)  # type: ignore[union-attr]
+    return Capsule(start=placement.origin - along, end=placement.origin + along, radius=obstacle.radius)  # type: ignore[union-attr]
+
+
+def _constant(obstacle: Obstacle) -> Placement:
+    return Placement(rotation=ca.SX(ca.DM(obstacle.pose.rotation)), origin=ca.SX(ca.DM(obstacle.pose.translation)))
+
+
+def _motion(symbols: ca.SX, k: int) -> tuple[Placement, ca.SX, ca.SX]:
+    """Placement, linear and angular velocity of the k-th moving obstacle."""
+    own = symbols[OBSTACLE_SIZE * k : OBSTACLE_SIZE * (k + 1)]
+    return Placement(rotation=ca.reshape(own[:9], 3, 3), origin=own[9:12]), own[12:15], own[15:18]
+
+
+def _velocity_at(motion: tuple[Placement, ca.SX, ca.SX], point: ca.SX) -> ca.SX:
+    placement, linear, angular = motion
+    return linear + ca.cross(angular, point - placement.origin)
+
+
+def _guarded(robot: Robot, bodies: Bodies, avoidance: Avoidance) -> list[Body]:
+    moving = [body for body in bodies.items if body.joint > 0]
+    if not moving:
+        raise InvalidInputError("avoidance", robot.name, "a robot whose description has collision geometry")
+    if avoidance.links is None:
+        return moving
+    known = {body.link for body in moving}
+    for link in avoidance.links:
+        if link not in known:
+            raise UnknownNameError("links", str(link), known)
+    return [body for body in moving if body.link in avoidance.links]

@@ -1,0 +1,127 @@
+"""A robot's links as capsules and spheres, whose distances have closed forms."""
+
+from dataclasses import dataclass
+
+import coal
+import numpy as np
+import pinocchio as pin
+
+from manipplan.checks import Array
+from manipplan.robots.collision import CollisionModel, add_self_pairs
+from manipplan.robots.primitives import core_of, fit_primitives, mesh_triangles
+from manipplan.robots.robot import Robot
+
+#: Random configurations that tell which pairs of links can meet.
+SAMPLES = 1000
+#: A pair whose capsules touch at more than this share of them is too coarse to be kept apart.
+COARSE = 0.1
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Body:
+    """A capsule that contains a part of a link.
+
+    Attributes:
+        name: of the geometry object, with a number where it has several parts.
+        link: the link's name.
+        joint: index of the joint that carries it, from 1; 0 is the world.
+        start, end: (3,) ends of its axis in the joint's frame [m]; equal for a sphere.
+        radius: [m].
+    """
+
+    name: str
+    link: str
+    joint: int
+    start: Array
+    end: Array
+    radius: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Bodies:
+    """All bodies of a robot, and the pairs of them that have to be kept apart.
+
+    Attributes:
+        items: the bodies.
+        pairs: indices (first, second) of those that can meet.
+        dropped: pairs of names that are not kept apart, with the reason.
+    """
+
+    items: tuple[Body, ...]
+    pairs: tuple[tuple[int, int], ...]
+    dropped: dict[tuple[str, str], str]
+
+    @classmethod
+    def of(cls, robot: Robot) -> "Bodies":
+        """The capsules of a robot, fitted once."""
+        if "bodies" not in robot.cache:
+            robot.cache["bodies"] = cls._fitted(robot)
+        bodies: Bodies = robot.cache["bodies"]
+        return bodies
+
+    @classmethod
+    def _fitted(cls, robot: Robot) -> "Bodies":
+        geometry = pin.GeometryModel()
+        items: list[Body] = []
+        origins: list[int] = []
+        for origin, item in enumerate(robot.geometry.geometryObjects):
+            fitted = _capsules(item.geometry)
+            for k, (start, end, radius) in enumerate(fitted):
+                name = item.name if len(fitted) == 1 else f"{item.name}.{k}"
+                ends = [item.placement.act(point) for point in (start, end)]
+                link = robot.model.frames[item.parentFrame].name
+                items.append(Body(name=name, link=link, joint=item.parentJoint, start=ends[0], end=ends[1], radius=radius))
+                geometry.addGeometryObject(_as_coal(items[-1], item.parentFrame))
+                origins.append(origin)
+        dropped = add_self_pairs(robot, geometry, origins)
+        pairs = _that_can_meet(robot, geometry, dropped)
+        return cls(items=tuple(items), pairs=pairs, dropped=dropped)
+
+
+def _capsules(shape: coal.CollisionGeometry) -> list[tuple[Array, Array, float]]:
+    """Ends and radius of capsules that contain a shape, in its own frame."""
+    if isinstance(shape, coal.BVHModelBase):
+        triangles = mesh_triangles(shape)
+    else:
+        points, radius = core_of(shape)
+        if len(points) <= 2:  # noqa: PLR2004
+            return [(points[0], points[-1], radius)]
+        from scipy.spatial import ConvexHull
+
+        triangles = points[ConvexHull(points).simplices]
+    found = []
+    for primitive in fit_primitives(triangles, boxes=False):
+        points, radius = core_of(primitive.shape)
+        ends = [primitive.placement.act(point) for point in (points[0], points[-1])]
+        found.append((ends[0], ends[1], radius))
+    return found
+
+
+def _as_coal(body: Body, frame: int) -> pin.GeometryObject:
+    along = body.end - body.start
+    length = float(np.linalg.norm(along))
+    rotation = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), along).matrix() if length > 0 else np.eye(3)
+    place = pin.SE3(rotation, (body.start + body.end) / 2)
+    shape = coal.Capsule(body.radius, length) if length > 0 else coal.Sphere(body.radius)
+    return pin.GeometryObject(body.name, body.joint, frame, place, shape)
+
+
+def _that_can_meet(
+    robot: Robot, geometry: pin.GeometryModel, dropped: dict[tuple[str, str], str]
+) -> tuple[tuple[int, int], ...]:
+    """Pairs apart in the usual posture that come nearer than their size at some of many random configurations."""
+    model = CollisionModel(robot, geometry, {})
+    samples = [robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)]
+    distances = np.array([model.distances(q) for q in samples]).reshape(len(samples), -1)
+    kept = []
+    for k, pair in enumerate(geometry.collisionPairs):
+        touching = np.count_nonzero(distances[1:, k] <= 0)
+        if distances[0, k] <= 0:
+            dropped[model.pair_names[k]] = "the capsules touch in the usual posture"
+        elif touching > COARSE * SAMPLES:
+            dropped[model.pair_names[k]] = f"the capsules touch at {touching} of {SAMPLES} configurations"
+        elif touching == 0:
+            dropped[model.pair_names[k]] = f"never met at {SAMPLES} configurations"
+        else:
+            kept.append((int(pair.first), int(pair.second)))
+    return tuple(kept)

@@ -1,0 +1,92 @@
+"""Bounds on a step's joint velocities that keep every limit for ever after: they are never empty.
+
+A step sets the velocity v⁺ for a time T, in which the joint moves by T v⁺. A state is viable when the joint can still stop
+inside its limits. Each bound keeps the next state viable, so the next interval holds at least the velocity of braking.
+"""
+
+import casadi as ca
+import numpy as np
+
+from manipplan.robots.limits import JointLimits
+
+
+def velocity_bounds(q: ca.SX, qd: ca.SX, qdd: ca.SX, limits: JointLimits, dt: float) -> tuple[ca.SX, ca.SX]:
+    """Lower and upper bounds (n,) of the next velocity at (q, qd), each (n,), where the last step accelerated by qdd.
+
+    From a viable state all limits hold exactly. From a state that cannot stop in time, position and velocity limits come
+    first: the joint brakes harder than its acceleration limit, as little as that needs. Where a joint has a jerk limit,
+    that one is kept as well, as long as the state allows.
+    """
+    bounds = [_bounds_of(q[i], qd[i], qdd[i], limits, i, dt) for i in range(limits.n)]
+    return ca.vertcat(*(low for low, _ in bounds)), ca.vertcat(*(high for _, high in bounds))
+
+
+def _bounds_of(q: ca.SX, v: ca.SX, a: ca.SX, limits: JointLimits, i: int, dt: float) -> tuple[ca.SX, ca.SX]:
+    speed, acceleration = float(limits.velocity[i]), float(limits.acceleration[i])
+    room_below, room_above = q - float(limits.lower[i]), float(limits.upper[i]) - q
+    lowest = -_fastest(room_below, speed, acceleration, dt) if np.isfinite(limits.lower[i]) else ca.SX(-speed)
+    highest = _fastest(room_above, speed, acceleration, dt) if np.isfinite(limits.upper[i]) else ca.SX(speed)
+    lowest = ca.fmin(lowest, highest)
+    low, high = lowest, highest
+    if np.isfinite(acceleration):
+        low = _clip(v - acceleration * dt, lowest, highest)
+        high = _clip(v + acceleration * dt, lowest, highest)
+    if np.isfinite(limits.jerk[i]):
+        return _with_jerk((low, high), (q, v, a), limits, i, dt)
+    return low, high
+
+
+def _fastest(room: ca.SX, speed: float, acceleration: float, dt: float) -> ca.SX:
+    """The largest velocity from which a joint can stop within `room` [rad or m], within ±speed.
+
+    Braking by c = A T a step from v = (K + r) c, 0 <= r < 1, takes T ((K + 1) v - c K (K + 1) / 2). Its inverse is exact.
+    Outside the limits (room < 0): the velocity that leads back in one step.
+    """
+    if np.isinf(acceleration):
+        return _clip(room / dt, -speed, speed)
+    change = acceleration * dt
+    steps = ca.floor((ca.sqrt(1 + 8 * ca.fmax(room, 0) / (dt * change)) - 1) / 2)
+    return _clip(room / (dt * (steps + 1)) + change * steps / 2, -speed, speed)
+
+
+def _with_jerk(
+    bounds: tuple[ca.SX, ca.SX], state: tuple[ca.SX, ca.SX, ca.SX], limits: JointLimits, i: int, dt: float
+) -> tuple[ca.SX, ca.SX]:
+    """The bounds within which a joint can always stop by the policy v⁺ = p (v + w), with w = v - p v₋ of the last step.
+
+    Under it w decays by p a step and v_k = p^k (v + k w): where it ends, its largest speed, acceleration and jerk are
+    linear in the state, so that the states from which it keeps all limits are a polytope, which the policy does not leave.
+    """
+    low, high = bounds
+    q, v, a = state
+    speed, jerk, acceleration = (float(each[i]) for each in (limits.velocity, limits.jerk, limits.acceleration))
+    decay = min(acceleration * dt / speed, dt * np.sqrt(jerk / speed), 0.4)
+    p = 1 - decay
+    lower, upper = float(limits.lower[i]) - q, float(limits.upper[i]) - q
+    intervals = [
+        # jerk of this step; w, and with it the speeds to come
+        _interval(1.0, v + a * dt, -jerk * dt**2, jerk * dt**2),
+        _interval(1.0, p * v, -decay * speed, decay * speed),
+        # acceleration and jerk of the policy's next step
+        _interval(p - decay, p**2 * v, -acceleration * dt, acceleration * dt),
+        _interval(2 * decay, (1 - p**2) * v, -jerk * dt**2, jerk * dt**2),
+        # where it ends, and how far it may go before it turns
+        _interval(dt * (1 + (2 * p * decay + p**2) / decay**2), dt * p**2 / decay**2 * v, lower, upper),
+        _interval(dt / decay, 0.0, lower, upper),
+    ]
+    inner_low, inner_high = low, high
+    for below, above in intervals:
+        inner_low, inner_high = ca.fmax(inner_low, below), ca.fmin(inner_high, above)
+    viable = inner_low <= inner_high + 1e-12 * speed
+    middle = (inner_low + inner_high) / 2
+    inner_low, inner_high = ca.fmin(inner_low, middle), ca.fmax(inner_high, middle)
+    return ca.if_else(viable, inner_low, low), ca.if_else(viable, inner_high, high)
+
+
+def _interval(slope: float, offset: ca.SX, low: ca.SX | float, high: ca.SX | float) -> tuple[ca.SX, ca.SX]:
+    """The velocities v with low <= slope v - offset <= high, for slope > 0."""
+    return (offset + low) / slope, (offset + high) / slope
+
+
+def _clip(value: ca.SX, low: ca.SX | float, high: ca.SX | float) -> ca.SX:
+    return ca.fmin(ca.fmax(value, low), high)

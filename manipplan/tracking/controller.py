@@ -1,0 +1,307 @@
+"""Controller: joint velocities that follow a target and raise the manipulability index, one compiled QP a step."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import casadi as ca
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array, finite_array, instance, number, positive_array
+from manipplan.errors import CompilerError, InvalidInputError, UnknownNameError
+from manipplan.kinematics.compile import do_without, wants_machine_code
+from manipplan.measures.task import Task
+from manipplan.robots.robot import Robot
+from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, obstacle_numbers
+from manipplan.tracking.bodies import Bodies
+from manipplan.tracking.formulations import Classical, Formulation
+from manipplan.tracking.machine import MachineCode, Sources
+from manipplan.tracking.relaxation import Tolerance
+from manipplan.tracking.step import HUGE, REPORT, StepSetup, StepStatus, step_of
+
+
+class StepReport(NamedTuple):
+    """What a step found.
+
+    Attributes:
+        status: what it did; anything but SOLVED means that the arm brakes.
+        manipulability: the index before the step.
+        position_deviation, rotation_deviation: from the target, after the step, to first order [m, rad].
+        tube_excess: how far the tolerance had to be exceeded, in the unit of the task's rows [m].
+        clearance: least distance before the step [m]; inf without avoidance, negative in contact.
+        avoidance_excess: how much faster than allowed something is approached [m/s].
+        convexified: the largest entry that was added to make the cost convex; 0: it was convex.
+    """
+
+    status: StepStatus
+    manipulability: float
+    position_deviation: float
+    rotation_deviation: float
+    tube_excess: float
+    clearance: float
+    avoidance_excess: float
+    convexified: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Rollout:
+    """Many steps: q and qd (N + 1, n), of which the first rows are the start, and the report of each step (N, 8)."""
+
+    q: Array
+    qd: Array
+    reports: Array
+
+    def __getitem__(self, figure: str) -> Array:
+        """One figure of the reports (N,), by its name in StepReport."""
+        if figure not in REPORT:
+            raise UnknownNameError("figure", str(figure), REPORT)
+        return np.asarray(self.reports[:, REPORT.index(figure)])
+
+
+class Controller:
+    """A controller of `robot` for a time step `dt`; the equations are those of dufour2020.
+
+    Every step keeps position, velocity, acceleration and, where they are finite, jerk limits: from any state from which the
+    arm can stop in time, exactly. It never raises for what a sensor or planner may send: with a target that is not a
+    number it brakes, and `report` says so.
+
+    Not for sharing between threads.
+
+    Attributes:
+        robot, formulation, dt, task: what it is for.
+        tolerance: the default tube; None where it is made without one.
+        pairs: names of what is kept apart.
+        unguarded: pairs of the robot's own bodies that are not, with the reason.
+        compiled: whether steps run as machine code.
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        formulation: Formulation,
+        dt: float,
+        *,
+        task: Task | None = None,
+        stiffness: float = 1e4,
+        weights: ArrayLike = 1.0,
+        tolerance: Tolerance | None = None,
+        avoidance: Avoidance | None = None,
+        compiled: bool | str = "auto",
+    ) -> None:
+        """Build the step; with a compiler this takes a second or two the first time.
+
+        Args:
+            robot: the arm, with its limits.
+            formulation: Classical, General, Objective, Equality or LogDrive.
+            dt: time step T > 0 [s].
+            task: rows that are followed, and whose index counts; default `robot.default_task`.
+            stiffness: default of Q_δ > 0, per row in metres.
+            weights: diagonal of Q > 0, one number or n.
+            tolerance: default tube around the target; None: no tube at all.
+            avoidance: what is kept away from.
+            compiled: as in `Robot.kinematics`.
+
+        Raises:
+            InvalidInputError: an argument is not usable; Classical with a tolerance or an avoidance.
+            CompilerError: compiled is True and there is no compiler, or it fails.
+        """
+        instance("robot", robot, Robot)
+        instance("formulation", formulation, Formulation)
+        self.robot, self.formulation, self.dt = robot, formulation, number("dt", dt, above=0.0)
+        for name, value, kind in (("tolerance", tolerance, Tolerance), ("avoidance", avoidance, Avoidance)):
+            if value is not None:
+                instance(name, value, kind)
+                if isinstance(formulation, Classical):
+                    raise InvalidInputError(name, value, "None with Classical, which knows no inequalities")
+        if np.isfinite(robot.limits.jerk).any() and not np.isfinite(robot.limits.velocity[np.isfinite(robot.limits.jerk)]).all():
+            raise InvalidInputError("limits.velocity", robot.limits.velocity, "a velocity limit for each joint with a jerk limit")
+        kinematics = robot.kinematics(task, compiled=compiled)
+        self.task = kinematics.task
+        if self.task.rows > robot.n:
+            raise InvalidInputError("task", self.task.name, f"at most as many rows as joints, {robot.n}")
+        self.tolerance, self._avoidance = tolerance, avoidance
+        setup = StepSetup(
+            kinematics=kinematics,
+            formulation=formulation,
+            dt=self.dt,
+            weights=positive_array("weights", weights, robot.n),
+            tube=tolerance is not None,
+            avoidance=avoidance,
+        )
+        self._step = step_of(setup)
+        self.pairs = self._step.pairs
+        self.unguarded: Mapping[tuple[str, str], str] = (
+            Bodies.of(robot).dropped if avoidance is not None and avoidance.itself else {}
+        )
+        self._machine: MachineCode | None = None
+        function = self._step.function
+        if wants_machine_code(compiled):
+            try:
+                self._machine = MachineCode(self.sources(), f"a controller of {robot.name}")
+                function = self._machine.function
+            except CompilerError as error:
+                do_without(error, compiled)
+        self.compiled = self._machine is not None
+        self._connect(function, number("stiffness", stiffness, above=0.0))
+
+    def sources(self) -> Sources:
+        """The controller in C."""
+        return Sources.of(self._step.function, self.robot.name, self.dt)
+
+    @property
+    def symbolic(self) -> ca.Function:
+        """The step as a CasADi Function; its inputs and outputs are described in `manipplan.tracking.step`."""
+        return self._step.function
+
+    def step(
+        self,
+        q: ArrayLike,
+        qd: ArrayLike,
+        target: Any,
+        *,
+        qdd: ArrayLike | None = None,
+        stiffness: float | None = None,
+        drive: float = 1.0,
+        tolerance: Tolerance | None = None,
+        obstacles: Mapping[str, tuple[Any, ArrayLike]] | None = None,
+    ) -> Array:
+        """The joint velocities (n,) to command for the next `dt`: the arm then moves to q + dt times these.
+
+        Args:
+            q: positions (n,) [rad or m].
+            qd: the velocities (n,) last commanded.
+            target: pose (4, 4) or pin.SE3 of the tool that is wanted after the step.
+            qdd: the last acceleration (n,), which only jerk limits use; default: what this controller did last.
+            stiffness: Q_δ of this step.
+            drive: factor >= 0 on what the formulation adds, to fade it in or out.
+            tolerance: tube of this step, where the controller was made with one.
+            obstacles: name -> (pose, velocity (6,) of its origin, linear first) of the moving ones; default: where they
+                were last, at rest.
+
+        What the step found is in `report`. Raises InvalidInputError for arguments of a wrong shape or name, for nothing
+        else.
+        """
+        try:
+            self._q[:] = q
+            self._qd[:] = qd
+            self._target[:] = getattr(target, "homogeneous", target)
+            if qdd is not None:
+                self._qdd[:] = qdd
+        except (TypeError, ValueError) as error:
+            n = self.robot.n
+            raise InvalidInputError("q, qd, target", (q, qd, target), f"numbers of shape ({n},), ({n},), (4, 4)") from error
+        self._stiffness[0] = self._default_stiffness if stiffness is None else stiffness
+        self._drive[0] = drive
+        if tolerance is not None or self._tolerance_changed:
+            self._set_tolerance(tolerance)
+        if obstacles is not None:
+            self._set_obstacles(obstacles)
+        self._run()
+        velocity: Array = self._velocity.copy()
+        np.subtract(velocity, self._qd, out=self._qdd)
+        self._qdd /= self.dt
+        self._memory[:] = self._next_memory
+        return velocity
+
+    @property
+    def report(self) -> StepReport:
+        """What the last step found."""
+        status, *figures = self._report.tolist()
+        return StepReport(StepStatus(int(status)), *figures)
+
+    def reset(self) -> None:
+        """Forget what steps have learned: the last acceleration, the Hessian of bfgs and sr1."""
+        self._qdd[:] = 0.0
+        self._memory[:] = 0.0
+
+    def rollout(
+        self,
+        q: ArrayLike,
+        targets: ArrayLike,
+        *,
+        qd: ArrayLike | None = None,
+        stiffness: ArrayLike | None = None,
+        drive: ArrayLike = 1.0,
+        tolerance: Tolerance | None = None,
+    ) -> Rollout:
+        """N steps towards `targets` (N, 4, 4) from q and qd (n,), in C where the controller is compiled.
+
+        `stiffness` and `drive` are one number or (N,); moving obstacles rest where they were last.
+
+        Raises InvalidInputError for another shape, NaN or inf.
+        """
+        n = self.robot.n
+        poses = finite_array("targets", targets, (None, 4, 4))
+        count = len(poses)
+        path = np.zeros((count + 1, n))
+        speed = np.zeros((count + 1, n))
+        path[0] = finite_array("q", q, (n,))
+        speed[0] = 0.0 if qd is None else finite_array("qd", qd, (n,))
+        stiff = np.broadcast_to(np.asarray(self._default_stiffness if stiffness is None else stiffness, dtype=float), (count,))
+        drives = np.broadcast_to(np.asarray(drive, dtype=float), (count,))
+        reports = np.zeros((count, len(REPORT)))
+        self.reset()
+        self._set_tolerance(tolerance)
+        if self._machine is not None:
+            columns = poses.transpose(0, 2, 1)
+            tubes, around = np.tile(self._tube, (count, 1)), np.tile(self._obstacles, (count, 1))
+            self._machine.rollout([columns, stiff, drives, tubes, around], path, speed, np.zeros(n), reports)
+            return Rollout(q=path, qd=speed, reports=reports)
+        for k, pose in enumerate(poses):
+            speed[k + 1] = self.step(path[k], speed[k], pose, stiffness=stiff[k], drive=drives[k], tolerance=tolerance)
+            path[k + 1] = path[k] + self.dt * speed[k + 1]
+            reports[k] = self._report
+        return Rollout(q=path, qd=speed, reports=reports)
+
+    def export_c(self, folder: str | Path) -> list[Path]:
+        """Write a self-contained C project: header, source, DAQP as a static library, CMake file and an example program.
+
+        It needs neither Python nor CasADi at run time. Returns the files; raises InvalidInputError when the folder cannot
+        be written.
+        """
+        from manipplan.tracking.export import export_c
+
+        return export_c(self, folder)
+
+    def _connect(self, function: ca.Function, stiffness: float) -> None:
+        """Arrays that the Function reads and writes."""
+        self._default_stiffness = stiffness
+        names = function.name_in() if not self.compiled else self._step.function.name_in()
+        flat = {name: np.zeros(self._step.function.nnz_in(i)) for i, name in enumerate(names)}
+        self._buffer, self._run = function.buffer()
+        for i, values in enumerate(flat.values()):
+            self._buffer.set_arg(i, values.data)
+        self._q, self._qd, self._qdd = flat["q"], flat["qd"], flat["qdd"]
+        self._target = flat["target"].reshape(4, 4, order="F")
+        self._stiffness, self._drive, self._tube = flat["stiffness"], flat["drive"], flat["tolerance"]
+        self._obstacles, self._memory = flat["obstacles"], flat["memory"]
+        self._velocity, self._report = np.zeros(self.robot.n), np.zeros(len(REPORT))
+        self._next_memory = np.zeros(len(self._memory))
+        for i, values in enumerate((self._velocity, self._report, self._next_memory)):
+            self._buffer.set_res(i, values.data)
+        self._set_tolerance(None)
+        if self._avoidance is not None:
+            scene = dict(zip(self._avoidance.scene.names, self._avoidance.scene.obstacles, strict=True))
+            self._set_obstacles({name: (scene[name].pose, np.zeros(6)) for name in self._avoidance.moving})
+
+    def _set_tolerance(self, tolerance: Tolerance | None) -> None:
+        self._tolerance_changed = tolerance is not None
+        if tolerance is not None and self.tolerance is None:
+            raise InvalidInputError("tolerance", tolerance, "None: this controller was made without a tolerance")
+        chosen = tolerance or self.tolerance
+        limits = (chosen.position, chosen.rotation) if chosen is not None else (None, None)
+        self._tube[:] = [HUGE if limit is None else limit for limit in limits]
+
+    def _set_obstacles(self, obstacles: Mapping[str, tuple[Any, ArrayLike]]) -> None:
+        moving = self._avoidance.moving if self._avoidance is not None else ()
+        for name, (pose, velocity) in obstacles.items():
+            if name not in moving:
+                raise UnknownNameError("obstacles", str(name), moving)
+            at = slice(OBSTACLE_SIZE * moving.index(name), OBSTACLE_SIZE * (moving.index(name) + 1))
+            matrix = np.asarray(getattr(pose, "homogeneous", pose), dtype=float)
+            speed = np.asarray(velocity, dtype=float)
+            if matrix.shape != (4, 4) or speed.shape != (6,):
+                raise InvalidInputError(f"obstacles[{name}]", (pose, velocity), "a pose (4, 4) and a velocity (6,)")
+            self._obstacles[at] = obstacle_numbers(matrix, speed)

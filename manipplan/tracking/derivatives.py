@@ -1,0 +1,143 @@
+"""Gradient and Hessian of the index in a control step: exact, by differences, or from one step to the next."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import casadi as ca
+
+from manipplan.kinematics.derivatives import Factor, log_gradient, log_hessian
+from manipplan.kinematics.kinematics import SymbolicKinematics
+from manipplan.measures.indices import REGULARISATION
+
+GRADIENTS = ("exact", "central")
+#: How H_m may be made; those in `REMEMBERED` learn it from step to step.
+CURVATURES = ("exact", "central", "bfgs", "sr1", "bfgs-literal")
+REMEMBERED = ("bfgs", "sr1", "bfgs-literal")
+
+#: δq of (17) and (19) [rad or m]; the paper names 1e-4 to 1e-3.
+DIFFERENCE = 1e-4
+
+#: A secant below this share of what it is made of says nothing.
+NEGLIGIBLE = 1e-8
+
+
+@dataclass(frozen=True, kw_only=True)
+class Index:
+    """Yoshikawa's index at symbolic q with the derivatives that a formulation asks for.
+
+    Attributes:
+        q: (n, 1) symbols.
+        value: m.
+        gradient: ∇m, (n, 1).
+        hessian: H_m, (n, n); zero where nobody asks for it.
+        log_gradient: of a regularisation r: ∇ log sqrt(det(J Jᵀ + r² I)), (n, 1).
+        memory: symbols of what the last step left: H_m column by column, ∇m, q, and whether there was a step.
+        next_memory: what this step leaves.
+    """
+
+    q: ca.SX
+    value: ca.SX
+    gradient: ca.SX
+    hessian: ca.SX
+    log_gradient: Callable[[float], ca.SX]
+    memory: ca.SX
+    next_memory: ca.SX
+
+    @classmethod
+    def of(cls, symbolic: SymbolicKinematics, gradient: str, hessian: str | None) -> "Index":
+        """The index of `symbolic`; gradient and hessian by name, hessian None: not used."""
+        q = symbolic.chain.q
+        n = q.shape[0]
+        jacobian, motion = symbolic.posture.smooth
+        factor = Factor.of(jacobian, REGULARISATION)
+        slope = factor.index * log_gradient(factor, motion)
+        if gradient == "central":
+            slope = _central_gradient(symbolic.manipulability, q)
+        memory = next_memory = ca.SX(0, 1)
+        if hessian is None:
+            bend = ca.SX(n, n)
+        elif hessian == "exact":
+            log_slope = log_gradient(factor, motion)
+            bend = factor.index * (log_hessian(factor, motion) + log_slope @ log_slope.T)
+        elif hessian == "central":
+            bend = _central_hessian(symbolic.manipulability, q)
+        else:
+            memory = ca.SX.sym("memory", n * n + 2 * n + 1)
+            bend = _learned(hessian, memory, q, slope)
+            next_memory = ca.vertcat(ca.vec(bend), slope, q, 1)
+        return cls(
+            q=q,
+            value=factor.index,
+            gradient=slope,
+            hessian=bend,
+            log_gradient=lambda r: log_gradient(Factor.of(jacobian, r), motion),
+            memory=memory,
+            next_memory=next_memory,
+        )
+
+
+def _central_gradient(index: ca.Function, q: ca.SX) -> ca.SX:
+    """(17) in dufour2020."""
+    shifts = ca.horzsplit(DIFFERENCE * ca.DM.eye(q.shape[0]))
+    return ca.vertcat(*((index(q + shift) - index(q - shift)) / (2 * DIFFERENCE) for shift in shifts))
+
+
+def _central_hessian(index: ca.Function, q: ca.SX) -> ca.SX:
+    """(19) in dufour2020."""
+    n = q.shape[0]
+    shifts = ca.horzsplit(DIFFERENCE * ca.DM.eye(n))
+    hessian = ca.SX(n, n)
+    for i in range(n):
+        for j in range(i + 1):
+            corners = [s * t * index(q + s * shifts[i] + t * shifts[j]) for s in (1, -1) for t in (1, -1)]
+            hessian[i, j] = hessian[j, i] = sum(corners) / (4 * DIFFERENCE**2)
+    return hessian
+
+
+def _learned(name: str, memory: ca.SX, q: ca.SX, slope: ca.SX) -> ca.SX:
+    """H_m from that of the last step and the secant s = q - q₋, y = ∇m - ∇m₋; zero at the first step."""
+    n = q.shape[0]
+    before = ca.reshape(memory[: n * n], n, n)
+    y = slope - memory[n * n : n * n + n]
+    s = q - memory[n * n + n : n * n + 2 * n]
+    update = {"bfgs": _damped_bfgs, "sr1": _sr1, "bfgs-literal": _literal}[name](before, s, y)
+    known, moved = memory[-1] > 0, ca.sumsqr(s) > 1e-16
+    return ca.if_else(ca.logic_and(known, moved), update, before)
+
+
+def _damped_bfgs(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
+    """The direct update of B = -H_m, which is what a minimiser sees, with the damping that keeps it positive [powell1978].
+
+    From B = 0 it starts at ‖y‖/‖s‖ I.
+    """
+    n = s.shape[0]
+    first = ca.sumsqr(ca.vec(before)) < 1e-300  # noqa: PLR2004
+    scale = ca.sqrt(ca.sumsqr(y) / ca.fmax(ca.sumsqr(s), 1e-300)) + 1e-12
+    b = ca.if_else(first, scale * ca.SX.eye(n), -before)
+    bs = b @ s
+    curvature = ca.fmax(ca.dot(s, bs), 1e-300)
+    along = -ca.dot(s, y)
+    theta = ca.if_else(along >= 0.2 * curvature, 1, 0.8 * curvature / ca.fmax(curvature - along, 1e-300))
+    damped = -theta * y + (1 - theta) * bs
+    updated = b - bs @ bs.T / curvature + damped @ damped.T / ca.fmax(ca.dot(s, damped), 1e-300)
+    return -updated
+
+
+def _sr1(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
+    """The symmetric update of rank one, left out where it is not defined [nocedal2006, (6.26)]."""
+    error = y - before @ s
+    along = ca.dot(error, s)
+    defined = ca.fabs(along) >= NEGLIGIBLE * ca.sqrt(ca.sumsqr(s) * ca.sumsqr(error)) + 1e-300
+    return before + ca.if_else(defined, error @ error.T / ca.if_else(defined, along, 1), 0)
+
+
+def _literal(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
+    """(20) in dufour2020 as printed, which is the update of an inverse Hessian; from the identity."""
+    n = s.shape[0]
+    first = ca.sumsqr(ca.vec(before)) < 1e-300  # noqa: PLR2004
+    h = ca.if_else(first, ca.SX.eye(n), before)
+    along = ca.dot(y, s)
+    defined = ca.fabs(along) >= 1e-14 * ca.sqrt(ca.sumsqr(s) * ca.sumsqr(y)) + 1e-300
+    rho = 1 / ca.if_else(defined, along, 1)
+    left = ca.SX.eye(n) - rho * s @ y.T
+    return ca.if_else(defined, left @ h @ left.T + rho * s @ s.T, h)

@@ -1,0 +1,61 @@
+"""How far a tool is from its target: position and rotation, as the rows of a task see it."""
+
+import casadi as ca
+import numpy as np
+
+from manipplan.kinematics.chain import Placement
+from manipplan.measures.task import Task
+
+
+def task_error(task: Task, tool: Placement, target: Placement) -> ca.SX:
+    """The displacement (m, 1) that brings the tool to its target, in the units of the task's rows; v T and ω T of (1).
+
+    Where the task leaves the rotation about one axis of the tool free, the rotation is the shortest that brings this axis
+    to where the target has it.
+    """
+    free = _free_axis(task)
+    rotation = rotation_vector(target.rotation @ tool.rotation.T) if free is None else _aligning(tool, target, free)
+    return task.rows_of(ca.vertcat(target.origin - tool.origin, rotation), tool.rotation)
+
+
+def rotation_vector(rotation: ca.SX) -> ca.SX:
+    """ω (3, 1) [rad] with exp([ω]^) = R, of a length up to π; through the quaternion, so that it is right at π as well."""
+    r = rotation
+    # four times the products of a quaternion (w, x, y, z) with itself; the row of its largest entry has no cancellation
+    rows = [
+        (1 + r[0, 0] + r[1, 1] + r[2, 2], r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]),
+        (r[2, 1] - r[1, 2], 1 + r[0, 0] - r[1, 1] - r[2, 2], r[1, 0] + r[0, 1], r[0, 2] + r[2, 0]),
+        (r[0, 2] - r[2, 0], r[1, 0] + r[0, 1], 1 - r[0, 0] + r[1, 1] - r[2, 2], r[2, 1] + r[1, 2]),
+        (r[1, 0] - r[0, 1], r[0, 2] + r[2, 0], r[2, 1] + r[1, 2], 1 - r[0, 0] - r[1, 1] + r[2, 2]),
+    ]
+    best, top = ca.vertcat(*rows[0]), rows[0][0]
+    for k in range(1, 4):
+        best = ca.if_else(rows[k][k] > top, ca.vertcat(*rows[k]), best)
+        top = ca.fmax(top, rows[k][k])
+    best = ca.if_else(best[0] < 0, -best, best)
+    length = ca.sqrt(ca.sumsqr(best[1:]))
+    small = length < 1e-12 * best[0]
+    angle = 2 * ca.atan2(length, best[0])
+    return ca.if_else(small, 2 / ca.if_else(small, best[0], 1), angle / ca.if_else(small, 1, length)) * best[1:]
+
+
+def _free_axis(task: Task) -> np.ndarray | None:
+    """The tool's axis about which it may turn, where the task's only angular rows are two of the tool."""
+    if any(any(row[3:]) for row in task.world_rows):
+        return None
+    angular = np.array([row[3:] for row in task.tool_rows if any(row[3:])])
+    if angular.shape != (2, 3) or np.linalg.matrix_rank(angular) < len(angular):
+        return None
+    axis = np.cross(*angular)
+    return axis / np.linalg.norm(axis)
+
+
+def _aligning(tool: Placement, target: Placement, axis: np.ndarray) -> ca.SX:
+    """The shortest rotation vector that brings an axis of the tool to where the target has it; any half turn when opposed."""
+    have, want = tool.rotation @ ca.DM(axis), target.rotation @ ca.DM(axis)
+    across = ca.cross(have, want)
+    sine, cosine = ca.sqrt(ca.sumsqr(across)), ca.dot(have, want)
+    small = sine < 1e-12
+    other = tool.rotation @ ca.DM(np.linalg.svd(axis[None, :])[2][1])
+    turned = ca.atan2(sine, cosine) / ca.if_else(small, 1, sine) * across
+    return ca.if_else(ca.logic_and(small, cosine < 0), np.pi * other, turned)

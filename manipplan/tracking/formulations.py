@@ -1,0 +1,172 @@
+"""The formulations of inverse kinematics that raise the manipulability index, as frozen values.
+
+Each adds a quadratic ½ q̇ᵀ H q̇ + gᵀ q̇ to the cost ½ q̇ᵀ Q q̇ + ½ δᵀ Q_δ δ of (3) in dufour2020. Equation numbers are those
+of the paper. There T is the controller's time step, in which α T drives and α T² curves: the same α gives another motion at
+another step. `sample_time` fixes the T of α instead: then the cost of a velocity, and so the motion, does not depend on
+the step any more.
+"""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import casadi as ca
+
+from manipplan.checks import number
+from manipplan.errors import InvalidInputError, UnknownNameError
+from manipplan.tracking.derivatives import CURVATURES, GRADIENTS, Index
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drive:
+    """What a formulation adds to the cost ½ q̇ᵀ Q q̇ + ½ δᵀ Q_δ δ: H (n, n) and g (n, 1)."""
+
+    hessian: ca.SX
+    gradient: ca.SX
+
+
+class Formulation(ABC):
+    """A way to let the index take part in the inverse kinematics; the children are frozen values."""
+
+    #: How the gradient of the index is made.
+    gradient: str = "exact"
+    #: Whether an indefinite cost is made convex before it is solved.
+    convexify: bool = False
+
+    @property
+    def curvature(self) -> str | None:
+        """How the Hessian of the index is made; None where it is not used."""
+        return None
+
+    @abstractmethod
+    def drive(self, index: Index, dt: float) -> Drive:
+        """What is added to the cost at the symbolic posture of `index` for a time step `dt` [s]."""
+
+
+@dataclass(frozen=True)
+class Classical(Formulation):
+    """The pseudo-inverse with the gradient in its null space, (7): q̇ = J⁺ ṙ + k₀ (I - J⁺ J) ∇m; (2) with gain 0.
+
+    It knows no inequality: its velocities are cut to the bounds of the joints, and it takes no obstacles and no tolerance.
+
+    Attributes:
+        gain: k₀ >= 0 [(rad/s) per (unit of m per rad)].
+        damping: λ >= 0 in J⁺ = Jᵀ (J Jᵀ + λ² I)⁻¹, in the unit of J's rows; it keeps the inverse finite on singularities.
+    """
+
+    gain: float = 0.0
+    damping: float = 1e-9
+
+    def __post_init__(self) -> None:
+        number("gain", self.gain, least=0.0)
+        number("damping", self.damping, above=0.0)
+
+    def drive(self, index: Index, dt: float) -> Drive:  # noqa: ARG002
+        """k₀ ∇m as a pull, which is then projected into the null space."""
+        n = index.q.shape[0]
+        return Drive(hessian=ca.SX(n, n), gradient=-self.gain * index.gradient)
+
+
+@dataclass(frozen=True)
+class General(Formulation):
+    """The relaxed formulation without the index, (3)."""
+
+    def drive(self, index: Index, dt: float) -> Drive:  # noqa: ARG002
+        """Nothing."""
+        n = index.q.shape[0]
+        return Drive(hessian=ca.SX(n, n), gradient=ca.SX(n, 1))
+
+
+@dataclass(frozen=True)
+class Objective(Formulation):
+    """The index in the objective, (10), (11): the cost - α (T ∇mᵀ q̇ + ½ T² q̇ᵀ H_m q̇).
+
+    Attributes:
+        alpha: α >= 0 [1/(unit of m)].
+        sample_time: the T that α is meant for [s]; None: the controller's time step, as in the paper.
+        gradient: "exact", or "central" for the paper's (17).
+        hessian: "exact", "central" for (19), "bfgs" (direct, damped), "sr1", or "bfgs-literal" for the paper's (20).
+        convexify: make Q - α T² H_m positive definite where it is not (and count it); False solves it as it is, as the
+            paper does.
+    """
+
+    alpha: float
+    sample_time: float | None = None
+    gradient: str = "exact"
+    hessian: str = "exact"
+    convexify: bool = True
+
+    def __post_init__(self) -> None:
+        _check_alpha(self.alpha, self.sample_time, self.gradient)
+        if self.hessian not in CURVATURES:
+            raise UnknownNameError("hessian", str(self.hessian), CURVATURES)
+        if not isinstance(self.convexify, bool):
+            raise InvalidInputError("convexify", self.convexify, "True or False")
+
+    @property
+    def curvature(self) -> str:
+        return self.hessian
+
+    def drive(self, index: Index, dt: float) -> Drive:
+        """(11): H = - α T² H_m, g = - α T ∇m."""
+        time = self.sample_time or dt
+        return Drive(hessian=-self.alpha * time**2 * index.hessian, gradient=-self.alpha * time * index.gradient)
+
+
+@dataclass(frozen=True)
+class Equality(Formulation):
+    """The index as an equality with a slack, (14), (15): the cost ½ α ε², m - T ∇mᵀ q̇ = ε. It is always convex.
+
+    Attributes:
+        alpha: α >= 0 [1/(unit of m)²].
+        sample_time: the T that α is meant for [s]; None: the controller's time step, as in the paper.
+        gradient: "exact", or "central" for the paper's (17).
+    """
+
+    alpha: float
+    sample_time: float | None = None
+    gradient: str = "exact"
+
+    def __post_init__(self) -> None:
+        _check_alpha(self.alpha, self.sample_time, self.gradient)
+
+    def drive(self, index: Index, dt: float) -> Drive:
+        """(16), ε eliminated: H = α T² ∇m ∇mᵀ, g = - α m T ∇m."""
+        time = self.sample_time or dt
+        slope = index.gradient
+        return Drive(hessian=self.alpha * time**2 * slope @ slope.T, gradient=-self.alpha * index.value * time * slope)
+
+
+@dataclass(frozen=True)
+class LogDrive(Formulation):
+    """Lemma 1 with log m and a fixed rate in place of h: the cost ½ β e², e = ρ - ∇(log m)ᵀ q̇. Ours.
+
+    It asks log m to grow by ρ each second. It is convex, needs no Hessian, does not depend on the time step or on the unit
+    of m, and pulls hardest where m is small: (10) and (14) pull with ∇m and m ∇m, which fade where m vanishes.
+
+    Attributes:
+        weight: β >= 0 [s²].
+        rate: ρ > 0 [1/s].
+        regularisation: of log m = log sqrt(det(J Jᵀ + r² I)), in the unit of J's rows: σ below r pull no harder.
+    """
+
+    weight: float = 10.0
+    rate: float = 10.0
+    regularisation: float = 1e-3
+
+    def __post_init__(self) -> None:
+        number("weight", self.weight, least=0.0)
+        number("rate", self.rate, above=0.0)
+        number("regularisation", self.regularisation, above=0.0)
+
+    def drive(self, index: Index, dt: float) -> Drive:  # noqa: ARG002
+        """e eliminated: H = β g gᵀ, g = - β ρ g with g = ∇ log m."""
+        slope = index.log_gradient(self.regularisation)
+        return Drive(hessian=self.weight * slope @ slope.T, gradient=-self.weight * self.rate * slope)
+
+
+def _check_alpha(alpha: float, sample_time: float | None, gradient: str) -> None:
+    number("alpha", alpha, least=0.0)
+    if sample_time is not None:
+        number("sample_time", sample_time, above=0.0)
+    if gradient not in GRADIENTS:
+        raise UnknownNameError("gradient", str(gradient), GRADIENTS)

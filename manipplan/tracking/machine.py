@@ -1,0 +1,79 @@
+"""A step as C: the source that CasADi generates, the wrapper around it, and both as a library of this machine."""
+
+import ctypes
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.kinematics.compile import NATIVE, loaded, shared_library
+from manipplan.tracking.step import REPORT, STEP_NAME
+
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sources:
+    """The texts of a controller in C: the generated step, and header and source of what calls it."""
+
+    step: str
+    header: str
+    wrapper: str
+
+    @classmethod
+    def of(cls, function: ca.Function, robot: str, dt: float) -> "Sources":
+        """The sources of a step's Function."""
+        generator = ca.CodeGenerator(function.name(), {"casadi_real": "double"})
+        generator.add(function)
+        here = files("manipplan.tracking")
+        numbers = {
+            "ROBOT": robot,
+            "JOINTS": function.size1_in("q"),
+            "DT": repr(dt),
+            "OBSTACLES": function.nnz_in("obstacles"),
+            "MEMORY": function.nnz_in("memory"),
+            "REPORT": len(REPORT),
+            "FIGURES": ",\n".join(f"    CONTROLLER_{name.upper()} = {k}" for k, name in enumerate(REPORT)),
+        }
+        header = (here / "controller.h.in").read_text()
+        for name, value in numbers.items():
+            header = header.replace(f"@{name}@", str(value))
+        return cls(step=generator.dump(), header=header, wrapper=(here / "controller.c").read_text())
+
+
+class MachineCode:
+    """A controller's library on this machine.
+
+    Attributes:
+        function: the step as a CasADi Function that runs machine code.
+    """
+
+    def __init__(self, sources: Sources, subject: str) -> None:
+        """Compile; raises CompilerError without a compiler or when it fails."""
+        wrapper = sources.wrapper.replace('#include "controller.h"', sources.header)
+        folder = daqp_folder()
+        flags = (*NATIVE, f"-I{folder / 'include'}", f"-I{folder / 'include' / 'daqp'}", str(folder / "libdaqpstat.a"), "-lm")
+        file = shared_library(f"{sources.step}\n{wrapper}", flags=flags, subject=subject)
+        self.function = ca.external(STEP_NAME, str(file))
+        self._library = loaded(file, subject)
+        for name in ("controller_new", "controller_rollout", "controller_free", "controller_reset"):
+            getattr(self._library, name).restype = ctypes.c_void_p if name == "controller_new" else ctypes.c_int
+        self._controller = ctypes.c_void_p(self._library.controller_new())
+
+    def rollout(self, inputs: list[Array], q: Array, qd: Array, qdd: Array, report: Array) -> None:
+        """Steps in C: targets, stiffness, tolerances, obstacles a step; q and qd (N + 1, n) from their first rows."""
+        self._library.controller_reset(self._controller)
+        arrays = [np.ascontiguousarray(each, dtype=np.float64) for each in inputs]
+        pointers = [ctypes.c_void_p(each.ctypes.data) for each in (*arrays, q, qd, qdd, report)]
+        self._library.controller_rollout(self._controller, ctypes.c_int(len(q) - 1), *pointers)
+
+    def __del__(self) -> None:
+        if hasattr(self, "_controller"):
+            self._library.controller_free(self._controller)
+
+
+def daqp_folder() -> Path:
+    """Where casadi's wheel keeps DAQP: headers below `include`, and the static library."""
+    return Path(ca.__file__).parent

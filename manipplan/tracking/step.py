@@ -1,0 +1,267 @@
+"""One control step as one CasADi Function: kinematics, bounds, rows, the condensed QP by DAQP, and a check of its answer.
+
+δ of (3) and ε of (14) in dufour2020 are eliminated, δ = ṙ - J q̇, so that the QP has the n joint velocities, and a slack each
+for the tube and for the avoidance where these are used:
+
+    min  ½ q̇ᵀ (Q + Jᵀ Q_δ J + H) q̇ + (g - Jᵀ Q_δ ṙ)ᵀ q̇ + penalties of the slacks
+    s.t. bounds <= q̇ <= bounds,  |ṙ - J q̇| T <= tolerance + slack,  A q̇ >= b - slack
+"""
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+import casadi as ca
+
+from manipplan.checks import Array
+from manipplan.kinematics.chain import Placement
+from manipplan.kinematics.derivatives import Factor
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.task import Task
+from manipplan.tracking.avoidance import Avoidance, AvoidanceRows, avoidance_rows
+from manipplan.tracking.bounds import velocity_bounds
+from manipplan.tracking.convex import convexified
+from manipplan.tracking.derivatives import Index
+from manipplan.tracking.error import task_error
+from manipplan.tracking.formulations import Classical, Formulation
+from manipplan.tracking.relaxation import row_shares
+
+#: Penalties w s + ½ w' s² on the slacks [s/m]: so large that a slack is used only where nothing else is left.
+TUBE_PENALTY = (1e6, 1e4)
+AVOIDANCE_PENALTY = (1e8, 1e6)
+#: How far the rows may be violated, and the optimality conditions missed relative to their terms, in an accepted answer.
+ROW_TOLERANCE = 1e-6
+OPTIMALITY_TOLERANCE = 1e-5
+SOLVER_OPTIONS = {"primal_tol": 1e-9, "iter_limit": 1000}
+
+
+class StepStatus(IntEnum):
+    """What a step did."""
+
+    SOLVED = 0
+    #: The QP's answer did not pass its check, as where a cost that is not convex is solved as it is: the arm brakes.
+    NOT_SOLVED = 1
+    #: The target, stiffness, drive, tolerance or an obstacle is not a usable number: the arm brakes.
+    BAD_TARGET = 2
+    #: The state is not finite: the velocity is zero.
+    BAD_STATE = 3
+
+
+#: What the second output of a step holds.
+REPORT = (
+    "status",
+    "manipulability",
+    "position_deviation",
+    "rotation_deviation",
+    "tube_excess",
+    "clearance",
+    "avoidance_excess",
+    "convexified",
+)
+#: Of the generated function: a plain `step` is taken in the C library.
+STEP_NAME = "manipplan_step"
+#: Numbers beyond are not finite.
+HUGE = 1e12
+INPUTS = ("q", "qd", "qdd", "target", "stiffness", "drive", "tolerance", "obstacles", "memory")
+PROGRAM = ("h", "g", "a", "lbx", "ubx", "lba", "uba")
+
+
+@dataclass(frozen=True, kw_only=True)
+class StepSetup:
+    """What a step is made for: the arm and task, the formulation, dt [s], Q's diagonal (n,), and which rows there are."""
+
+    kinematics: Kinematics
+    formulation: Formulation
+    dt: float
+    weights: Array
+    tube: bool
+    avoidance: Avoidance | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Step:
+    """The Function of a step and what its rows are between.
+
+    Attributes:
+        function: of INPUTS: q, qd, qdd (n,), target (4, 4), stiffness, drive (a factor on what the formulation adds), tolerance (2,) [m, rad], the moving obstacles'
+            numbers, memory; gives the next velocity (n,), the report, and the next memory.
+        problem: of the same inputs: the PROGRAM, and what the report needs.
+        pairs: names of the pairs that are kept apart.
+    """
+
+    function: ca.Function
+    problem: ca.Function
+    pairs: tuple[tuple[str, str], ...]
+
+
+def step_of(setup: StepSetup) -> Step:
+    """Build the step: clean the inputs, make the problem, solve it, check the answer."""
+    symbolic = setup.kinematics.symbolic
+    n = symbolic.chain.q.shape[0]
+    index = Index.of(symbolic, setup.formulation.gradient, setup.formulation.curvature)
+    rows = avoidance_rows(setup.kinematics.robot, symbolic.chain, setup.avoidance) if setup.avoidance else None
+    inputs = [
+        symbolic.chain.q,
+        ca.SX.sym("qd", n),
+        ca.SX.sym("qdd", n),
+        ca.SX.sym("target", 4, 4),
+        ca.SX.sym("stiffness"),
+        ca.SX.sym("drive"),
+        ca.SX.sym("tolerance", 2),
+        rows.obstacles if rows else ca.SX(0, 1),
+        index.memory,
+    ]
+    clean = _cleaning(inputs)
+    problem = _problem(setup, inputs, index, rows)
+    given = [ca.MX.sym(problem.name_in(i), problem.sparsity_in(i)) for i in range(problem.n_in())]
+    *cleaned, flags = clean.call(given)
+    made = dict(zip(problem.name_out(), problem.call(cleaned), strict=True))
+    if isinstance(setup.formulation, Classical):
+        answers = [made["velocity"]]
+    else:
+        sparsity = {"h": made["h"].sparsity(), "a": made["a"].sparsity()}
+        solver = ca.conic("qp", "daqp", sparsity, {"error_on_fail": False, "daqp": SOLVER_OPTIONS})
+        solution = solver(**{name: made[name] for name in PROGRAM})
+        answers = [solution["x"], solution["lam_x"], solution["lam_a"]]
+    finish = _finish(setup, problem, answers, flags)
+    outputs = [*finish.call([flags, *made.values(), *answers]), made["next_memory"]]
+    function = ca.Function(STEP_NAME, given, outputs, list(INPUTS), ["velocity", "report", "next_memory"])
+    return Step(function=function, problem=problem, pairs=rows.names if rows else ())
+
+
+def _cleaning(inputs: list[ca.SX]) -> ca.Function:
+    """The inputs, with 0 for those that are not finite, and two flags: whether the state and the target are sound."""
+    q, qd, qdd, target, stiffness, drive, tolerance, obstacles, memory = inputs
+    good_state = _all(ca.fabs(ca.vertcat(q, qd, qdd)) < HUGE)
+    good_target = _all(ca.vertcat(ca.fabs(ca.vertcat(ca.vec(target), stiffness, obstacles)) < HUGE, stiffness > 0))
+    good_target = ca.logic_and(good_target, ca.logic_and(drive >= 0, drive < HUGE))
+    good_target = ca.logic_and(good_target, _all(tolerance >= 0))
+    cleaned = [ca.if_else(good_state, each, 0) for each in (q, qd, qdd)]
+    cleaned += [ca.if_else(good_target, each, 0) for each in (target, stiffness, drive)]
+    cleaned += [ca.if_else(good_target, ca.fmin(tolerance, HUGE), HUGE), ca.if_else(good_target, obstacles, 0)]
+    cleaned.append(ca.if_else(good_state, memory, 0) if memory.shape[0] else memory)
+    return ca.Function("clean", inputs, [*cleaned, ca.vertcat(good_state, good_target)])
+
+
+def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: AvoidanceRows | None) -> ca.Function:
+    """The QP (for `Classical` its velocity instead), and what the report needs."""
+    q, qd, qdd, goal, stiffness, share, tolerance, _, _ = inputs
+    symbolic, formulation, dt = setup.kinematics.symbolic, setup.formulation, setup.dt
+    jacobian = ca.densify(symbolic.posture.jacobian)
+    target = Placement(rotation=goal[:3, :3], origin=goal[:3, 3])
+    rate = ca.densify(task_error(symbolic.task, symbolic.chain.tool, target)) / dt
+    low, high = velocity_bounds(q, qd, qdd, setup.kinematics.robot.limits, dt)
+    drive = formulation.drive(index, dt)
+    bent = ca.SX(0)
+    outputs: dict[str, ca.SX]
+    if isinstance(formulation, Classical):
+        velocity = _classical(jacobian, rate, -share * drive.gradient, formulation.damping)
+        outputs = {"velocity": velocity, "lbx": low, "ubx": high}
+    else:
+        hessian = ca.diag(ca.SX(ca.DM(setup.weights))) + jacobian.T @ (stiffness * jacobian) + share * drive.hessian
+        if formulation.convexify:
+            hessian, bent = convexified(hessian)
+        gradient = share * drive.gradient - stiffness * (jacobian.T @ rate)
+        program = _program(setup, hessian, gradient, (low, high), jacobian, rate, tolerance, rows)
+        outputs = dict(zip(PROGRAM, program, strict=True))
+    clearance = ca.mmin(rows.distance) if rows else ca.SX(ca.inf)
+    outputs |= {"jacobian": jacobian, "rate": rate, "figures": ca.vertcat(index.value, clearance, bent)}
+    outputs["next_memory"] = index.next_memory
+    return ca.Function("problem", inputs, [ca.densify(each) for each in outputs.values()], list(INPUTS), list(outputs))
+
+
+def _finish(setup: StepSetup, problem: ca.Function, answers: list[ca.MX], flags: ca.MX) -> ca.Function:
+    """From the answer to the velocity and the report; the answer is checked in the QP's own numbers."""
+    made = {name: ca.SX.sym(name, problem.sparsity_out(name)) for name in problem.name_out()}
+    answer = [ca.SX.sym("answer", each.sparsity()) for each in answers]
+    sound = ca.SX.sym("flags", flags.sparsity())
+    n = made["jacobian"].shape[1]
+    low, high = made["lbx"][:n], made["ubx"][:n]
+    velocity, slack = answer[0][:n], answer[0][n:]
+    if isinstance(setup.formulation, Classical):
+        solved = _all(ca.fabs(velocity) < HUGE)
+    else:
+        solved = _solved([made[name] for name in PROGRAM], *answer)
+    # braking: the velocity within the bounds that is nearest to zero
+    accepted = ca.logic_and(solved, ca.logic_and(sound[0], sound[1]))
+    velocity = ca.if_else(sound[0], _clip(ca.if_else(accepted, velocity, 0), low, high), 0)
+    status = ca.if_else(solved, float(StepStatus.SOLVED), float(StepStatus.NOT_SOLVED))
+    status = ca.if_else(sound[1], status, float(StepStatus.BAD_TARGET))
+    status = ca.if_else(sound[0], status, float(StepStatus.BAD_STATE))
+    left = (made["rate"] - made["jacobian"] @ velocity) * setup.dt
+    index, clearance, bent = ca.vertsplit(made["figures"])
+    tube, avoidance = slack[0] if setup.tube else 0, slack[-1] if setup.avoidance else 0
+    report = ca.vertcat(status, index, *_deviation(setup.kinematics.task, left), tube * setup.dt, clearance, avoidance, bent)
+    return ca.Function("finish", [sound, *made.values(), *answer], [ca.densify(velocity), ca.densify(report)])
+
+
+def _deviation(task: Task, left: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """Length [m] and angle [rad] of what the rows of a task leave, (m, 1)."""
+    turns = [any(row[3:]) for row in (*task.world_rows, *task.tool_rows)]
+    position = [left[i] for i, turned in enumerate(turns) if not turned]
+    rotation = [left[i] / task.length for i, turned in enumerate(turns) if turned]
+    return ca.sqrt(ca.sumsqr(ca.vertcat(0, *position))), ca.sqrt(ca.sumsqr(ca.vertcat(0, *rotation)))
+
+
+def _classical(jacobian: ca.SX, rate: ca.SX, z: ca.SX, damping: float) -> ca.SX:
+    """(2) in dufour2020: J⁺ ṙ + (I - J⁺ J) z, with J⁺ = Q L⁻¹ for J = L Qᵀ."""
+    factor = Factor.of(jacobian, damping)
+    return z + factor.Q @ ca.solve(factor.L, rate - jacobian @ z)
+
+
+def _program(
+    setup: StepSetup,
+    hessian: ca.SX,
+    gradient: ca.SX,
+    bounds: tuple[ca.SX, ca.SX],
+    jacobian: ca.SX,
+    rate: ca.SX,
+    tolerance: ca.SX,
+    rows: AvoidanceRows | None,
+) -> list[ca.SX]:
+    """H, g, A, variable bounds, row bounds of the QP in (q̇, slack of the tube, slack of the avoidance)."""
+    m, n = jacobian.shape
+    penalties = [*([TUBE_PENALTY] if setup.tube else []), *([AVOIDANCE_PENALTY] if rows else [])]
+    slacks = len(penalties)
+    hessian = ca.diagcat(hessian, *(square for _, square in penalties))
+    gradient = ca.vertcat(gradient, *(linear for linear, _ in penalties))
+    low = ca.vertcat(bounds[0], ca.SX.zeros(slacks))
+    high = ca.vertcat(bounds[1], ca.inf * ca.SX.ones(slacks))
+    matrix, below, above = ca.SX(0, n + slacks), ca.SX(0, 1), ca.SX(0, 1)
+    if setup.tube:
+        position, rotation = (ca.DM(share) for share in row_shares(setup.kinematics.task))
+        width = (position * tolerance[0] + rotation * tolerance[1]) / setup.dt
+        slack = ca.horzcat(ca.SX.ones(m, 1), ca.SX(m, slacks - 1))
+        # δ = ṙ - J q̇ is what is left after the step, over T: |δ| <= width + slack
+        matrix = ca.vertcat(matrix, ca.horzcat(jacobian, slack), ca.horzcat(jacobian, -slack))
+        below = ca.vertcat(below, rate - width, -ca.inf * ca.SX.ones(m))
+        above = ca.vertcat(above, ca.inf * ca.SX.ones(m), rate + width)
+    if rows:
+        count = rows.matrix.shape[0]
+        slack = ca.horzcat(ca.SX(count, slacks - 1), ca.SX.ones(count, 1))
+        matrix = ca.vertcat(matrix, ca.horzcat(rows.matrix, slack))
+        below, above = ca.vertcat(below, rows.bound), ca.vertcat(above, ca.inf * ca.SX.ones(count))
+    return [hessian, gradient, matrix, low, high, below, above]
+
+
+def _solved(parts: list[ca.SX], x: ca.SX, at_bounds: ca.SX, at_rows: ca.SX) -> ca.SX:
+    """Whether x with its multipliers meets the rows and the first-order conditions; false where a number is missing."""
+    hessian, gradient, matrix, low, high, below, above = parts
+    curve, push = hessian @ x, matrix.T @ at_rows
+    residual = ca.fabs(curve + gradient + push + at_bounds)
+    scale = 1 + ca.fabs(curve) + ca.fabs(gradient) + ca.fabs(push) + ca.fabs(at_bounds)
+    checks = [residual <= OPTIMALITY_TOLERANCE * scale, x >= low - ROW_TOLERANCE, x <= high + ROW_TOLERANCE]
+    if matrix.shape[0]:
+        values = matrix @ x
+        checks += [values >= below - ROW_TOLERANCE, values <= above + ROW_TOLERANCE]
+    return _all(ca.vertcat(*checks))
+
+
+def _all(conditions: ca.SX) -> ca.SX:
+    held = conditions[0]
+    for each in ca.vertsplit(conditions)[1:]:
+        held = ca.logic_and(held, each)
+    return held
+
+
+def _clip(values: ca.SX, low: ca.SX, high: ca.SX) -> ca.SX:
+    return ca.fmin(ca.fmax(values, low), high)
