@@ -2,6 +2,7 @@
 
     URDF / MJCF / name -> Robot -> Kinematics(task): pose, J, index m, its gradient and Hessian
                                -> Scene: collision and distance
+    CartesianPath -> track (a QP a step that raises the index while it follows) -> Tracking
     start, goal -> seed_path (OMPL) -> optimize_path (least ∫ ‖q'‖/m^p ds) -> retime (toppra) -> Trajectory -> Report
 
 One line each: ``mp.plan(robot, start, goal, scene)`` does all of it.
@@ -33,34 +34,48 @@ from manipplan.measures.task import Task
 from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
 from manipplan.optimize.objective import PathCost, path_cost
 from manipplan.optimize.optimize import PathResult, optimize_path
+from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.report import Report
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.catalog import available_robots, load_robot, planar_arm
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Box, Capsule, Cylinder, Mesh, Obstacle, Scene, Sphere
+from manipplan.robots.scene import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Scene, Sphere
 from manipplan.seeds.ompl import seed_path
 from manipplan.status import Status
 from manipplan.timing.retime import retime
 from manipplan.timing.verify import LimitUse, limit_use, torque_use
+from manipplan.tracking.avoidance import Avoidance
+from manipplan.tracking.controller import Controller, Rollout, StepReport
+from manipplan.tracking.formulations import Classical, Equality, Formulation, General, LogDrive, Objective
+from manipplan.tracking.relaxation import StiffnessProfile, Tolerance
+from manipplan.tracking.step import StepStatus
+from manipplan.tracking.track import Tracking, TrackingStatus, track
 
 __version__ = "0.1.0"
 
 __all__ = [
     "Asada",
+    "Avoidance",
     "Box",
     "Capsule",
+    "CartesianPath",
+    "Classical",
     "CompilerError",
     "CompilerWarning",
     "ConditionNumber",
+    "Controller",
     "Cylinder",
     "DynamicManipulability",
     "Ellipsoid",
+    "Equality",
     "Evaluator",
     "FileFormatError",
     "ForceTransmission",
+    "Formulation",
     "FrobeniusNorm",
+    "General",
     "InvalidInputError",
     "InverseCondition",
     "Isotropy",
@@ -70,23 +85,33 @@ __all__ = [
     "Kinematics",
     "LimitUse",
     "LogDet",
+    "LogDrive",
     "ManipplanError",
     "Measure",
     "Mesh",
     "MissingExtraError",
+    "Objective",
     "Obstacle",
     "PathCost",
     "PathResult",
     "PinocchioCasadi",
     "Plan",
+    "Plane",
     "PlanningError",
     "Report",
     "Robot",
+    "Rollout",
     "Scene",
     "SmallestSingularValue",
     "Sphere",
     "Status",
+    "StepReport",
+    "StepStatus",
+    "StiffnessProfile",
     "Task",
+    "Tolerance",
+    "Tracking",
+    "TrackingStatus",
     "Trajectory",
     "UnknownNameError",
     "UnsupportedJointError",
@@ -106,5 +131,6 @@ __all__ = [
     "retime",
     "seed_path",
     "torque_use",
+    "track",
     "velocity_ellipsoid",
 ]

@@ -55,9 +55,8 @@ class Avoidance:
                 raise UnknownNameError("moving", str(name), self.scene.names)
         object.__setattr__(self, "moving", tuple(self.moving))
         object.__setattr__(self, "links", None if self.links is None else tuple(self.links))
-        for name, obstacle in zip(self.scene.names, self.scene.obstacles, strict=True):
-            if isinstance(obstacle, shapes.Mesh):
-                raise InvalidInputError("scene", name, "no meshes: their distance has no closed form; use primitives")
+        for obstacle in self.scene.obstacles:
+            _shape(obstacle, _constant(obstacle))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -139,15 +138,19 @@ def _capsule(chain: SymbolicChain, body: Body) -> Capsule:
 
 def _shape(obstacle: Obstacle, placement: Placement) -> Capsule | Box | Plane:
     if isinstance(obstacle, shapes.Box):
-        half = tuple(float(side) / 2 for side in obstacle.size)
+        half = tuple((np.asarray(obstacle.size) / 2).tolist())
         return Box(rotation=placement.rotation, centre=placement.origin, half=half)
     if isinstance(obstacle, shapes.Plane):
         normal = placement.rotation[:, 2]
         return Plane(normal=normal, offset=ca.dot(normal, placement.origin))
     if isinstance(obstacle, shapes.Sphere):
         return Capsule(start=placement.origin, end=None, radius=obstacle.radius)
-    along = placement.rotation[:, 2] * (obstacle.length / 2)  # type: ignore[union-attr]
-    return Capsule(start=placement.origin - along, end=placement.origin + along, radius=obstacle.radius)  # type: ignore[union-attr]
+    if isinstance(obstacle, shapes.Capsule | shapes.Cylinder):
+        along = placement.rotation[:, 2] * (obstacle.length / 2)
+        return Capsule(start=placement.origin - along, end=placement.origin + along, radius=obstacle.radius)
+    raise InvalidInputError(
+        "scene", obstacle, "spheres, capsules, boxes, cylinders, planes: those with distances in closed form"
+    )
 
 
 def _constant(obstacle: Obstacle) -> Placement:

@@ -84,7 +84,7 @@ def _capsules(shape: coal.CollisionGeometry) -> list[tuple[Array, Array, float]]
         triangles = mesh_triangles(shape)
     else:
         points, radius = core_of(shape)
-        if len(points) <= 2:  # noqa: PLR2004
+        if len(points) <= 2:
             return [(points[0], points[-1], radius)]
         from scipy.spatial import ConvexHull
 

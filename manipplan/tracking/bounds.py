@@ -31,7 +31,7 @@ def _bounds_of(q: ca.SX, v: ca.SX, a: ca.SX, limits: JointLimits, i: int, dt: fl
     if np.isfinite(acceleration):
         low = _clip(v - acceleration * dt, lowest, highest)
         high = _clip(v + acceleration * dt, lowest, highest)
-    if np.isfinite(limits.jerk[i]):
+    if limits.jerk[i] * dt < 2 * acceleration:  # otherwise no two accelerations within the limit differ by more
         return _with_jerk((low, high), (q, v, a), limits, i, dt)
     return low, high
 

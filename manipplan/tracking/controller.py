@@ -9,7 +9,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, finite_array, instance, number, positive_array
+from manipplan.checks import Array, finite_array, instance, number, number_array, positive_array
 from manipplan.errors import CompilerError, InvalidInputError, UnknownNameError
 from manipplan.kinematics.compile import do_without, wants_machine_code
 from manipplan.measures.task import Task
@@ -71,6 +71,7 @@ class Controller:
 
     Attributes:
         robot, formulation, dt, task: what it is for.
+        stiffness: default of Q_δ.
         tolerance: the default tube; None where it is made without one.
         pairs: names of what is kept apart.
         unguarded: pairs of the robot's own bodies that are not, with the reason.
@@ -86,6 +87,7 @@ class Controller:
         task: Task | None = None,
         stiffness: float = 1e4,
         weights: ArrayLike = 1.0,
+        approach: float = 2.0,
         tolerance: Tolerance | None = None,
         avoidance: Avoidance | None = None,
         compiled: bool | str = "auto",
@@ -99,6 +101,9 @@ class Controller:
             task: rows that are followed, and whose index counts; default `robot.default_task`.
             stiffness: default of Q_δ > 0, per row in metres.
             weights: diagonal of Q > 0, one number or n.
+            approach: acceleration a > 0 [m/s²] by which a deviation e can be braked: it is corrected no faster than
+                sqrt(2 a |e|), angles counting by the task's length. inf: within one step, as in the paper, which overshoots
+                where accelerations are bounded.
             tolerance: default tube around the target; None: no tube at all.
             avoidance: what is kept away from.
             compiled: as in `Robot.kinematics`.
@@ -108,15 +113,21 @@ class Controller:
             CompilerError: compiled is True and there is no compiler, or it fails.
         """
         instance("robot", robot, Robot)
-        instance("formulation", formulation, Formulation)
+        if not isinstance(formulation, Formulation):
+            raise InvalidInputError("formulation", formulation, "Classical, General, Objective, Equality or LogDrive")
         self.robot, self.formulation, self.dt = robot, formulation, number("dt", dt, above=0.0)
         for name, value, kind in (("tolerance", tolerance, Tolerance), ("avoidance", avoidance, Avoidance)):
             if value is not None:
                 instance(name, value, kind)
                 if isinstance(formulation, Classical):
                     raise InvalidInputError(name, value, "None with Classical, which knows no inequalities")
-        if np.isfinite(robot.limits.jerk).any() and not np.isfinite(robot.limits.velocity[np.isfinite(robot.limits.jerk)]).all():
-            raise InvalidInputError("limits.velocity", robot.limits.velocity, "a velocity limit for each joint with a jerk limit")
+        if (
+            np.isfinite(robot.limits.jerk).any()
+            and not np.isfinite(robot.limits.velocity[np.isfinite(robot.limits.jerk)]).all()
+        ):
+            raise InvalidInputError(
+                "limits.velocity", robot.limits.velocity, "a velocity limit for each joint with a jerk limit"
+            )
         kinematics = robot.kinematics(task, compiled=compiled)
         self.task = kinematics.task
         if self.task.rows > robot.n:
@@ -127,6 +138,7 @@ class Controller:
             formulation=formulation,
             dt=self.dt,
             weights=positive_array("weights", weights, robot.n),
+            approach=float(positive_array("approach", approach, 1)[0]),
             tube=tolerance is not None,
             avoidance=avoidance,
         )
@@ -184,26 +196,32 @@ class Controller:
         else.
         """
         try:
-            self._q[:] = q
+            self._q[:] = q  # memoryviews take n doubles and nothing else
             self._qd[:] = qd
-            self._target[:] = getattr(target, "homogeneous", target)
-            if qdd is not None:
-                self._qdd[:] = qdd
-        except (TypeError, ValueError) as error:
-            n = self.robot.n
-            raise InvalidInputError("q, qd, target", (q, qd, target), f"numbers of shape ({n},), ({n},), (4, 4)") from error
-        self._stiffness[0] = self._default_stiffness if stiffness is None else stiffness
+            if target.shape != _POSE:
+                raise TypeError
+            self._target[...] = target
+        except (TypeError, ValueError, AttributeError):
+            self._take(q, qd, target)
+        self._stiffness[0] = self.stiffness if stiffness is None else stiffness
         self._drive[0] = drive
         if tolerance is not None or self._tolerance_changed:
             self._set_tolerance(tolerance)
         if obstacles is not None:
             self._set_obstacles(obstacles)
+        if qdd is not None:
+            self._acceleration[:] = _numbers("qdd", qdd, (self.robot.n,))
         self._run()
+        if self._remembers:
+            self._memory[:] = self._next_memory
         velocity: Array = self._velocity.copy()
-        np.subtract(velocity, self._qd, out=self._qdd)
-        self._qdd /= self.dt
-        self._memory[:] = self._next_memory
+        if self._jerk:
+            self._acceleration[:] = (velocity - np.asarray(self._qd)) / self.dt
         return velocity
+
+    def brake(self, q: ArrayLike, qd: ArrayLike) -> Array:
+        """The joint velocities (n,) of the hardest braking within all limits."""
+        return self.step(q, qd, np.full(_POSE, np.nan))
 
     @property
     def report(self) -> StepReport:
@@ -211,9 +229,14 @@ class Controller:
         status, *figures = self._report.tolist()
         return StepReport(StepStatus(int(status)), *figures)
 
+    @property
+    def defaults(self) -> Mapping[str, Array]:
+        """The numbers that steps take for tolerance (2,) and moving obstacles where none are given."""
+        return {"tolerance": self._tube.copy(), "obstacles": self._obstacles.copy()}
+
     def reset(self) -> None:
         """Forget what steps have learned: the last acceleration, the Hessian of bfgs and sr1."""
-        self._qdd[:] = 0.0
+        self._acceleration[:] = 0.0
         self._memory[:] = 0.0
 
     def rollout(
@@ -239,15 +262,14 @@ class Controller:
         speed = np.zeros((count + 1, n))
         path[0] = finite_array("q", q, (n,))
         speed[0] = 0.0 if qd is None else finite_array("qd", qd, (n,))
-        stiff = np.broadcast_to(np.asarray(self._default_stiffness if stiffness is None else stiffness, dtype=float), (count,))
+        stiff = np.broadcast_to(np.asarray(self.stiffness if stiffness is None else stiffness, dtype=float), (count,))
         drives = np.broadcast_to(np.asarray(drive, dtype=float), (count,))
         reports = np.zeros((count, len(REPORT)))
         self.reset()
         self._set_tolerance(tolerance)
         if self._machine is not None:
-            columns = poses.transpose(0, 2, 1)
             tubes, around = np.tile(self._tube, (count, 1)), np.tile(self._obstacles, (count, 1))
-            self._machine.rollout([columns, stiff, drives, tubes, around], path, speed, np.zeros(n), reports)
+            self._machine.rollout([poses, stiff, drives, tubes, around], path, speed, np.zeros(n), reports)
             return Rollout(q=path, qd=speed, reports=reports)
         for k, pose in enumerate(poses):
             speed[k + 1] = self.step(path[k], speed[k], pose, stiffness=stiff[k], drive=drives[k], tolerance=tolerance)
@@ -267,16 +289,21 @@ class Controller:
 
     def _connect(self, function: ca.Function, stiffness: float) -> None:
         """Arrays that the Function reads and writes."""
-        self._default_stiffness = stiffness
+        self.stiffness = stiffness
         names = function.name_in() if not self.compiled else self._step.function.name_in()
         flat = {name: np.zeros(self._step.function.nnz_in(i)) for i, name in enumerate(names)}
         self._buffer, self._run = function.buffer()
         for i, values in enumerate(flat.values()):
             self._buffer.set_arg(i, values.data)
-        self._q, self._qd, self._qdd = flat["q"], flat["qd"], flat["qdd"]
-        self._target = flat["target"].reshape(4, 4, order="F")
-        self._stiffness, self._drive, self._tube = flat["stiffness"], flat["drive"], flat["tolerance"]
-        self._obstacles, self._memory = flat["obstacles"], flat["memory"]
+        self._q: Any = flat["q"].data
+        self._qd: Any = flat["qd"].data
+        self._acceleration = flat["qdd"]
+        self._target = flat["target"].reshape(4, 4)
+        self._stiffness: Any = flat["stiffness"].data
+        self._drive: Any = flat["drive"].data
+        self._tube, self._obstacles, self._memory = flat["tolerance"], flat["obstacles"], flat["memory"]
+        self._remembers = len(self._memory) > 0
+        self._jerk = bool(np.isfinite(self.robot.limits.jerk).any())
         self._velocity, self._report = np.zeros(self.robot.n), np.zeros(len(REPORT))
         self._next_memory = np.zeros(len(self._memory))
         for i, values in enumerate((self._velocity, self._report, self._next_memory)):
@@ -285,6 +312,13 @@ class Controller:
         if self._avoidance is not None:
             scene = dict(zip(self._avoidance.scene.names, self._avoidance.scene.obstacles, strict=True))
             self._set_obstacles({name: (scene[name].pose, np.zeros(6)) for name in self._avoidance.moving})
+
+    def _take(self, q: ArrayLike, qd: ArrayLike, target: Any) -> None:
+        """The inputs of a step when they are not plain arrays of doubles."""
+        n = self.robot.n
+        self._q[:] = _numbers("q", q, (n,))
+        self._qd[:] = _numbers("qd", qd, (n,))
+        self._target[...] = _numbers("target", getattr(target, "homogeneous", target), _POSE)
 
     def _set_tolerance(self, tolerance: Tolerance | None) -> None:
         self._tolerance_changed = tolerance is not None
@@ -305,3 +339,14 @@ class Controller:
             if matrix.shape != (4, 4) or speed.shape != (6,):
                 raise InvalidInputError(f"obstacles[{name}]", (pose, velocity), "a pose (4, 4) and a velocity (6,)")
             self._obstacles[at] = obstacle_numbers(matrix, speed)
+
+
+_POSE = (4, 4)
+
+
+def _numbers(argument: str, value: Any, shape: tuple[int, ...]) -> Array:
+    """Numbers of `shape`, NaN among them or not."""
+    array = number_array(argument, value)
+    if array.shape != shape:
+        raise InvalidInputError(argument, value, f"numbers of shape {shape}, not {array.shape}")
+    return array

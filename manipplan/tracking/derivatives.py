@@ -111,7 +111,7 @@ def _damped_bfgs(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
     From B = 0 it starts at ‖y‖/‖s‖ I.
     """
     n = s.shape[0]
-    first = ca.sumsqr(ca.vec(before)) < 1e-300  # noqa: PLR2004
+    first = ca.sumsqr(ca.vec(before)) < 1e-300
     scale = ca.sqrt(ca.sumsqr(y) / ca.fmax(ca.sumsqr(s), 1e-300)) + 1e-12
     b = ca.if_else(first, scale * ca.SX.eye(n), -before)
     bs = b @ s
@@ -134,7 +134,7 @@ def _sr1(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
 def _literal(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
     """(20) in dufour2020 as printed, which is the update of an inverse Hessian; from the identity."""
     n = s.shape[0]
-    first = ca.sumsqr(ca.vec(before)) < 1e-300  # noqa: PLR2004
+    first = ca.sumsqr(ca.vec(before)) < 1e-300
     h = ca.if_else(first, ca.SX.eye(n), before)
     along = ca.dot(y, s)
     defined = ca.fabs(along) >= 1e-14 * ca.sqrt(ca.sumsqr(s) * ca.sumsqr(y)) + 1e-300

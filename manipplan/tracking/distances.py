@@ -1,8 +1,7 @@
 """Signed distances between convex primitives in closed form, as CasADi expressions for a control step.
 
-Nothing branches: both sides of every choice are evaluated and finite, so that the expressions compile to plain C of constant
-run time. The first body is a capsule or sphere; its axis is a + s u with s in [0, 1], where u = 0 makes a sphere, and what is
-constant then folds away when the expression is built.
+Nothing branches: both sides of every choice are finite, and the expressions compile to plain C. A capsule's axis is a + s u
+with s in [0, 1]; u = 0 makes a sphere, and what is constant then folds away when the expression is built.
 """
 
 from dataclasses import dataclass
@@ -16,7 +15,7 @@ _SMALL = 1e-9
 _PARALLEL = 1e-14
 #: Squared sine above which the cross product of two axes is a well-defined direction.
 _CROSSED = 1e-12
-_TINY = 1e-150
+_TINY, _HUGE = 1e-150, 1e150
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -70,9 +69,8 @@ class Nearest:
 def nearest(first: Capsule, second: Capsule | Box | Plane) -> Nearest:
     """Signed distance and nearest points of a capsule or sphere from another body.
 
-    The distance is exact (within 1e-9 m for a box), and its gradient under translation of the first body is the normal, except
-    where the axis of a capsule enters a box: the depth there is that of the middle of the stretch inside, below the nearest
-    face of the box.
+    Where they overlap, the distance is minus the length of the shortest translation that parts them. Its gradient under
+    translation of the first body is the normal. It is exact to 1e-9 m for a box, otherwise to rounding.
     """
     match second:
         case Capsule():
@@ -97,9 +95,8 @@ def _from_capsule(first: Capsule, second: Capsule) -> Nearest:
     point = first.start + s * u
     apart = point - (second.start + t * v)
     square = ca.sumsqr(apart)
-    longer = ca.if_else(vv > uu, v, u)
     # axes that meet are parted across both
-    across = ca.if_else(area > _CROSSED * product + _TINY, ca.cross(u, v), _perpendicular(longer))
+    across = ca.if_else(area > _CROSSED * product + _TINY, ca.cross(u, v), _perpendicular(ca.if_else(vv > uu, v, u)))
     direction = ca.if_else(square > _SMALL**2, apart, across)
     normal = direction / ca.norm_2(direction)
     return _parted(point, normal, ca.sqrt(square), first.radius, second.radius)
@@ -113,23 +110,42 @@ def _from_plane(first: Capsule, second: Plane) -> Nearest:
 
 
 def _from_box(first: Capsule, second: Box) -> Nearest:
-    """The box's axes are the coordinates x = x_0 + s u; the point of the axis nearest to the box is found on them."""
+    """The box's axes are the coordinates; an axis that enters the box is moved out first, and touches where it is nearest."""
     half = ca.SX(ca.DM(second.half))
     start, u = second.rotation.T @ (first.start - second.centre), second.rotation.T @ first.axis
-    s = _nearest_to_box(start, u, half)
-    local = start + s * u
-    apart = local - ca.fmin(ca.fmax(local, -half), half)
+    depth, out = _way_out(start, u, half)
+    moved = start + ca.fmax(depth, 0) * out
+    s = _nearest_to_box(moved, u, half)
+    point = moved + s * u
+    apart = point - ca.fmin(ca.fmax(point, -half), half)
     square = ca.sumsqr(apart)
-    outside = square > _SMALL**2
-    # inside, the way out is through the nearest face
-    x, y, z = ca.vertsplit(ca.fabs(local) - half)
-    through_x = ca.logic_and(x >= y, x >= z)
-    through_y = ca.logic_and(y >= z, ca.logic_not(through_x))
-    out = ca.copysign(ca.vertcat(through_x, through_y, 1 - through_x - through_y), local)
-    distance = ca.sqrt(square)
-    normal = second.rotation @ ca.if_else(outside, apart / ca.fmax(distance, _SMALL), out)
-    distance = ca.if_else(outside, distance, ca.fmax(ca.fmax(x, y), z))
-    return _parted(first.start + s * first.axis, normal, distance, first.radius, 0.0)
+    outside, length = square > _SMALL**2, ca.sqrt(square)
+    normal = second.rotation @ ca.if_else(outside, apart / ca.fmax(length, _SMALL), out)
+    return _parted(first.start + s * first.axis, normal, ca.if_else(outside, length, -depth), first.radius, 0.0)
+
+
+def _way_out(start: ca.SX, u: ca.SX, half: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """The shortest move (length, unit vector) that parts the segment from start to start + u from the box; negative if apart.
+
+    It is along the normal of a face of the box, or at right angles to the segment and an edge: those are the faces of the sum
+    of the box and the reversed segment.
+    """
+    middle = start + 0.5 * u
+    best, out = ca.SX(_HUGE), ca.SX.zeros(3)
+    edges = ca.horzsplit(ca.SX.eye(3))
+    # directions, and how far the segment reaches along them from its middle
+    ways = [(edge, 0.5 * ca.fabs(ca.dot(edge, u))) for edge in edges]
+    if not u.is_zero():
+        ways += [(ca.cross(u, edge), ca.SX(0)) for edge in edges]
+    for across, reach in ways:
+        length = ca.norm_2(across)
+        normal = across / ca.fmax(length, _SMALL)
+        height = ca.dot(normal, middle)
+        # a segment along an edge leaves by a face
+        depth = ca.if_else(length > _SMALL, ca.dot(half, ca.fabs(normal)) + reach - ca.fabs(height), _HUGE)
+        out = ca.if_else(depth < best, normal * ca.copysign(1, height), out)
+        best = ca.fmin(best, depth)
+    return best, out
 
 
 def _nearest_to_box(start: ca.SX, u: ca.SX, half: ca.SX) -> ca.SX:
@@ -150,10 +166,9 @@ def _nearest_to_box(start: ca.SX, u: ca.SX, half: ca.SX) -> ca.SX:
 
     last, first = ca.SX(0), ca.SX(1)
     for i in range(3):
-        # coordinate i adds nothing at its own two
-        others = [j for j in range(3) if j != i]
         for s in (low[i], high[i]):
-            slope = derivative(s, others)
+            # coordinate i adds nothing here
+            slope = derivative(s, [j for j in range(3) if j != i])
             # those on the wrong side are moved out of [0, 1]
             last = ca.fmax(last, _within(s) - (slope > 0))
             first = ca.fmin(first, _within(s) + (slope < 0))

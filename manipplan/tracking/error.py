@@ -3,6 +3,7 @@
 import casadi as ca
 import numpy as np
 
+from manipplan.checks import Array
 from manipplan.kinematics.chain import Placement
 from manipplan.measures.task import Task
 
@@ -39,7 +40,7 @@ def rotation_vector(rotation: ca.SX) -> ca.SX:
     return ca.if_else(small, 2 / ca.if_else(small, best[0], 1), angle / ca.if_else(small, 1, length)) * best[1:]
 
 
-def _free_axis(task: Task) -> np.ndarray | None:
+def _free_axis(task: Task) -> Array | None:
     """The tool's axis about which it may turn, where the task's only angular rows are two of the tool."""
     if any(any(row[3:]) for row in task.world_rows):
         return None
@@ -47,10 +48,10 @@ def _free_axis(task: Task) -> np.ndarray | None:
     if angular.shape != (2, 3) or np.linalg.matrix_rank(angular) < len(angular):
         return None
     axis = np.cross(*angular)
-    return axis / np.linalg.norm(axis)
+    return np.asarray(axis / np.linalg.norm(axis))
 
 
-def _aligning(tool: Placement, target: Placement, axis: np.ndarray) -> ca.SX:
+def _aligning(tool: Placement, target: Placement, axis: Array) -> ca.SX:
     """The shortest rotation vector that brings an axis of the tool to where the target has it; any half turn when opposed."""
     have, want = tool.rotation @ ca.DM(axis), target.rotation @ ca.DM(axis)
     across = ca.cross(have, want)

@@ -13,7 +13,6 @@ from manipplan.kinematics.compile import NATIVE, loaded, shared_library
 from manipplan.tracking.step import REPORT, STEP_NAME
 
 
-
 @dataclass(frozen=True, kw_only=True)
 class Sources:
     """The texts of a controller in C: the generated step, and header and source of what calls it."""

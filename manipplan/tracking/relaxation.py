@@ -33,7 +33,7 @@ class StiffnessProfile:
 
     def __call__(self, u: float) -> float:
         """The stiffness at the share u of the time."""
-        return self.low + (self.high - self.low) * abs(1 - 2 * u) ** self.degree
+        return float(self.low + (self.high - self.low) * abs(1 - 2 * u) ** self.degree)
 
 
 #: A constant stiffness, or one of the share of the time.
@@ -71,6 +71,6 @@ def row_shares(task: Task) -> tuple[list[float], list[float]]:
     moves, turns = np.linalg.norm(rows[:, :3], axis=1), np.linalg.norm(rows[:, 3:], axis=1)
     if (moves * turns).any():
         raise InvalidInputError("tolerance", task.name, "a task whose rows are translations or rotations, not both in one")
-    position = moves / max(np.count_nonzero(moves), 1) ** 0.5
-    rotation = task.length * turns / max(np.count_nonzero(turns), 1) ** 0.5
+    position = moves / np.sqrt(max(int(np.count_nonzero(moves)), 1))
+    rotation = task.length * turns / np.sqrt(max(int(np.count_nonzero(turns)), 1))
     return position.tolist(), rotation.tolist()

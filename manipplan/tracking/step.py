@@ -4,7 +4,10 @@
 for the tube and for the avoidance where these are used:
 
     min  ½ q̇ᵀ (Q + Jᵀ Q_δ J + H) q̇ + (g - Jᵀ Q_δ ṙ)ᵀ q̇ + penalties of the slacks
-    s.t. bounds <= q̇ <= bounds,  |ṙ - J q̇| T <= tolerance + slack,  A q̇ >= b - slack
+    s.t. bounds <= q̇ <= bounds,  |δ| T <= tolerance + slack,  A q̇ >= b - slack
+
+The paper's ṙ brings the tool to its target within one step. With bounded accelerations that overshoots, so a deviation that
+the last step left is corrected no faster than it can be braked; see `_correction`.
 """
 
 from dataclasses import dataclass
@@ -31,6 +34,10 @@ AVOIDANCE_PENALTY = (1e8, 1e6)
 #: How far the rows may be violated, and the optimality conditions missed relative to their terms, in an accepted answer.
 ROW_TOLERANCE = 1e-6
 OPTIMALITY_TOLERANCE = 1e-5
+#: Time in which a deviation comes to the wall of its tube [s]: the room that is left shrinks by e in it.
+TUBE_TIME = 0.1
+#: Numbers that hold the last target, and whether there was one.
+TARGET_MEMORY = 17
 SOLVER_OPTIONS = {"primal_tol": 1e-9, "iter_limit": 1000}
 
 
@@ -67,14 +74,22 @@ PROGRAM = ("h", "g", "a", "lbx", "ubx", "lba", "uba")
 
 @dataclass(frozen=True, kw_only=True)
 class StepSetup:
-    """What a step is made for: the arm and task, the formulation, dt [s], Q's diagonal (n,), and which rows there are."""
+    """What a step is made for: the arm and task, the formulation, dt [s], Q's diagonal (n,), the acceleration [m/s²] at
+    which deviations are braked, and which rows there are.
+    """
 
     kinematics: Kinematics
     formulation: Formulation
     dt: float
     weights: Array
+    approach: float
     tube: bool
     avoidance: Avoidance | None
+
+    @property
+    def remembers(self) -> bool:
+        """Whether a step needs the target of the last."""
+        return self.tube or self.approach < ca.inf
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,8 +97,9 @@ class Step:
     """The Function of a step and what its rows are between.
 
     Attributes:
-        function: of INPUTS: q, qd, qdd (n,), target (4, 4), stiffness, drive (a factor on what the formulation adds), tolerance (2,) [m, rad], the moving obstacles'
-            numbers, memory; gives the next velocity (n,), the report, and the next memory.
+        function: of INPUTS: q, qd, qdd (n,), target (4, 4) transposed (so that its numbers stand row by row), stiffness,
+            drive (a factor on what the formulation adds), tolerance (2,) [m, rad], numbers of the moving obstacles, memory.
+            It gives the next velocity (n,), the report, and the next memory.
         problem: of the same inputs: the PROGRAM, and what the report needs.
         pairs: names of the pairs that are kept apart.
     """
@@ -108,22 +124,17 @@ def step_of(setup: StepSetup) -> Step:
         ca.SX.sym("drive"),
         ca.SX.sym("tolerance", 2),
         rows.obstacles if rows else ca.SX(0, 1),
-        index.memory,
+        ca.vertcat(index.memory, ca.SX.sym("before", TARGET_MEMORY)) if setup.remembers else index.memory,
     ]
     clean = _cleaning(inputs)
     problem = _problem(setup, inputs, index, rows)
     given = [ca.MX.sym(problem.name_in(i), problem.sparsity_in(i)) for i in range(problem.n_in())]
     *cleaned, flags = clean.call(given)
     made = dict(zip(problem.name_out(), problem.call(cleaned), strict=True))
-    if isinstance(setup.formulation, Classical):
-        answers = [made["velocity"]]
-    else:
-        sparsity = {"h": made["h"].sparsity(), "a": made["a"].sparsity()}
-        solver = ca.conic("qp", "daqp", sparsity, {"error_on_fail": False, "daqp": SOLVER_OPTIONS})
-        solution = solver(**{name: made[name] for name in PROGRAM})
-        answers = [solution["x"], solution["lam_x"], solution["lam_a"]]
-    finish = _finish(setup, problem, answers, flags)
-    outputs = [*finish.call([flags, *made.values(), *answers]), made["next_memory"]]
+    answer, solved = _answer(setup, problem, made)
+    finish = _finish(setup, problem, answer.sparsity())
+    ended = finish.call([flags, solved, answer, *(made[name] for name in finish.name_in()[3:])])
+    outputs = [*ended, made["next_memory"]]
     function = ca.Function(STEP_NAME, given, outputs, list(INPUTS), ["velocity", "report", "next_memory"])
     return Step(function=function, problem=problem, pairs=rows.names if rows else ())
 
@@ -144,11 +155,12 @@ def _cleaning(inputs: list[ca.SX]) -> ca.Function:
 
 def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: AvoidanceRows | None) -> ca.Function:
     """The QP (for `Classical` its velocity instead), and what the report needs."""
-    q, qd, qdd, goal, stiffness, share, tolerance, _, _ = inputs
+    q, qd, qdd, goal, stiffness, share, *_ = inputs
     symbolic, formulation, dt = setup.kinematics.symbolic, setup.formulation, setup.dt
     jacobian = ca.densify(symbolic.posture.jacobian)
-    target = Placement(rotation=goal[:3, :3], origin=goal[:3, 3])
-    rate = ca.densify(task_error(symbolic.task, symbolic.chain.tool, target)) / dt
+    error = ca.densify(task_error(symbolic.task, symbolic.chain.tool, _placement(goal)))
+    deviation = _deviation_before(setup, inputs, error)
+    rate = (error - (1 - _correction(setup, deviation)) * deviation) / dt
     low, high = velocity_bounds(q, qd, qdd, setup.kinematics.robot.limits, dt)
     drive = formulation.drive(index, dt)
     bent = ca.SX(0)
@@ -161,37 +173,92 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: Avoidanc
         if formulation.convexify:
             hessian, bent = convexified(hessian)
         gradient = share * drive.gradient - stiffness * (jacobian.T @ rate)
-        program = _program(setup, hessian, gradient, (low, high), jacobian, rate, tolerance, rows)
+        tube = _tube(setup, inputs, jacobian, error, deviation) if setup.tube else None
+        program = _program(hessian, gradient, (low, high), tube, rows)
         outputs = dict(zip(PROGRAM, program, strict=True))
+        free, outputs["kept"] = _free_minimum(hessian, gradient, program)
+        outputs["free"] = ca.vertcat(free, ca.SX.zeros(program[0].shape[0] - free.shape[0]))
     clearance = ca.mmin(rows.distance) if rows else ca.SX(ca.inf)
-    outputs |= {"jacobian": jacobian, "rate": rate, "figures": ca.vertcat(index.value, clearance, bent)}
-    outputs["next_memory"] = index.next_memory
+    outputs |= {"jacobian": jacobian, "error": error, "figures": ca.vertcat(index.value, clearance, bent)}
+    outputs["next_memory"] = ca.vertcat(index.next_memory, ca.vec(goal), 1) if setup.remembers else index.next_memory
     return ca.Function("problem", inputs, [ca.densify(each) for each in outputs.values()], list(INPUTS), list(outputs))
 
 
-def _finish(setup: StepSetup, problem: ca.Function, answers: list[ca.MX], flags: ca.MX) -> ca.Function:
-    """From the answer to the velocity and the report; the answer is checked in the QP's own numbers."""
-    made = {name: ca.SX.sym(name, problem.sparsity_out(name)) for name in problem.name_out()}
-    answer = [ca.SX.sym("answer", each.sparsity()) for each in answers]
-    sound = ca.SX.sym("flags", flags.sparsity())
+def _answer(setup: StepSetup, problem: ca.Function, made: dict[str, ca.MX]) -> tuple[ca.MX, ca.MX]:
+    """The QP's variables, and whether they are its answer.
+
+    Where the minimum without constraints keeps all of them it is the answer; otherwise DAQP looks for it.
+    """
+    if isinstance(setup.formulation, Classical):
+        return made["velocity"], ca.MX(1)
+    names = [*PROGRAM, "free"]
+    inputs = [ca.MX.sym(name, problem.sparsity_out(name)) for name in names]
+    keep = ca.Function("keep", inputs, [inputs[-1], ca.MX(1)])
+    sparsity = {"h": inputs[0].sparsity(), "a": inputs[2].sparsity()}
+    solver = ca.conic("qp", "daqp", sparsity, {"error_on_fail": False, "daqp": SOLVER_OPTIONS})
+    solution = solver(**dict(zip(PROGRAM, inputs, strict=False)))
+    parts = [ca.SX.sym(name, problem.sparsity_out(name)) for name in PROGRAM]
+    found = [ca.SX.sym(name, solution[name].sparsity()) for name in ("x", "lam_x", "lam_a")]
+    check = ca.Function("check", [*parts, *found], [_solved(parts, *found)])
+    checked = check(*inputs[:-1], solution["x"], solution["lam_x"], solution["lam_a"])
+    search = ca.Function("search", inputs, [solution["x"], checked])
+    answer, solved = ca.Function.if_else("answer", keep, search).call([made["kept"], *(made[name] for name in names)])
+    return answer, solved
+
+
+def _free_minimum(hessian: ca.SX, gradient: ca.SX, program: list[ca.SX]) -> tuple[ca.SX, ca.SX]:
+    """Where ½ q̇ᵀ H q̇ + gᵀ q̇ is least without constraints, by L D Lᵀ, and whether all of them hold there without slack."""
+    _, _, matrix, low, high, below, above = program
+    n = hessian.shape[0]
+    factor, pivots = ca.SX(hessian), []
+    for j in range(n):
+        pivots.append(factor[j, j])
+        for i in range(j + 1, n):
+            share = factor[i, j] / pivots[j]
+            for k in range(j + 1, i + 1):
+                factor[i, k] -= share * factor[k, j]
+            factor[i, j] = share
+    velocity = ca.SX(-gradient)
+    for i in range(n):
+        velocity[i] -= sum((factor[i, j] * velocity[j] for j in range(i)), start=ca.SX(0))
+    for i in range(n):
+        velocity[i] /= pivots[i]
+    for i in reversed(range(n)):
+        velocity[i] -= sum((factor[j, i] * velocity[j] for j in range(i + 1, n)), start=ca.SX(0))
+    checks = [ca.vertcat(*pivots) > 0, velocity >= low[:n], velocity <= high[:n]]
+    if matrix.shape[0]:
+        values = matrix[:, :n] @ velocity
+        checks += [values >= below, values <= above]
+    return velocity, _all(ca.vertcat(*checks))
+
+
+def _finish(setup: StepSetup, problem: ca.Function, answer: ca.Sparsity) -> ca.Function:
+    """From flags, whether it is solved, and the answer to the velocity and the report."""
+    names = ("lbx", "ubx", "jacobian", "error", "figures")
+    made = {name: ca.SX.sym(name, problem.sparsity_out(name)) for name in names}
+    variables, sound, solved = ca.SX.sym("answer", answer), ca.SX.sym("flags", 2), ca.SX.sym("solved")
     n = made["jacobian"].shape[1]
     low, high = made["lbx"][:n], made["ubx"][:n]
-    velocity, slack = answer[0][:n], answer[0][n:]
-    if isinstance(setup.formulation, Classical):
-        solved = _all(ca.fabs(velocity) < HUGE)
-    else:
-        solved = _solved([made[name] for name in PROGRAM], *answer)
+    velocity, slack = variables[:n], variables[n:]
+    solved_too = ca.logic_and(solved, _all(ca.fabs(velocity) < HUGE))
     # braking: the velocity within the bounds that is nearest to zero
-    accepted = ca.logic_and(solved, ca.logic_and(sound[0], sound[1]))
+    accepted = ca.logic_and(solved_too, ca.logic_and(sound[0], sound[1]))
     velocity = ca.if_else(sound[0], _clip(ca.if_else(accepted, velocity, 0), low, high), 0)
-    status = ca.if_else(solved, float(StepStatus.SOLVED), float(StepStatus.NOT_SOLVED))
+    status = ca.if_else(solved_too, float(StepStatus.SOLVED), float(StepStatus.NOT_SOLVED))
     status = ca.if_else(sound[1], status, float(StepStatus.BAD_TARGET))
     status = ca.if_else(sound[0], status, float(StepStatus.BAD_STATE))
-    left = (made["rate"] - made["jacobian"] @ velocity) * setup.dt
+    left = made["error"] - made["jacobian"] @ velocity * setup.dt
     index, clearance, bent = ca.vertsplit(made["figures"])
     tube, avoidance = slack[0] if setup.tube else 0, slack[-1] if setup.avoidance else 0
     report = ca.vertcat(status, index, *_deviation(setup.kinematics.task, left), tube * setup.dt, clearance, avoidance, bent)
-    return ca.Function("finish", [sound, *made.values(), *answer], [ca.densify(velocity), ca.densify(report)])
+    inputs = [sound, solved, variables, *made.values()]
+    outputs = [ca.densify(velocity), ca.densify(report)]
+    return ca.Function("finish", inputs, outputs, ["flags", "solved", "answer", *names], ["velocity", "report"])
+
+
+def _placement(rows: ca.SX) -> Placement:
+    """A pose (4, 4) that is given row by row, which CasADi takes for its transpose."""
+    return Placement(rotation=rows[:3, :3].T, origin=rows[3, :3].T)
 
 
 def _deviation(task: Task, left: ca.SX) -> tuple[ca.SX, ca.SX]:
@@ -208,33 +275,62 @@ def _classical(jacobian: ca.SX, rate: ca.SX, z: ca.SX, damping: float) -> ca.SX:
     return z + factor.Q @ ca.solve(factor.L, rate - jacobian @ z)
 
 
+def _deviation_before(setup: StepSetup, inputs: list[ca.SX], error: ca.SX) -> ca.SX:
+    """How far the tool is now from the target of the last step, (m, 1); the whole error when there was none."""
+    if not setup.remembers:
+        return error
+    before, started = ca.reshape(inputs[8][-TARGET_MEMORY:-1], 4, 4), inputs[8][-1] > 0
+    symbolic = setup.kinematics.symbolic
+    target = _placement(ca.if_else(started, before, inputs[3]))
+    return task_error(symbolic.task, symbolic.chain.tool, target)
+
+
+def _correction(setup: StepSetup, deviation: ca.SX) -> ca.SX:
+    """The share of a deviation that one step asks to correct: all, but no faster than it can be braked, sqrt(2 a |e|)."""
+    if not setup.remembers or setup.approach == ca.inf:
+        return ca.SX(1)
+    size = ca.sqrt(ca.sumsqr(deviation)) + 1e-300
+    return ca.fmin(1, setup.dt * ca.sqrt(2 * setup.approach / size))
+
+
+def _tube(setup: StepSetup, inputs: list[ca.SX], jacobian: ca.SX, error: ca.SX, deviation: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """Bounds J q̇ >= low, J q̇ <= high of the tube.
+
+    Of the room between the deviation e from the target before and the tube's wall w a step may use the share κ:
+    |δ T - (1 - κ) e| <= κ w for the deviation δ T that it leaves. So an arm that heads for the wall slows down in time, and
+    one outside comes back.
+    """
+    tolerance, started = inputs[6], inputs[8][-1] > 0
+    position, rotation = (ca.DM(share) for share in row_shares(setup.kinematics.task))
+    width = position * tolerance[0] + rotation * tolerance[1]
+    share = ca.if_else(started, min(setup.dt / TUBE_TIME, 1.0), 1.0)
+    middle = error - (1 - share) * deviation
+    return jacobian, (middle - share * width) / setup.dt, (middle + share * width) / setup.dt
+
+
 def _program(
-    setup: StepSetup,
     hessian: ca.SX,
     gradient: ca.SX,
     bounds: tuple[ca.SX, ca.SX],
-    jacobian: ca.SX,
-    rate: ca.SX,
-    tolerance: ca.SX,
+    tube: tuple[ca.SX, ca.SX, ca.SX] | None,
     rows: AvoidanceRows | None,
 ) -> list[ca.SX]:
     """H, g, A, variable bounds, row bounds of the QP in (q̇, slack of the tube, slack of the avoidance)."""
-    m, n = jacobian.shape
-    penalties = [*([TUBE_PENALTY] if setup.tube else []), *([AVOIDANCE_PENALTY] if rows else [])]
+    n = gradient.shape[0]
+    penalties = [*([TUBE_PENALTY] if tube else []), *([AVOIDANCE_PENALTY] if rows else [])]
     slacks = len(penalties)
     hessian = ca.diagcat(hessian, *(square for _, square in penalties))
     gradient = ca.vertcat(gradient, *(linear for linear, _ in penalties))
     low = ca.vertcat(bounds[0], ca.SX.zeros(slacks))
     high = ca.vertcat(bounds[1], ca.inf * ca.SX.ones(slacks))
     matrix, below, above = ca.SX(0, n + slacks), ca.SX(0, 1), ca.SX(0, 1)
-    if setup.tube:
-        position, rotation = (ca.DM(share) for share in row_shares(setup.kinematics.task))
-        width = (position * tolerance[0] + rotation * tolerance[1]) / setup.dt
+    if tube:
+        jacobian, least, most = tube
+        m = jacobian.shape[0]
         slack = ca.horzcat(ca.SX.ones(m, 1), ca.SX(m, slacks - 1))
-        # δ = ṙ - J q̇ is what is left after the step, over T: |δ| <= width + slack
         matrix = ca.vertcat(matrix, ca.horzcat(jacobian, slack), ca.horzcat(jacobian, -slack))
-        below = ca.vertcat(below, rate - width, -ca.inf * ca.SX.ones(m))
-        above = ca.vertcat(above, ca.inf * ca.SX.ones(m), rate + width)
+        below = ca.vertcat(below, least, -ca.inf * ca.SX.ones(m))
+        above = ca.vertcat(above, ca.inf * ca.SX.ones(m), most)
     if rows:
         count = rows.matrix.shape[0]
         slack = ca.horzcat(ca.SX(count, slacks - 1), ca.SX.ones(count, 1))

@@ -1,0 +1,167 @@
+"""CartesianPath: the poses T(s) of a tool along a path in space, s in [0, 1]."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array, existing_file, finite_array, instance, number, number_array, pose_matrix, whole_number
+from manipplan.errors import FileFormatError, InvalidInputError
+
+#: Columns of a CSV file of poses: position [m], then the quaternion.
+COLUMNS = ("x", "y", "z", "qw", "qx", "qy", "qz")
+
+
+class CartesianPath(ABC):
+    """Poses T(s), (4, 4), of a tool for s in [0, 1]; build one by `line`, `circle`, `through` or `from_csv`."""
+
+    def __call__(self, s: ArrayLike) -> Array:
+        """T(s), (..., 4, 4) for s (...); raises InvalidInputError for s outside [0, 1]."""
+        s = number_array("s", s)
+        if not ((s >= 0) & (s <= 1)).all():
+            raise InvalidInputError("s", s, "numbers from 0 to 1")
+        positions, rotations = self._at(s.ravel())
+        poses = np.tile(np.eye(4), (s.size, 1, 1))
+        poses[:, :3, :3], poses[:, :3, 3] = rotations, positions
+        return np.asarray(poses.reshape(*s.shape, 4, 4))
+
+    def sample(self, n: int) -> Array:
+        """Poses (n, 4, 4) at equally spaced s, the ends among them; n >= 2."""
+        return self(np.linspace(0.0, 1.0, whole_number("n", n, least=2)))
+
+    @property
+    def length(self) -> float:
+        """Length of the tool's way [m]; of 2000 chords."""
+        positions, _ = self._at(np.linspace(0.0, 1.0, 2001))
+        return float(np.linalg.norm(np.diff(positions, axis=0), axis=1).sum())
+
+    @abstractmethod
+    def _at(self, s: Array) -> tuple[Array, Array]:
+        """Positions (k, 3) and rotations (k, 3, 3) at s (k,)."""
+
+    @classmethod
+    def line(cls, start: Any, end: Any) -> "CartesianPath":
+        """The straight way from pose `start` to `end`, each (4, 4) or pin.SE3, turning evenly about one axis."""
+        return Line(start=pose_matrix("start", start), end=pose_matrix("end", end))
+
+    @classmethod
+    def circle(
+        cls, start: Any, centre: ArrayLike, axis: ArrayLike, angle: float = 2 * np.pi, *, turning: bool = False
+    ) -> "CartesianPath":
+        """An arc from pose `start` about an axis.
+
+        Args:
+            start: pose (4, 4) or pin.SE3.
+            centre: a point of the axis (3,) [m].
+            axis: its direction (3,).
+            angle: of the arc [rad], positive by the right hand.
+            turning: whether the tool turns with the arc; otherwise it keeps its rotation.
+        """
+        axis = finite_array("axis", axis, (3,))
+        length = number("the length of axis", float(np.linalg.norm(axis)), above=1e-9)
+        return Arc(
+            start=pose_matrix("start", start),
+            centre=finite_array("centre", centre, (3,)),
+            axis=axis / length,
+            angle=number("angle", angle),
+            turning=instance("turning", turning, bool),
+        )
+
+    @classmethod
+    def through(cls, poses: Sequence[Any] | Array) -> "CartesianPath":
+        """A smooth way through poses, each (4, 4) or pin.SE3, at least two: cubic splines of position and rotation.
+
+        s grows by the distance between neighbours, for which a radian counts as a tenth of a metre.
+        """
+        if not isinstance(poses, list | tuple | np.ndarray) or len(poses) < 2:
+            raise InvalidInputError("poses", poses, "at least two poses")
+        matrices = np.array([pose_matrix(f"poses[{k}]", pose) for k, pose in enumerate(poses)])
+        turned = np.swapaxes(matrices[:-1, :3, :3], 1, 2) @ matrices[1:, :3, :3]
+        angles = np.array([np.linalg.norm(pin.log3(each)) for each in turned])
+        steps = np.linalg.norm(np.diff(matrices[:, :3, 3], axis=0), axis=1) + angles / 10
+        if not (steps > 0).all():
+            k = int(np.argmin(steps))
+            raise InvalidInputError(f"poses[{k + 1}]", matrices[k + 1].tolist(), f"a pose that differs from poses[{k}]")
+        s = np.concatenate([[0.0], np.cumsum(steps) / steps.sum()])
+        s[-1] = 1.0
+        return Spline(s=s, poses=matrices)
+
+    @classmethod
+    def from_csv(cls, file: str | Path) -> "CartesianPath":
+        """The smooth way through the poses of a CSV file with the columns x, y, z [m], qw, qx, qy, qz.
+
+        Raises FileFormatError that names line and column.
+        """
+        path = existing_file("file", file)
+        lines = [line.strip() for line in path.read_text().splitlines() if line.strip() and not line.startswith("#")]
+        head = tuple(name.strip() for name in lines[0].split(",")) if lines else ()
+        if head != COLUMNS:
+            raise FileFormatError("file", str(path), f"a first line {','.join(COLUMNS)}")
+        poses = []
+        for number_, line in enumerate(lines[1:], start=2):
+            try:
+                values = np.array([float(cell) for cell in line.split(",")])
+                if values.shape != (len(COLUMNS),) or not np.isfinite(values).all():
+                    raise ValueError(line)
+            except ValueError as error:
+                raise FileFormatError("file", f"{path}, row {number_}: {line}", f"{len(COLUMNS)} finite numbers") from error
+            size = np.linalg.norm(values[3:])
+            if abs(size - 1) > 1e-3:
+                raise FileFormatError("file", f"{path}, row {number_}: {line}", "a quaternion of length 1")
+            w, x, y, z = values[3:] / size
+            poses.append(pin.SE3(pin.Quaternion(w, x, y, z).matrix(), values[:3]).homogeneous)
+        return cls.through(poses)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Line(CartesianPath):
+    """The straight way between two poses (4, 4)."""
+
+    start: Array
+    end: Array
+
+    def _at(self, s: Array) -> tuple[Array, Array]:
+        positions = self.start[:3, 3] + s[:, None] * (self.end - self.start)[:3, 3]
+        turn = pin.log3(self.start[:3, :3].T @ self.end[:3, :3])
+        rotations = np.array([self.start[:3, :3] @ pin.exp3(each * turn) for each in s]).reshape(-1, 3, 3)
+        if not turn.any():
+            rotations = np.broadcast_to(self.start[:3, :3], rotations.shape)
+        return positions, rotations
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Arc(CartesianPath):
+    """An arc of a circle from pose `start` (4, 4) by `angle` about an axis through `centre`."""
+
+    start: Array
+    centre: Array
+    axis: Array
+    angle: float
+    turning: bool
+
+    def _at(self, s: Array) -> tuple[Array, Array]:
+        turns = np.array([pin.exp3(each * self.angle * self.axis) for each in s]).reshape(-1, 3, 3)
+        positions = self.centre + turns @ (self.start[:3, 3] - self.centre)
+        still = np.broadcast_to(self.start[:3, :3], turns.shape)
+        return positions, turns @ self.start[:3, :3] if self.turning else still
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Spline(CartesianPath):
+    """Cubic splines of position and rotation through `poses` (k, 4, 4) at s (k,)."""
+
+    s: Array
+    poses: Array
+
+    def _at(self, s: Array) -> tuple[Array, Array]:
+        from scipy.interpolate import CubicSpline
+        from scipy.spatial.transform import Rotation, RotationSpline
+
+        positions = CubicSpline(self.s, self.poses[:, :3, 3], bc_type="natural")(s)
+        turns = RotationSpline(self.s, Rotation.from_matrix(self.poses[:, :3, :3]))(s)
+        return np.asarray(positions), np.asarray(turns.as_matrix()).reshape(-1, 3, 3)

@@ -1,0 +1,320 @@
+"""track: a whole path followed by a controller, step by step, and what came of it."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array, instance, number
+from manipplan.errors import InvalidInputError
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.task import Task
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.robot import Robot
+from manipplan.tracking.avoidance import Avoidance
+from manipplan.tracking.controller import Controller, StepReport
+from manipplan.tracking.formulations import Classical, Formulation
+from manipplan.tracking.relaxation import Stiffness, StiffnessProfile, Tolerance
+from manipplan.tracking.step import StepStatus
+
+#: The final pose counts as reached within these [m, rad], and the arm as at rest below this speed [rad/s, m/s].
+REACHED = (1e-4, 1e-3)
+AT_REST = 1e-6
+#: How much of the tolerance a step may exceed it by: what the path bends within one step [share].
+BENT = 0.02
+#: Stiffness that holds the final pose, and the longest time for getting there [s].
+HOLD = 1e4
+SETTLING = 2.0
+#: The share of the joints' limits that a path is timed for where no duration is given.
+PACE = 0.5
+
+
+class TrackingStatus(Enum):
+    """How a tracking ended; the value is the text for people."""
+
+    FOLLOWED = "followed: inside the tolerance, and the final pose is reached"
+    LEFT_TOLERANCE = "the tolerance was left; allow more of it, more time, or start where the path does"
+    NOT_REACHED = "the final pose was not reached; it may be out of reach, blocked, or need more time"
+    BRAKED = "some steps had no sound answer, and the arm braked"
+
+    @property
+    def ok(self) -> bool:
+        """Whether the path was followed to its end."""
+        return self is TrackingStatus.FOLLOWED
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Tracking:
+    """A path as it was followed; N samples, of which the first is the start, at rest.
+
+    Attributes:
+        t: (N,) times [s].
+        q, qd: (N, n) positions and the velocities that led to them [rad or m, and per s].
+        manipulability: (N,) index.
+        targets: (N, 4, 4) poses that were wanted.
+        deviation, rotation_deviation: (N,) of the tool from them, by forward kinematics [m, rad]; in the task's rows only.
+        clearance: least distance that avoidance saw at each step [m]; inf without.
+        reports: what each step found, but for the last few that brake.
+        solve_times: wall time of each of these steps [s].
+        duration: of the path itself, without the settling at its end [s].
+        status, message: how it ended.
+        joint_names: (n,).
+    """
+
+    t: Array
+    q: Array
+    qd: Array
+    manipulability: Array
+    targets: Array
+    deviation: Array
+    rotation_deviation: Array
+    clearance: Array
+    reports: tuple[StepReport, ...]
+    solve_times: Array
+    duration: float
+    status: TrackingStatus
+    message: str
+    joint_names: tuple[str, ...]
+
+    def trajectory(self) -> Trajectory:
+        """The motion in continuous time: velocity linear between the samples, so that acceleration limits hold throughout.
+
+        It is the commanded motion, whose velocity jumps at every step, averaged over one step: half a step later.
+        """
+        dt = float(self.t[1])
+        return Trajectory(t=self.t, q=self.q - dt * self.qd / 2, qd=self.qd, joint_names=self.joint_names)
+
+    @property
+    def convexified(self) -> int:
+        """Number of steps whose cost was indefinite and made convex."""
+        return sum(report.convexified > 0 for report in self.reports)
+
+    @property
+    def braked(self) -> int:
+        """Number of steps without a sound answer."""
+        return sum(report.status != StepStatus.SOLVED for report in self.reports)
+
+    def __str__(self) -> str:
+        times = 1e6 * self.solve_times
+        lines = [
+            f"{self.status.name.lower().replace('_', ' ')}: {self.message}",
+            f"  time         {self.t[-1]:.3f} s in {len(self.reports)} steps, a step {np.median(times):.1f} us "
+            f"(99 %: {np.percentile(times, 99):.1f} us)",
+            f"  index        least {self.manipulability.min():.4g}, mean {self.manipulability.mean():.4g}",
+            f"  deviation    at most {1e3 * self.deviation.max():.2f} mm and {np.rad2deg(self.rotation_deviation.max()):.2f}°, "
+            f"at the end {1e3 * self.deviation[-1]:.4f} mm and {np.rad2deg(self.rotation_deviation[-1]):.4f}°",
+        ]
+        if np.isfinite(self.clearance).any():
+            lines.append(f"  clearance    at least {1e3 * self.clearance.min():.1f} mm")
+        if self.convexified or self.braked:
+            lines.append(f"  steps        {self.convexified} made convex, {self.braked} braked")
+        return "\n".join(lines)
+
+
+def track(
+    robot: Robot,
+    path: CartesianPath,
+    start: ArrayLike,
+    dt: float,
+    formulation: Formulation,
+    duration: float | None = None,
+    *,
+    task: Task | None = None,
+    stiffness: Stiffness | None = None,
+    tolerance: Tolerance | Callable[[float], Tolerance] | None = None,
+    weights: ArrayLike = 1.0,
+    avoidance: Avoidance | None = None,
+    compiled: bool | str = "auto",
+) -> Tracking:
+    """Follow a path from rest to rest, with cubic timing s = 3u² - 2u³ along it, and raise the index on the way.
+
+    Args:
+        robot: the arm, with its limits.
+        path: the poses T(s).
+        start: (n,) inside the limits, with the tool at or near T(0).
+        dt: time step [s] > 0.
+        formulation: Classical, General, Objective, Equality or LogDrive.
+        duration: of the path [s]; default: one at which exact tracking would use half of the joints' limits.
+        task: rows that are followed, and whose index counts; default `robot.default_task`.
+        stiffness: Q_δ: a number, or a function of the share of the time such as StiffnessProfile. Default 1e4, which holds
+            the path closely; with a tolerance the StiffnessProfile, which lets the index use the tube.
+        tolerance: tube around the path, constant or a function of s. Without one a low stiffness lets the index pull the
+            arm decimetres away.
+        weights: diagonal of Q.
+        avoidance: what is kept away from; its moving obstacles stand still here.
+        compiled: as in `Robot.kinematics`.
+
+    At the end of the path the drive is switched off and the final pose is approached for up to two seconds more.
+
+    Raises InvalidInputError for arguments that cannot be used. What did not work out is told by the status of the result.
+    """
+    if not isinstance(path, CartesianPath):
+        raise InvalidInputError("path", path, "a CartesianPath")
+    instance("robot", robot, Robot)
+    tube = _tolerance_along(tolerance)
+    controller = Controller(
+        robot,
+        formulation,
+        dt,
+        task=task,
+        weights=weights,
+        tolerance=None if tube is None else tube(0.0),
+        avoidance=avoidance,
+        compiled=compiled,
+    )
+    q = robot.configuration("start", start)
+    if stiffness is None:
+        stiffness = HOLD if tube is None or isinstance(formulation, Classical) else StiffnessProfile()
+    if not callable(stiffness):
+        stiffness = _constant(number("stiffness", stiffness, above=0.0))
+    if duration is None:
+        duration = unhurried(robot.kinematics(controller.task, compiled=compiled), path, q)
+    steps = max(int(np.ceil(number("duration", duration, above=0.0) / dt - 1e-9)), 1)
+    u = np.arange(1, steps + 1) / steps
+    s = 3 * u**2 - 2 * u**3
+    loop = _Loop(controller, q)
+    for share, place, target in zip(u, s, path(s), strict=True):
+        loop.step(target, stiffness(float(share)), 1.0, tube(float(place)) if tube is not None else None)
+    last = tube(1.0) if tube is not None else None
+    loop.settle(path(1.0), last)
+    return loop.result(steps, path(0.0), tube, np.concatenate([[0.0], s]))
+
+
+def unhurried(kinematics: Kinematics, path: CartesianPath, start: Array) -> float:
+    """A duration [s] at which following `path` exactly from `start` uses `PACE` of the velocity and acceleration limits."""
+    poses = path.sample(200)
+    limits = kinematics.robot.limits
+    q, fastest, hardest = start, 1e-3, 1e-3
+    before = None
+    for pose in poses[1:]:
+        error = _error(kinematics.task, kinematics.pose(q), pose)
+        step = np.linalg.pinv(kinematics.jacobian(q), rcond=1e-2) @ error
+        rate = step * (len(poses) - 1)
+        fastest = max(fastest, float((np.abs(rate) / limits.velocity).max()))
+        if before is not None:
+            hardest = max(hardest, float((np.abs(rate) / limits.acceleration).max()))
+        before, q = rate, np.clip(q + step, limits.lower, limits.upper)
+    # cubic timing: ds/dt is at most 1.5 / D, d²s/dt² at most 6 / D²
+    return float(max(1.5 * fastest / PACE, (6 * hardest / PACE) ** 0.5))
+
+
+class _Loop:
+    """The arm in the loop: it moves as it is told."""
+
+    def __init__(self, controller: Controller, start: Array) -> None:
+        self.controller = controller
+        self.q, self.qd = [start], [np.zeros(controller.robot.n)]
+        self.targets: list[Array] = []
+        self.reports: list[StepReport] = []
+        self.times: list[float] = []
+
+    def step(self, target: Array, stiffness: float, drive: float, tolerance: Tolerance | None) -> None:
+        began = time.perf_counter()
+        velocity = self.controller.step(self.q[-1], self.qd[-1], target, stiffness=stiffness, drive=drive, tolerance=tolerance)
+        self.times.append(time.perf_counter() - began)
+        self.reports.append(self.controller.report)
+        self.q.append(self.q[-1] + self.controller.dt * velocity)
+        self.qd.append(velocity)
+        self.targets.append(target)
+
+    def settle(self, target: Array, tolerance: Tolerance | None) -> None:
+        """Approach the final pose without a drive, then stop."""
+        for _ in range(int(SETTLING / self.controller.dt)):
+            if np.abs(self.qd[-1]).max() < AT_REST:
+                break
+            self.step(target, HOLD, 0.0, tolerance)
+        while self.qd[-1].any():
+            velocity = self.controller.brake(self.q[-1], self.qd[-1])
+            self.q.append(self.q[-1] + self.controller.dt * velocity)
+            self.qd.append(velocity)
+            self.targets.append(target)
+
+    def result(self, steps: int, first: Array, tube: Callable[[float], Tolerance] | None, s: Array) -> Tracking:
+        controller = self.controller
+        kinematics = controller.robot.kinematics(controller.task)
+        q, targets = np.array(self.q), np.array([first, *self.targets])
+        errors = np.array(
+            [_error(controller.task, pose, target) for pose, target in zip(kinematics.pose(q), targets, strict=True)]
+        )
+        deviation, rotation = _lengths(controller.task, errors)
+        braked = sum(report.status != StepStatus.SOLVED for report in self.reports)
+        status, message = _outcome(deviation, rotation, tube, s, braked, controller.dt)
+        return Tracking(
+            t=controller.dt * np.arange(len(q), dtype=float),
+            q=q,
+            qd=np.array(self.qd),
+            manipulability=kinematics.manipulability(q),
+            targets=targets,
+            deviation=deviation,
+            rotation_deviation=rotation,
+            clearance=np.array([report.clearance for report in self.reports]),
+            reports=tuple(self.reports),
+            solve_times=np.array(self.times),
+            duration=steps * controller.dt,
+            status=status,
+            message=message,
+            joint_names=controller.robot.joint_names,
+        )
+
+
+def _outcome(
+    deviation: Array,
+    rotation: Array,
+    tube: Callable[[float], Tolerance] | None,
+    s: Array,
+    braked: int,
+    dt: float,
+) -> tuple[TrackingStatus, str]:
+    worst = f"it is {1e3 * deviation[-1]:.3g} mm and {np.rad2deg(rotation[-1]):.3g}° from the final pose"
+    if tube is not None:
+        places = np.concatenate([s, np.ones(len(deviation) - len(s))])
+        for k, place in enumerate(places):
+            allowed = tube(float(place))
+            for name, value, limit, unit in (
+                ("position", deviation[k], allowed.position, "m"),
+                ("rotation", rotation[k], allowed.rotation, "rad"),
+            ):
+                if limit is not None and value > limit * (1 + BENT):
+                    text = f"{name} deviates by {value:.4g} {unit} at s = {place:.3f}, t = {k * dt:.3f} s; allowed {limit:g}"
+                    return TrackingStatus.LEFT_TOLERANCE, text
+    if braked:
+        return TrackingStatus.BRAKED, f"{braked} steps had no sound answer"
+    if deviation[-1] > REACHED[0] or rotation[-1] > REACHED[1]:
+        return TrackingStatus.NOT_REACHED, worst
+    return TrackingStatus.FOLLOWED, f"largest deviation {1e3 * deviation.max():.3g} mm, {np.rad2deg(rotation.max()):.3g}°"
+
+
+def _error(task: Task, pose: Array, target: Array) -> Array:
+    """The displacement in the rows of a task (m,), as `task_error`, in numbers."""
+    turn = pin.log3(target[:3, :3] @ pose[:3, :3].T)
+    world, tool = task.matrices
+    straight = target[:3, 3] - pose[:3, 3]
+    turned = np.concatenate([pose[:3, :3].T @ straight, pose[:3, :3].T @ turn])
+    return np.concatenate([world @ np.concatenate([straight, turn]), tool @ turned])
+
+
+def _lengths(task: Task, errors: Array) -> tuple[Array, Array]:
+    """Lengths [m] and angles [rad] of displacements (k, m) in the rows of a task."""
+    turns = np.array([any(row[3:]) for row in (*task.world_rows, *task.tool_rows)])
+    return np.linalg.norm(errors[:, ~turns], axis=1), np.linalg.norm(errors[:, turns], axis=1) / task.length
+
+
+def _tolerance_along(
+    tolerance: Tolerance | Callable[[float], Tolerance] | None,
+) -> Callable[[float], Tolerance] | None:
+    if tolerance is None:
+        return None
+    if isinstance(tolerance, Tolerance):
+        return lambda _: tolerance
+    if not callable(tolerance) or not isinstance(tolerance(0.0), Tolerance):
+        raise InvalidInputError("tolerance", tolerance, "a Tolerance, or a function of s that gives one")
+    return tolerance
+
+
+def _constant(value: float) -> Callable[[float], float]:
+    return lambda _: value
