@@ -128,6 +128,7 @@ def track(
     stiffness: Stiffness | None = None,
     tolerance: Tolerance | Callable[[float], Tolerance] | None = None,
     weights: ArrayLike = 1.0,
+    approach: float = 2.0,
     avoidance: Avoidance | None = None,
     compiled: bool | str = "auto",
 ) -> Tracking:
@@ -146,6 +147,7 @@ def track(
         tolerance: tube around the path, constant or a function of s. Without one a low stiffness lets the index pull the
             arm decimetres away.
         weights: diagonal of Q.
+        approach: acceleration [m/s²] at which deviations are braked, as in Controller; inf: dead-beat, as in the paper.
         avoidance: what is kept away from; its moving obstacles stand still here.
         compiled: as in `Robot.kinematics`.
 
@@ -163,6 +165,7 @@ def track(
         dt,
         task=task,
         weights=weights,
+        approach=approach,
         tolerance=None if tube is None else tube(0.0),
         avoidance=avoidance,
         compiled=compiled,
