@@ -8,8 +8,9 @@ import numpy as np
 
 from manipplan.checks import Array, instance, number
 from manipplan.errors import InvalidInputError, UnknownNameError
-from manipplan.kinematics.chain import Placement, SymbolicChain, jacobian_of
+from manipplan.kinematics.chain import Placement, SymbolicChain
 from manipplan.robots import scene as shapes
+from manipplan.robots.description import axis_of, is_prismatic
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Obstacle, Scene
 from manipplan.tracking.bodies import Bodies, Body
@@ -84,6 +85,7 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
     bodies = Bodies.of(robot)
     guarded = _guarded(robot, bodies, avoidance)
     symbols = ca.SX.sym("obstacles", OBSTACLE_SIZE * len(avoidance.moving))
+    lines = _lines(chain)
     rows: list[tuple[ca.SX, ca.SX, ca.SX]] = []
     names: list[tuple[str, str]] = []
     for name, obstacle in zip(avoidance.scene.names, avoidance.scene.obstacles, strict=True):
@@ -92,7 +94,7 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
         for body in guarded:
             near = nearest(_capsule(chain, body), _shape(obstacle, placement))
             approach = ca.dot(near.normal, _velocity_at(motion, near.second)) if motion else ca.SX(0)
-            rows.append(_row(avoidance, near, _rate(chain, body.joint, near.first, near.normal), approach))
+            rows.append(_row(avoidance, near, _rate(chain, lines, body.joint, near.first, near.normal), approach))
             names.append((body.name, name))
     if avoidance.itself:
         for i, j in bodies.pairs:
@@ -100,7 +102,8 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
             if first not in guarded and second not in guarded:
                 continue
             near = nearest(_capsule(chain, first), _capsule(chain, second))
-            rate = _rate(chain, first.joint, near.first, near.normal) - _rate(chain, second.joint, near.second, near.normal)
+            rate = _rate(chain, lines, first.joint, near.first, near.normal)
+            rate -= _rate(chain, lines, second.joint, near.second, near.normal)
             rows.append(_row(avoidance, near, rate, ca.SX(0)))
             names.append((first.name, second.name))
     if not rows:
@@ -121,13 +124,23 @@ def _row(avoidance: Avoidance, near: Nearest, rate: ca.SX, approach: ca.SX) -> t
     return rate, ca.if_else(near.distance <= avoidance.influence, bound, -ca.inf), near.distance
 
 
-def _rate(chain: SymbolicChain, joint: int, point: ca.SX, normal: ca.SX) -> ca.SX:
-    """nᵀ J(q, p) of a point on the body that `joint` carries, (1, n)."""
-    if joint == 0:
-        return ca.SX(1, chain.q.shape[0])
+def _lines(chain: SymbolicChain) -> ca.SX:
+    """Velocity fields of the joints, (6, n): that of joint i at a point p is lines[:3, i] + lines[3:, i] x p."""
+    columns = []
+    for i, joint in enumerate(chain.joints[1:], start=1):
+        axis = joint.rotation @ ca.sparsify(ca.DM(axis_of(chain.model.joints[i])))
+        if is_prismatic(chain.model.joints[i]):
+            columns.append(ca.vertcat(axis, ca.SX(3, 1)))
+        else:
+            columns.append(ca.vertcat(ca.cross(joint.origin, axis), axis))
+    return ca.horzcat(*columns)
+
+
+def _rate(chain: SymbolicChain, lines: ca.SX, joint: int, point: ca.SX, normal: ca.SX) -> ca.SX:
+    """nᵀ J(q, p) of a point on the body that `joint` carries, (1, n): nᵀ (a x p) = aᵀ (p x n)."""
     supports = set(chain.model.supports[joint])
-    carriers = [chain.joints[i] if i in supports else None for i in range(1, chain.model.njoints)]
-    return normal.T @ jacobian_of(chain.model, carriers, point)[:3, :]
+    wrench = ca.vertcat(normal, ca.cross(point, normal)).T
+    return ca.horzcat(*(wrench @ lines[:, i - 1] if i in supports else ca.SX(1, 1) for i in range(1, chain.model.njoints)))
 
 
 def _capsule(chain: SymbolicChain, body: Body) -> Capsule:

@@ -1,9 +1,19 @@
-"""The nearest convex problem by a modified Cholesky factorisation."""
+"""Symmetric matrices of the cost: products without double work, and the nearest convex problem."""
 
 import casadi as ca
 
 #: Pivots below this share of the largest entry are raised to it.
 PIVOT = 1e-8
+
+
+def gram(matrix: ca.SX) -> ca.SX:
+    """matrixᵀ matrix, each entry made once."""
+    columns = ca.horzsplit(matrix)
+    product = ca.SX(len(columns), len(columns))
+    for i, first in enumerate(columns):
+        for j, second in enumerate(columns[: i + 1]):
+            product[i, j] = product[j, i] = ca.dot(first, second)
+    return product
 
 
 def convexified(matrix: ca.SX) -> tuple[ca.SX, ca.SX]:

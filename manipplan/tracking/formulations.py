@@ -13,6 +13,7 @@ import casadi as ca
 
 from manipplan.checks import number
 from manipplan.errors import InvalidInputError, UnknownNameError
+from manipplan.tracking.convex import gram
 from manipplan.tracking.derivatives import CURVATURES, GRADIENTS, Index
 
 
@@ -133,7 +134,7 @@ class Equality(Formulation):
         """(16), ε eliminated: H = α T² ∇m ∇mᵀ, g = - α m T ∇m."""
         time = self.sample_time or dt
         slope = index.gradient
-        return Drive(hessian=self.alpha * time**2 * slope @ slope.T, gradient=-self.alpha * index.value * time * slope)
+        return Drive(hessian=self.alpha * time**2 * gram(slope.T), gradient=-self.alpha * index.value * time * slope)
 
 
 @dataclass(frozen=True)
@@ -161,7 +162,7 @@ class LogDrive(Formulation):
     def drive(self, index: Index, dt: float) -> Drive:  # noqa: ARG002
         """e eliminated: H = β g gᵀ, g = - β ρ g with g = ∇ log m."""
         slope = index.log_gradient(self.regularisation)
-        return Drive(hessian=self.weight * slope @ slope.T, gradient=-self.weight * self.rate * slope)
+        return Drive(hessian=self.weight * gram(slope.T), gradient=-self.weight * self.rate * slope)
 
 
 def _check_alpha(alpha: float, sample_time: float | None, gradient: str) -> None:

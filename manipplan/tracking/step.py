@@ -22,7 +22,7 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.task import Task
 from manipplan.tracking.avoidance import Avoidance, AvoidanceRows, avoidance_rows
 from manipplan.tracking.bounds import velocity_bounds
-from manipplan.tracking.convex import convexified
+from manipplan.tracking.convex import convexified, gram
 from manipplan.tracking.derivatives import Index
 from manipplan.tracking.error import task_error
 from manipplan.tracking.formulations import Classical, Formulation
@@ -110,7 +110,7 @@ class Step:
 
 
 def step_of(setup: StepSetup) -> Step:
-    """Build the step: clean the inputs, make the problem, solve it, check the answer."""
+    """Build the step: make the problem, solve it, check the answer."""
     symbolic = setup.kinematics.symbolic
     n = symbolic.chain.q.shape[0]
     index = Index.of(symbolic, setup.formulation.gradient, setup.formulation.curvature)
@@ -126,31 +126,23 @@ def step_of(setup: StepSetup) -> Step:
         rows.obstacles if rows else ca.SX(0, 1),
         ca.vertcat(index.memory, ca.SX.sym("before", TARGET_MEMORY)) if setup.remembers else index.memory,
     ]
-    clean = _cleaning(inputs)
     problem = _problem(setup, inputs, index, rows)
     given = [ca.MX.sym(problem.name_in(i), problem.sparsity_in(i)) for i in range(problem.n_in())]
-    *cleaned, flags = clean.call(given)
-    made = dict(zip(problem.name_out(), problem.call(cleaned), strict=True))
+    made = dict(zip(problem.name_out(), problem.call(given), strict=True))
     answer, solved = _answer(setup, problem, made)
     finish = _finish(setup, problem, answer.sparsity())
-    ended = finish.call([flags, solved, answer, *(made[name] for name in finish.name_in()[3:])])
+    ended = finish.call([solved, answer, *(made[name] for name in finish.name_in()[2:])])
     outputs = [*ended, made["next_memory"]]
     function = ca.Function(STEP_NAME, given, outputs, list(INPUTS), ["velocity", "report", "next_memory"])
     return Step(function=function, problem=problem, pairs=rows.names if rows else ())
 
 
-def _cleaning(inputs: list[ca.SX]) -> ca.Function:
-    """The inputs, with 0 for those that are not finite, and two flags: whether the state and the target are sound."""
-    q, qd, qdd, target, stiffness, drive, tolerance, obstacles, memory = inputs
-    good_state = _all(ca.fabs(ca.vertcat(q, qd, qdd)) < HUGE)
-    good_target = _all(ca.vertcat(ca.fabs(ca.vertcat(ca.vec(target), stiffness, obstacles)) < HUGE, stiffness > 0))
-    good_target = ca.logic_and(good_target, ca.logic_and(drive >= 0, drive < HUGE))
-    good_target = ca.logic_and(good_target, _all(tolerance >= 0))
-    cleaned = [ca.if_else(good_state, each, 0) for each in (q, qd, qdd)]
-    cleaned += [ca.if_else(good_target, each, 0) for each in (target, stiffness, drive)]
-    cleaned += [ca.if_else(good_target, ca.fmin(tolerance, HUGE), HUGE), ca.if_else(good_target, obstacles, 0)]
-    cleaned.append(ca.if_else(good_state, memory, 0) if memory.shape[0] else memory)
-    return ca.Function("clean", inputs, [*cleaned, ca.vertcat(good_state, good_target)])
+def _soundness(inputs: list[ca.SX]) -> tuple[ca.SX, ca.SX]:
+    """Whether the state and whether the target, with all that comes with it, are usable numbers."""
+    q, qd, qdd, target, stiffness, drive, tolerance, obstacles, _ = inputs
+    state = _all(ca.fabs(ca.vertcat(q, qd, qdd)) < HUGE)
+    given = ca.vertcat(ca.vec(target[:, :3]), stiffness, drive, obstacles)
+    return state, _all(ca.vertcat(ca.fabs(given) < HUGE, stiffness > 0, drive >= 0, tolerance >= 0))
 
 
 def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: AvoidanceRows | None) -> ca.Function:
@@ -158,6 +150,8 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: Avoidanc
     q, qd, qdd, goal, stiffness, share, *_ = inputs
     symbolic, formulation, dt = setup.kinematics.symbolic, setup.formulation, setup.dt
     jacobian = ca.densify(symbolic.posture.jacobian)
+    good_state, good_target = _soundness(inputs)
+    sound = ca.logic_and(good_state, good_target)
     error = ca.densify(task_error(symbolic.task, symbolic.chain.tool, _placement(goal)))
     deviation = _deviation_before(setup, inputs, error)
     rate = (error - (1 - _correction(setup, deviation)) * deviation) / dt
@@ -169,19 +163,22 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: Avoidanc
         velocity = _classical(jacobian, rate, -share * drive.gradient, formulation.damping)
         outputs = {"velocity": velocity, "lbx": low, "ubx": high}
     else:
-        hessian = ca.diag(ca.SX(ca.DM(setup.weights))) + jacobian.T @ (stiffness * jacobian) + share * drive.hessian
+        hessian = ca.diag(ca.SX(ca.DM(setup.weights))) + stiffness * gram(jacobian) + share * drive.hessian
         if formulation.convexify:
             hessian, bent = convexified(hessian)
         gradient = share * drive.gradient - stiffness * (jacobian.T @ rate)
         tube = _tube(setup, inputs, jacobian, error, deviation) if setup.tube else None
         program = _program(hessian, gradient, (low, high), tube, rows)
         outputs = dict(zip(PROGRAM, program, strict=True))
-        free, outputs["kept"] = _free_minimum(hessian, gradient, program)
+        free, kept = _free_minimum(hessian, gradient, program)
+        outputs["kept"] = ca.logic_or(kept, ca.logic_not(sound))  # without numbers there is nothing to search for
         outputs["free"] = ca.vertcat(free, ca.SX.zeros(program[0].shape[0] - free.shape[0]))
     clearance = ca.mmin(rows.distance) if rows else ca.SX(ca.inf)
-    outputs |= {"jacobian": jacobian, "error": error, "figures": ca.vertcat(index.value, clearance, bent)}
-    outputs["next_memory"] = ca.vertcat(index.next_memory, ca.vec(goal), 1) if setup.remembers else index.next_memory
-    return ca.Function("problem", inputs, [ca.densify(each) for each in outputs.values()], list(INPUTS), list(outputs))
+    figures = ca.vertcat(good_state, good_target, index.value, clearance, bent)
+    outputs |= {"jacobian": jacobian, "error": error, "figures": figures}
+    outputs["next_memory"] = _next_memory(setup, index, goal, good_state, sound)
+    made = ca.cse([ca.densify(each) for each in outputs.values()])
+    return ca.Function("problem", inputs, made, list(INPUTS), list(outputs))
 
 
 def _answer(setup: StepSetup, problem: ca.Function, made: dict[str, ca.MX]) -> tuple[ca.MX, ca.MX]:
@@ -215,8 +212,8 @@ def _free_minimum(hessian: ca.SX, gradient: ca.SX, program: list[ca.SX]) -> tupl
         pivots.append(factor[j, j])
         for i in range(j + 1, n):
             share = factor[i, j] / pivots[j]
-            for k in range(j + 1, i + 1):
-                factor[i, k] -= share * factor[k, j]
+            for k in range(i, n):
+                factor[k, i] -= share * factor[k, j]
             factor[i, j] = share
     velocity = ca.SX(-gradient)
     for i in range(n):
@@ -233,27 +230,33 @@ def _free_minimum(hessian: ca.SX, gradient: ca.SX, program: list[ca.SX]) -> tupl
 
 
 def _finish(setup: StepSetup, problem: ca.Function, answer: ca.Sparsity) -> ca.Function:
-    """From flags, whether it is solved, and the answer to the velocity and the report."""
+    """From whether it is solved and the answer to the velocity and the report."""
     names = ("lbx", "ubx", "jacobian", "error", "figures")
     made = {name: ca.SX.sym(name, problem.sparsity_out(name)) for name in names}
-    variables, sound, solved = ca.SX.sym("answer", answer), ca.SX.sym("flags", 2), ca.SX.sym("solved")
+    variables, solved = ca.SX.sym("answer", answer), ca.SX.sym("solved")
+    good_state, good_target, index, clearance, bent = ca.vertsplit(made["figures"])
     n = made["jacobian"].shape[1]
     low, high = made["lbx"][:n], made["ubx"][:n]
     velocity, slack = variables[:n], variables[n:]
     solved_too = ca.logic_and(solved, _all(ca.fabs(velocity) < HUGE))
     # braking: the velocity within the bounds that is nearest to zero
-    accepted = ca.logic_and(solved_too, ca.logic_and(sound[0], sound[1]))
-    velocity = ca.if_else(sound[0], _clip(ca.if_else(accepted, velocity, 0), low, high), 0)
+    accepted = ca.logic_and(solved_too, ca.logic_and(good_state, good_target))
+    velocity = ca.if_else(good_state, _clip(ca.if_else(accepted, velocity, 0), low, high), 0)
     status = ca.if_else(solved_too, float(StepStatus.SOLVED), float(StepStatus.NOT_SOLVED))
-    status = ca.if_else(sound[1], status, float(StepStatus.BAD_TARGET))
-    status = ca.if_else(sound[0], status, float(StepStatus.BAD_STATE))
+    status = ca.if_else(good_target, status, float(StepStatus.BAD_TARGET))
+    status = ca.if_else(good_state, status, float(StepStatus.BAD_STATE))
     left = made["error"] - made["jacobian"] @ velocity * setup.dt
-    index, clearance, bent = ca.vertsplit(made["figures"])
     tube, avoidance = slack[0] if setup.tube else 0, slack[-1] if setup.avoidance else 0
     report = ca.vertcat(status, index, *_deviation(setup.kinematics.task, left), tube * setup.dt, clearance, avoidance, bent)
-    inputs = [sound, solved, variables, *made.values()]
+    inputs = [solved, variables, *made.values()]
     outputs = [ca.densify(velocity), ca.densify(report)]
-    return ca.Function("finish", inputs, outputs, ["flags", "solved", "answer", *names], ["velocity", "report"])
+    return ca.Function("finish", inputs, outputs, ["solved", "answer", *names], ["velocity", "report"])
+
+
+def _next_memory(setup: StepSetup, index: Index, goal: ca.SX, good_state: ca.SX, sound: ca.SX) -> ca.SX:
+    """What the next step may use: nothing of a state or a target that is no number."""
+    learned = ca.if_else(good_state, index.next_memory, 0) if index.next_memory.shape[0] else index.next_memory
+    return ca.vertcat(learned, ca.vec(goal), sound) if setup.remembers else learned
 
 
 def _placement(rows: ca.SX) -> Placement:
