@@ -6,6 +6,7 @@ inside its limits. Each bound keeps the next state viable, so the next interval 
 
 import casadi as ca
 import numpy as np
+from numpy.typing import NDArray
 
 from manipplan.robots.limits import JointLimits
 
@@ -21,6 +22,16 @@ def velocity_bounds(q: ca.SX, qd: ca.SX, qdd: ca.SX, limits: JointLimits, dt: fl
     return ca.vertcat(*(low for low, _ in bounds)), ca.vertcat(*(high for _, high in bounds))
 
 
+def limits_jerk(limits: JointLimits, dt: float) -> bool:
+    """Whether a jerk limit matters at this time step."""
+    return bool(_binds(limits, dt).any())
+
+
+def _binds(limits: JointLimits, dt: float) -> NDArray[np.bool_]:
+    """Where two accelerations within their limit can differ by more than the jerk limit allows in one step, (n,)."""
+    return np.asarray(np.isfinite(limits.jerk) & (limits.jerk * dt < 2 * limits.acceleration))
+
+
 def _bounds_of(q: ca.SX, v: ca.SX, a: ca.SX, limits: JointLimits, i: int, dt: float) -> tuple[ca.SX, ca.SX]:
     speed, acceleration = float(limits.velocity[i]), float(limits.acceleration[i])
     room_below, room_above = q - float(limits.lower[i]), float(limits.upper[i]) - q
@@ -31,7 +42,7 @@ def _bounds_of(q: ca.SX, v: ca.SX, a: ca.SX, limits: JointLimits, i: int, dt: fl
     if np.isfinite(acceleration):
         low = _clip(v - acceleration * dt, lowest, highest)
         high = _clip(v + acceleration * dt, lowest, highest)
-    if limits.jerk[i] * dt < 2 * acceleration:  # otherwise no two accelerations within the limit differ by more
+    if _binds(limits, dt)[i]:
         return _with_jerk((low, high), (q, v, a), limits, i, dt)
     return low, high
 

@@ -16,6 +16,7 @@ from manipplan.measures.task import Task
 from manipplan.robots.robot import Robot
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, obstacle_numbers
 from manipplan.tracking.bodies import Bodies
+from manipplan.tracking.bounds import limits_jerk
 from manipplan.tracking.formulations import Classical, Formulation
 from manipplan.tracking.machine import MachineCode, Sources
 from manipplan.tracking.relaxation import Tolerance
@@ -212,8 +213,7 @@ class Controller:
         if qdd is not None:
             self._acceleration[:] = _numbers("qdd", qdd, (self.robot.n,))
         self._run()
-        if self._remembers:
-            self._memory[:] = self._next_memory
+        self._remembered[:] = self._to_remember
         velocity: Array = self._velocity.copy()
         if self._jerk:
             self._acceleration[:] = (velocity - np.asarray(self._qd)) / self.dt
@@ -302,11 +302,12 @@ class Controller:
         self._stiffness: Any = flat["stiffness"].data
         self._drive: Any = flat["drive"].data
         self._tube, self._obstacles, self._memory = flat["tolerance"], flat["obstacles"], flat["memory"]
-        self._remembers = len(self._memory) > 0
-        self._jerk = bool(np.isfinite(self.robot.limits.jerk).any())
+        self._jerk = limits_jerk(self.robot.limits, self.dt)
         self._velocity, self._report = np.zeros(self.robot.n), np.zeros(len(REPORT))
-        self._next_memory = np.zeros(len(self._memory))
-        for i, values in enumerate((self._velocity, self._report, self._next_memory)):
+        next_memory = np.zeros(len(self._memory))
+        self._remembered: Any = self._memory.data
+        self._to_remember: Any = next_memory.data
+        for i, values in enumerate((self._velocity, self._report, next_memory)):
             self._buffer.set_res(i, values.data)
         self._set_tolerance(None)
         if self._avoidance is not None:
