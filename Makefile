@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 READY := .venv/.ready
 
-.PHONY: demo test test-long lint types docs benchmark clean
+.PHONY: demo test test-long lint types docs benchmark benchmark-peers clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
@@ -29,6 +29,10 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/panda_boxes.py
 	$(BIN)/python benchmarks/kinematics.py
 	$(BIN)/python benchmarks/import_time.py
+	$(BIN)/python benchmarks/random_steps.py
+
+benchmark-peers: $(READY)
+	$(BIN)/python benchmarks/tracking.py
 
 $(READY): requirements.txt pyproject.toml
 	@$(PYTHON) -c 'import sys; v = sys.version_info[:2]; sys.exit(0 if (3, 11) <= v <= (3, 13) else "manipplan needs Python 3.11 to 3.13, not %d.%d; name another: make PYTHON=python3.12" % v)'

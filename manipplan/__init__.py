@@ -19,7 +19,7 @@ from manipplan.errors import (
     UnknownNameError,
     UnsupportedJointError,
 )
-from manipplan.jobs import Plan, plan
+from manipplan.jobs import Plan, improve, plan
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.kinematics.pinocchio_casadi import PinocchioCasadi, pinocchio_casadi
@@ -27,7 +27,7 @@ from manipplan.measures.dynamic import Asada, DynamicManipulability
 from manipplan.measures.ellipsoid import Ellipsoid, dynamic_ellipsoid, force_ellipsoid, velocity_ellipsoid
 from manipplan.measures.indices import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
 from manipplan.measures.limited import JointLimitPenalised
-from manipplan.measures.measure import Measure
+from manipplan.measures.measure import Measure, Posture
 from manipplan.measures.names import available_measures
 from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
 from manipplan.measures.task import Task
@@ -98,6 +98,7 @@ __all__ = [
     "Plan",
     "Plane",
     "PlanningError",
+    "Posture",
     "Report",
     "Robot",
     "Rollout",
@@ -121,6 +122,7 @@ __all__ = [
     "available_robots",
     "dynamic_ellipsoid",
     "force_ellipsoid",
+    "improve",
     "limit_use",
     "load_robot",
     "optimize_path",

@@ -23,6 +23,14 @@ class Status(Enum):
         "singular: every check passed, but the index vanishes somewhere on the path, so g is infinite; "
         "choose another start or goal if it is at an end, or another power or seed="
     )
+    IMPROVED = "improved: the recorded motion was followed with a higher index, and every check passed"
+    NOT_BETTER = (
+        "recorded: following it raised neither its least nor its mean index, so the recording itself is returned; "
+        "allow more tolerance"
+    )
+    NOT_FOLLOWED = (
+        "failed: the recorded motion could not be followed inside the tolerance to its last pose; allow more tolerance or time"
+    )
     NO_PATH = "failed: no collision-free path was found; allow more time_limit, less clearance, or check the goal"
 
     NO_TIMING = "failed: no motion along the path obeys the limits; raise effort or acceleration, or choose another path"
@@ -33,8 +41,8 @@ class Status(Enum):
 
     @property
     def ok(self) -> bool:
-        """Whether an optimised, checked path is returned."""
-        return self in (Status.OPTIMAL, Status.STOPPED_EARLY)
+        """Whether an optimised or improved, checked path is returned."""
+        return self in (Status.OPTIMAL, Status.STOPPED_EARLY, Status.IMPROVED)
 
     @property
     def has_path(self) -> bool:

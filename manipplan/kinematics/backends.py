@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 import casadi as ca
 
-from manipplan.errors import UnknownNameError
+from manipplan.errors import InvalidInputError, UnknownNameError
 from manipplan.kinematics.chain import Placement, SymbolicChain
 from manipplan.kinematics.pinocchio_casadi import bindings_installed, pinocchio_casadi
 from manipplan.robots.description import frame_index
@@ -19,6 +19,9 @@ def chain_of(robot: "Robot", backend: str) -> SymbolicChain:
     """The arm at symbolic q by one of `BACKENDS`, built once for each robot."""
     if backend not in BACKENDS:
         raise UnknownNameError("backend", str(backend), BACKENDS)
+    if backend == "bindings" and not bindings_installed():
+        wanted = "'auto', 'chain' or 'bridge': this Pinocchio has no pinocchio.casadi (conda-forge's builds have)"
+        raise InvalidInputError("backend", backend, wanted)
     if backend == "auto":
         backend = "bindings" if bindings_installed() else "chain"
     key = ("chain", backend)

@@ -30,18 +30,30 @@ def to_csv(trajectory: Trajectory, file: str | Path) -> None:
 
 
 def from_csv(file: str | Path) -> Trajectory:
-    """Read `to_csv`'s file. Raises FileFormatError for another header, a short row, or what is not a number."""
+    """Read `to_csv`'s file, or one of times and positions alone, as demonstrations are recorded: then velocities are those
+    of the cubic spline through them.
+
+    Raises FileFormatError for another header, a short row, or what is not a number.
+    """
     path = existing_file("file", file)
-    wanted = "a CSV with columns time, q_<joint>..., qd_<joint>... (qdd_<joint>... may follow)"
+    wanted = "a CSV with columns time, q_<joint>... (qd_<joint>... and qdd_<joint>... may follow)"
 
     def read() -> Trajectory:
         with path.open(newline="", encoding="utf-8-sig") as stream:
             header, *rows = [row for row in csv.reader(stream) if row]
         names = [column.removeprefix("q_") for column in header[1:] if column.startswith("q_")]
         n = len(names)
-        if n == 0 or header[: 1 + 2 * n] != ["time", *(f"q_{x}" for x in names), *(f"qd_{x}" for x in names)]:
+        alone = len(header) == 1 + n
+        columns = ["time", *(f"q_{x}" for x in names), *(f"qd_{x}" for x in names)]
+        if n == 0 or header[: 1 + 2 * n] != columns[: 1 + n if alone else None]:
             raise FileFormatError("file", str(path), wanted)
         data = np.array([[float(cell) for cell in row[: 1 + 2 * n]] for row in rows])
+        if alone:
+            from scipy.interpolate import CubicSpline
+
+            t = data[:, 0] - data[0, 0]
+            velocity = CubicSpline(t, data[:, 1:])(t, 1)
+            return Trajectory(t=t, q=data[:, 1:], qd=velocity, joint_names=tuple(names))
         return Trajectory(t=data[:, 0], q=data[:, 1 : 1 + n], qd=data[:, 1 + n :], joint_names=tuple(names))
 
     return _reading(path, wanted, read)

@@ -21,6 +21,8 @@ from manipplan.timing.verify import LimitUse, limit_use, torque_use
 
 #: A limit counts as kept when it is exceeded by no more than this [rad, m] or this share.
 TOLERANCE = 1e-6
+#: A least index this near to an end of a path [s] is that of the end.
+AT_END = 0.01
 #: Places along the trajectory at which distances are measured for the report.
 PLACES = 400
 
@@ -176,8 +178,8 @@ def _index_note(cost: PathCost, seed: PathCost, straight: PathCost, *, is_seed: 
     )
     if least > 0 and all(least >= 2 * other for other in others.values()):
         return note
-    if cost.at <= 0 or cost.at >= 1:
-        return f"{note}; it is at the {'start' if cost.at <= 0 else 'goal'}, which every path between the two shares"
+    if cost.at <= AT_END or cost.at >= 1 - AT_END:
+        return f"{note}; it is at the {'start' if cost.at <= AT_END else 'goal'}, which every path between the two shares"
     if is_seed:
         return f"{note}; this is the seed itself"
-    return f"{note}; the optimiser found no path of lower g with a larger one"
+    return f"{note}; no path with a larger one and a g as low was found"

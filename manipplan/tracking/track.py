@@ -173,19 +173,31 @@ def track(
     q = robot.configuration("start", start)
     if stiffness is None:
         stiffness = HOLD if tube is None or isinstance(formulation, Classical) else StiffnessProfile()
-    if not callable(stiffness):
-        stiffness = _constant(number("stiffness", stiffness, above=0.0))
     if duration is None:
         duration = unhurried(robot.kinematics(controller.task, compiled=compiled), path, q)
     steps = max(int(np.ceil(number("duration", duration, above=0.0) / dt - 1e-9)), 1)
-    u = np.arange(1, steps + 1) / steps
+    u = np.arange(steps + 1) / steps
     s = 3 * u**2 - 2 * u**3
-    loop = _Loop(controller, q)
-    for share, place, target in zip(u, s, path(s), strict=True):
-        loop.step(target, stiffness(float(share)), 1.0, tube(float(place)) if tube is not None else None)
-    last = tube(1.0) if tube is not None else None
-    loop.settle(path(1.0), last)
-    return loop.result(steps, path(0.0), tube, np.concatenate([[0.0], s]))
+    return follow_poses(controller, q, path(s), s, along(stiffness), tube)
+
+
+def follow_poses(
+    controller: Controller,
+    start: Array,
+    poses: Array,
+    s: Array,
+    stiffness: Callable[[float], float],
+    tube: Callable[[float], Tolerance] | None,
+) -> Tracking:
+    """Follow poses (N + 1, 4, 4), one a time step and the first for the start, at the places s (N + 1,) of a path.
+
+    `stiffness` is a function of the share of the time, `tube` one of s.
+    """
+    loop = _Loop(controller, start)
+    for k in range(1, len(poses)):
+        loop.step(poses[k], stiffness(k / (len(poses) - 1)), 1.0, tube(float(s[k])) if tube is not None else None)
+    loop.settle(poses[-1], tube(1.0) if tube is not None else None)
+    return loop.result(len(poses) - 1, poses[0], tube, s)
 
 
 def unhurried(kinematics: Kinematics, path: CartesianPath, start: Array) -> float:
@@ -319,5 +331,9 @@ def _tolerance_along(
     return tolerance
 
 
-def _constant(value: float) -> Callable[[float], float]:
+def along(stiffness: Stiffness) -> Callable[[float], float]:
+    """A stiffness as a function of the share of the time; raises InvalidInputError for a number that is not above zero."""
+    if callable(stiffness):
+        return stiffness
+    value = number("stiffness", stiffness, above=0.0)
     return lambda _: value

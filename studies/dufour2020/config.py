@@ -1,0 +1,131 @@
+"""Constants of the study; each says where the paper has it, or that it is ours."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+import manipplan as mp
+
+HERE = Path(__file__).parent
+PATHS = HERE / "paths"
+EXPECTED = HERE / "expected.csv"
+PAGES = HERE.parents[1] / "docs" / "studies" / "dufour2020"
+
+# Section 5: a Baxter research robot, T = 10 ms, Q = I. The arm is ours: its left one, position and velocity limits of the URDF.
+ROBOT = "baxter_left"
+DT = 0.01  # [s]
+FAST_DT = 0.001  # [s], section 6: 1 kHz
+ACCELERATION = 40.0  # [rad/s²], ours; section 3.2 points to acceleration limits and does not say which
+TASK = mp.Task.pose(length=1.0)  # (5): the six rows as they are, metres and radians together
+STARTS = 60  # ours; of the search for the arm's largest index, by which all are divided (section 5)
+# Section 3.2: Q_high in 1e4 to 1e5, Q_low in 1 to 10, Fig. 1. The degree is ours.
+STIFFNESS = mp.StiffnessProfile(high=1e4, low=10.0, degree=6.0)
+DEAD_BEAT = np.inf  # section 3.1: the deviation is corrected within one step
+GENTLE = 2.0  # [m/s²], the library's default for the same
+SETTLING = 2.0  # [s], ours; for the end of a path, without a drive
+HOLD = 1e4  # ours; stiffness there
+
+# Fig. 4 names α = 15000; the other values for (10) are ours. Table 1: 5e5 for (14), 50 to 120 thousand for (10).
+ALPHA = 15e3
+ALPHAS = (5e3, 15e3, 50e3)
+PAPERS_ALPHAS = {"T1": 50e3, "T2": 70e3, "T3": 70e3, "T4": 120e3, "T5": 90e3}
+ONE_ALPHA = 5e5
+LOG_WEIGHT, LOG_RATE = 10.0, 10.0  # ours
+# Sweeps, ours.
+GAINS = (0.0, 1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0)
+SWEEP = tuple(share * 10.0**power for power in (3, 4, 5, 6) for share in (1.0, 1.5, 2.0, 3.0, 5.0, 7.0)) + (1e7,)
+WEIGHTS = tuple(share * 10.0**power for power in (-2, -1, 0, 1, 2) for share in (1.0, 2.0, 5.0))
+TUBES = (0.05, 0.02, 0.005)  # [m]
+
+# When a run counts, ours: the classical formula must keep its path, all must reach the end without a step that brakes and
+# without chatter, a joint whose acceleration changes sign from one step to the next with both above half of the limit.
+KEPT = 1e-3  # [m]
+REACHED = (1e-4, 1e-3)  # [m], [rad]
+CHATTER = 0.01  # share of joints and steps
+
+# Scenario 3: the paper shows a sphere near the elbow and states neither its place nor d_i, d_s, ξ. All are ours.
+SPHERE = mp.Sphere(radius=0.05, position=(0.16, 0.32, 0.80))
+INFLUENCE, SECURITY, DAMPING = 0.15, 0.05, 0.5  # [m], [m], [m/s]
+
+Posture = tuple[float, ...]
+#: Baxter's posture at the start of its demonstrations ("untucked"), left arm.
+UNTUCKED: Posture = (-0.08, -1.0, -1.19, 1.94, 0.67, 1.03, -0.5)
+# Scenario 1, Fig. 2: along the vertical, by cubic interpolation. Posture, length and duration are ours.
+LINE_HEIGHT, LINE_DURATION = 0.4, 4.0  # [m], [s]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Demonstration:
+    """Postures [rad] that an arm is led through in `duration` [s]; `seed` of the hand's wobble."""
+
+    name: str
+    postures: tuple[Posture, ...]
+    duration: float
+    seed: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class Planned:
+    """A start and a goal [rad] for OMPL, the time for the way [s], the seed and the clearance [m]."""
+
+    name: str
+    start: Posture
+    goal: Posture
+    duration: float
+    seed: int
+    clearance: float = 0.02
+
+
+#: Size and position [m] of two boxes around which OMPL plans.
+TABLE = ((0.8, 1.4, 0.05), (0.9, 0.2, -0.25))
+SHELF = ((0.5, 0.04, 0.6), (0.85, 0.45, 0.1))
+DEMONSTRATIONS = (
+    Demonstration(
+        name="S2",
+        postures=(
+            UNTUCKED,
+            (0.1, -0.6, -0.9, 1.0, 0.5, 0.55, -0.4),
+            (0.3, -0.25, -0.5, 0.3, 0.3, 0.1, -0.3),
+            (0.45, -0.1, -0.3, 0.6, 0.2, 0.3, -0.2),
+            (0.6, 0.0, -0.2, 0.9, 0.1, 0.6, -0.1),
+        ),
+        duration=6.0,
+        seed=2,
+    ),
+    Demonstration(
+        name="T4",
+        postures=(UNTUCKED, (-0.4, -0.7, -1.0, 1.4, 0.8, 1.2, -0.2), (-0.6, -0.2, -0.9, 0.9, 0.9, 1.4, 0.1)),
+        duration=5.0,
+        seed=4,
+    ),
+    Demonstration(
+        name="T5",
+        postures=(
+            (0.3, -0.9, -0.6, 1.6, 0.4, 0.9, 0.0),
+            (0.6, -0.4, -0.4, 0.8, 0.2, 0.5, 0.2),
+            (0.8, 0.2, -0.3, 0.5, 0.1, 0.9, 0.4),
+            (0.6, 0.3, -0.5, 1.1, 0.2, 0.4, 0.3),
+        ),
+        duration=6.0,
+        seed=5,
+    ),
+)
+PLANNED = (
+    Planned(name="T1", start=UNTUCKED, goal=(0.5, -0.5, -0.3, 1.2, 0.2, 0.9, 0.0), duration=5.0, seed=1),
+    Planned(
+        name="T2",
+        start=(0.51, -1.25, -0.97, 2.23, -1.66, -0.99, -1.03),
+        goal=(0.08, -1.03, -1.59, 1.52, -2.6, -1.34, 1.5),
+        duration=6.0,
+        seed=2,
+    ),
+    Planned(
+        name="T3",
+        start=(-0.59, -0.86, -0.16, 1.76, 0.07, 0.34, -0.5),
+        goal=(0.67, -0.93, -1.09, 1.25, 0.19, 0.97, 0.84),
+        duration=6.0,
+        seed=3,
+    ),
+)
+TABLE_1 = ("T1", "T2", "T3", "T4", "T5")

@@ -1,0 +1,39 @@
+"""The courses that are followed: tool poses along a path, the posture at its start, the time for it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import manipplan as mp
+from studies.dufour2020 import config
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Course:
+    """A path T(s) of the tool, followed from `start` (n,) in `duration` [s]; `origin` says what it is."""
+
+    name: str
+    origin: str
+    path: mp.CartesianPath
+    start: Array
+    duration: float
+
+
+def load_courses(kinematics: mp.Kinematics) -> dict[str, Course]:
+    """S1, S2 and T1 to T5 by name."""
+    start = np.array(config.UNTUCKED)
+    low = kinematics.pose(start)
+    high = low.copy()
+    high[2, 3] += config.LINE_HEIGHT
+    line = mp.CartesianPath.line(low, high)
+    courses = [Course(name="S1", origin="vertical line", path=line, start=start, duration=config.LINE_DURATION)]
+    planned = {each.name for each in config.PLANNED}
+    for name in ("S2", *config.TABLE_1):
+        table = np.loadtxt(config.PATHS / f"{name}.csv", delimiter=",", skiprows=1)
+        path = mp.CartesianPath.through(kinematics.pose(table[:, 1:]))
+        origin = "OMPL" if name in planned else "demonstration"
+        courses.append(Course(name=name, origin=origin, path=path, start=table[0, 1:], duration=float(table[-1, 0])))
+    return {course.name: course for course in courses}

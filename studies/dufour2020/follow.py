@@ -1,0 +1,256 @@
+"""One arm that follows courses by any formulation, and what came of it."""
+
+import time
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from scipy.optimize import minimize
+
+import manipplan as mp
+from studies.dufour2020 import config
+from studies.dufour2020.courses import Array, Course, load_courses
+
+#: The formulations with a strength of 1. `Controller`'s drive multiplies it: k₀, α or β of a run.
+FORMULAS: dict[str, mp.Formulation] = {
+    "(7)": mp.Classical(1.0),
+    "(10)": mp.Objective(1.0),
+    "(10) as it is": mp.Objective(1.0, convexify=False),
+    "(14)": mp.Equality(1.0),
+    "LogDrive": mp.LogDrive(1.0, rate=config.LOG_RATE),
+}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Run:
+    """A course as it was followed; the first `steps` + 1 samples are on the path, the rest settles at its end.
+
+    Attributes:
+        course, formula, strength: what was run.
+        t, q, qd: (N,) [s], (N, 7) [rad, rad/s].
+        index: (N,) manipulability by the arm's largest.
+        poses, targets: (N, 4, 4).
+        deviation, rotation: (N,) of the tool from its target [m, rad].
+        rollout: the steps' reports.
+    """
+
+    course: Course
+    formula: str
+    strength: float
+    t: Array
+    q: Array
+    qd: Array
+    index: Array
+    poses: Array
+    targets: Array
+    deviation: Array
+    rotation: Array
+    rollout: mp.Rollout
+    steps: int
+
+    @property
+    def mean(self) -> float:
+        """Mean normalised index along the path."""
+        return float(self.index[: self.steps + 1].mean())
+
+    @property
+    def least(self) -> float:
+        """Least normalised index along the path."""
+        return float(self.index[: self.steps + 1].min())
+
+    @property
+    def worst(self) -> float:
+        """Largest deviation on the path [m]."""
+        return float(self.deviation[: self.steps + 1].max())
+
+    @property
+    def turned(self) -> float:
+        """Largest deviation of the rotation on the path [rad]."""
+        return float(self.rotation[: self.steps + 1].max())
+
+    @property
+    def reached(self) -> bool:
+        """Whether it ends at the final pose."""
+        return bool(self.deviation[-1] <= config.REACHED[0] and self.rotation[-1] <= config.REACHED[1])
+
+    @property
+    def unsolved(self) -> int:
+        """Steps without a sound answer."""
+        return int(np.count_nonzero(self.rollout["status"]))
+
+    @property
+    def convexified(self) -> int:
+        """Steps whose cost was indefinite and made convex."""
+        return int(np.count_nonzero(self.rollout["convexified"]))
+
+    @property
+    def acceleration(self) -> Array:
+        """(steps, 7) on the path [rad/s²]."""
+        return np.asarray(np.diff(self.qd[: self.steps + 1], axis=0) / self.t[1])
+
+    @property
+    def chatter(self) -> float:
+        """Share of joints and steps where a hard acceleration follows its opposite."""
+        hard = np.where(np.abs(self.acceleration) > config.ACCELERATION / 2, np.sign(self.acceleration), 0)
+        return float((hard[1:] * hard[:-1] < 0).mean())
+
+    @property
+    def sound(self) -> bool:
+        """Whether it counts: reached, no braking, no chatter, and (7) kept its path."""
+        kept = self.formula != "(7)" or self.worst <= config.KEPT
+        return self.reached and not self.unsolved and self.chatter <= config.CHATTER and kept
+
+    @property
+    def roughness(self) -> float:
+        """Root mean square of the joints' accelerations on the path [rad/s²]."""
+        return float(np.sqrt((self.acceleration**2).mean()))
+
+
+@dataclass(frozen=True)
+class Arm:
+    """The paper's arm, its courses, and the controllers made for it."""
+
+    robot: mp.Robot = field(
+        default_factory=lambda: mp.load_robot(config.ROBOT).with_limits(acceleration=config.ACCELERATION, source="the study")
+    )
+    made: dict[tuple[object, ...], mp.Controller] = field(default_factory=dict)
+
+    @cached_property
+    def kinematics(self) -> mp.Kinematics:
+        """Of the six raw rows."""
+        return self.robot.kinematics(config.TASK)
+
+    @cached_property
+    def courses(self) -> dict[str, Course]:
+        """By name."""
+        return load_courses(self.kinematics)
+
+    @cached_property
+    def maxima(self) -> Array:
+        """Local maxima (STARTS,) of the index inside the position limits, largest first."""
+        limits, kinematics = self.robot.limits, self.kinematics
+        found = [
+            -minimize(
+                lambda q: -kinematics.manipulability(q),
+                start,
+                jac=lambda q: -kinematics.gradient(q),
+                bounds=list(zip(limits.lower, limits.upper, strict=True)),
+                method="L-BFGS-B",
+            ).fun
+            for start in self.robot.random_configuration(np.random.default_rng(0), size=config.STARTS)
+        ]
+        return np.sort(found)[::-1]
+
+    def controller(
+        self,
+        formulation: mp.Formulation,
+        *,
+        dt: float = config.DT,
+        approach: float = config.DEAD_BEAT,
+        tube: bool = False,
+        avoidance: mp.Avoidance | None = None,
+        compiled: bool = True,
+    ) -> mp.Controller:
+        """The controller for these, made once."""
+        key = (formulation, dt, approach, tube, avoidance, compiled)
+        if key not in self.made:
+            self.made[key] = mp.Controller(
+                self.robot,
+                formulation,
+                dt,
+                task=config.TASK,
+                approach=approach,
+                tolerance=mp.Tolerance(position=config.TUBES[0]) if tube else None,
+                avoidance=avoidance,
+                compiled="auto" if compiled else False,
+            )
+        return self.made[key]
+
+    def follow(
+        self,
+        name: str,
+        formula: str,
+        strength: float,
+        *,
+        tube: float | None = None,
+        formulation: mp.Formulation | None = None,
+        dt: float = config.DT,
+        approach: float = config.DEAD_BEAT,
+        avoidance: mp.Avoidance | None = None,
+        compiled: bool = True,
+    ) -> Run:
+        """Follow the course `name` by FORMULAS[formula], or by `formulation` under that name, inside a tube [m] or none."""
+        course = self.courses[name]
+        controller = self.controller(
+            formulation or FORMULAS[formula],
+            dt=dt,
+            approach=approach,
+            tube=tube is not None,
+            avoidance=avoidance,
+            compiled=compiled,
+        )
+        targets, stiffness, drive, steps = timed(course, dt, strength)
+        rollout = controller.rollout(
+            course.start,
+            targets,
+            stiffness=stiffness,
+            drive=drive,
+            tolerance=mp.Tolerance(position=tube) if tube is not None else None,
+        )
+        poses = self.kinematics.pose(rollout.q)
+        wanted = np.concatenate([course.path(0.0)[None], targets])
+        return Run(
+            course=course,
+            formula=formula,
+            strength=strength,
+            t=dt * np.arange(len(poses)),
+            q=rollout.q,
+            qd=rollout.qd,
+            index=self.kinematics.manipulability(rollout.q) / self.maxima[0],
+            poses=poses,
+            targets=wanted,
+            deviation=np.linalg.norm(poses[:, :3, 3] - wanted[:, :3, 3], axis=1),
+            rotation=angles(poses, wanted),
+            rollout=rollout,
+            steps=steps,
+        )
+
+    def step_times(
+        self,
+        name: str,
+        formula: str,
+        strength: float,
+        *,
+        dt: float = config.DT,
+        avoidance: mp.Avoidance | None = None,
+        compiled: bool = True,
+    ) -> Array:
+        """Wall time of every step on the path, called one by one from Python [s]."""
+        course = self.courses[name]
+        controller = self.controller(FORMULAS[formula], dt=dt, avoidance=avoidance, compiled=compiled)
+        controller.reset()
+        targets, stiffness, drive, steps = timed(course, dt, strength)
+        q, qd, times = course.start, np.zeros(self.robot.n), np.zeros(steps)
+        for k in range(steps):
+            began = time.perf_counter()
+            qd = controller.step(q, qd, targets[k], stiffness=stiffness[k], drive=drive[k])
+            times[k] = time.perf_counter() - began
+            q = q + dt * qd
+        return times
+
+
+def timed(course: Course, dt: float, strength: float) -> tuple[Array, Array, Array, int]:
+    """Targets (N, 4, 4), stiffness and drive (N,) of every step, and how many are on the path: cubic timing, then settling."""
+    steps, more = round(course.duration / dt), round(config.SETTLING / dt)
+    u = np.arange(1, steps + 1) / steps
+    on_path = course.path(np.minimum(3 * u**2 - 2 * u**3, 1.0))
+    targets = np.concatenate([on_path, np.repeat(on_path[-1:], more, axis=0)])
+    stiffness = np.concatenate([[config.STIFFNESS(share) for share in u], np.full(more, config.HOLD)])
+    drive = np.concatenate([np.full(steps, strength), np.zeros(more)])
+    return targets, stiffness, drive, steps
+
+
+def angles(poses: Array, targets: Array) -> Array:
+    """Angle (N,) [rad] between the rotations of two rows of poses."""
+    chord = np.linalg.norm(poses[:, :3, :3] - targets[:, :3, :3], axis=(1, 2)) / np.sqrt(8)
+    return np.asarray(2 * np.arcsin(np.minimum(chord, 1.0)))

@@ -1,0 +1,149 @@
+"""Claim 1, the Hessian's makers, computation times, and what a time step changes."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+import manipplan as mp
+from studies.dufour2020 import config
+from studies.dufour2020.courses import Array
+from studies.dufour2020.follow import Arm, Run
+from studies.dufour2020.scenarios import Comparison, sweep
+from studies.dufour2020.tables import Table
+
+HESSIANS = ("exact", "central", "sr1", "bfgs", "bfgs-literal")
+HESSIAN_ALPHAS = (config.ALPHA, 100e3)
+
+
+def indefinite(arm: Arm, run: Run) -> float:
+    """Share of the steps on the path at which Q - α T² H_m is indefinite."""
+    curve = config.DT**2 * run.strength * arm.kinematics.hessian(run.q[: run.steps])
+    return float((np.linalg.eigvalsh(np.eye(arm.robot.n) - curve)[:, 0] <= 0).mean())
+
+
+def convexity(arm: Arm, comparison: Comparison) -> Table:
+    """Claim 1, over T1 to T5 and every α of the sweep."""
+    convexified = {name: sweep(arm, name, "(10)", config.SWEEP) for name in config.TABLE_1}
+    rows = []
+    for k, alpha in enumerate(config.SWEEP):
+        raw = [runs[k] for runs in comparison.objective.values()]
+        made = [runs[k] for runs in convexified.values()]
+        equal = [runs[k] for runs in comparison.equality.values()]
+        steps = sum(run.steps for run in raw)
+        rows.append(
+            (
+                alpha,
+                100 * float(np.mean([indefinite(arm, run) for run in made])),
+                100 * sum(run.convexified for run in made) / steps,
+                100 * sum(run.unsolved for run in raw) / steps,
+                100 * sum(run.unsolved for run in equal) / steps,
+                100 * float(np.mean([run.chatter for run in made])),
+                100 * float(np.mean([run.chatter for run in equal])),
+            )
+        )
+    head = ("α", "Q - αT²H indefinite [%]", "whole cost of (10) indefinite [%]", "(10) as it is: not solved [%]")
+    return Table.of("claim1", (*head, "(14): not solved [%]", "(10) chatter [%]", "(14) chatter [%]"), rows)
+
+
+def hessians(arm: Arm) -> tuple[Table, dict[tuple[str, str, float], Run]]:
+    """(10) with every way to make the Hessian."""
+    runs = {
+        (name, hessian, alpha): arm.follow(
+            name, hessian, alpha, formulation=mp.Objective(1.0, hessian=hessian), compiled=False
+        )
+        for name in ("S1", "S2")
+        for hessian in HESSIANS
+        for alpha in HESSIAN_ALPHAS
+    }
+    rows = [
+        (name, hessian, alpha, run.mean, run.least, 1e3 * run.worst, run.convexified, 100 * run.chatter, run.reached)
+        for (name, hessian, alpha), run in runs.items()
+    ]
+    head = ("path", "Hessian", "α", "mean index", "least index", "deviation [mm]", "steps made convex", "chatter [%]")
+    return Table.of("hessians", (*head, "goal reached"), rows), runs
+
+
+def real_time(arm: Arm, avoidance: mp.Avoidance, advance: Callable[[], None]) -> tuple[Table, dict[str, float]]:
+    """Step times on scenario 1 at 100 Hz and 1 kHz, and the share of the steps that took longer than T."""
+    strengths = {"(7)": 1.0, "(10)": config.ALPHA, "(14)": config.ONE_ALPHA, "LogDrive": config.LOG_WEIGHT}
+    cases = [(formula, strength, None) for formula, strength in strengths.items()] + [("(10)", config.ALPHA, avoidance)]
+    rows, late = [], {"100 Hz": 0.0, "1 kHz": 0.0}
+    for dt, rate in ((config.DT, "100 Hz"), (config.FAST_DT, "1 kHz")):
+        for compiled in (True, False):
+            for formula, strength, kept in cases:
+                times = arm.step_times("S1", formula, strength, dt=dt, avoidance=kept, compiled=compiled)
+                name = f"{formula}, sphere" if kept else formula
+                micro = 1e6 * times
+                share = float((times > dt).mean())
+                late[rate] = max(late[rate], share)
+                made = "compiled" if compiled else "no compiler"
+                rows.append((rate, made, name, *(float(np.percentile(micro, p)) for p in (50, 99, 100)), 100 * share))
+                advance()
+    head = ("rate", "step", "formulation", "median [µs]", "99 % [µs]", "longest [µs]", "longer than T [%]")
+    return Table.of("real_time", head, rows), late
+
+
+def time_step(arm: Arm) -> tuple[Table, dict[str, float]]:
+    """The same motion at 10 ms and at 1 ms? Largest difference of a joint on scenario 1 and 2 [rad]."""
+    alike: dict[str, tuple[mp.Formulation, float]] = {
+        "(10), T of the step": (mp.Objective(1.0), config.ALPHA),
+        "(10), T = 10 ms": (mp.Objective(1.0, sample_time=config.DT), config.ALPHA),
+        "(14), T of the step": (mp.Equality(1.0), config.ONE_ALPHA),
+        "(14), T = 10 ms": (mp.Equality(1.0, sample_time=config.DT), config.ONE_ALPHA),
+        "LogDrive": (mp.LogDrive(1.0, rate=config.LOG_RATE), config.LOG_WEIGHT),
+    }
+    rows, apart = [], {}
+    ratio = round(config.DT / config.FAST_DT)
+    for label, (formulation, strength) in alike.items():
+        for name in ("S1", "S2"):
+            slow, fast = (
+                arm.follow(name, label, strength, formulation=formulation, dt=dt, approach=config.GENTLE, compiled=False)
+                for dt in (config.DT, config.FAST_DT)
+            )
+            gap = float(np.abs(slow.q[: slow.steps + 1] - fast.q[: fast.steps + 1 : ratio]).max())
+            apart[label] = max(apart.get(label, 0.0), gap)
+            rows.append((name, label, slow.mean, fast.mean, 1e3 * slow.worst, 1e3 * fast.worst, gap))
+    head = ("path", "formulation", "mean index, 10 ms", "1 ms", "deviation [mm], 10 ms", "1 ms", "joints apart by [rad]")
+    return Table.of("time_step", head, rows), apart
+
+
+def approaches(arm: Arm) -> Table:
+    """What the way back to the path changes: dead-beat, as in the paper, against the library's default."""
+    strengths = {"(10)": config.ALPHA, "(14)": config.ONE_ALPHA, "LogDrive": config.LOG_WEIGHT}
+    rows = []
+    for name in ("S1", "S2"):
+        for formula, strength in strengths.items():
+            for label, approach in (("inf (paper)", config.DEAD_BEAT), ("2 m/s²", config.GENTLE)):
+                run = arm.follow(name, formula, strength, approach=approach, compiled=False)
+                rows.append((name, formula, label, run.mean, run.least, 1e3 * run.worst, run.roughness))
+    head = ("path", "formulation", "approach", "mean index", "least index", "deviation [mm]", "rms acceleration [rad/s²]")
+    return Table.of("approach", head, rows)
+
+
+def all_courses(arm: Arm) -> tuple[Table, dict[str, dict[str, Run | None]]]:
+    """Every path by every formulation: (7) at its best sound k₀, the others at one parameter for all."""
+    from studies.dufour2020.scenarios import RUN_HEAD, best, run_row
+
+    found: dict[str, dict[str, Run | None]] = {}
+    for name in arm.courses:
+        gains = sweep(arm, name, "(7)", config.GAINS)
+        found[name] = {
+            "(2)": gains[0],
+            "(7)": best(gains),
+            "(10)": arm.follow(name, "(10)", config.ALPHA),
+            "(14)": arm.follow(name, "(14)", config.ONE_ALPHA),
+            "LogDrive": arm.follow(name, "LogDrive", config.LOG_WEIGHT),
+        }
+    rows = []
+    for name, runs in found.items():
+        for formula, run in runs.items():
+            if run is None:
+                rows.append((name, formula, "none keeps the path", *["-"] * 5))
+            else:
+                rows.append((name, formula, *run_row(run)[2:]))
+    return Table.of("all_paths", RUN_HEAD, rows), found
+
+
+def mean_of(runs: dict[str, dict[str, Run | None]], formula: str) -> Array:
+    """Mean indices of a formulation over the paths where it has a run."""
+    return np.array([each[formula].mean for each in runs.values() if each[formula] is not None])  # type: ignore[union-attr]

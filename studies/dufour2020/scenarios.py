@@ -1,0 +1,145 @@
+"""Scenarios 1 to 4 of section 5."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+import manipplan as mp
+from studies.dufour2020 import config
+from studies.dufour2020.courses import Array
+from studies.dufour2020.follow import Arm, Run
+from studies.dufour2020.tables import Table
+
+RUN_HEAD = ("path", "formulation", "parameter", "mean index", "least index", "deviation [mm]", "rotation [°]", "rms acceleration")
+
+
+def run_row(run: Run) -> tuple[str | float, ...]:
+    """A run's line in a table."""
+    millimetres, degrees = 1e3 * run.worst, float(np.rad2deg(run.turned))
+    return run.course.name, run.formula, run.strength, run.mean, run.least, millimetres, degrees, run.roughness
+
+
+def sweep(arm: Arm, name: str, formula: str, strengths: Sequence[float], *, tube: float | None = None) -> list[Run]:
+    """One run a strength."""
+    return [arm.follow(name, formula, strength, tube=tube) for strength in strengths]
+
+
+def best(runs: Sequence[Run]) -> Run | None:
+    """The sound run of the largest mean index; None where none is sound."""
+    return max((run for run in runs if run.sound), key=lambda run: run.mean, default=None)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Scenario:
+    """Runs of a course: without the index (2), the best of (7), and (10) for every α of the study."""
+
+    plain: Run
+    classical: Run | None
+    relaxed: tuple[Run, ...]
+
+    @classmethod
+    def of(cls, arm: Arm, name: str) -> "Scenario":
+        """Scenario 1 or 2."""
+        gains = sweep(arm, name, "(7)", config.GAINS)
+        relaxed = tuple(sweep(arm, name, "(10)", config.ALPHAS))
+        return cls(plain=gains[0], classical=best(gains), relaxed=relaxed)
+
+    @property
+    def runs(self) -> tuple[Run, ...]:
+        """All of them."""
+        return (self.plain, *([self.classical] if self.classical else []), *self.relaxed)
+
+    @property
+    def at_alpha(self) -> Run:
+        """(10) with the α that Fig. 4 names."""
+        return next(run for run in self.relaxed if run.strength == config.ALPHA)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Obstacle:
+    """Scenario 3: runs with α = 0 and α > 0 that avoid the sphere, the least distances [m] of the same without avoidance."""
+
+    runs: tuple[Run, ...]
+    unguarded: tuple[float, ...]
+    avoidance: mp.Avoidance
+
+    @classmethod
+    def of(cls, arm: Arm) -> "Obstacle":
+        """Scenario 1 with a sphere."""
+        avoidance = mp.Avoidance(
+            scene=mp.Scene([config.SPHERE]),
+            influence=config.INFLUENCE,
+            security=config.SECURITY,
+            damping=config.DAMPING,
+            itself=False,
+        )
+        runs = tuple(arm.follow("S1", "(10)", alpha, avoidance=avoidance) for alpha in (0.0, config.ALPHA))
+        # a mere point is only seen, since no link ever comes to its centre
+        point = mp.Sphere(radius=1e-6, position=config.SPHERE.position)
+        seen = mp.Avoidance(scene=mp.Scene([point]), influence=2e-9, security=1e-9, damping=config.DAMPING, itself=False)
+        free = [arm.follow("S1", "(10)", run.strength, avoidance=seen, compiled=False) for run in runs]
+        unguarded = tuple(float(run.rollout["clearance"].min()) + point.radius - config.SPHERE.radius for run in free)
+        return cls(runs=runs, unguarded=unguarded, avoidance=avoidance)
+
+    def table(self) -> Table:
+        """Distances, index and deviation."""
+        rows = [
+            (run.strength, 1e3 * free, 1e3 * run.rollout["clearance"].min(), run.mean, run.least, 1e3 * run.worst, run.reached)
+            for run, free in zip(self.runs, self.unguarded, strict=True)
+        ]
+        head = ("α", "least distance without avoidance [mm]", "with [mm]", "mean index", "least index", "deviation [mm]")
+        return Table.of("scenario3", (*head, "goal reached"), rows)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Comparison:
+    """Scenario 4: sweeps of (10), solved as it is, and of (14) over the five paths."""
+
+    objective: dict[str, list[Run]]
+    equality: dict[str, list[Run]]
+    one: dict[str, Run]
+    papers: dict[str, Run]
+
+    @classmethod
+    def of(cls, arm: Arm) -> "Comparison":
+        """Run them."""
+        return cls(
+            objective={name: sweep(arm, name, "(10) as it is", config.SWEEP) for name in config.TABLE_1},
+            equality={name: sweep(arm, name, "(14)", config.SWEEP) for name in config.TABLE_1},
+            one={name: arm.follow(name, "(14)", config.ONE_ALPHA) for name in config.TABLE_1},
+            papers={name: arm.follow(name, "(10) as it is", config.PAPERS_ALPHAS[name]) for name in config.TABLE_1},
+        )
+
+    @property
+    def own_alpha(self) -> float:
+        """The one α for (14) with the largest mean index over the paths among those at which all runs are sound."""
+        columns = list(zip(*self.equality.values(), strict=True))
+        sound = [column for column in columns if all(run.sound for run in column)]
+        return max(sound, key=lambda column: np.mean([run.mean for run in column]))[0].strength
+
+    @property
+    def own(self) -> dict[str, Run]:
+        """(14) with it."""
+        return {name: next(run for run in runs if run.strength == self.own_alpha) for name, runs in self.equality.items()}
+
+    @property
+    def most(self) -> dict[str, Run]:
+        """(10) with its best α."""
+        found = {name: best(runs) for name, runs in self.objective.items()}
+        return {name: run for name, run in found.items() if run is not None}
+
+    def losses(self, reference: dict[str, Run], other: dict[str, Run]) -> Array:
+        """How much lower the mean index of `other` is, as a share, path by path."""
+        return np.array([1 - other[name].mean / reference[name].mean for name in config.TABLE_1])
+
+    def table(self) -> Table:
+        """Table 1: at the paper's values, and at the best of our sweeps."""
+        rows = []
+        for name in config.TABLE_1:
+            papers, one, most, own = self.papers[name], self.one[name], self.most[name], self.own[name]
+            first = (papers.strength, papers.mean, 1e3 * papers.worst, one.mean, 1e3 * one.worst, 100 * (1 - one.mean / papers.mean))
+            second = (most.strength, most.mean, 1e3 * most.worst, own.mean, 1e3 * own.worst, 100 * (1 - own.mean / most.mean))
+            rows.append((name, *first, *second))
+        part = ("mean index", "deviation [mm]", "(14): mean index", "deviation [mm]", "lower by [%]")
+        return Table.of("table1", ("path", "paper's α of (10)", *part, "best α of (10)", *part), rows)
