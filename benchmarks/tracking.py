@@ -188,7 +188,8 @@ def times(robot: mp.Robot, poses: np.ndarray, peers: dict[str, np.ndarray], agai
         middle, high = np.median(seconds), np.percentile(seconds, 99)
         tail = "" if kind == "rollout" else f"{1e6 * high:.2f} µs"
         rows.append(
-            f"| ours, {name}, {labels[kind]} | 5 | {1e6 * middle:.2f} µs | {tail} | {placo / middle:.1f} x | {pink / middle:.0f} x |"
+            f"| ours, {name}, {labels[kind]} | 5 | {1e6 * middle:.2f} µs | {tail} "
+            f"| {placo / middle:.1f} x | {pink / middle:.0f} x |"
         )
     for name, seconds in peers.items():
         middle, high = np.median(seconds), np.percentile(seconds, 99)

@@ -65,9 +65,13 @@ def number(argument: str, value: Any, *, above: float = -np.inf, least: float = 
         wanted.append(f"at most {most:g}")
     if isinstance(value, bool) or not isinstance(value, int | float | np.floating | np.integer):
         raise InvalidInputError(argument, value, ", ".join(wanted))
-    if not (np.isfinite(value) and value > above and least <= value <= most):
+    try:
+        result = float(value)
+    except OverflowError:
+        result = np.inf
+    if not (np.isfinite(result) and result > above and least <= result <= most):
         raise InvalidInputError(argument, value, ", ".join(wanted))
-    return float(value)
+    return result
 
 
 def whole_number(argument: str, value: Any, *, least: int, most: int | None = None) -> int:

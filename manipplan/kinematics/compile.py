@@ -17,7 +17,7 @@ import tempfile
 import time
 import warnings
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -30,7 +30,7 @@ from manipplan.errors import CompilerError, CompilerWarning
 log = logging.getLogger("manipplan")
 
 #: For functions that only this machine runs.
-NATIVE = ("-O2", "-march=native", "-fno-math-errno", "-fno-trapping-math")
+NATIVE = ("-O2", "-fno-fast-math", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,15 +48,31 @@ def find_compiler(language: str = "c") -> Compiler | None:
     An empty $CC or $CXX means none.
     """
     variable, usual = {"c": ("CC", ("cc", "gcc", "clang")), "c++": ("CXX", ("c++", "g++", "clang++"))}[language]
-    commands = [shlex.split(os.environ[variable])] if variable in os.environ else [[name] for name in usual]
+    try:
+        commands = [shlex.split(os.environ[variable])] if variable in os.environ else [[name] for name in usual]
+    except ValueError:
+        commands = [[os.environ[variable]]]
     for command in commands:
         path = shutil.which(command[0]) if command else None
-        if path is None:
-            continue
-        answer = subprocess.run([path, *command[1:], "--version"], capture_output=True, text=True, check=False)
-        if answer.returncode == 0:
-            return Compiler(command=(path, *command[1:]), version=answer.stdout.partition("\n")[0])
+        version = _version((path, *command[1:])) if path is not None else None
+        if path is not None and version is not None:
+            return Compiler(command=(path, *command[1:]), version=version)
+    if os.environ.get(variable):
+        warnings.warn(f"${variable} = {os.environ[variable]!r} is not a compiler that runs", CompilerWarning, stacklevel=2)
     return None
+
+
+def _version(command: tuple[str, ...]) -> str | None:
+    """The first line of what a compiler says about itself; None for what does not run."""
+    try:
+        answer = _run([*command, "--version"])
+    except OSError:
+        return None
+    return answer.stdout.partition("\n")[0] if answer.returncode == 0 else None
+
+
+def _run(command: Sequence[str]) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(command, capture_output=True, text=True, errors="replace", check=False)
 
 
 def install_line(language: str = "c") -> str:
@@ -120,33 +136,44 @@ def loaded(file: Path, subject: str) -> ctypes.CDLL:
 def _build(file: Path, source: str, compiler: Compiler, flags: Sequence[str], language: str, subject: str) -> None:
     with _place_to_build(file.parent, subject) as place:
         code, library = place / f"source.{'c' if language == 'c' else 'cpp'}", place / file.name
-        code.write_text(source, encoding="utf-8")
         log.debug("compiling %s", subject)
         options = [flag for flag in flags if not (flag.startswith(("-l", "-L", "-Wl,")) or flag.endswith(".a"))]
         libraries = [flag for flag in flags if flag not in options]
-        command = [*compiler.command, *options, "-shared", "-fPIC", str(code), "-o", str(library), *libraries]
-        answer = subprocess.run(command, capture_output=True, text=True, check=False)
+        named = ["-x", language, str(code), "-x", "none"]  # a C++ compiler takes C for C, too
+        command = [*compiler.command, *options, "-shared", "-fPIC", *named, "-o", str(library), *libraries]
+        with _cache_errors(file.parent, subject):
+            code.write_text(source, encoding="utf-8")
+        answer = _run(command)
         if answer.returncode != 0 or not library.is_file():
             raise CompilerError(subject, f"{' '.join(command)}\n{answer.stderr.strip()}")
         checksum = place / "checksum"
-        checksum.write_text(_digest(library))
         # Each rename is one step. Between the two, and after two builds that crossed, the checksum does not fit, and the
         # next one who asks builds again.
-        library.replace(file)
-        checksum.replace(file.with_suffix(".sha256"))
+        with _cache_errors(file.parent, subject):
+            checksum.write_text(_digest(library))
+            library.replace(file)
+            checksum.replace(file.with_suffix(".sha256"))
+
+
+@contextmanager
+def _cache_errors(folder: Path, subject: str) -> Iterator[None]:
+    """What the file system refuses, as a CompilerError."""
+    try:
+        yield
+    except OSError as error:
+        raise CompilerError(subject, f"the cache folder {folder} cannot be written ({error.strerror})") from error
 
 
 @contextmanager
 def _place_to_build(folder: Path, subject: str) -> Iterator[Path]:
     """A temporary folder inside the cache folder; removes those that killed builds left there more than a day ago."""
-    try:
+    with _cache_errors(folder, subject):
         folder.mkdir(parents=True, exist_ok=True)
         for left in folder.glob("building-*"):
-            if left.stat().st_mtime < time.time() - 86400:
-                shutil.rmtree(left, ignore_errors=True)
+            with suppress(FileNotFoundError):  # another process may have removed it
+                if left.stat().st_mtime < time.time() - 86400:
+                    shutil.rmtree(left, ignore_errors=True)
         place = tempfile.TemporaryDirectory(prefix="building-", dir=folder)
-    except OSError as error:
-        raise CompilerError(subject, f"the cache folder {folder} cannot be written ({error.strerror})") from error
     with place as name:
         yield Path(name)
 

@@ -38,7 +38,7 @@ class Evaluator:
             q = configurations("q", q, self._n)
             if q.ndim != 1:
                 raise InvalidInputError("q", q, f"one configuration of shape ({self._n},)") from None
-            self._q[:] = q
+            np.asarray(self._q)[:] = q
         self._run()
         total = self._sum[0]
         if total - total != 0.0:  # NaN for NaN and inf

@@ -1,6 +1,8 @@
 """Kinematics: pose, Jacobian, a measure of manipulability and its derivatives for one arm and one task."""
 
+import functools
 import math
+import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -107,7 +109,13 @@ class SymbolicKinematics:
                 "gradient": lambda: self.measure.gradient(self.posture),
                 "hessian": lambda: self.measure.hessian(self.posture),
             }
-            self._expressions[quantity] = build[quantity]()
+            made = build[quantity]()
+            n = self.chain.q.shape[0]
+            shapes = {"manipulability": (1, 1), "gradient": (n, 1), "hessian": (n, n)}
+            if not isinstance(made, ca.SX) or made.shape != shapes.get(quantity, made.shape):
+                wanted = f"one whose {quantity} is a ca.SX of shape {shapes[quantity]}"
+                raise InvalidInputError("measure", self.measure.name, wanted)
+            self._expressions[quantity] = made
         return self._expressions[quantity]
 
 
@@ -125,6 +133,7 @@ class Kinematics:
         measure: what `manipulability`, `gradient` and `hessian` are of; Yoshikawa's index unless asked otherwise.
         compiled: "auto", True or False; see `Robot.kinematics`.
         threads: how many threads share a large batch.
+        backend: which symbolic kinematics it is made of; see `Robot.kinematics`.
         chain: the arm at symbolic q.
         symbolic: the CasADi Functions themselves.
     """
@@ -134,14 +143,19 @@ class Kinematics:
     measure: Measure
     compiled: bool | str
     threads: int
+    backend: str
     chain: SymbolicChain = field(repr=False)
     symbolic: SymbolicKinematics = field(init=False, repr=False)
-    _evaluators: dict[tuple[str, ...], Evaluator] = field(default_factory=dict, init=False, repr=False)
+    _own: threading.local = field(default_factory=threading.local, init=False, repr=False)
     _kernels: dict[str, Kernel | None] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
         symbolic = SymbolicKinematics(self.chain, self.task, self.measure, self.robot)
         object.__setattr__(self, "symbolic", symbolic)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        again = functools.partial(type(self.robot).kinematics, measure=self.measure, threads=self.threads)
+        return again, (self.robot, self.task, self.backend, self.compiled)
 
     def pose(self, q: ArrayLike) -> Array:
         """T_world_tool, (..., 4, 4)."""
@@ -179,6 +193,8 @@ class Kinematics:
         for quantity in quantities:
             if quantity not in QUANTITIES:
                 raise UnknownNameError("quantities", str(quantity), QUANTITIES)
+        if len(set(quantities)) < len(quantities):
+            raise InvalidInputError("quantities", quantities, "each quantity once")
         function = self.symbolic.function(*quantities, with_sum=True)
         if wants_machine_code(self.compiled):
             try:
@@ -192,9 +208,11 @@ class Kinematics:
         if not (isinstance(q, np.ndarray) and q.dtype == np.float64 and q.ndim > 0 and q.shape[-1] == n):
             q = configurations("q", q, n)
         if q.ndim == 1:
-            if (quantity,) not in self._evaluators:
-                self._evaluators[quantity,] = self.evaluator(quantity)
-            return self._evaluators[quantity,](q)[0].copy()
+            evaluators = self._own.__dict__  # each thread has its own
+            if quantity not in evaluators:
+                evaluators[quantity] = self.evaluator(quantity)
+            value: Array = evaluators[quantity](q)[0].copy()
+            return value
         if q.size == 0:
             return np.empty((*q.shape[:-1], *shape))
         kernel = self._kernel(quantity, q.size // n)

@@ -59,7 +59,7 @@ class Asada(Measure):
 
     def value(self, posture: Posture) -> ca.SX:
         values = SingularValues.of(_mobility_root(posture))
-        return (values.sigma[-1] / values.sigma[0]) ** 2
+        return (values.sigma[-1] / ca.fmax(values.sigma[0], 1e-300)) ** 2
 
     def gradient(self, posture: Posture) -> ca.SX:
         matrix, motion = _moving(_mobility_root(posture), posture)

@@ -62,12 +62,14 @@ def dynamic_ellipsoid(jacobian: ArrayLike, mass_matrix: ArrayLike) -> Ellipsoid:
     """
     matrix = finite_array("jacobian", jacobian, (None, None))
     mass = finite_array("mass_matrix", mass_matrix, (matrix.shape[1], matrix.shape[1]))
-    if not np.allclose(mass, mass.T) or np.linalg.eigvalsh(mass)[0] <= 0:
+    if not np.allclose(mass, mass.T, rtol=1e-9, atol=1e-9 * np.abs(mass).max()) or np.linalg.eigvalsh(mass)[0] <= 0:
         raise InvalidInputError("mass_matrix", mass.tolist(), "a symmetric matrix with eigenvalues above zero")
     return _image(np.asarray(np.linalg.solve(mass, matrix.T).T, dtype=np.float64))
 
 
 def _image(matrix: Array) -> Ellipsoid:
+    if not (matrix.size and np.isfinite(matrix).all()):
+        raise InvalidInputError("jacobian", matrix.tolist(), "a matrix with rows and columns, and finite accelerations")
     axes, radii, _ = np.linalg.svd(matrix, full_matrices=True)
     padded = np.zeros(len(axes))
     padded[: len(radii)] = radii

@@ -7,13 +7,16 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import number, positive_array
+from manipplan.checks import number, number_array, positive_array
+from manipplan.errors import InvalidInputError
 from manipplan.kinematics.derivatives import Factor, index_gradient, index_hessian, log_gradient, log_hessian
 from manipplan.measures.measure import JacobianMeasure, Posture, row_unit
 from manipplan.measures.task import Task
 
 #: ρ of the regularised form m_ρ = sqrt(det(J Jᵀ + ρ² I)), in units of the Jacobian's rows.
 REGULARISATION = 1e-9
+#: The same of the logarithm: where there are more rows than joints, ρ² has to stay above the rounding of J Jᵀ.
+LOG_REGULARISATION = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,11 +62,12 @@ class LogDet(JacobianMeasure):
         regularisation: ρ > 0, in the unit of the Jacobian's rows.
     """
 
-    regularisation: float = REGULARISATION
+    regularisation: float = LOG_REGULARISATION
     name: ClassVar[str] = "log_det"
     formula: ClassVar[str] = "log sqrt(det(J Jᵀ + ρ² I))"
     source: ClassVar[str] = "dufour2020"
     vanishes: ClassVar[bool] = False
+    grows: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         number("regularisation", self.regularisation, above=0.0)
@@ -96,8 +100,10 @@ class FrobeniusNorm(JacobianMeasure):
     vanishes: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
-        weights = positive_array("weights", self.weights, np.size(self.weights))
-        plain = float(weights[0]) if np.ndim(self.weights) == 0 else tuple(weights.tolist())
+        weights = number_array("weights", self.weights)
+        if weights.ndim > 1 or not weights.size or not (np.isfinite(weights) & (weights > 0)).all():
+            raise InvalidInputError("weights", self.weights, "one finite number above zero, or one a joint")
+        plain = float(weights) if weights.ndim == 0 else tuple(weights.tolist())
         object.__setattr__(self, "weights", plain)
 
     def check(self, m: int, n: int) -> None:
@@ -135,7 +141,7 @@ class Isotropy(JacobianMeasure):
 
     def of(self, jacobian: ca.SX) -> ca.SX:
         m = jacobian.shape[0]
-        return m * yoshikawa(jacobian) ** (2 / m) / ca.sumsqr(jacobian)
+        return m * yoshikawa(jacobian) ** (2 / m) / ca.fmax(ca.sumsqr(jacobian), 1e-300)
 
     def gradient(self, posture: Posture) -> ca.SX:
         return self._regular(posture)[2]

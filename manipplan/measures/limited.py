@@ -33,6 +33,8 @@ class JointLimitPenalised(Measure):
     def __post_init__(self) -> None:
         if not isinstance(self.measure, Measure):
             raise InvalidInputError("measure", self.measure, "a Measure, such as mp.Yoshikawa()")
+        if not self.measure.grows:
+            raise InvalidInputError("measure", self.measure.name, "a measure that is at least 0 and better when larger")
         number("k", self.k, above=0.0)
 
     def check(self, m: int, n: int) -> None:

@@ -47,12 +47,14 @@ class Measure(ABC):
         formula: its definition.
         source: citation key of its source.
         vanishes: whether it is constant (zero, or not defined) for every arm with fewer joints than task rows.
+        grows: whether it is at least zero and larger is better.
     """
 
     name: ClassVar[str]
     formula: ClassVar[str]
     source: ClassVar[str]
     vanishes: ClassVar[bool] = True
+    grows: ClassVar[bool] = True
 
     @abstractmethod
     def unit(self, task: Task) -> str:

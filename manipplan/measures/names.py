@@ -37,6 +37,8 @@ def measure_of(measure: Measure | str | None) -> Measure:
     if measure is None:
         return Yoshikawa()
     if isinstance(measure, Measure):
+        if type(measure).__hash__ is None:
+            raise InvalidInputError("measure", measure, "a measure that can be hashed, such as a frozen dataclass")
         return measure
     if not isinstance(measure, str):
         raise InvalidInputError("measure", measure, "a Measure or the name of one")

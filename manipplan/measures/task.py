@@ -31,6 +31,12 @@ class Task:
     tool_rows: tuple[Row, ...] = ()
     length: float = 1.0
 
+    def __post_init__(self) -> None:
+        number("length", self.length, above=0.0)
+        rows = (*self.world_rows, *self.tool_rows)
+        if not rows or any(len(row) != 6 or not np.isfinite(row).all() for row in rows):
+            raise InvalidInputError("world_rows, tool_rows", rows, "at least one row, each of six finite numbers")
+
     @classmethod
     def pose(cls, length: float = 0.5) -> "Task":
         """Position and orientation, 6 rows; angular rows times `length` [m] > 0."""

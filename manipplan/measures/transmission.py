@@ -77,6 +77,7 @@ class ForceTransmission(_Transmission):
     formula: ClassVar[str] = "(uᵀ J Jᵀ u)^(-1/2)"
     source: ClassVar[str] = "chiu1988"
     vanishes: ClassVar[bool] = False
+    grows: ClassVar[bool] = False
 
     def unit(self, task: Task) -> str:
         return {"m": "1/m"}.get(row_unit(task), row_unit(task))

@@ -128,7 +128,10 @@ def axis_of(joint: pin.JointModel) -> Array:
     """Unit axis (3,) of a revolute or prismatic joint in its own frame."""
     name = joint.shortname()
     if name.endswith("Unaligned"):
-        return np.array(joint.extract().axis, dtype=float)
+        data = joint.createData()
+        joint.calc(data, np.eye(joint.nq)[0])  # the motion at angle 0, or at (cos, sin) = (1, 0)
+        motion = np.array(data.S).reshape(-1)
+        return motion[:3] if is_prismatic(joint) else motion[3:]
     return np.asarray(np.eye(3)["XYZ".index(name[-1])])
 
 

@@ -217,13 +217,17 @@ class Robot:
 
         task = instance("task", task if task is not None else self.default_task, Task)
         chosen = measure_of(measure)
-        if not (isinstance(compiled, bool) or compiled == "auto"):
+        if not (isinstance(compiled, bool) or (isinstance(compiled, str) and compiled == "auto")):
             raise InvalidInputError("compiled", compiled, "'auto', True or False")
         threads = all_cores() if threads is None else whole_number("threads", threads, least=1)
+        if not isinstance(backend, str):
+            raise InvalidInputError("backend", backend, "the name of one")
         key = (task, backend, compiled, chosen, threads)
         if key not in self.cache:
             chain = chain_of(self, backend)
-            self.cache[key] = Kinematics(robot=self, task=task, measure=chosen, compiled=compiled, threads=threads, chain=chain)
+            self.cache[key] = Kinematics(
+                robot=self, task=task, measure=chosen, compiled=compiled, threads=threads, backend=backend, chain=chain
+            )
         kinematics: Kinematics = self.cache[key]
         return kinematics
 

@@ -317,8 +317,8 @@ class Controller:
     def _take(self, q: ArrayLike, qd: ArrayLike, target: Any) -> None:
         """The inputs of a step when they are not plain arrays of doubles."""
         n = self.robot.n
-        self._q[:] = _numbers("q", q, (n,))
-        self._qd[:] = _numbers("qd", qd, (n,))
+        np.asarray(self._q)[:] = _numbers("q", q, (n,))
+        np.asarray(self._qd)[:] = _numbers("qd", qd, (n,))
         self._target[...] = _numbers("target", getattr(target, "homogeneous", target), _POSE)
 
     def _set_tolerance(self, tolerance: Tolerance | None) -> None:

@@ -37,12 +37,14 @@ def plot_ellipsoid(
     m = len(instance("ellipsoid", ellipsoid, Ellipsoid).radii)
     if m not in (2, 3):
         raise InvalidInputError("ellipsoid", ellipsoid.radii.tolist(), "2 or 3 radii; take those rows of the Jacobian")
+    if not hasattr(ax, "plot_surface" if m == 3 else "fill"):
+        raise InvalidInputError("ax", ax, "Matplotlib's axes, with projection='3d' for three rows")
     middle = finite_array("centre", centre, (m,))
     number("scale", scale, above=0.0)
     radii = ellipsoid.radii if largest is None else np.minimum(ellipsoid.radii, number("largest", largest, above=0.0))
     if not np.isfinite(radii).all():
         raise InvalidInputError("largest", None, "a length to draw the infinite radius with")
-    look = {"color": style.ELLIPSOID, "alpha": 0.3, **look}
+    look = {"color": style.ELLIPSOID, "alpha": 0.3, "linewidth": 0, **look}
     spokes = scale * radii * ellipsoid.axes
     if axes:
         for spoke in spokes.T:
@@ -50,9 +52,9 @@ def plot_ellipsoid(
     if m == 2:
         around = np.linspace(0.0, 2 * np.pi, 90)
         outline = middle + np.stack([np.cos(around), np.sin(around)], axis=1) @ spokes.T
-        ax.fill(*outline.T, linewidth=0, **look)
+        ax.fill(*outline.T, **look)
     else:
-        ax.plot_surface(*np.moveaxis(_ball() @ spokes.T + middle, 2, 0), rcount=17, ccount=33, linewidth=0, **look)
+        ax.plot_surface(*np.moveaxis(_ball() @ spokes.T + middle, 2, 0), **{"rcount": 17, "ccount": 33, **look})
 
 
 def _ball() -> Any:
