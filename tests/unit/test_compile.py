@@ -164,3 +164,25 @@ def test_old_remains_of_killed_builds_are_removed(folder):
     shared_library(SOURCE, subject="a test")
     assert not old.exists()
     assert new.exists()
+
+
+def test_a_cxx_compiler_takes_c_as_c(folder, monkeypatch):
+    monkeypatch.setenv("CC", "g++ -ffast-math")
+    find_compiler.cache_clear()
+    try:
+        assert answer(shared_library(SOURCE, subject="a test")) == "42"
+    finally:
+        monkeypatch.undo()
+        find_compiler.cache_clear()
+
+
+@pytest.mark.parametrize("command", ["/bin/false", "/nowhere/cc", "gcc 'open"])
+def test_what_is_no_compiler_is_told(monkeypatch, command):
+    monkeypatch.setenv("CC", command)
+    find_compiler.cache_clear()
+    try:
+        with pytest.warns(mp.CompilerWarning, match=r"\$CC"):
+            assert find_compiler() is None
+    finally:
+        monkeypatch.undo()
+        find_compiler.cache_clear()

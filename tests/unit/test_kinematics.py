@@ -1,5 +1,10 @@
 """Kinematics against Pinocchio, finite differences and published numbers."""
 
+import copy
+import ctypes
+import pickle
+import threading
+
 import casadi as ca
 import numpy as np
 import pinocchio as pin
@@ -256,3 +261,43 @@ def test_evaluator_gives_the_same_as_the_methods(panda, compiled, rng):
     for wrong in (np.zeros(6), np.zeros((1, 7)), np.full(7, np.nan), np.r_[np.zeros(6), np.inf], "zeros", 1.0, None):
         with pytest.raises(mp.InvalidInputError, match="q: got"):
             evaluate(wrong)
+
+
+def test_threads_that_share_kinematics_get_their_own_results(panda, rng):
+    kinematics = panda.kinematics()
+    q = panda.random_configuration(rng, size=4)
+    wanted = kinematics.jacobian(q)
+    wrong = np.zeros(4)
+
+    def work(i):
+        for _ in range(2000):
+            wrong[i] += np.abs(kinematics.jacobian(q[i]) - wanted[i]).max() > 1e-9
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong.any()
+
+
+def test_kinematics_survive_pickle_and_copy(panda):
+    kinematics = panda.kinematics(mp.Task.position(), measure="isotropy")
+    for again in (pickle.loads(pickle.dumps(kinematics)), copy.deepcopy(kinematics)):
+        assert again.manipulability(GOLDEN) == kinematics.manipulability(GOLDEN)
+        assert again.measure == kinematics.measure
+
+
+def test_a_continuous_joint_about_any_axis(tmp_path):
+    file = tmp_path / "one.urdf"
+    file.write_text(
+        '<robot name="one"><link name="base"/><link name="tip"/><joint name="j" type="continuous"><parent link="base"/>'
+        '<child link="tip"/><axis xyz="0.6 0.8 0"/><limit effort="1" velocity="1"/></joint></robot>'
+    )
+    robot = mp.Robot.from_urdf(file)
+    np.testing.assert_allclose(robot.kinematics(mp.Task.orientation()).jacobian([0.3])[:, 0], [0.6, 0.8, 0.0], atol=1e-15)
+
+
+def test_doubles_of_another_buffer_format_are_taken(panda):
+    q = np.ctypeslib.as_array((ctypes.c_double * 7)(*GOLDEN))
+    np.testing.assert_array_equal(panda.kinematics().pose(q), panda.kinematics().pose(GOLDEN))

@@ -225,3 +225,52 @@ def test_sources_are_in_the_bibliography():
     bibliography = (Path(__file__).parents[2] / "docs" / "references.bib").read_text()
     for kind in MEASURES.values():
         assert f"{{{kind.source}," in bibliography
+
+
+class Several(mp.Measure):
+    """A measure that gives three numbers by mistake."""
+
+    name, formula, source = "several", "", ""
+
+    def unit(self, task):
+        return "1"
+
+    def value(self, posture):
+        return posture.jacobian[:3, 0]
+
+
+def test_a_measure_that_is_no_number_is_refused(panda):
+    with pytest.raises(mp.InvalidInputError, match="several"):
+        panda.kinematics(measure=Several()).manipulability(np.zeros((100, 7)))
+
+
+@pytest.mark.parametrize("measure", [mp.LogDet(), mp.ConditionNumber(), mp.ForceTransmission(direction=(1, 0, 0))])
+def test_limits_penalise_only_measures_that_grow(measure):
+    with pytest.raises(mp.InvalidInputError, match=measure.name):
+        mp.JointLimitPenalised(measure=measure)
+
+
+@pytest.mark.parametrize("weights", [np.inf, [1.0, np.inf], [], 0.0, [[1.0], [1.0, 2.0]]])
+def test_weights_are_finite_and_positive(weights):
+    with pytest.raises(mp.InvalidInputError, match="weights"):
+        mp.FrobeniusNorm(weights=weights)
+
+
+@pytest.mark.parametrize("measure", ["asada", "isotropy", "inverse_condition"])
+def test_an_arm_that_cannot_move_at_all_counts_as_singular(measure):
+    planar = mp.planar_arm([0.3, 0.3, 0.3])
+    upwards = planar.kinematics(mp.Task.direction((0.0, 0.0, 1.0)), measure=measure, compiled=False)
+    assert upwards.manipulability([0.1, 0.2, 0.3]) == 0
+
+
+def test_log_det_of_fewer_joints_than_rows_has_a_gradient(rng):
+    robot = mp.load_robot("so100")
+    kinematics = robot.kinematics(mp.Task.pose(0.5), measure="log_det")
+    q = robot.random_configuration(rng)
+
+    def value(x):
+        return np.log(singular(kinematics.jacobian(x))[: robot.n]).sum()
+
+    steps = 1e-5 * np.eye(robot.n)
+    wanted = [(value(q + step) - value(q - step)) / 2e-5 for step in steps]
+    np.testing.assert_allclose(kinematics.gradient(q), wanted, rtol=1e-3, atol=1e-3)
