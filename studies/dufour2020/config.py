@@ -34,9 +34,10 @@ ONE_ALPHA = 5e5
 LOG_WEIGHT, LOG_RATE = 10.0, 10.0  # ours
 # Sweeps, ours.
 GAINS = (0.0, 1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0)
-SWEEP = tuple(share * 10.0**power for power in (3, 4, 5, 6) for share in (1.0, 1.5, 2.0, 3.0, 5.0, 7.0)) + (1e7,)
+SWEEP = (*(share * 10.0**power for power in (3, 4, 5, 6) for share in (1.0, 1.5, 2.0, 3.0, 5.0, 7.0)), 1e7)
 WEIGHTS = tuple(share * 10.0**power for power in (-2, -1, 0, 1, 2) for share in (1.0, 2.0, 5.0))
 TUBES = (0.05, 0.02, 0.005)  # [m]
+TUBE_SLACK = 1.15  # a step sees its path straight, so that a deviation can come to a little more than its tube
 
 # When a run counts, ours: the classical formula must keep its path, all must reach the end without a step that brakes and
 # without chatter, a joint whose acceleration changes sign from one step to the next with both above half of the limit.
@@ -45,7 +46,7 @@ REACHED = (1e-4, 1e-3)  # [m], [rad]
 CHATTER = 0.01  # share of joints and steps
 
 # Scenario 3: the paper shows a sphere near the elbow and states neither its place nor d_i, d_s, ξ. All are ours.
-SPHERE = mp.Sphere(radius=0.05, position=(0.16, 0.32, 0.80))
+SPHERE = mp.Sphere(radius=0.05, position=(0.44, 0.40, 0.84))
 INFLUENCE, SECURITY, DAMPING = 0.15, 0.05, 0.5  # [m], [m], [m/s]
 
 Posture = tuple[float, ...]

@@ -1,7 +1,8 @@
 """Makes the joint paths of the study: `python -m studies.dufour2020.make_paths` writes paths/*.csv again.
 
 The paper's paths are not public. Those of a "demonstration" stand for an arm that is led by hand: a smooth way through
-postures with the slow wobble of a hand on it, read at 10 Hz to 0.1 mrad. No person made them. Those of OMPL go around obstacles.
+postures with the slow wobble of a hand on it, read at 10 Hz to 0.1 mrad. No person made them. Those of OMPL go around
+obstacles.
 """
 
 import numpy as np
@@ -57,7 +58,9 @@ def write(robot: mp.Robot, name: str, t: Array, q: Array) -> None:
     """Write t and q as CSV."""
     rows = np.column_stack([np.round(t, 3), np.round(q, RESOLUTION)])
     header = ",".join(["t", *robot.joint_names])
-    np.savetxt(PATHS / f"{name}.csv", rows, fmt=["%.3f", *[f"%.{RESOLUTION}f"] * robot.n], delimiter=",", header=header, comments="")
+    np.savetxt(
+        PATHS / f"{name}.csv", rows, fmt=["%.3f", *[f"%.{RESOLUTION}f"] * robot.n], delimiter=",", header=header, comments=""
+    )
 
 
 if __name__ == "__main__":

@@ -6,9 +6,8 @@ import numpy as np
 
 import manipplan as mp
 from studies.dufour2020 import config
-from studies.dufour2020.courses import Array
 from studies.dufour2020.follow import Arm, Run
-from studies.dufour2020.scenarios import Comparison, sweep
+from studies.dufour2020.scenarios import RUN_HEAD, Comparison, best, run_row, sweep
 from studies.dufour2020.tables import Table
 
 HESSIANS = ("exact", "central", "sr1", "bfgs", "bfgs-literal")
@@ -122,8 +121,6 @@ def approaches(arm: Arm) -> Table:
 
 def all_courses(arm: Arm) -> tuple[Table, dict[str, dict[str, Run | None]]]:
     """Every path by every formulation: (7) at its best sound k₀, the others at one parameter for all."""
-    from studies.dufour2020.scenarios import RUN_HEAD, best, run_row
-
     found: dict[str, dict[str, Run | None]] = {}
     for name in arm.courses:
         gains = sweep(arm, name, "(7)", config.GAINS)
@@ -142,8 +139,3 @@ def all_courses(arm: Arm) -> tuple[Table, dict[str, dict[str, Run | None]]]:
             else:
                 rows.append((name, formula, *run_row(run)[2:]))
     return Table.of("all_paths", RUN_HEAD, rows), found
-
-
-def mean_of(runs: dict[str, dict[str, Run | None]], formula: str) -> Array:
-    """Mean indices of a formulation over the paths where it has a run."""
-    return np.array([each[formula].mean for each in runs.values() if each[formula] is not None])  # type: ignore[union-attr]

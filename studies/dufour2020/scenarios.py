@@ -11,7 +11,16 @@ from studies.dufour2020.courses import Array
 from studies.dufour2020.follow import Arm, Run
 from studies.dufour2020.tables import Table
 
-RUN_HEAD = ("path", "formulation", "parameter", "mean index", "least index", "deviation [mm]", "rotation [°]", "rms acceleration")
+RUN_HEAD = (
+    "path",
+    "formulation",
+    "parameter",
+    "mean index",
+    "least index",
+    "deviation [mm]",
+    "rotation [°]",
+    "rms acceleration",
+)
 
 
 def run_row(run: Run) -> tuple[str | float, ...]:
@@ -138,7 +147,14 @@ class Comparison:
         rows = []
         for name in config.TABLE_1:
             papers, one, most, own = self.papers[name], self.one[name], self.most[name], self.own[name]
-            first = (papers.strength, papers.mean, 1e3 * papers.worst, one.mean, 1e3 * one.worst, 100 * (1 - one.mean / papers.mean))
+            first = (
+                papers.strength,
+                papers.mean,
+                1e3 * papers.worst,
+                one.mean,
+                1e3 * one.worst,
+                100 * (1 - one.mean / papers.mean),
+            )
             second = (most.strength, most.mean, 1e3 * most.worst, own.mean, 1e3 * own.worst, 100 * (1 - own.mean / most.mean))
             rows.append((name, *first, *second))
         part = ("mean index", "deviation [mm]", "(14): mean index", "deviation [mm]", "lower by [%]")

@@ -22,12 +22,16 @@ class Table:
         return cls(name=name, head=tuple(head), rows=tuple(tuple(row) for row in rows))
 
     def write(self, folder: Path) -> None:
-        """Write name.csv with full numbers and name.md with rounded ones."""
+        """Write name.csv and name.md, its numbers rounded."""
+        self.write_csv(folder)
+        lines = [self.head, ["---"] * len(self.head), *([shown(cell) for cell in row] for row in self.rows)]
+        (folder / f"{self.name}.md").write_text("".join(f"| {' | '.join(line)} |\n" for line in lines))
+
+    def write_csv(self, folder: Path) -> None:
+        """Write name.csv."""
         with (folder / f"{self.name}.csv").open("w", newline="") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerows([self.head, *([_plain(cell) for cell in row] for row in self.rows)])
-        lines = [self.head, ["---"] * len(self.head), *([shown(cell) for cell in row] for row in self.rows)]
-        (folder / f"{self.name}.md").write_text("".join(f"| {' | '.join(line)} |\n" for line in lines))
 
 
 def shown(cell: Cell) -> str:
