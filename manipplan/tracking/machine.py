@@ -9,7 +9,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.checks import Array
-from manipplan.kinematics.compile import NATIVE, loaded, shared_library
+from manipplan.kinematics.compile import loaded, native_flags, shared_library
 from manipplan.tracking.step import REPORT, STEP_NAME
 
 
@@ -53,7 +53,13 @@ class MachineCode:
         """Compile; raises CompilerError without a compiler or when it fails."""
         wrapper = sources.wrapper.replace('#include "controller.h"', sources.header)
         folder = daqp_folder()
-        flags = (*NATIVE, f"-I{folder / 'include'}", f"-I{folder / 'include' / 'daqp'}", str(folder / "libdaqpstat.a"), "-lm")
+        flags = (
+            *native_flags(sources.step),
+            f"-I{folder / 'include'}",
+            f"-I{folder / 'include' / 'daqp'}",
+            str(folder / "libdaqpstat.a"),
+            "-lm",
+        )
         file = shared_library(f"{sources.step}\n{wrapper}", flags=flags, subject=subject)
         self.function = ca.external(STEP_NAME, str(file))
         self._library = loaded(file, subject)
