@@ -47,6 +47,7 @@ CHATTER = 0.01  # share of joints and steps
 
 # Scenario 3: the paper shows a sphere near the elbow and states neither its place nor d_i, d_s, ξ. All are ours.
 SPHERE = mp.Sphere(radius=0.05, position=(0.44, 0.40, 0.84))
+BLOCKING = mp.Sphere(radius=0.05, position=(0.16, 0.32, 0.80))  # beside it the goal cannot be reached
 INFLUENCE, SECURITY, DAMPING = 0.15, 0.05, 0.5  # [m], [m], [m/s]
 
 Posture = tuple[float, ...]

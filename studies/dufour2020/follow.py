@@ -203,7 +203,7 @@ class Arm:
             course=course,
             formula=formula,
             strength=strength,
-            t=dt * np.arange(len(poses)),
+            t=dt * np.arange(len(poses), dtype=np.float64),
             q=rollout.q,
             qd=rollout.qd,
             index=self.kinematics.manipulability(rollout.q) / self.maxima[0],

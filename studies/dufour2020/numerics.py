@@ -8,7 +8,7 @@ import manipplan as mp
 from studies.dufour2020 import config
 from studies.dufour2020.follow import Arm, Run
 from studies.dufour2020.scenarios import RUN_HEAD, Comparison, best, run_row, sweep
-from studies.dufour2020.tables import Table
+from studies.dufour2020.tables import Cell, Table
 
 HESSIANS = ("exact", "central", "sr1", "bfgs", "bfgs-literal")
 HESSIAN_ALPHAS = (config.ALPHA, 100e3)
@@ -66,7 +66,8 @@ def real_time(arm: Arm, avoidance: mp.Avoidance, advance: Callable[[], None]) ->
     """Step times on scenario 1 at 100 Hz and 1 kHz, and the share of the steps that took longer than T."""
     strengths = {"(7)": 1.0, "(10)": config.ALPHA, "(14)": config.ONE_ALPHA, "LogDrive": config.LOG_WEIGHT}
     cases = [(formula, strength, None) for formula, strength in strengths.items()] + [("(10)", config.ALPHA, avoidance)]
-    rows, late = [], {"100 Hz": 0.0, "1 kHz": 0.0}
+    rows: list[tuple[Cell, ...]] = []
+    late = {"100 Hz": 0.0, "1 kHz": 0.0}
     for dt, rate in ((config.DT, "100 Hz"), (config.FAST_DT, "1 kHz")):
         for compiled in (True, False):
             for formula, strength, kept in cases:
@@ -91,7 +92,8 @@ def time_step(arm: Arm) -> tuple[Table, dict[str, float]]:
         "(14), T = 10 ms": (mp.Equality(1.0, sample_time=config.DT), config.ONE_ALPHA),
         "LogDrive": (mp.LogDrive(1.0, rate=config.LOG_RATE), config.LOG_WEIGHT),
     }
-    rows, apart = [], {}
+    rows: list[tuple[Cell, ...]] = []
+    apart: dict[str, float] = {}
     ratio = round(config.DT / config.FAST_DT)
     for label, (formulation, strength) in alike.items():
         for name in ("S1", "S2"):
@@ -131,11 +133,11 @@ def all_courses(arm: Arm) -> tuple[Table, dict[str, dict[str, Run | None]]]:
             "(14)": arm.follow(name, "(14)", config.ONE_ALPHA),
             "LogDrive": arm.follow(name, "LogDrive", config.LOG_WEIGHT),
         }
-    rows = []
+    rows: list[tuple[Cell, ...]] = []
     for name, runs in found.items():
         for formula, run in runs.items():
             if run is None:
-                rows.append((name, formula, "none keeps the path", *["-"] * 5))
+                rows.append((name, formula, "none keeps the path", "-", "-", "-", "-", "-"))
             else:
                 rows.append((name, formula, *run_row(run)[2:]))
     return Table.of("all_paths", RUN_HEAD, rows), found

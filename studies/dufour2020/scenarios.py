@@ -9,7 +9,7 @@ import manipplan as mp
 from studies.dufour2020 import config
 from studies.dufour2020.courses import Array
 from studies.dufour2020.follow import Arm, Run
-from studies.dufour2020.tables import Table
+from studies.dufour2020.tables import Cell, Table
 
 RUN_HEAD = (
     "path",
@@ -23,7 +23,7 @@ RUN_HEAD = (
 )
 
 
-def run_row(run: Run) -> tuple[str | float, ...]:
+def run_row(run: Run) -> tuple[Cell, ...]:
     """A run's line in a table."""
     millimetres, degrees = 1e3 * run.worst, float(np.rad2deg(run.turned))
     return run.course.name, run.formula, run.strength, run.mean, run.least, millimetres, degrees, run.roughness
@@ -74,10 +74,10 @@ class Obstacle:
     avoidance: mp.Avoidance
 
     @classmethod
-    def of(cls, arm: Arm) -> "Obstacle":
+    def of(cls, arm: Arm, sphere: mp.Sphere) -> "Obstacle":
         """Scenario 1 with a sphere."""
         avoidance = mp.Avoidance(
-            scene=mp.Scene([config.SPHERE]),
+            scene=mp.Scene([sphere]),
             influence=config.INFLUENCE,
             security=config.SECURITY,
             damping=config.DAMPING,
@@ -85,20 +85,34 @@ class Obstacle:
         )
         runs = tuple(arm.follow("S1", "(10)", alpha, avoidance=avoidance) for alpha in (0.0, config.ALPHA))
         # a mere point is only seen, since no link ever comes to its centre
-        point = mp.Sphere(radius=1e-6, position=config.SPHERE.position)
+        point = mp.Sphere(radius=1e-6, position=sphere.position)
         seen = mp.Avoidance(scene=mp.Scene([point]), influence=2e-9, security=1e-9, damping=config.DAMPING, itself=False)
         free = [arm.follow("S1", "(10)", run.strength, avoidance=seen, compiled=False) for run in runs]
-        unguarded = tuple(float(run.rollout["clearance"].min()) + point.radius - config.SPHERE.radius for run in free)
+        unguarded = tuple(float(run.rollout["clearance"].min()) + point.radius - sphere.radius for run in free)
         return cls(runs=runs, unguarded=unguarded, avoidance=avoidance)
 
-    def table(self) -> Table:
-        """Distances, index and deviation."""
-        rows = [
-            (run.strength, 1e3 * free, 1e3 * run.rollout["clearance"].min(), run.mean, run.least, 1e3 * run.worst, run.reached)
+    def rows(self) -> list[tuple[Cell, ...]]:
+        """Place of the sphere, distances, index and deviation."""
+        place = ", ".join(f"{x:g}" for x in self.avoidance.scene.obstacles[0].position)
+        return [
+            (
+                place,
+                run.strength,
+                1e3 * free,
+                1e3 * float(run.rollout["clearance"].min()),
+                run.mean,
+                run.least,
+                1e3 * run.worst,
+                1e3 * float(run.deviation[-1]),
+            )
             for run, free in zip(self.runs, self.unguarded, strict=True)
         ]
-        head = ("α", "least distance without avoidance [mm]", "with [mm]", "mean index", "least index", "deviation [mm]")
-        return Table.of("scenario3", (*head, "goal reached"), rows)
+
+
+def obstacle_table(found: Sequence[Obstacle]) -> Table:
+    """Scenario 3 with every sphere."""
+    head = ("sphere at [m]", "α", "least distance without avoidance [mm]", "with [mm]", "mean index", "least index")
+    return Table.of("scenario3", (*head, "deviation [mm]", "at the end [mm]"), [row for each in found for row in each.rows()])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -125,7 +139,7 @@ class Comparison:
         """The one α for (14) with the largest mean index over the paths among those at which all runs are sound."""
         columns = list(zip(*self.equality.values(), strict=True))
         sound = [column for column in columns if all(run.sound for run in column)]
-        return max(sound, key=lambda column: np.mean([run.mean for run in column]))[0].strength
+        return float(max(sound, key=lambda column: np.mean([run.mean for run in column]))[0].strength)
 
     @property
     def own(self) -> dict[str, Run]:
