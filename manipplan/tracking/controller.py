@@ -22,6 +22,9 @@ from manipplan.tracking.machine import MachineCode, Sources
 from manipplan.tracking.relaxation import Tolerance
 from manipplan.tracking.step import HUGE, REPORT, StepSetup, StepStatus, step_of
 
+#: Generated code of so many characters is not compiled unless that is insisted on.
+TOO_LONG = 1_500_000
+
 
 class StepReport(NamedTuple):
     """What a step found.
@@ -107,7 +110,8 @@ class Controller:
                 where accelerations are bounded.
             tolerance: default tube around the target; None: no tube at all.
             avoidance: what is kept away from.
-            compiled: as in `Robot.kinematics`.
+            compiled: as in `Robot.kinematics`; "auto" leaves a step with several hundred pairs to keep apart uncompiled,
+                which would take minutes: name fewer links.
 
         Raises:
             InvalidInputError: an argument is not usable; Classical with a tolerance or an avoidance.
@@ -150,9 +154,10 @@ class Controller:
         )
         self._machine: MachineCode | None = None
         function = self._step.function
-        if wants_machine_code(compiled):
+        sources = self.sources() if wants_machine_code(compiled) else None
+        if sources is not None and (compiled is True or len(sources.step) < TOO_LONG):
             try:
-                self._machine = MachineCode(self.sources(), f"a controller of {robot.name}")
+                self._machine = MachineCode(sources, f"a controller of {robot.name}")
                 function = self._machine.function
             except CompilerError as error:
                 do_without(error, compiled)

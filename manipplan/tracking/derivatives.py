@@ -17,6 +17,8 @@ REMEMBERED = ("bfgs", "sr1", "bfgs-literal")
 #: δq of (17) and (19) [rad or m]; the paper names 1e-4 to 1e-3.
 DIFFERENCE = 1e-4
 
+#: The least cosine between step and secant that BFGS learns from.
+SLANTED = 0.01
 #: A secant below this share of what it is made of says nothing.
 NEGLIGIBLE = 1e-8
 
@@ -119,8 +121,11 @@ def _damped_bfgs(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
     along = -ca.dot(s, y)
     theta = ca.if_else(along >= 0.2 * curvature, 1, 0.8 * curvature / ca.fmax(curvature - along, 1e-300))
     damped = -theta * y + (1 - theta) * bs
-    updated = b - bs @ bs.T / curvature + damped @ damped.T / ca.fmax(ca.dot(s, damped), 1e-300)
-    return -updated
+    along = ca.dot(s, damped)
+    # a secant across the step would make B grow without bound
+    told = along > SLANTED * ca.sqrt(ca.sumsqr(s) * ca.sumsqr(damped))
+    updated = b - bs @ bs.T / curvature + damped @ damped.T / ca.if_else(told, along, 1)
+    return -ca.if_else(told, updated, b)
 
 
 def _sr1(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:

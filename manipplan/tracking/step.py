@@ -37,6 +37,8 @@ ROW_TOLERANCE = 1e-4
 OPTIMALITY_TOLERANCE = 1e-5
 #: Time in which a deviation comes to the wall of its tube [s]: the room that is left shrinks by e in it.
 TUBE_TIME = 0.1
+#: Acceleration at which what is outside comes back [m/s²].
+TUBE_RETURN = 2.0
 #: Numbers that hold the last target, and whether there was one.
 TARGET_MEMORY = 17
 SOLVER_OPTIONS = {"primal_tol": 1e-9, "iter_limit": 1000}
@@ -300,16 +302,21 @@ def _correction(setup: StepSetup, deviation: ca.SX) -> ca.SX:
 def _tube(setup: StepSetup, inputs: list[ca.SX], jacobian: ca.SX, error: ca.SX, deviation: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
     """Bounds J q̇ >= low, J q̇ <= high of the tube.
 
-    Of the room between the deviation e from the target before and the tube's wall w a step may use the share κ:
-    |δ T - (1 - κ) e| <= κ w for the deviation δ T that it leaves. So an arm that heads for the wall slows down in time, and
-    one outside comes back.
+    Of the room between the deviation e from the target before and the tube's wall w a step may use the share κ: the
+    deviation δ T that it leaves is at most e + κ (w - e). So an arm that heads for the wall slows down in time. What is
+    outside comes back as fast as it can be braked.
     """
     tolerance, started = inputs[6], inputs[8][-1] > 0
     position, rotation = (ca.DM(share) for share in row_shares(setup.kinematics.task))
     width = position * tolerance[0] + rotation * tolerance[1]
     share = ca.if_else(started, min(setup.dt / TUBE_TIME, 1.0), 1.0)
-    middle = error - (1 - share) * deviation
-    return jacobian, (middle - share * width) / setup.dt, (middle + share * width) / setup.dt
+
+    def most(side: ca.SX) -> ca.SX:
+        beyond = side - width
+        back = ca.fmin(1, setup.dt * ca.sqrt(2 * TUBE_RETURN / ca.fmax(beyond, 1e-12)))
+        return ca.if_else(beyond > 0, width + (1 - back) * beyond, side + share * (width - side))
+
+    return jacobian, (error - most(deviation)) / setup.dt, (error + most(-deviation)) / setup.dt
 
 
 def _program(

@@ -1,0 +1,243 @@
+"""The figures, in the manner of the paper's, in the library's style."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib import rc_context
+from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullFormatter
+
+from manipplan.viz.style import JOINTS, STRAIGHT, STYLE
+from studies.dufour2020 import config
+from studies.dufour2020.courses import Array
+from studies.dufour2020.follow import Run
+from studies.dufour2020.pareto import SPACES, SWEEPS, Fronts
+from studies.dufour2020.scenarios import Comparison, Obstacle, Scenario
+from studies.dufour2020.tables import Table
+
+DPI = 110
+MARKS = {"(7)": "s", "(10)": "o", "(14)": "^", "LogDrive": "D"}
+COLOURS = {"(7)": "#E69F00", "(10)": "#0072B2", "(14)": "#D55E00", "LogDrive": "#009E73"}
+DASHES = ("-", "--", "-.", ":")
+
+
+def name_of(run: Run) -> str:
+    """A run for a legend."""
+    symbol = {"(7)": "k₀", "LogDrive": "β"}.get(run.formula, "α")
+    if run.strength == 0:
+        return "(2), no index" if run.formula == "(7)" else f"{run.formula}, α = 0"
+    return f"{run.formula.removesuffix(' as it is')}, {symbol} = {run.strength:g}"
+
+
+def save(figure: Figure, file: Path) -> None:
+    """Write it as PNG."""
+    figure.savefig(file, dpi=DPI, metadata={"Software": None})
+
+
+def blank(width: float, height: float) -> Figure:
+    """A figure [inches]."""
+    return Figure(figsize=(width, height), layout="constrained")
+
+
+def index_axes(ax: Any, runs: Sequence[Run], colours: Sequence[str]) -> None:
+    """Normalised index over time."""
+    for run, colour, dash in zip(runs, colours, _dashes(len(runs)), strict=True):
+        part = slice(0, run.steps + 1)
+        ax.plot(run.t[part], run.index[part], color=colour, linestyle=dash, label=name_of(run))
+    ax.set(xlabel="time [s]", ylabel="normalised index m / m_max", ylim=(0, 1))
+
+
+def path_axes(ax: Any, runs: Sequence[Run], colours: Sequence[str]) -> None:
+    """Tool's way, wanted and obtained, in space."""
+    wanted = runs[0].targets[:, :3, 3]
+    ax.plot(*wanted.T, color="black", linewidth=3, alpha=0.35, label="reference")
+    for run, colour, dash in zip(runs, colours, _dashes(len(runs)), strict=True):
+        ax.plot(*run.poses[:, :3, 3].T, color=colour, linestyle=dash, linewidth=1.4, label=name_of(run))
+    ax.scatter(*wanted[0], color="black", s=18)
+    spans = np.concatenate([wanted, *(run.poses[:, :3, 3] for run in runs)])
+    middle, half = (spans.max(axis=0) + spans.min(axis=0)) / 2, np.ptp(spans, axis=0).max() / 2
+    for label, centre, axis in zip("xyz", middle, (ax.set_xlim, ax.set_ylim, ax.set_zlim), strict=True):
+        axis(centre - half, centre + half)
+        getattr(ax, f"set_{label}label")(f"{label} [m]", labelpad=2)
+    ax.locator_params(nbins=4)
+    ax.tick_params(pad=0, labelsize=8)
+
+
+def scenario(found: Scenario, file: Path) -> None:
+    """Fig. 3 or 4: index over time, and the tool's way."""
+    with rc_context(STYLE):
+        figure = blank(10.5, 4.2)
+        parts: Any = figure.subfigures(1, 2, width_ratios=(1.2, 1))
+        left, right = parts
+        colours = [STRAIGHT, COLOURS["(7)"], "#56B4E9", "#0072B2", "#000000"]
+        runs = [run for run in (found.plain, found.classical, *found.relaxed) if run is not None]
+        ax = left.subplots()
+        index_axes(ax, runs, colours)
+        ax.legend(loc="lower right", fontsize=8)
+        ax.set_title("a) index", loc="left")
+        space = right.add_subplot(projection="3d")
+        path_axes(space, found.relaxed, colours[2:])
+        space.set_title("b) way of the tool; the dot is its start", loc="left")
+        space.legend(loc="upper left", fontsize=8)
+        save(figure, file)
+
+
+def times(series: dict[str, Array], dt: float, file: Path) -> None:
+    """Fig. 6: computation time of every step."""
+    with rc_context(STYLE):
+        figure = blank(8, 3.2)
+        ax = figure.subplots()
+        for (label, values), colour in zip(series.items(), JOINTS, strict=False):
+            ax.plot(dt * np.arange(1, len(values) + 1), 1e6 * values, color=colour, linewidth=0.9, label=label)
+        ax.axhline(1e6 * dt, color="black", linestyle="--", linewidth=1)
+        ax.text(0.02, 1e6 * dt * 0.8, "sampling time T = 10 ms", va="top", fontsize=8)
+        ax.set(xlabel="time [s]", ylabel="time of one step [µs]", yscale="log", ylim=(1, 2e4))
+        ax.legend(loc="upper right", ncols=2, fontsize=8, bbox_to_anchor=(1, 0.88))
+        save(figure, file)
+
+
+def obstacle(found: Obstacle, seconds: Sequence[Array], file: Path) -> None:
+    """Fig. 8: distance, index, computation time."""
+    with rc_context(STYLE):
+        figure = blank(11.5, 3.4)
+        near, index, took = figure.subplots(1, 3)
+        colours = ("#E69F00", "#0072B2")
+        for run, colour, dash in zip(found.runs, colours, DASHES, strict=False):
+            near.plot(run.t[:-1], 1e3 * run.rollout["clearance"], color=colour, linestyle=dash, label=f"α = {run.strength:g}")
+        near_end = found.runs[0].t[-1]
+        for value, label in ((config.INFLUENCE, "d_i"), (config.SECURITY, "d_s")):
+            near.axhline(1e3 * value, color="black", linewidth=0.9, linestyle=":")
+            near.text(near_end, 1e3 * value + 2, label, va="bottom", ha="right")
+        near.set(
+            xlabel="time [s]",
+            ylabel="least distance [mm]",
+            ylim=(0, 1.05e3 * max(run.rollout["clearance"].max() for run in found.runs)),
+        )
+        near.set_title("a) robot to sphere", loc="left")
+        near.legend(loc="upper right", fontsize=8)
+        index_axes(index, found.runs, colours)
+        index.set_title("b) index", loc="left")
+        for values, run, colour in zip(seconds, found.runs, colours, strict=True):
+            took.plot(config.DT * np.arange(1, len(values) + 1), 1e6 * values, color=colour, linewidth=0.9, label=name_of(run))
+        took.axhline(1e6 * config.DT, color="black", linestyle="--", linewidth=1)
+        took.set(xlabel="time [s]", ylabel="time of one step [µs]", yscale="log", ylim=(1, 2e4))
+        took.set_title("c) computation; dashed: T", loc="left")
+        index.legend(loc="lower right", fontsize=8)
+        save(figure, file)
+
+
+def comparison(found: Comparison, file: Path) -> None:
+    """Fig. 9 for all five paths: (10) at the paper's α of each path against (14) at the one α."""
+    with rc_context(STYLE):
+        figure = blank(11.5, 5.6)
+        axes = figure.subplots(2, 3).ravel()
+        for ax, name in zip(axes, config.TABLE_1, strict=False):
+            pair = (found.papers[name], found.one[name], found.most[name])
+            index_axes(ax, pair, ("#0072B2", "#D55E00", STRAIGHT))
+            ax.set_title(name, loc="left")
+            ax.legend(loc="lower right", fontsize=7.5)
+        last = axes[5]
+        for name, colour in zip(config.TABLE_1, JOINTS, strict=False):
+            for runs, dash in ((found.objective[name], "-"), (found.equality[name], "--")):
+                sound = [run for run in runs if run.sound]
+                last.plot([run.strength for run in sound], [run.mean for run in sound], color=colour, linestyle=dash)
+            last.plot([], [], color=colour, label=name)
+        last.set(xscale="log", xlabel="α", ylabel="mean normalised index", ylim=(0.25, 1))
+        last.set_title("sound runs: (10) solid, (14) dashed", loc="left")
+        last.legend(fontsize=7.5, ncols=3, loc="upper left")
+        save(figure, file)
+
+
+def convexity(table: Table, file: Path) -> None:
+    """Claim 1: shares of steps against α."""
+    alphas, inner, whole, raw, equal, chatter, other = zip(*table.rows, strict=True)
+    with rc_context(STYLE):
+        figure = blank(10.5, 3.6)
+        left, right = figure.subplots(1, 2)
+        for values, label, colour, mark in (
+            (inner, "(10): Q - αT²H indefinite", "#56B4E9", "v"),
+            (raw, "(10) as it is: not solved", "#0072B2", "o"),
+            (whole, "(10): whole cost indefinite, made convex", "#000000", "s"),
+            (equal, "(14): not solved", "#D55E00", "^"),
+        ):
+            left.plot(alphas, values, color=colour, marker=mark, markersize=4, label=label)
+        left.set(xscale="log", xlabel="α", ylabel="share of the steps [%]", ylim=(-3, 100))
+        left.legend(fontsize=8, loc="upper left")
+        left.set_title("a) convexity", loc="left")
+        right.plot(alphas, chatter, color="#0072B2", marker="o", markersize=4, label="(10), made convex")
+        right.plot(alphas, other, color="#D55E00", marker="^", markersize=4, label="(14)")
+        right.set(xscale="log", xlabel="α", ylabel="chatter: share of joints and steps [%]")
+        right.legend(fontsize=8, loc="upper left")
+        right.set_title("b) hard accelerations that change sign at once", loc="left")
+        save(figure, file)
+
+
+def hessians(runs: dict[tuple[str, str, float], Run], file: Path) -> None:
+    """(10) by the makers of the Hessian on scenario 2."""
+    names = [hessian for path, hessian, alpha in runs if path == "S2" and alpha == config.ALPHA]
+    labels = {
+        "bfgs": "BFGS, direct and damped",
+        "bfgs-literal": "(20) as printed",
+        "sr1": "SR1",
+        "central": "differences (19)",
+    }
+    with rc_context(STYLE):
+        figure = blank(10.5, 3.6)
+        left, right = figure.subplots(1, 2)
+        for name, colour, dash in zip(names, JOINTS, ("-", "--", ":", "-.", "-"), strict=False):
+            run = runs["S2", name, config.ALPHA]
+            label, width = labels.get(name, name), 3.0 if name == "exact" else 1.5
+            part = slice(0, run.steps + 1)
+            left.plot(run.t[part], run.index[part], color=colour, linestyle=dash, linewidth=width, label=label)
+            right.plot(run.t, 1e3 * run.deviation, color=colour, linestyle=dash, linewidth=width, label=label)
+        left.set(xlabel="time [s]", ylabel="normalised index m / m_max", ylim=(0, 1))
+        right.set(xlabel="time [s]", ylabel="deviation [mm]")
+        left.set_title(f"S2, α = {config.ALPHA:g}: index", loc="left")
+        right.set_title("deviation", loc="left")
+        left.legend(fontsize=8, ncols=2)
+        save(figure, file)
+
+
+def pareto(found: Fronts, name: str, file: Path) -> None:
+    """Deviation against mean and least index, without a tube and inside three."""
+    with rc_context(STYLE):
+        figure = blank(11.5, 5.2)
+        axes = figure.subplots(2, len(SPACES), sharey="row", sharex="col")
+        for column, tube in enumerate(SPACES):
+            for formula in SWEEPS:
+                runs = found.get((name, tube, formula), [])
+                for row, figure_of in enumerate(("mean", "least")):
+                    _front(axes[row][column], runs, figure_of, formula)
+            head = "no tube" if tube is None else f"tube {1e3 * tube:g} mm"
+            axes[0][column].set_title(head, loc="left")
+            axes[1][column].set_xlabel("largest deviation [mm]")
+            if tube is None:
+                axes[1][column].set_xscale("log")
+                axes[1][column].set_xlim(3e-3, 2e3)
+                axes[1][column].xaxis.set_major_locator(LogLocator(numticks=7))
+                axes[1][column].xaxis.set_minor_formatter(NullFormatter())
+            else:
+                axes[1][column].set_xlim(-0.04e3 * tube, 1.25e3 * tube)
+        axes[0][0].set_ylabel("mean normalised index")
+        axes[1][0].set_ylabel("least normalised index")
+        handles, labels = axes[0][0].get_legend_handles_labels()
+        figure.legend(handles, labels, loc="outside upper right", ncols=len(labels), fontsize=8)
+        figure.suptitle(f"{name}; hollow: chatter, or (7) off its path", x=0.01, ha="left", fontsize=10)
+        save(figure, file)
+
+
+def _front(ax: Any, runs: Sequence[Run], figure_of: str, formula: str) -> None:
+    kept = [run for run in runs if run.reached and not run.unsolved and run.worst > 0]
+    x, y = [1e3 * run.worst for run in kept], [getattr(run, figure_of) for run in kept]
+    colour, mark = COLOURS[formula], MARKS[formula]
+    faces = [colour if run.sound else "white" for run in kept]
+    ax.plot(x, y, color=colour, linewidth=0.8, alpha=0.6)
+    ax.scatter(x, y, c=faces, edgecolors=colour, marker=mark, s=16, linewidths=0.9, zorder=3)
+    ax.plot([], [], color=colour, marker=mark, markersize=4, label=formula)
+
+
+def _dashes(count: int) -> list[Any]:
+    kinds: list[Any] = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1))]
+    return kinds[:count]

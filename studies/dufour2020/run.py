@@ -1,0 +1,104 @@
+"""The whole study in one command."""
+
+import argparse
+import tempfile
+import time
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import Progress
+
+from studies.dufour2020 import claims, config, figures, numerics, pareto
+from studies.dufour2020.courses import Array
+from studies.dufour2020.follow import Arm
+from studies.dufour2020.scenarios import Comparison, Obstacle, Scenario, obstacle_table
+
+#: Paths whose Pareto figure is drawn by --quick.
+QUICK = ("S1",)
+STEPS = 11
+TIMED = 20
+
+
+def main(arguments: list[str] | None = None) -> list[str]:
+    """Run it and return what is not as expected.csv has it."""
+    parser = argparse.ArgumentParser(prog="python -m studies.dufour2020", description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="Pareto figure of scenario 1 only, no comparison of step times")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        help="folder for tables and figures (default: docs/studies/dufour2020; a temporary one with --quick)",
+    )
+    options = parser.parse_args(arguments)
+    out = options.out or (Path(tempfile.mkdtemp(prefix="dufour2020-")) if options.quick else config.PAGES)
+    out.mkdir(parents=True, exist_ok=True)
+    console = Console()
+    began = time.monotonic()
+    with Progress(console=console, transient=True) as progress:
+        found = study(out, options.quick, progress)
+    wrong = claims.differences(found)
+    console.print(f"{out} written in {time.monotonic() - began:.0f} s")
+    for line in wrong or ["all figures are as expected"]:
+        console.print(line, markup=False)
+    return wrong
+
+
+def study(out: Path, quick: bool, progress: Progress) -> list[claims.Claim]:
+    """Make everything; returns the claims."""
+    names = QUICK if quick else ("S1", "S2", *config.TABLE_1)
+    bar = progress.add_task("dufour2020", total=STEPS + len(names) + (0 if quick else TIMED))
+
+    def advance(text: str | None = None) -> None:
+        progress.update(bar, advance=1, description=text)
+
+    arm = Arm()
+    first, second = Scenario.of(arm, "S1"), Scenario.of(arm, "S2")
+    advance("scenarios 1 and 2")
+    figures.scenario(first, out / "scenario1.png")
+    figures.scenario(second, out / "scenario2.png")
+    advance("computation times")
+    figures.times(_times(arm), config.DT, out / "times.png")
+    advance("scenario 3")
+    sphere, blocking = Obstacle.of(arm, config.SPHERE), Obstacle.of(arm, config.BLOCKING)
+    obstacle_table([sphere, blocking]).write(out)
+    took = [arm.step_times("S1", "(10)", run.strength, avoidance=sphere.avoidance) for run in sphere.runs]
+    figures.obstacle(sphere, took, out / "scenario3.png")
+    advance("scenario 4")
+    comparison = Comparison.of(arm)
+    comparison.table().write(out)
+    figures.comparison(comparison, out / "scenario4.png")
+    advance("claim 1")
+    convexity = numerics.convexity(arm, comparison)
+    convexity.write(out)
+    figures.convexity(convexity, out / "claim1.png")
+    advance("Hessians")
+    table, runs = numerics.hessians(arm)
+    table.write(out)
+    figures.hessians(runs, out / "hessians.png")
+    advance("all paths")
+    table, everything = numerics.all_courses(arm)
+    table.write(out)
+    advance("way back to the path")
+    numerics.approaches(arm).write(out)
+    advance("time step")
+    numerics.time_step(arm)[0].write(out)
+    advance("claims")
+    found = claims.claims(arm, first, second, sphere, comparison, everything)
+    claims.table(found).write(out)
+    advance("deviation against index")
+    fronts = pareto.fronts(arm, names, advance)
+    pareto.front_table(fronts).write_csv(out)
+    pareto.tube_table(fronts).write(out)
+    for name in names:
+        figures.pareto(fronts, name, out / f"pareto_{name}.png")
+    if not quick:
+        progress.update(bar, description="step times")
+        numerics.real_time(arm, sphere.avoidance, advance)[0].write(out)
+    return found
+
+
+def _times(arm: Arm) -> dict[str, Array]:
+    return {
+        f"{name}, {made}": arm.step_times(name, "(10)", config.ALPHA, compiled=compiled)
+        for compiled, made in ((False, "no compiler"), (True, "compiled"))
+        for name in ("S1", "S2")
+    }
