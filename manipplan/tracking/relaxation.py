@@ -14,7 +14,7 @@ from manipplan.measures.task import Task
 class StiffnessProfile:
     """f_e of Q_δ = f_e I in (3): high at both ends of a path, low between, by two polynomials (Fig. 1 in dufour2020).
 
-    f_e(u) = low + (high - low) |1 - 2u|^degree for u in [0, 1], the share of the time.
+    f_e(u) = low + (high - low) abs(1 - 2u)^degree for u in [0, 1], the share of the time.
 
     Attributes:
         high: Q_high at the ends; the paper uses 1e4 to 1e5.
