@@ -83,10 +83,10 @@ def run(make: Callable) -> None:
             start = time.perf_counter()
             try:
                 qd = step(q, qd, problem["poses"][k])
-                q = q + qd * dt
             except Exception as error:
                 qd, said = np.zeros_like(q), f"step {k}: {type(error).__name__}: {error}"
             seconds[k] = time.perf_counter() - start
+            q = q + qd * dt
             q_all[k], qd_all[k], failed[k] = q, qd, bool(said)
             first = first or said
     np.savez(sys.argv[2], q=q_all, qd=qd_all, time=seconds, failed=failed, error=first)

@@ -16,6 +16,10 @@ from manipplan.errors import InvalidInputError, UnknownNameError
 from manipplan.tracking.convex import gram
 from manipplan.tracking.derivatives import CURVATURES, GRADIENTS, Index
 
+#: What is added to ∇ log m [1/rad]: in postures of symmetry, and where the arm is exactly singular, it vanishes though the
+#: index could grow.
+NUDGE = 1e-6
+
 
 @dataclass(frozen=True, kw_only=True)
 class Drive:
@@ -160,8 +164,8 @@ class LogDrive(Formulation):
         number("regularisation", self.regularisation, above=0.0)
 
     def drive(self, index: Index, dt: float) -> Drive:  # noqa: ARG002
-        """e eliminated: H = β g gᵀ, g = - β ρ g with g = ∇ log m."""
-        slope = index.log_gradient(self.regularisation)
+        """e eliminated: H = β g gᵀ, g = - β ρ g with g = ∇ log m, and a nudge."""
+        slope = index.log_gradient(self.regularisation) + NUDGE
         return Drive(hessian=self.weight * gram(slope.T), gradient=-self.weight * self.rate * slope)
 
 
