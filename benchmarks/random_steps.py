@@ -51,8 +51,8 @@ class Count:
 def around(robot: mp.Robot) -> mp.Avoidance:
     """A floor, a box that rests, a ball and a bar that move; mostly the arm itself, too."""
     span = reach(robot)
-    floor = mp.Plane(position=robot_base(robot) - [0.0, 0.0, 0.5 * span], name="floor")
-    box = mp.Box(size=[0.3 * span] * 3, position=robot_base(robot) + [0.8 * span, 0.0, 0.0], name="box")
+    floor = mp.Plane(position=robot_base(robot) - np.array([0.0, 0.0, 0.5 * span]), name="floor")
+    box = mp.Box(size=[0.3 * span] * 3, position=robot_base(robot) + np.array([0.8 * span, 0.0, 0.0]), name="box")
     ball = mp.Sphere(radius=0.1 * span, position=(0.0, 0.0, 3 * span), name="ball")
     bar = mp.Capsule(radius=0.05 * span, length=0.4 * span, position=(0.0, 0.0, 4 * span), name="bar")
     return mp.Avoidance(scene=mp.Scene([floor, box, ball, bar]), moving=["ball", "bar"], itself=robot.name not in CROWDED)

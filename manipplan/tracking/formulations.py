@@ -151,7 +151,8 @@ class LogDrive(Formulation):
     Attributes:
         weight: β >= 0 [s²].
         rate: ρ > 0 [1/s].
-        regularisation: of log m = log sqrt(det(J Jᵀ + r² I)), in the unit of J's rows: σ below r pull no harder.
+        regularisation: r of log m = log sqrt(det(J Jᵀ + r² I)), in the unit of J's rows, where a whole pose is the task with J
+            seen from the middle of the arm, whose index is the same: singular values below r pull no harder.
     """
 
     weight: float = 10.0

@@ -29,10 +29,10 @@ from manipplan.tracking.formulations import Classical, Formulation
 from manipplan.tracking.relaxation import row_shares
 
 #: Penalties w s + ½ w' s² on the slacks [s/m]: so large that a slack is used only where nothing else is left.
-TUBE_PENALTY = (1e6, 1e4)
-AVOIDANCE_PENALTY = (1e8, 1e6)
+TUBE_PENALTY = (1e5, 1e3)
+AVOIDANCE_PENALTY = (1e6, 1e4)
 #: How far an accepted answer may miss bounds and rows [rad/s, m/s], and the optimality conditions relative to their terms.
-#: Where slacks are used, multipliers of 1e8 stand beside a cost of 1. Bounds are cut to exactly afterwards.
+#: Where slacks are used, multipliers of 1e6 stand beside a cost of 1. Bounds are cut to exactly afterwards.
 ROW_TOLERANCE = 1e-4
 OPTIMALITY_TOLERANCE = 1e-5
 #: Time in which a deviation comes to the wall of its tube [s]: the room that is left shrinks by e in it.
