@@ -1,7 +1,7 @@
 """Collision avoidance as rows of the QP: velocity dampers on closest points, (A.1) and (A.2) in dufour2020."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import casadi as ca
 import numpy as np
@@ -39,7 +39,7 @@ class Avoidance:
         itself: whether the robot is kept away from itself.
     """
 
-    scene: Scene = Scene()  # noqa: RUF009
+    scene: Scene = field(default_factory=Scene)
     influence: float = 0.1
     security: float = 0.02
     damping: float = 0.5

@@ -295,8 +295,8 @@ class Controller:
     def _connect(self, function: ca.Function, stiffness: float) -> None:
         """Arrays that the Function reads and writes."""
         self.stiffness = stiffness
-        names = function.name_in() if not self.compiled else self._step.function.name_in()
-        flat = {name: np.zeros(self._step.function.nnz_in(i)) for i, name in enumerate(names)}
+        described = self._step.function  # machine code has lost the names
+        flat = {name: np.zeros(described.nnz_in(name)) for name in described.name_in()}
         self._buffer, self._run = function.buffer()
         for i, values in enumerate(flat.values()):
             self._buffer.set_arg(i, values.data)

@@ -33,7 +33,7 @@ TUBE_PENALTY = (1e5, 1e3)
 AVOIDANCE_PENALTY = (1e6, 1e4)
 #: How far an accepted answer may miss bounds and rows [rad/s, m/s], and the optimality conditions relative to their terms.
 #: Where slacks are used, multipliers of 1e6 stand beside a cost of 1. Bounds are cut to exactly afterwards.
-ROW_TOLERANCE = 1e-4
+ROW_TOLERANCE = 1e-3
 OPTIMALITY_TOLERANCE = 1e-5
 #: Time in which a deviation comes to the wall of its tube [s]: the room that is left shrinks by e in it.
 TUBE_TIME = 0.1

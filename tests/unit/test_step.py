@@ -111,6 +111,16 @@ def test_cost_equals_the_expanded_formula(panda, formulation, rng):
         np.testing.assert_allclose(found["g"].ravel(), gradient, atol=near * np.abs(gradient).max())
 
 
+def test_log_drive_regularises_the_singular_values_of_the_task_s_jacobian(panda, rng):
+    """Of a position; those of a whole pose are seen from the middle of the arm."""
+    task = mp.Task.position()
+    of = controller(panda, mp.LogDrive(weight=1.0, rate=1.0, regularisation=0.2), task=task)
+    for _ in range(5):
+        q, qd, _ = state(panda, rng)
+        found = problem(of, q, qd, panda.kinematics().pose(q))["g"].ravel()
+        np.testing.assert_allclose(found, -log_slope(panda.kinematics(task), q, 0.2), atol=1e-5)
+
+
 def test_a_deviation_is_corrected_no_faster_than_it_can_be_braked(panda, rng):
     """ṙ T = (target - last target) + κ (last target - tool), κ = min(1, T sqrt(2 a / |e|))."""
     of = controller(panda, mp.General(), approach=3.0)
