@@ -207,10 +207,10 @@ class Controller:
             if target.shape != _POSE:
                 raise TypeError
             self._target[...] = target
+            self._stiffness[0] = self.stiffness if stiffness is None else stiffness
+            self._drive[0] = drive
         except (TypeError, ValueError, AttributeError):
-            self._take(q, qd, target)
-        self._stiffness[0] = self.stiffness if stiffness is None else stiffness
-        self._drive[0] = drive
+            self._take(q, qd, target, self.stiffness if stiffness is None else stiffness, drive)
         if tolerance is not None or self._tolerance_changed:
             self._set_tolerance(tolerance)
         if obstacles is not None:
@@ -267,8 +267,8 @@ class Controller:
         speed = np.zeros((count + 1, n))
         path[0] = finite_array("q", q, (n,))
         speed[0] = 0.0 if qd is None else finite_array("qd", qd, (n,))
-        stiff = np.broadcast_to(np.asarray(self.stiffness if stiffness is None else stiffness, dtype=float), (count,))
-        drives = np.broadcast_to(np.asarray(drive, dtype=float), (count,))
+        stiff = _each("stiffness", self.stiffness if stiffness is None else stiffness, count)
+        drives = _each("drive", drive, count)
         reports = np.zeros((count, len(REPORT)))
         self.reset()
         self._set_tolerance(tolerance)
@@ -319,12 +319,14 @@ class Controller:
             scene = dict(zip(self._avoidance.scene.names, self._avoidance.scene.obstacles, strict=True))
             self._set_obstacles({name: (scene[name].pose, np.zeros(6)) for name in self._avoidance.moving})
 
-    def _take(self, q: ArrayLike, qd: ArrayLike, target: Any) -> None:
+    def _take(self, q: ArrayLike, qd: ArrayLike, target: Any, stiffness: Any, drive: Any) -> None:
         """The inputs of a step when they are not plain arrays of doubles."""
         n = self.robot.n
         np.asarray(self._q)[:] = _numbers("q", q, (n,))
         np.asarray(self._qd)[:] = _numbers("qd", qd, (n,))
         self._target[...] = _numbers("target", getattr(target, "homogeneous", target), _POSE)
+        self._stiffness[0] = float(_numbers("stiffness", stiffness, ()))
+        self._drive[0] = float(_numbers("drive", drive, ()))
 
     def _set_tolerance(self, tolerance: Tolerance | None) -> None:
         self._tolerance_changed = tolerance is not None
@@ -340,10 +342,11 @@ class Controller:
             if name not in moving:
                 raise UnknownNameError("obstacles", str(name), moving)
             at = slice(OBSTACLE_SIZE * moving.index(name), OBSTACLE_SIZE * (moving.index(name) + 1))
-            matrix = np.asarray(getattr(pose, "homogeneous", pose), dtype=float)
-            speed = np.asarray(velocity, dtype=float)
-            if matrix.shape != (4, 4) or speed.shape != (6,):
-                raise InvalidInputError(f"obstacles[{name}]", (pose, velocity), "a pose (4, 4) and a velocity (6,)")
+            try:
+                matrix, speed = _numbers(name, getattr(pose, "homogeneous", pose), _POSE), _numbers(name, velocity, (6,))
+            except InvalidInputError as error:
+                wanted = "a pose (4, 4) and a velocity (6,)"
+                raise InvalidInputError(f"obstacles[{name}]", (pose, velocity), wanted) from error
             self._obstacles[at] = obstacle_numbers(matrix, speed)
 
 
@@ -356,3 +359,11 @@ def _numbers(argument: str, value: Any, shape: tuple[int, ...]) -> Array:
     if array.shape != shape:
         raise InvalidInputError(argument, value, f"numbers of shape {shape}, not {array.shape}")
     return array
+
+
+def _each(argument: str, value: ArrayLike, count: int) -> Array:
+    """One finite number for each of `count` steps, given as one or as many."""
+    array = number_array(argument, value)
+    if array.shape not in ((), (count,)) or not np.isfinite(array).all():
+        raise InvalidInputError(argument, value, f"one number or {count} of them, no NaN or inf")
+    return np.broadcast_to(array, (count,))

@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.checks import Array
+from manipplan.errors import ManipplanError
 from manipplan.kinematics.compile import loaded, native_flags, shared_library
 from manipplan.tracking.step import REPORT, STEP_NAME
 
@@ -26,6 +27,7 @@ class Sources:
         """The sources of a step's Function."""
         generator = ca.CodeGenerator(function.name(), {"casadi_real": "double"})
         generator.add(function)
+        step = _going_on(generator.dump())
         here = files("manipplan.tracking")
         numbers = {
             "ROBOT": robot,
@@ -39,7 +41,19 @@ class Sources:
         header = (here / "controller.h.in").read_text()
         for name, value in numbers.items():
             header = header.replace(f"@{name}@", str(value))
-        return cls(step=generator.dump(), header=header, wrapper=(here / "controller.c").read_text())
+        return cls(step=step, header=header, wrapper=(here / "controller.c").read_text())
+
+
+def _going_on(step: str) -> str:
+    """The generated step with an answer of NaN where DAQP fails.
+
+    CasADi's code returns there and leaves the outputs of the step before, which would pass for an answer.
+    """
+    solve = "  casadi_daqp_solve(d, arg, res, iw, w);\n"
+    leave = "  if (!d_qp.success) {\n    return -1;\n  }\n"
+    if step.count(solve) != step.count(solve + leave):
+        raise ManipplanError("this CasADi generates other code for DAQP than casadi 3.8; please report its version")
+    return step.replace(solve + leave, f"  d_qp.success = 0;\n{solve}  if (!d_qp.success) d_qp.x[0] = 0.0 / 0.0;\n")
 
 
 class MachineCode:
