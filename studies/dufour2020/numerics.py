@@ -47,9 +47,7 @@ def convexity(arm: Arm, comparison: Comparison) -> Table:
 def hessians(arm: Arm) -> tuple[Table, dict[tuple[str, str, float], Run]]:
     """(10) with every way to make the Hessian."""
     runs = {
-        (name, hessian, alpha): arm.follow(
-            name, hessian, alpha, formulation=mp.Objective(1.0, hessian=hessian), compiled=False
-        )
+        (name, hessian, alpha): arm.follow(name, hessian, alpha, formulation=mp.Objective(1.0, hessian=hessian), compiled=False)
         for name in ("S1", "S2")
         for hessian in HESSIANS
         for alpha in HESSIAN_ALPHAS
