@@ -165,6 +165,7 @@ def episode(controller: mp.Controller, rng: np.random.Generator, steps: int, cou
         given = {"target": targets.next(), "stiffness": stiffness, "drive": drive}
         obstacles = movers.next()
         before = {"memory": controller._memory.copy(), "qdd": controller._acceleration.copy()}
+        controller._velocity[:] = np.nan  # a step that fails inside would leave the last answer
         qd = controller.step(q, qd, **given, tolerance=tolerance, obstacles=obstacles)
         report = controller.report
         count.convexified += report.convexified > 0
@@ -177,6 +178,7 @@ def episode(controller: mp.Controller, rng: np.random.Generator, steps: int, cou
             tube = (tolerance.position, tolerance.rotation)
             around_it = controller.defaults["obstacles"]
             count.failures.append({"q": q, "qd": velocities[-1], "tolerance": tube, "obstacles": around_it, **given, **before})
+        qd = np.where(np.isfinite(qd), qd, 0.0)
         q = q + dt * qd
         positions.append(q)
         velocities.append(qd)

@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike
 from manipplan.checks import Array, existing_file, finite_array, instance, number, number_array, pose_matrix, whole_number
 from manipplan.errors import FileFormatError, InvalidInputError
 
+#: Neighbouring poses are at least this far apart [m].
+APART = 1e-9
 #: Columns of a CSV file of poses: position [m], then the quaternion.
 COLUMNS = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
@@ -84,7 +86,7 @@ class CartesianPath(ABC):
         turned = np.swapaxes(matrices[:-1, :3, :3], 1, 2) @ matrices[1:, :3, :3]
         angles = np.array([np.linalg.norm(pin.log3(each)) for each in turned])
         steps = np.linalg.norm(np.diff(matrices[:, :3, 3], axis=0), axis=1) + angles / 10
-        if not (steps > 0).all():
+        if not (steps > APART).all():
             k = int(np.argmin(steps))
             raise InvalidInputError(f"poses[{k + 1}]", matrices[k + 1].tolist(), f"a pose that differs from poses[{k}]")
         s = np.concatenate([[0.0], np.cumsum(steps) / steps.sum()])
@@ -98,21 +100,26 @@ class CartesianPath(ABC):
         Raises FileFormatError that names line and column.
         """
         path = existing_file("file", file)
-        lines = [line.strip() for line in path.read_text().splitlines() if line.strip() and not line.startswith("#")]
-        head = tuple(name.strip() for name in lines[0].split(",")) if lines else ()
+        try:
+            text = path.read_text(encoding="utf-8-sig")
+        except UnicodeDecodeError as error:
+            raise FileFormatError("file", str(path), "a text file (CSV)") from error
+        lines = [(row, line.strip()) for row, line in enumerate(text.splitlines(), start=1)]
+        lines = [(row, line) for row, line in lines if line and not line.startswith("#")]
+        head = tuple(name.strip() for name in lines[0][1].split(",")) if lines else ()
         if head != COLUMNS:
             raise FileFormatError("file", str(path), f"a first line {','.join(COLUMNS)}")
         poses = []
-        for number_, line in enumerate(lines[1:], start=2):
+        for row, line in lines[1:]:
             try:
                 values = np.array([float(cell) for cell in line.split(",")])
                 if values.shape != (len(COLUMNS),) or not np.isfinite(values).all():
                     raise ValueError(line)
             except ValueError as error:
-                raise FileFormatError("file", f"{path}, row {number_}: {line}", f"{len(COLUMNS)} finite numbers") from error
+                raise FileFormatError("file", f"{path}, row {row}: {line}", f"{len(COLUMNS)} finite numbers") from error
             size = np.linalg.norm(values[3:])
             if abs(size - 1) > 1e-3:
-                raise FileFormatError("file", f"{path}, row {number_}: {line}", "a quaternion of length 1")
+                raise FileFormatError("file", f"{path}, row {row}: {line}", "a quaternion of length 1")
             w, x, y, z = values[3:] / size
             poses.append(pin.SE3(pin.Quaternion(w, x, y, z).matrix(), values[:3]).homogeneous)
         return cls.through(poses)

@@ -52,6 +52,10 @@ class Avoidance:
         number("security", self.security, least=0.0)
         number("influence", self.influence, above=self.security)
         number("damping", self.damping, above=0.0)
+        for argument, names in (("moving", self.moving), ("links", self.links)):
+            if isinstance(names, str):
+                raise InvalidInputError(argument, names, "a list of names")
+        instance("itself", self.itself, bool)
         for name in self.moving:
             if name not in self.scene.names:
                 raise UnknownNameError("moving", str(name), self.scene.names)

@@ -33,7 +33,7 @@ class StepReport(NamedTuple):
         status: what it did; anything but SOLVED means that the arm brakes.
         manipulability: the index before the step.
         position_deviation, rotation_deviation: from the target, after the step, to first order [m, rad].
-        tube_excess: how far the tolerance had to be exceeded, in the unit of the task's rows [m].
+        tube_excess: how far this step had to leave the tube, or the way back into it, in the unit of the task's rows [m].
         clearance: least distance before the step [m]; inf without avoidance, negative in contact.
         avoidance_excess: how much faster than allowed something is approached [m/s].
         convexified: the largest entry that was added to make the cost convex; 0: it was convex.

@@ -28,9 +28,13 @@ from manipplan.tracking.error import task_error
 from manipplan.tracking.formulations import Classical, Formulation
 from manipplan.tracking.relaxation import row_shares
 
-#: Penalties w s + ½ w' s² on the slacks [s/m]: so large that a slack is used only where nothing else is left.
-TUBE_PENALTY = (1e5, 1e3)
-AVOIDANCE_PENALTY = (1e6, 1e4)
+#: Penalties w p s + ½ w' s² on the slacks s, p being stiffness and drive: so large that a slack is used only where nothing
+#: else is left, and no larger, since that costs the solver precision.
+TUBE_PENALTY = (10.0, 1e3)
+AVOIDANCE_PENALTY = (100.0, 1e4)
+PULL_LEAST = 1e3
+#: A target that is farther away than this in one step [m/s] pulls no harder.
+FASTEST = 5.0
 #: How far an accepted answer may miss bounds and rows [rad/s, m/s], and the optimality conditions relative to their terms.
 #: Where slacks are used, multipliers of 1e6 stand beside a cost of 1. Bounds are cut to exactly afterwards.
 ROW_TOLERANCE = 1e-3
@@ -158,6 +162,8 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: Avoidanc
     error = ca.densify(task_error(symbolic.task, symbolic.chain.tool, _placement(goal)))
     deviation = _deviation_before(setup, inputs, error)
     rate = (error - (1 - _correction(setup, deviation)) * deviation) / dt
+    if setup.approach < ca.inf:
+        rate *= ca.fmin(1, FASTEST / (ca.sqrt(ca.sumsqr(rate)) + 1e-300))
     low, high = velocity_bounds(q, qd, qdd, setup.kinematics.robot.limits, dt)
     drive = formulation.drive(index, dt)
     bent = ca.SX(0)
@@ -171,7 +177,8 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: Avoidanc
             hessian, bent = convexified(hessian)
         gradient = share * drive.gradient - stiffness * (jacobian.T @ rate)
         tube = _tube(setup, inputs, jacobian, error, deviation) if setup.tube else None
-        program = _program(hessian, gradient, (low, high), tube, rows)
+        pull = stiffness + ca.sqrt(ca.sumsqr(share * drive.gradient))
+        program = _program(hessian, gradient, pull, (low, high), tube, rows)
         outputs = dict(zip(PROGRAM, program, strict=True))
         free, kept = _free_minimum(hessian, gradient, program)
         outputs["kept"] = ca.logic_or(kept, ca.logic_not(sound))  # without numbers there is nothing to search for
@@ -316,22 +323,32 @@ def _tube(setup: StepSetup, inputs: list[ca.SX], jacobian: ca.SX, error: ca.SX, 
         back = ca.fmin(1, setup.dt * ca.sqrt(2 * TUBE_RETURN / ca.fmax(beyond, 1e-12)))
         return ca.if_else(beyond > 0, width + (1 - back) * beyond, side + share * (width - side))
 
-    return jacobian, (error - most(deviation)) / setup.dt, (error + most(-deviation)) / setup.dt
+    high, low = most(deviation), -most(-deviation)
+    # the wall on the other side does not hold up the way back
+    high, low = (
+        ca.if_else(deviation < 0, ca.fmax(high, low), high),
+        ca.if_else(deviation > 0, ca.fmin(low, high), low),
+    )
+    return jacobian, (error - high) / setup.dt, (error - low) / setup.dt
 
 
 def _program(
     hessian: ca.SX,
     gradient: ca.SX,
+    pull: ca.SX,
     bounds: tuple[ca.SX, ca.SX],
     tube: tuple[ca.SX, ca.SX, ca.SX] | None,
     rows: AvoidanceRows | None,
 ) -> list[ca.SX]:
-    """H, g, A, variable bounds, row bounds of the QP in (q̇, slack of the tube, slack of the avoidance)."""
+    """H, g, A, variable bounds, row bounds of the QP in (q̇, slack of the tube, slack of the avoidance).
+
+    `pull` is what the slacks' penalties have to outweigh.
+    """
     n = gradient.shape[0]
     penalties = [*([TUBE_PENALTY] if tube else []), *([AVOIDANCE_PENALTY] if rows else [])]
     slacks = len(penalties)
     hessian = ca.diagcat(hessian, *(square for _, square in penalties))
-    gradient = ca.vertcat(gradient, *(linear for linear, _ in penalties))
+    gradient = ca.vertcat(gradient, *(linear * (PULL_LEAST + pull) for linear, _ in penalties))
     low = ca.vertcat(bounds[0], ca.SX.zeros(slacks))
     high = ca.vertcat(bounds[1], ca.inf * ca.SX.ones(slacks))
     matrix, below, above = ca.SX(0, n + slacks), ca.SX(0, 1), ca.SX(0, 1)

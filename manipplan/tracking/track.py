@@ -288,12 +288,15 @@ def _outcome(
     worst = f"it is {1e3 * deviation[-1]:.3g} mm and {np.rad2deg(rotation[-1]):.3g}° from the final pose"
     if tube is not None:
         places = np.concatenate([s, np.ones(len(deviation) - len(s))])
+        before = tube(float(places[0]))
         for k, place in enumerate(places):
-            allowed = tube(float(place))
-            for name, value, limit, unit in (
-                ("position", deviation[k], allowed.position, "m"),
-                ("rotation", rotation[k], allowed.rotation, "rad"),
+            allowed, last = tube(float(place)), before
+            before = allowed
+            for name, value, limits, unit in (
+                ("position", deviation[k], (allowed.position, last.position), "m"),
+                ("rotation", rotation[k], (allowed.rotation, last.rotation), "rad"),
             ):
+                limit = max((each for each in limits if each is not None), default=None)  # one that shrinks is met a step later
                 if limit is not None and value > limit * (1 + BENT):
                     text = f"{name} deviates by {value:.4g} {unit} at s = {place:.3f}, t = {k * dt:.3f} s; allowed {limit:g}"
                     return TrackingStatus.LEFT_TOLERANCE, text
