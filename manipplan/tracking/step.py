@@ -173,6 +173,9 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: Avoidanc
         outputs = {"velocity": velocity, "lbx": low, "ubx": high}
     else:
         hessian = ca.diag(ca.SX(ca.DM(setup.weights))) + stiffness * gram(jacobian) + share * drive.hessian
+        if setup.approach < ca.inf:
+            # a target out of reach: damped by what is left of the way [sugihara2011]
+            hessian += stiffness * ca.sumsqr(deviation) * ca.SX.eye(q.shape[0])
         if formulation.convexify:
             hessian, bent = convexified(hessian)
         gradient = share * drive.gradient - stiffness * (jacobian.T @ rate)

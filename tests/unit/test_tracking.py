@@ -110,7 +110,7 @@ def test_an_exactly_singular_posture_is_left(panda):
 
 def test_an_obstacle_on_the_way_is_passed_at_its_distance(panda):
     ball = mp.Sphere(radius=0.05, position=(0.55, 0.28, 0.55), name="ball")
-    avoidance = mp.Avoidance(scene=mp.Scene([ball]), links=["panda_hand", "panda_link6"], itself=False)
+    avoidance = mp.Avoidance(scene=mp.Scene([ball]), itself=False)
     path = line(panda, START, [0.0, 0.3, 0.0])
     past = mp.track(panda, path, START, DT, mp.LogDrive(), 4.0, stiffness=10.0, avoidance=avoidance)
     assert past.clearance.min() > 0.019
@@ -241,3 +241,13 @@ def test_random_steps_find_no_failure(tmp_path, monkeypatch):
     counts = random_steps.main(["--steps", "500", "--arms", "xarm7", "--interpreted", "--out", str(tmp_path / "table.md")])
     assert counts["xarm7"].steps == 500
     assert counts["xarm7"].not_solved == counts["xarm7"].not_finite == counts["xarm7"].outside == 0
+
+
+@pytest.mark.parametrize("name", ["panda", "ur5"])
+def test_the_arm_comes_to_rest_before_a_target_out_of_reach(name):
+    robot = mp.load_robot(name)
+    controller = mp.Controller(robot, mp.General(), DT, compiled=False)
+    target = robot.kinematics().pose(robot.neutral).copy()
+    target[:2, 3] *= 1 + 1 / np.linalg.norm(target[:2, 3])
+    motion = controller.rollout(robot.neutral, np.repeat(target[None], 2000, axis=0))
+    assert np.abs(motion.qd[-50:]).max() < 0.02
