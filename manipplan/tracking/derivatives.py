@@ -10,9 +10,8 @@ from manipplan.kinematics.kinematics import SymbolicKinematics
 from manipplan.measures.indices import REGULARISATION
 
 GRADIENTS = ("exact", "central")
-#: How H_m may be made; those in `REMEMBERED` learn it from step to step.
+#: How H_m may be made; the last three learn it from step to step.
 CURVATURES = ("exact", "central", "bfgs", "sr1", "bfgs-literal")
-REMEMBERED = ("bfgs", "sr1", "bfgs-literal")
 
 #: δq of (17) and (19) [rad or m]; the paper names 1e-4 to 1e-3.
 DIFFERENCE = 1e-4

@@ -14,7 +14,7 @@ def task_error(task: Task, tool: Placement, target: Placement) -> ca.SX:
     Where the task leaves the rotation about one axis of the tool free, the rotation is the shortest that brings this axis
     to where the target has it.
     """
-    free = _free_axis(task)
+    free = free_axis(task)
     rotation = rotation_vector(target.rotation @ tool.rotation.T) if free is None else _aligning(tool, target, free)
     return task.rows_of(ca.vertcat(target.origin - tool.origin, rotation), tool.rotation)
 
@@ -40,7 +40,7 @@ def rotation_vector(rotation: ca.SX) -> ca.SX:
     return ca.if_else(small, 2 / ca.if_else(small, best[0], 1), angle / ca.if_else(small, 1, length)) * best[1:]
 
 
-def _free_axis(task: Task) -> Array | None:
+def free_axis(task: Task) -> Array | None:
     """The tool's axis about which it may turn, where the task's only angular rows are two of the tool."""
     if any(any(row[3:]) for row in task.world_rows):
         return None

@@ -86,7 +86,8 @@ class MachineCode:
         self._library.controller_reset(self._controller)
         arrays = [np.ascontiguousarray(each, dtype=np.float64) for each in inputs]
         pointers = [ctypes.c_void_p(each.ctypes.data) for each in (*arrays, q, qd, qdd, report)]
-        self._library.controller_rollout(self._controller, ctypes.c_int(len(q) - 1), *pointers)
+        if self._library.controller_rollout(self._controller, ctypes.c_int(len(q) - 1), *pointers) != 0:
+            raise ManipplanError("the generated code of a step failed")
 
     def __del__(self) -> None:
         if hasattr(self, "_controller"):

@@ -18,6 +18,7 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller, StepReport
+from manipplan.tracking.error import free_axis
 from manipplan.tracking.formulations import Classical, Formulation
 from manipplan.tracking.relaxation import Stiffness, StiffnessProfile, Tolerance
 from manipplan.tracking.step import StepStatus
@@ -309,7 +310,11 @@ def _outcome(
 
 def _error(task: Task, pose: Array, target: Array) -> Array:
     """The displacement in the rows of a task (m,), as `task_error`, in numbers."""
-    turn = pin.log3(target[:3, :3] @ pose[:3, :3].T)
+    axis = free_axis(task)
+    if axis is None:
+        turn = pin.log3(target[:3, :3] @ pose[:3, :3].T)
+    else:
+        turn = pin.log3(pin.Quaternion.FromTwoVectors(pose[:3, :3] @ axis, target[:3, :3] @ axis).matrix())
     world, tool = task.matrices
     straight = target[:3, 3] - pose[:3, 3]
     turned = np.concatenate([pose[:3, :3].T @ straight, pose[:3, :3].T @ turn])

@@ -251,3 +251,14 @@ def test_the_arm_comes_to_rest_before_a_target_out_of_reach(name):
     target[:2, 3] *= 1 + 1 / np.linalg.norm(target[:2, 3])
     motion = controller.rollout(robot.neutral, np.repeat(target[None], 2000, axis=0))
     assert np.abs(motion.qd[-50:]).max() < 0.02
+
+
+def test_a_rotation_about_a_free_tool_axis_is_no_deviation(panda):
+    start = panda.kinematics().pose(START)
+    end = start.copy()
+    end[:3, :3] = start[:3, :3] @ np.diag([-1.0, -1.0, 1.0])  # half a turn about the tool's z axis, which is free
+    path = mp.CartesianPath.line(start, end)
+    tracking = mp.track(panda, path, START, DT, mp.General(), 1.0, task=mp.Task.pointing(), compiled=False)
+    assert tracking.status.ok
+    assert tracking.rotation_deviation.max() < 1e-3
+    np.testing.assert_allclose(tracking.q[-1], START, atol=1e-3)
