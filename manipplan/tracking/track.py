@@ -244,7 +244,9 @@ class _Loop:
             if np.abs(self.qd[-1]).max() < AT_REST:
                 break
             self.step(target, HOLD, 0.0, tolerance)
-        while self.qd[-1].any():
+        for _ in range(int(SETTLING / self.controller.dt)):
+            if not self.qd[-1].any():
+                break
             velocity = self.controller.brake(self.q[-1], self.qd[-1])
             self.q.append(self.q[-1] + self.controller.dt * velocity)
             self.qd.append(velocity)
