@@ -2,6 +2,7 @@
 
     URDF / MJCF / name -> Robot -> Kinematics(task): pose, J, index m, its gradient and Hessian
                                -> Scene: collision and distance
+    pose -> inverse_kinematics: every configuration that reaches it
     CartesianPath -> track (a QP a step that raises the index while it follows) -> Tracking
     start, goal -> seed_path (OMPL) -> optimize_path (least ∫ ‖q'‖/m^p ds) -> retime (toppra) -> Trajectory -> Report
 
@@ -19,6 +20,7 @@ from manipplan.errors import (
     UnknownNameError,
     UnsupportedJointError,
 )
+from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
 from manipplan.jobs import Plan, improve, plan
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.kinematics import Kinematics
@@ -64,6 +66,7 @@ __all__ = [
     "Classical",
     "CompilerError",
     "CompilerWarning",
+    "Completeness",
     "ConditionNumber",
     "Controller",
     "Cylinder",
@@ -104,6 +107,7 @@ __all__ = [
     "Rollout",
     "Scene",
     "SmallestSingularValue",
+    "SolutionSet",
     "Sphere",
     "Status",
     "StepReport",
@@ -123,6 +127,7 @@ __all__ = [
     "dynamic_ellipsoid",
     "force_ellipsoid",
     "improve",
+    "inverse_kinematics",
     "limit_use",
     "load_robot",
     "optimize_path",

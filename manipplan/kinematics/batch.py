@@ -1,11 +1,9 @@
 """Millions of configurations at once: kernels generated for one CasADi Function, and threads that share the work."""
 
 import ctypes
-import importlib.util
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from functools import cache
 from itertools import pairwise
 
 import casadi as ca
@@ -29,12 +27,6 @@ def simd_kernel(function: ca.Function, subject: str) -> Kernel:
     run.argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long]
     run.restype = ctypes.c_int
     return lambda q, out: run(q.ctypes.data, out.ctypes.data, len(q)) == 0
-
-
-@cache
-def numba_installed() -> bool:
-    """Whether numba is there (the extra "numba")."""
-    return importlib.util.find_spec("numba") is not None
 
 
 def run_kernel(kernel: Kernel, q: Array, outputs: int, *, threads: int) -> Array | None:

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from manipplan.checks import Array, configurations
 from manipplan.errors import CompilerError, InvalidInputError, UnknownNameError
 from manipplan.kinematics import jit, simd
-from manipplan.kinematics.batch import Kernel, numba_installed, run_kernel, simd_kernel
+from manipplan.kinematics.batch import Kernel, run_kernel, simd_kernel
 from manipplan.kinematics.chain import SymbolicChain
 from manipplan.kinematics.compile import compiled, do_without, wants_machine_code
 from manipplan.kinematics.evaluate import Evaluator
@@ -236,7 +236,7 @@ class Kinematics:
                     self._kernels[quantity] = simd_kernel(function, subject)
                 except CompilerError as error:
                     do_without(error, self.compiled)
-        by_numba = self.compiled == "auto" and count >= MANY and numba_installed()
+        by_numba = self.compiled == "auto" and count >= MANY
         if self._kernels[quantity] is None and by_numba and expressible(function, jit.OPERATIONS):
             self._kernels[quantity] = jit.jit_kernel(function)
         return self._kernels[quantity]

@@ -1,0 +1,30 @@
+"""Doubles among answers: at a double root a closed form gives the same configuration twice."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.checks import Array
+from manipplan.kernels import kernel
+
+#: Configurations of one sample that differ by less count once [rad or m].
+SAME = 1e-6
+
+
+def distinct(q: Array, source: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Indices of the rows of q (k, n), of those of one sample that differ by less than `SAME` the first."""
+    order = np.argsort(source, kind="stable")
+    return order[_first_ones(np.ascontiguousarray(q[order]), source[order])]
+
+
+@kernel
+def _first_ones(q: Array, source: NDArray[np.int64]) -> NDArray[np.bool_]:
+    keep = np.ones(len(q), dtype=np.bool_)
+    for row in range(len(q)):
+        other = row - 1
+        while other >= 0 and source[other] == source[row] and keep[row]:
+            same = keep[other]
+            for k in range(q.shape[1]):
+                same = same and abs(q[row, k] - q[other, k]) < SAME
+            keep[row] = not same
+            other -= 1
+    return keep

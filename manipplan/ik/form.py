@@ -1,0 +1,168 @@
+"""Which closed form fits an arm, and which joints it holds at sampled values."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.errors import InvalidInputError, UnknownNameError
+from manipplan.ik.geometry import EXACT, MEETS, Screws
+from manipplan.ik.spherical import SKEW, lie
+from manipplan.robots.robot import Robot
+
+#: Which solver answers.
+SPHERICAL, PARALLEL, SWIVEL = range(3)
+NAMES = ("spherical", "parallel", "swivel")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ClosedForm:
+    """A solver for one arm: held joints at given values (and a swivel) leave finitely many answers.
+
+    Attributes:
+        screws: the arm.
+        solver: SPHERICAL, PARALLEL or SWIVEL.
+        held: indices of the joints that are held, ascending.
+        free: indices of the others in the order in which the solver takes them.
+        backward: whether the solver reads the chain from the tool to the base.
+        meeting: (2, 3) the points where the last three (or two) free axes meet, and the shoulder's of SWIVEL.
+        triple: index of the joint that carries the first of these points.
+        miss: by how much the arm differs from what the form takes it for [m or rad].
+    """
+
+    screws: Screws
+    solver: int
+    held: tuple[int, ...]
+    free: tuple[int, ...]
+    backward: bool
+    meeting: Array
+    triple: int
+    miss: float
+
+    @property
+    def exact(self) -> bool:
+        """Whether the form is the arm itself, and not the arm up to what its description rounds."""
+        return self.miss < EXACT
+
+    @property
+    def name(self) -> str:
+        """What the method is called."""
+        return NAMES[self.solver]
+
+    @property
+    def parameters(self) -> int:
+        """How many numbers leave finitely many answers: held joints, then the swivel."""
+        return len(self.held) + (self.solver == SWIVEL)
+
+    @property
+    def moves_axes(self) -> bool:
+        """Whether a held joint lies between free ones, so that it moves some of their axes against others."""
+        return any(min(self.free) < joint < max(self.free) for joint in self.held)
+
+
+def closed_form(robot: Robot, held: Sequence[str] | None = None) -> ClosedForm | None:
+    """The simplest closed form of an arm, with the joints in `held` held; None where there is none.
+
+    Raises UnknownNameError or InvalidInputError where `held` names no joints of the arm, or not n - 6 of them.
+    """
+    screws = Screws.of(robot)
+    if screws.n < 6:
+        return None
+    if held is None:
+        swivel = _swivel(screws)
+        if swivel is not None:
+            return swivel
+        choices = list(combinations(range(screws.n), screws.n - 6))
+    else:
+        choices = [held_indices(robot, held, max(robot.n - 6, 0))]
+    forms = [form for chosen in choices for form in _six_joints(screws, chosen)]
+    return min(forms, key=_effort, default=None)
+
+
+def held_indices(robot: Robot, held: Sequence[str], count: int) -> tuple[int, ...]:
+    """The indices of `count` joints, ascending; raises UnknownNameError or InvalidInputError."""
+    if isinstance(held, str) or not isinstance(held, Sequence) or not all(isinstance(name, str) for name in held):
+        raise InvalidInputError("held", held, "a list of joint names")
+    for name in held:
+        if name not in robot.joint_names:
+            raise UnknownNameError("held", name, robot.joint_names)
+    if len(set(held)) != count or len(held) != count:
+        raise InvalidInputError("held", list(held), f"{count} different joints: so many are left over by a pose")
+    return tuple(sorted(robot.joint_names.index(name) for name in held))
+
+
+def _swivel(screws: Screws) -> ClosedForm | None:
+    """Held joints, a spherical shoulder, an elbow and a spherical wrist."""
+    n = screws.n
+    if n < 7:
+        return None
+    first = n - 7
+    shoulder = screws.meeting_point((first, first + 1, first + 2))
+    wrist = screws.meeting_point((n - 3, n - 2, n - 1))
+    if shoulder is None or wrist is None or screws.slides[first:].any():
+        return None
+    h, p = screws.axes[first + 3], screws.points[first + 3]
+    off = np.cross(h, [shoulder[0] - p, wrist[0] - p])
+    if np.linalg.norm(off, axis=1).min() < 1e-6:  # the elbow would not change the reach
+        return None
+    return ClosedForm(
+        screws=screws,
+        solver=SWIVEL,
+        held=tuple(range(first)),
+        free=tuple(range(first, n)),
+        backward=False,
+        meeting=np.array([wrist[0], shoulder[0]]),
+        triple=n - 3,
+        miss=max(shoulder[1], wrist[1]),
+    )
+
+
+def _six_joints(screws: Screws, held: tuple[int, ...]) -> list[ClosedForm]:
+    """All closed forms of the six joints that are left."""
+    free = tuple(k for k in range(screws.n) if k not in held)
+    if screws.slides[list(free)].any():
+        return []
+    forms = []
+    for backward in (False, True):
+        order = free[::-1] if backward else free
+        for solver, meeting in ((SPHERICAL, order[3:]), (PARALLEL, order[4:])):
+            between = any(min(meeting) < joint < max(meeting) for joint in held)
+            point = None if between else _meeting(screws, meeting)
+            if point is None:
+                continue
+            miss = point[1]
+            if solver == PARALLEL:
+                middle = order[1:4]
+                between = any(min(middle) < joint < max(middle) for joint in held)
+                if between or screws.askew(*middle) > MEETS or screws.askew(order[0], order[1]) < MEETS:
+                    continue
+                miss = max(miss, screws.askew(*middle))
+            else:
+                miss = max(miss, lie(screws.axes[list(order)], screws.points[list(order)])[2])
+            forms.append(
+                ClosedForm(
+                    screws=screws,
+                    solver=solver,
+                    held=held,
+                    free=order,
+                    backward=backward,
+                    meeting=np.array([point[0], np.zeros(3)]),
+                    triple=meeting[0],
+                    miss=miss,
+                )
+            )
+    return forms
+
+
+def _meeting(screws: Screws, joints: tuple[int, ...]) -> tuple[Array, float] | None:
+    if len(joints) == 2 and screws.askew(*joints) < MEETS:
+        return None
+    return screws.meeting_point(joints)
+
+
+def _effort(form: ClosedForm) -> tuple[int, int, int, int]:
+    """What makes a form slow: axes that have to be moved, a quartic; then joints held far from the base."""
+    skew = form.solver == SPHERICAL and lie(form.screws.axes[list(form.free)], form.screws.points[list(form.free)])[0] == SKEW
+    return int(form.moves_axes), int(skew), int(form.backward), sum(form.held)

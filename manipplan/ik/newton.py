@@ -1,0 +1,176 @@
+"""Newton steps on the arm as described: they refine closed forms, and find answers where there is none."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.checks import Array
+from manipplan.ik.spherical import row
+from manipplan.ik.subproblems import add, cross, sub, turned, turned_about
+from manipplan.kernels import inlined, kernel
+
+#: Damping of the first step of a search, relative to the square of the Jacobian's size, and the least.
+DAMPING = 1e-2
+
+
+@kernel
+def forward(axes: Array, points: Array, slides: NDArray[np.bool_], home: Array, q: Array, pose: Array, jacobian: Array) -> None:
+    """Pose (4, 4) and Jacobian (6, n), LOCAL_WORLD_ALIGNED, at q (n,)."""
+    n = len(q)
+    for j in range(3):
+        pose[0, j], pose[1, j], pose[2, j] = home[0, j], home[1, j], home[2, j]
+    tip = (home[0, 3], home[1, 3], home[2, 3])
+    for k in range(n - 1, -1, -1):
+        h, p = row(axes, k), row(points, k)
+        # the columns of later joints, the tip and the tool turn with this joint
+        if slides[k]:
+            tip = (tip[0] + q[k] * h[0], tip[1] + q[k] * h[1], tip[2] + q[k] * h[2])
+            jacobian[0, k], jacobian[1, k], jacobian[2, k] = h[0], h[1], h[2]
+            jacobian[3, k], jacobian[4, k], jacobian[5, k] = 0.0, 0.0, 0.0
+            continue
+        c, s = math.cos(q[k]), math.sin(q[k])
+        tip = turned_about(h, p, c, s, tip)
+        for j in range(3):
+            v = turned(h, c, s, (pose[0, j], pose[1, j], pose[2, j]))
+            pose[0, j], pose[1, j], pose[2, j] = v[0], v[1], v[2]
+        for j in range(k + 1, n):
+            v = turned(h, c, s, (jacobian[0, j], jacobian[1, j], jacobian[2, j]))
+            w = turned(h, c, s, (jacobian[3, j], jacobian[4, j], jacobian[5, j]))
+            jacobian[0, j], jacobian[1, j], jacobian[2, j] = v[0], v[1], v[2]
+            jacobian[3, j], jacobian[4, j], jacobian[5, j] = w[0], w[1], w[2]
+        v = cross(h, sub(tip, p))
+        jacobian[0, k], jacobian[1, k], jacobian[2, k] = v[0], v[1], v[2]
+        jacobian[3, k], jacobian[4, k], jacobian[5, k] = h[0], h[1], h[2]
+    pose[0, 3], pose[1, 3], pose[2, 3] = tip[0], tip[1], tip[2]
+
+
+@inlined
+def _error(pose: Array, target: Array, out: Array) -> float:
+    """Displacement and rotation vector (6,) from pose to target; returns the largest entry."""
+    for i in range(3):
+        out[i] = target[i, 3] - pose[i, 3]
+    # R = target poseᵀ; its skew part is sin(angle) axis
+    trace = 0.0
+    skew = (0.0, 0.0, 0.0)
+    for j in range(3):
+        a = (pose[0, j], pose[1, j], pose[2, j])
+        b = (target[0, j], target[1, j], target[2, j])
+        trace += a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+        skew = add(skew, cross(a, b))
+    sine = 0.5 * math.sqrt(skew[0] ** 2 + skew[1] ** 2 + skew[2] ** 2)
+    angle = math.atan2(sine, 0.5 * (trace - 1.0))
+    factor = 0.5 * (angle / sine if sine > 1e-9 else 1.0)
+    largest = 0.0
+    for i in range(3):
+        out[3 + i] = factor * skew[i]
+        largest = max(largest, abs(out[i]), abs(out[3 + i]))
+    return largest
+
+
+@kernel
+def refine(
+    axes: Array,
+    points: Array,
+    slides: NDArray[np.bool_],
+    home: Array,
+    targets: Array,
+    owners: NDArray[np.int64],
+    moves: NDArray[np.bool_],
+    q: Array,
+    steps: int,
+    tolerance: float,
+) -> None:
+    """Newton steps of least norm from each row of q (k, n), in place, with the joints that `moves` names.
+
+    A row ends once its pose is met to `tolerance` [m, rad], and stays as it is where a step does not lead nearer.
+    """
+    n = q.shape[1]
+    pose, jacobian, error = np.eye(4), np.empty((6, n)), np.empty(6)
+    trial = np.empty(n)
+    for k in range(len(q)):
+        target = targets[owners[k]]
+        forward(axes, points, slides, home, q[k], pose, jacobian)
+        miss = _error(pose, target, error)
+        damping = 1e-16
+        for _ in range(steps):
+            if miss <= tolerance or damping > 1e-2:
+                break
+            for j in range(n):
+                if not moves[j]:
+                    jacobian[:, j] = 0.0
+            gram = jacobian @ jacobian.T
+            for i in range(6):
+                gram[i, i] += damping
+            trial[:] = q[k] + jacobian.T @ np.linalg.solve(gram, error)
+            forward(axes, points, slides, home, trial, pose, jacobian)
+            nearer = _error(pose, target, error)
+            if nearer < miss:
+                miss, damping = nearer, max(damping / 100, 1e-16)
+                q[k] = trial
+            else:  # next to a singularity, where only short steps lead nearer
+                damping *= 10
+                forward(axes, points, slides, home, q[k], pose, jacobian)
+                _error(pose, target, error)
+
+
+@kernel
+def search(
+    axes: Array,
+    points: Array,
+    slides: NDArray[np.bool_],
+    home: Array,
+    target: Array,
+    moves: NDArray[np.bool_],
+    lower: Array,
+    upper: Array,
+    q: Array,
+    steps: int,
+    tolerance: float,
+) -> NDArray[np.bool_]:
+    """Damped Newton steps (Levenberg-Marquardt, [sugihara2011]) from each row of q (k, n), in place, inside the limits.
+
+    Joints stop at their limits and leave them when the step leads back. Returns which rows met the pose.
+    """
+    n = q.shape[1]
+    pose, jacobian, error = np.eye(4), np.empty((6, n)), np.empty(6)
+    met = np.zeros(len(q), dtype=np.bool_)
+    trial = np.empty(n)
+    held = np.empty(n, dtype=np.bool_)
+    for k in range(len(q)):
+        damping = DAMPING
+        forward(axes, points, slides, home, q[k], pose, jacobian)
+        _error(pose, target, error)
+        square = (error * error).sum()
+        for _ in range(steps):
+            if np.abs(error).max() <= tolerance:
+                met[k] = True
+                break
+            gradient = jacobian.T @ error
+            for j in range(n):
+                at_limit = (q[k, j] <= lower[j] and gradient[j] < 0) or (q[k, j] >= upper[j] and gradient[j] > 0)
+                held[j] = at_limit or not moves[j]
+                if held[j]:
+                    jacobian[:, j] = 0.0
+            gram = jacobian @ jacobian.T
+            for i in range(6):
+                gram[i, i] += damping * square + 1e-12
+            trial[:] = q[k] + jacobian.T @ np.linalg.solve(gram, error)
+            for j in range(n):
+                if not held[j]:
+                    trial[j] = min(max(trial[j], lower[j]), upper[j])
+            forward(axes, points, slides, home, trial, pose, jacobian)
+            _error(pose, target, error)
+            now = (error * error).sum()
+            if now < square:
+                stalled = now > 0.999 * square and damping > 1e3
+                q[k], square, damping = trial, now, max(damping / 4, 1e-6)
+                if stalled:
+                    break
+            else:
+                damping *= 8
+                if damping > 1e6:
+                    break
+                forward(axes, points, slides, home, q[k], pose, jacobian)
+                _error(pose, target, error)
+    return met

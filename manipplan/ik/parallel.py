@@ -1,0 +1,65 @@
+"""Six revolute joints of which the second, third and fourth are parallel and the last two meet: UR's arms, Z1 and others."""
+
+import math
+
+from manipplan.checks import Array
+from manipplan.ik.spherical import fits, perpendicular, row, times, times_back
+from manipplan.ik.subproblems import (
+    Vector,
+    add,
+    angle_from_to,
+    distance_angles,
+    dot,
+    height_angles,
+    sub,
+    turned,
+    turned_about,
+)
+from manipplan.kernels import kernel
+
+
+@kernel
+def solve_parallel(axes: Array, points: Array, wrist: Vector, motion: Array, lower: Array, upper: Array, out: Array) -> int:
+    """All angles with e_1 ... e_6 = motion, where axes 2, 3, 4 are parallel and 5 and 6 meet in `wrist`.
+
+    Arguments and result as in `solve_spherical`.
+    """
+    h1, h2, h5, h6 = row(axes, 0), row(axes, 1), row(axes, 4), row(axes, 5)
+    p1, p2, p3, p4 = row(points, 0), row(points, 1), row(points, 2), row(points, 3)
+    same3, same4 = dot(h2, row(axes, 2)), dot(h2, row(axes, 3))  # 1 or -1: which way 3 and 4 turn
+    point = add(times(motion, wrist), (motion[0, 3], motion[1, 3], motion[2, 3]))
+    found = 0
+    # the parallel joints keep the height of `wrist` along their axes
+    bases, base1, base2 = height_angles(h1, sub(point, p1), h2, dot(h2, sub(wrist, p1)))
+    for k in range(abs(bases)):
+        q1 = -(base1 if k == 0 else base2)
+        if not fits(q1, lower[0], upper[0]):
+            continue
+        c1, s1 = math.cos(q1), math.sin(q1)
+        centre = turned_about(h1, p1, c1, -s1, point)
+        outward = turned(h1, c1, s1, h2)
+        # the part of the last axis along the parallel ones is q5's alone
+        wrists, wrist1, wrist2 = height_angles(h5, h6, h2, dot(outward, times(motion, h6)))
+        for j in range(abs(wrists)):
+            q5 = wrist1 if j == 0 else wrist2
+            if not fits(q5, lower[4], upper[4]):
+                continue
+            c5, s5 = math.cos(q5), math.sin(q5)
+            q6 = angle_from_to(h6, times_back(motion, outward), turned(h5, c5, -s5, h2))
+            if not fits(q6, lower[5], upper[5]):
+                continue
+            across = perpendicular(h2)
+            image = turned(h6, math.cos(q6), -math.sin(q6), turned(h5, c5, -s5, across))
+            total = angle_from_to(h2, across, turned(h1, c1, -s1, times(motion, image)))
+            target = sub(sub(centre, turned(h2, math.cos(total), math.sin(total), sub(wrist, p4))), p2)
+            elbows, elbow1, elbow2 = distance_angles(h2, p3, p4, p2, math.sqrt(dot(target, target)))
+            for i in range(abs(elbows)):
+                bend = elbow1 if i == 0 else elbow2
+                lifted = sub(turned_about(h2, p3, math.cos(bend), math.sin(bend), p4), p2)
+                q2 = angle_from_to(h2, lifted, target)
+                q3, q4 = same3 * bend, same4 * (total - q2 - bend)
+                if fits(q2, lower[1], upper[1]) and fits(q3, lower[2], upper[2]) and fits(q4, lower[3], upper[3]):
+                    out[found, 0], out[found, 1], out[found, 2] = q1, q2, q3
+                    out[found, 3], out[found, 4], out[found, 5] = q4, q5, q6
+                    found += 1
+    return found

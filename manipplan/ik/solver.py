@@ -1,0 +1,253 @@
+"""Solver: how all answers of one arm are found and judged."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import product
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from manipplan.checks import Array, finite_array, instance, whole_number
+from manipplan.errors import InvalidInputError, UnknownNameError
+from manipplan.ik.enumeration import answers
+from manipplan.ik.form import SWIVEL, ClosedForm, closed_form, held_indices
+from manipplan.ik.geometry import Screws
+from manipplan.ik.newton import refine
+from manipplan.ik.solutions import Completeness
+from manipplan.ik.statistical import Sampled, best_held, random_answers
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.task import Task
+from manipplan.robots.robot import Robot
+from manipplan.tracking.error import free_axis
+
+#: A configuration reaches a pose when no entry of the two matrices differs by more [m or 1].
+REACHED = 1e-10
+#: What rounding leaves of an exact closed form next to a singularity, and is refined; more is no answer.
+ROUNDED = 1e-6
+#: Refinement ends after so many steps; next to a singularity they are short.
+STEPS = 200
+#: Samples that are taken for one to six parameters where the caller names no number.
+SAMPLES = (64, 24, 12, 8, 6, 5)
+METHODS = ("auto", "closed-form", "newton")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Found:
+    """Rows q (k, n), the sample (k,) that each belongs to, the residual (k,), the share that is estimated to be missing."""
+
+    q: Array
+    source: NDArray[np.int64]
+    residual: Array
+    missing: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Solver:
+    """How all answers of one arm are found.
+
+    Attributes:
+        robot: the arm.
+        kinematics: by which answers are judged.
+        form: the closed form; None: Newton steps from random starts.
+        screws: the arm.
+        held: indices of the joints that are held.
+        axis: (3,) of the tool about which it may turn; None: none.
+        seed: of the random starts.
+    """
+
+    robot: Robot
+    kinematics: Kinematics
+    form: ClosedForm | None
+    screws: Screws = field(repr=False)
+    held: tuple[int, ...]
+    axis: Array | None
+    seed: int
+
+    @classmethod
+    def of(cls, robot: Robot, *, task: Task | None, held: Sequence[str] | None, method: str, seed: int) -> "Solver":
+        """The solver for an arm; arguments and errors as in `inverse_kinematics`."""
+        instance("robot", robot, Robot)
+        usual = robot.default_task if robot.planar else Task.pose()
+        task = instance("task", task if task is not None else usual, Task)
+        if method not in METHODS:
+            raise UnknownNameError("method", str(method), METHODS)
+        axis = _tool_axis(task, robot)
+        form = closed_form(robot, held) if method != "newton" else None
+        if form is None and method == "closed-form":
+            raise InvalidInputError("method", method, f"'newton': {robot.name} has no closed form")
+        screws = form.screws if form is not None else Screws.of(robot)
+        if form is not None:
+            indices = form.held
+        else:
+            indices = held_indices(robot, held, spare(robot)) if held is not None else best_held(robot, spare(robot))
+        return cls(
+            robot=robot,
+            kinematics=robot.kinematics(Task.pose(), threads=1),
+            form=form,
+            screws=screws,
+            held=indices,
+            axis=axis,
+            seed=whole_number("seed", seed, least=0),
+        )
+
+    @property
+    def method(self) -> str:
+        """What the method is called."""
+        return "newton" if self.form is None else self.form.name
+
+    @property
+    def complete(self) -> Completeness | None:
+        """The completeness of any answer, where the method itself sets it."""
+        if self.form is None:
+            return Completeness.STATISTICAL
+        return None if self.form.exact else Completeness.TO_RESOLUTION
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """What the parameters are called."""
+        held = tuple(self.robot.joint_names[k] for k in self.held)
+        swivel = ("swivel",) if self.form is not None and self.form.solver == SWIVEL else ()
+        return held + swivel + (("tool rotation",) if self.axis is not None else ())
+
+    def values(self, parameters: ArrayLike | None, samples: int | Sequence[int] | None) -> tuple[Array, Completeness]:
+        """Parameters (s, r): the given ones, or a grid."""
+        r = len(self.names)
+        if parameters is not None:
+            if samples is not None:
+                raise InvalidInputError("samples", samples, "nothing where parameters are given")
+            values = finite_array(
+                "parameters", np.atleast_1d(np.asarray(parameters)), (r,) if np.ndim(parameters) < 2 else (None, r)
+            )
+            return np.atleast_2d(values), Completeness.EXACT
+        if r == 0:
+            return np.zeros((1, 0)), Completeness.EXACT
+        axes = [self._line(k, count) for k, count in enumerate(sample_counts(samples, self.names))]
+        return np.array(list(product(*axes))).reshape(-1, r), Completeness.TO_RESOLUTION
+
+    def _line(self, parameter: int, count: int) -> Array:
+        """Values of one parameter: a joint's range with its ends, or a full turn."""
+        if parameter < len(self.held):
+            lower, upper = (float(limit[self.held[parameter]]) for limit in (self.robot.limits.lower, self.robot.limits.upper))
+            if np.isfinite(lower) and np.isfinite(upper):
+                return np.linspace(lower, upper, count) if count > 1 else np.array([(lower + upper) / 2])
+        return -np.pi + 2 * np.pi * np.arange(count) / count
+
+    def solve(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
+        """All answers for samples (s, r), each for the pose that `owners` (s,) names; doubles among them."""
+        if self.form is None:
+            return self._by_search(poses, owners, samples)
+        limits = self.robot.limits
+        blocks = [
+            self._judged(q, source, self._targets(poses, owners, samples, source))
+            for q, source in answers(self.form, poses, owners, samples, limits.lower, limits.upper, self.axis)
+        ]
+        return _joined(blocks, self.robot.n)
+
+    def _targets(self, poses: Array, owners: NDArray[np.int64], samples: Array, source: NDArray[np.int64]) -> Array:
+        """The pose (k, 4, 4) that each row has to reach."""
+        targets = poses[owners[source]]
+        if self.axis is None:
+            return targets
+        return targets @ turns_about(self.axis, samples[source, -1])
+
+    def _judged(self, q: Array, source: NDArray[np.int64], targets: Array) -> Found:
+        """The rows that reach their pose, after refinement where rounding makes it necessary."""
+        residual = self._residual(q, targets)
+        off = residual > REACHED
+        if self.form is not None and self.form.exact:
+            off &= residual < ROUNDED
+        if off.any():
+            moves = np.ones(self.robot.n, dtype=bool)
+            moves[list(self.held)] = False
+            better, screws = q[off], self.screws
+            rows = np.arange(len(better))
+            refine(
+                screws.axes,
+                screws.points,
+                screws.slides,
+                screws.home,
+                targets[off],
+                rows,
+                moves,
+                better,
+                STEPS,
+                REACHED / 100,
+            )
+            q = q.copy()
+            q[off] = np.clip(better, self.robot.limits.lower, self.robot.limits.upper)
+            residual[off] = self._residual(q[off], targets[off])
+        good = residual <= REACHED
+        return Found(q=q[good], source=source[good], residual=residual[good])
+
+    def _residual(self, q: Array, targets: Array) -> Array:
+        if not len(q):
+            return np.zeros(0)
+        return np.asarray(np.abs(self.kinematics.pose(q) - targets).max(axis=(1, 2)))
+
+    def _by_search(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
+        blocks, missing = [], []
+        rng = np.random.default_rng(self.seed)
+        targets = self._targets(poses, owners, samples, np.arange(len(samples)))
+        for k, target in enumerate(targets):
+            setup = Sampled(screws=self.screws, held=self.held, values=samples[k, : len(self.held)], limits=self.robot.limits)
+            q, share = random_answers(setup, target, rng)
+            blocks.append(self._judged(q, np.full(len(q), k), np.broadcast_to(target, (len(q), 4, 4))))
+            missing.append(share)
+        found = _joined(blocks, self.robot.n)
+        return Found(q=found.q, source=found.source, residual=found.residual, missing=float(np.mean(missing)))
+
+
+def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...]) -> tuple[int, ...]:
+    """How many values of each parameter a grid takes."""
+    r = len(names)
+    if samples is None:
+        return (SAMPLES[min(r, len(SAMPLES)) - 1],) * r
+    if not isinstance(samples, list | tuple):
+        return (whole_number("samples", samples, least=1),) * r
+    if len(samples) != r:
+        wanted = f"one whole number, or one for each of {', '.join(names) or 'no parameters'}"
+        raise InvalidInputError("samples", samples, wanted)
+    return tuple(whole_number(f"samples[{k}] ({names[k]})", each, least=1) for k, each in enumerate(samples))
+
+
+def turns_about(axis: Array, angles: Array) -> Array:
+    """Motions (k, 4, 4) that turn about a tool's axis (3,) by angles (k,)."""
+    from scipy.spatial.transform import Rotation
+
+    turns = np.tile(np.eye(4), (len(angles), 1, 1))
+    turns[:, :3, :3] = Rotation.from_rotvec(angles[:, None] * axis).as_matrix()
+    return turns
+
+
+def spare(robot: Robot) -> int:
+    """How many joints an arm has beyond those that its poses need."""
+    q = robot.random_configuration(np.random.default_rng(0), size=5)
+    ranks = np.linalg.matrix_rank(robot.kinematics(Task.pose()).jacobian(q), tol=1e-8)
+    return robot.n - int(ranks.max())
+
+
+def _tool_axis(task: Task, robot: Robot) -> Array | None:
+    """The tool's axis about which the task lets it turn; raises InvalidInputError for a task that is no pose."""
+    if robot.planar and task == Task.planar():
+        return np.array([0.0, 0.0, 1.0])
+    rows = [*task.world_rows, *task.tool_rows]
+    moves = np.array([row[:3] for row in rows])
+    position = int(np.linalg.matrix_rank(moves))
+    if position == 3 and task.rows == 6:
+        return None
+    axis = free_axis(task) if position == 3 and task.rows == 5 else None
+    if axis is None:
+        wanted = "Task.pose(), or Task.pointing(axis)" + (", or Task.planar()" if robot.planar else "")
+        raise InvalidInputError("task", task.name, f"{wanted}: solutions are enumerated for poses")
+    return axis
+
+
+def _joined(blocks: list[Found], n: int) -> Found:
+    if not blocks:
+        return Found(q=np.zeros((0, n)), source=np.zeros(0, dtype=np.int64), residual=np.zeros(0))
+    return Found(
+        q=np.concatenate([block.q for block in blocks]),
+        source=np.concatenate([block.source for block in blocks]),
+        residual=np.concatenate([block.residual for block in blocks]),
+    )

@@ -1,0 +1,293 @@
+"""Six revolute joints of which three neighbours meet in one point, at the wrist or (the chain read backwards) at the shoulder.
+
+Position and rotation come apart (Pieper 1968): the three other joints place the point, the three that meet turn the tool.
+"""
+
+import math
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.ik.geometry import MEETS
+from manipplan.ik.subproblems import (
+    Vector,
+    add,
+    angle_from_to,
+    cross,
+    distance_angles,
+    dot,
+    height_angles,
+    sub,
+    turned,
+    turned_about,
+)
+from manipplan.kernels import inlined, kernel
+
+#: How the three joints a, b, c that place the point lie.
+A_MEETS_B, B_MEETS_C, A_PARALLEL_B, B_PARALLEL_C, SKEW = range(5)
+#: A general position has up to four answers, the wrist two each.
+MOST = 8
+
+
+@inlined
+def row(rows: Array, k: int) -> Vector:
+    """Row k of an array (k, 3)."""
+    return (rows[k, 0], rows[k, 1], rows[k, 2])
+
+
+@inlined
+def times(rotation: Array, v: Vector) -> Vector:
+    """`v` turned by a matrix (3, 3)."""
+    return (
+        rotation[0, 0] * v[0] + rotation[0, 1] * v[1] + rotation[0, 2] * v[2],
+        rotation[1, 0] * v[0] + rotation[1, 1] * v[1] + rotation[1, 2] * v[2],
+        rotation[2, 0] * v[0] + rotation[2, 1] * v[1] + rotation[2, 2] * v[2],
+    )
+
+
+@inlined
+def times_back(rotation: Array, v: Vector) -> Vector:
+    """`v` turned by the transpose of a matrix (3, 3)."""
+    return (
+        rotation[0, 0] * v[0] + rotation[1, 0] * v[1] + rotation[2, 0] * v[2],
+        rotation[0, 1] * v[0] + rotation[1, 1] * v[1] + rotation[2, 1] * v[2],
+        rotation[0, 2] * v[0] + rotation[1, 2] * v[1] + rotation[2, 2] * v[2],
+    )
+
+
+@inlined
+def wrapped(angle: float) -> float:
+    """The angle in [-π, π]."""
+    return angle - 2 * math.pi * math.floor((angle + math.pi) / (2 * math.pi))
+
+
+@inlined
+def fits(angle: float, lower: float, upper: float) -> bool:
+    """Whether the angle, or one that differs by full turns, lies inside limits."""
+    return lower + ((angle - lower) % (2 * math.pi)) <= upper
+
+
+@inlined
+def perpendicular(h: Vector) -> Vector:
+    """A unit vector at right angles to h."""
+    v = (0.0, -h[2], h[1]) if abs(h[0]) < 0.6 else (h[2], 0.0, -h[0])
+    size = math.sqrt(dot(v, v))
+    return (v[0] / size, v[1] / size, v[2] / size)
+
+
+@kernel
+def lie(axes: Array, points: Array) -> tuple[int, Vector, float]:
+    """How the first three axes lie (A_MEETS_B, ...), the point where two of them meet, and by how much they miss it."""
+    nowhere = (0.0, 0.0, 0.0)
+    for first, kind in ((0, A_MEETS_B), (1, B_MEETS_C)):
+        g, h = row(axes, first), row(axes, first + 1)
+        across = cross(g, h)
+        square = dot(across, across)
+        if square > MEETS**2:
+            apart = sub(row(points, first + 1), row(points, first))
+            miss = abs(dot(apart, across)) / math.sqrt(square)
+            if miss < MEETS:
+                along = dot(cross(apart, h), across) / square
+                return kind, add(row(points, first), (along * g[0], along * g[1], along * g[2])), miss
+    for first, kind in ((0, A_PARALLEL_B), (1, B_PARALLEL_C)):
+        across = cross(row(axes, first), row(axes, first + 1))
+        miss = math.sqrt(dot(across, across))
+        if miss < MEETS:
+            return kind, nowhere, miss
+    return SKEW, nowhere, 0.0
+
+
+@kernel
+def two_meeting(ha: Vector, hb: Vector, x: Vector, y: Vector, out: Array) -> int:
+    """Subproblem 2: angles (qa, qb) with R_a R_b x = y, for vectors from the point where a and b meet; rows of `out`."""
+    count, first, second = height_angles(hb, x, ha, dot(ha, y))
+    for k in range(abs(count)):
+        qb = first if k == 0 else second
+        out[k, 0] = angle_from_to(ha, turned(hb, math.cos(qb), math.sin(qb), x), y)
+        out[k, 1] = qb
+    return abs(count)
+
+
+@kernel
+def place(kind: int, axes: Array, points: Array, meeting: Vector, x: Vector, y: Vector, out: Array, pair: Array) -> int:
+    """Angles (qa, qb, qc) of the three first axes with e_a e_b e_c x = y: rows of `out` (4, 3), and how many."""
+    ha, hb, hc = row(axes, 0), row(axes, 1), row(axes, 2)
+    pa, pb, pc = row(points, 0), row(points, 1), row(points, 2)
+    found = 0
+    if kind == SKEW:
+        return place_skew(ha, hb, hc, pa, pb, pc, x, y, out)
+    if kind == A_MEETS_B:
+        target = sub(y, meeting)
+        count, first, second = distance_angles(hc, pc, x, meeting, math.sqrt(dot(target, target)))
+        for k in range(abs(count)):
+            qc = first if k == 0 else second
+            elbow = turned_about(hc, pc, math.cos(qc), math.sin(qc), x)
+            for j in range(two_meeting(ha, hb, sub(elbow, meeting), target, pair)):
+                out[found, 0], out[found, 1], out[found, 2] = pair[j, 0], pair[j, 1], qc
+                found += 1
+    elif kind == B_MEETS_C:
+        start = sub(x, meeting)
+        count, first, second = distance_angles(ha, pa, y, meeting, math.sqrt(dot(start, start)))
+        for k in range(abs(count)):
+            qa = -(first if k == 0 else second)
+            elbow = turned_about(ha, pa, math.cos(qa), -math.sin(qa), y)
+            for j in range(two_meeting(hb, hc, start, sub(elbow, meeting), pair)):
+                out[found, 0], out[found, 1], out[found, 2] = qa, pair[j, 0], pair[j, 1]
+                found += 1
+    elif kind == A_PARALLEL_B:
+        # the height along a is that of c's turn alone
+        count, first, second = height_angles(hc, sub(x, pc), ha, dot(ha, sub(y, pc)))
+        for k in range(abs(count)):
+            qc = first if k == 0 else second
+            elbow = turned_about(hc, pc, math.cos(qc), math.sin(qc), x)
+            target = sub(y, pa)
+            turns, one, two = distance_angles(hb, pb, elbow, pa, math.sqrt(dot(target, target)))
+            for j in range(abs(turns)):
+                qb = one if j == 0 else two
+                hand = turned_about(hb, pb, math.cos(qb), math.sin(qb), elbow)
+                out[found, 0], out[found, 1], out[found, 2] = angle_from_to(ha, sub(hand, pa), target), qb, qc
+                found += 1
+    else:
+        count, first, second = height_angles(ha, sub(y, pa), hb, dot(hb, sub(x, pa)))
+        for k in range(abs(count)):
+            qa = -(first if k == 0 else second)
+            elbow = turned_about(ha, pa, math.cos(qa), -math.sin(qa), y)
+            target = sub(elbow, pb)
+            turns, one, two = distance_angles(hc, pc, x, pb, math.sqrt(dot(target, target)))
+            for j in range(abs(turns)):
+                qc = one if j == 0 else two
+                hand = turned_about(hc, pc, math.cos(qc), math.sin(qc), x)
+                out[found, 0], out[found, 1], out[found, 2] = qa, angle_from_to(hb, sub(hand, pb), target), qc
+                found += 1
+    return found
+
+
+@kernel
+def place_skew(ha: Vector, hb: Vector, hc: Vector, pa: Vector, pb: Vector, pc: Vector, x: Vector, y: Vector, out: Array) -> int:
+    """The same for axes in any position: a quartic in tan(qc / 2).
+
+    With z = e_c x - pb, u = b · z and r² = |z|² are of first degree in cos qc and sin qc. The turn about b puts z at
+    u b + ρ (cos ψ e1 + sin ψ e2), e2 at right angles to a and b. Its height along a gives ρ cos ψ, its distance from a point of
+    a then ρ sin ψ, each of first degree in u and r²; their squares add up to r² - u².
+    """
+    sine = math.sqrt(max(1.0 - dot(ha, hb) ** 2, 0.0))
+    e2 = cross(hb, ha)
+    e2 = (e2[0] / sine, e2[1] / sine, e2[2] / sine)
+    e1 = cross(e2, hb)
+    origin, target = sub(pa, pb), sub(y, pa)
+    # coefficients of 1, cos qc, sin qc
+    arm = sub(x, pc)
+    along = dot(hc, arm)
+    fixed = add((along * hc[0], along * hc[1], along * hc[2]), sub(pc, pb))
+    cosine = sub(arm, (along * hc[0], along * hc[1], along * hc[2]))
+    across = cross(hc, arm)
+    u = (dot(hb, fixed), dot(hb, cosine), dot(hb, across))
+    square = (dot(fixed, fixed) + dot(cosine, cosine), 2 * dot(fixed, cosine), 2 * dot(fixed, across))
+    height = dot(ha, add(target, origin))  # a · (y - pb)
+    tilt, forward = dot(ha, hb), dot(ha, e1)
+    x1 = ((height - tilt * u[0]) / forward, -tilt * u[1] / forward, -tilt * u[2] / forward)
+    # r² - 2 origin · z + |origin|² = |y - pa|²
+    rest = dot(origin, origin) - dot(target, target)
+    side = 2 * dot(origin, e2)
+    b, f = dot(origin, hb), dot(origin, e1)
+    n0 = square[0] + rest - 2 * (b * u[0] + f * x1[0])
+    n1 = square[1] - 2 * (b * u[1] + f * x1[1])
+    n2 = square[2] - 2 * (b * u[2] + f * x1[2])
+    s2 = side * side
+    # side² (x1² + u² - r²) + n² = 0 as a form in (1, c, s)
+    k00 = s2 * (x1[0] * x1[0] + u[0] * u[0] - square[0]) + n0 * n0
+    k01 = s2 * (2 * x1[0] * x1[1] + 2 * u[0] * u[1] - square[1]) + 2 * n0 * n1
+    k02 = s2 * (2 * x1[0] * x1[2] + 2 * u[0] * u[2] - square[2]) + 2 * n0 * n2
+    k11 = s2 * (x1[1] * x1[1] + u[1] * u[1]) + n1 * n1
+    k12 = s2 * (2 * x1[1] * x1[2] + 2 * u[1] * u[2]) + 2 * n1 * n2
+    k22 = s2 * (x1[2] * x1[2] + u[2] * u[2]) + n2 * n2
+    # c = (1 - t²) / (1 + t²), s = 2 t / (1 + t²)
+    quartic = np.array(
+        [k00 - k01 + k11, 2 * k02 - 2 * k12, 2 * k00 - 2 * k11 + 4 * k22, 2 * k02 + 2 * k12, k00 + k01 + k11],
+        dtype=np.complex128,
+    )
+    roots = np.roots(quartic)
+    found = 0
+    for t in roots:
+        if abs(t.imag) > 1e-6 * (1.0 + abs(t.real)) or found == 4:
+            continue
+        qc = 2 * math.atan(t.real)
+        c, s = math.cos(qc), math.sin(qc)
+        elbow = sub(turned_about(hc, pc, c, s, x), pb)
+        first = x1[0] + x1[1] * c + x1[2] * s
+        second = (n0 + n1 * c + n2 * s) / side
+        height_b = dot(hb, elbow)
+        image = (
+            height_b * hb[0] + first * e1[0] + second * e2[0],
+            height_b * hb[1] + first * e1[1] + second * e2[1],
+            height_b * hb[2] + first * e1[2] + second * e2[2],
+        )
+        out[found, 0] = angle_from_to(ha, sub(image, origin), target)
+        out[found, 1] = angle_from_to(hb, elbow, image)
+        out[found, 2] = qc
+        found += 1
+    return found
+
+
+@kernel
+def turn(h4: Vector, h5: Vector, h6: Vector, rotation: Array, out: Array) -> int:
+    """Angles with R4 R5 R6 = rotation (3, 3), for any three axes: rows of `out` (2, 3), and how many."""
+    toward = times(rotation, h6)
+    count, first, second = height_angles(h5, h6, h4, dot(h4, toward))
+    for k in range(abs(count)):
+        q5 = first if k == 0 else second
+        c5, s5 = math.cos(q5), math.sin(q5)
+        q4 = angle_from_to(h4, turned(h5, c5, s5, h6), toward)
+        across = perpendicular(h6)  # R6 = R5ᵀ R4ᵀ R, also where 4 and 6 are in line and q4 is free
+        image = turned(h5, c5, -s5, turned(h4, math.cos(q4), -math.sin(q4), times(rotation, across)))
+        out[k, 0], out[k, 1], out[k, 2] = q4, q5, angle_from_to(h6, across, image)
+    return abs(count)
+
+
+@kernel
+def solve_spherical(
+    kind: int,
+    meeting: Vector,
+    axes: Array,
+    points: Array,
+    wrist: Vector,
+    motion: Array,
+    lower: Array,
+    upper: Array,
+    out: Array,
+    work: Array,
+) -> int:
+    """All angles with e_1 ... e_6 = motion, where axes 4, 5, 6 meet in `wrist`.
+
+    Args:
+        kind, meeting: what `lie` says of axes 1, 2, 3.
+        axes, points: (6, 3).
+        wrist: where 4, 5, 6 meet at zero.
+        motion: (4, 4).
+        lower, upper: (6,); an answer outside, whatever its full turns, is left out.
+        out: (MOST, 6), filled.
+        work: (16, 3).
+
+    Returns how many rows of `out` are filled.
+    """
+    target = add(times(motion, wrist), (motion[0, 3], motion[1, 3], motion[2, 3]))
+    places, pair, rotation, wrists = work[0:4], work[4:6], work[6:9], work[9:11]
+    found = 0
+    for k in range(place(kind, axes, points, meeting, wrist, target, places, pair)):
+        qa, qb, qc = places[k, 0], places[k, 1], places[k, 2]
+        if not (fits(qa, lower[0], upper[0]) and fits(qb, lower[1], upper[1]) and fits(qc, lower[2], upper[2])):
+            continue
+        ca, sa, cb, sb, cc, sc = math.cos(qa), math.sin(qa), math.cos(qb), math.sin(qb), math.cos(qc), math.sin(qc)
+        for column in range(3):
+            v = turned(row(axes, 0), ca, -sa, (motion[0, column], motion[1, column], motion[2, column]))
+            v = turned(row(axes, 2), cc, -sc, turned(row(axes, 1), cb, -sb, v))
+            rotation[0, column], rotation[1, column], rotation[2, column] = v[0], v[1], v[2]
+        for j in range(turn(row(axes, 3), row(axes, 4), row(axes, 5), rotation, wrists)):
+            good = True
+            for i in range(3):
+                good = good and fits(wrists[j, i], lower[3 + i], upper[3 + i])
+            if good:
+                out[found, 0], out[found, 1], out[found, 2] = qa, qb, qc
+                out[found, 3], out[found, 4], out[found, 5] = wrists[j, 0], wrists[j, 1], wrists[j, 2]
+                found += 1
+    return found

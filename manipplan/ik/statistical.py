@@ -1,0 +1,106 @@
+"""Answers by Newton steps from random starts, until chance leaves little to be found."""
+
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.ik.geometry import Screws
+from manipplan.ik.newton import search
+from manipplan.measures.task import Task
+from manipplan.robots.limits import JointLimits
+from manipplan.robots.robot import Robot
+
+#: Random starts of a round, and the most of them in all.
+ROUND = 64
+MOST = 4096
+#: Rounds go on until every answer was met this often on average and none only once.
+SEEN = 8
+STEPS = 80
+TOLERANCE = 1e-12
+#: Answers that differ by less are the same [rad or m].
+SAME = 1e-5
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Sampled:
+    """An arm with some joints held.
+
+    Attributes:
+        screws: the arm.
+        held: indices of the joints that are held at `values` [rad or m].
+        values: (h,).
+        limits: of the arm.
+    """
+
+    screws: Screws
+    held: tuple[int, ...]
+    values: Array
+    limits: JointLimits
+
+
+def random_answers(setup: Sampled, target: Array, rng: np.random.Generator) -> tuple[Array, float]:
+    """Configurations (k, n) that reach `target` (4, 4), and an estimate of the share that was not found.
+
+    The estimate is Good and Turing's: the share of the hits whose answer was met only once.
+    """
+    limits, screws, held = setup.limits, setup.screws, list(setup.held)
+    lower, upper = (
+        np.where(np.isfinite(limit), limit, side * np.pi) for limit, side in ((limits.lower, -1), (limits.upper, 1))
+    )
+    if ((setup.values < limits.lower[held]) | (setup.values > limits.upper[held])).any():
+        return np.zeros((0, screws.n)), 0.0
+    moves = np.ones(screws.n, dtype=bool)
+    moves[held] = False
+    found, hits, starts = np.zeros((0, screws.n)), np.zeros(0), 0
+    while starts < MOST:
+        q = rng.uniform(lower, upper, (ROUND, screws.n))
+        q[:, held] = setup.values
+        met = search(
+            screws.axes,
+            screws.points,
+            screws.slides,
+            screws.home,
+            target,
+            moves,
+            limits.lower,
+            limits.upper,
+            q,
+            STEPS,
+            TOLERANCE,
+        )
+        starts += ROUND
+        for each in _in_range(q[met], limits):
+            same = np.flatnonzero(np.abs(found - each).max(axis=1) < SAME)
+            if len(same):
+                hits[same[0]] += 1
+            else:
+                found, hits = np.vstack([found, each]), np.append(hits, 1)
+        if hits.sum() >= SEEN * max(len(found), 1) and not (hits == 1).any():
+            break
+        if not len(found) and starts >= 8 * ROUND:
+            break
+    missing = float((hits == 1).sum() / hits.sum()) if len(found) else 1.0
+    return found, missing
+
+
+def best_held(robot: Robot, count: int) -> tuple[int, ...]:
+    """The joints to hold: those without which the others still move the tool best, on average over random postures."""
+    if count == 0:
+        return ()
+    q = robot.random_configuration(np.random.default_rng(0), size=200)
+    jacobians = robot.kinematics(Task.pose()).jacobian(q)
+    rank = robot.n - count
+
+    def mean_volume(held: tuple[int, ...]) -> float:
+        left = np.delete(jacobians, held, axis=2)
+        return float(np.linalg.svd(left, compute_uv=False)[:, :rank].prod(axis=1).mean())
+
+    return max(combinations(range(robot.n), count), key=mean_volume)
+
+
+def _in_range(q: Array, limits: JointLimits) -> Array:
+    """Joints without limits in [-π, π]."""
+    endless = ~(np.isfinite(limits.lower) & np.isfinite(limits.upper))
+    return np.where(endless, (q + np.pi) % (2 * np.pi) - np.pi, q)
