@@ -3,6 +3,7 @@
     URDF / MJCF / name -> Robot -> Kinematics(task): pose, J, index m, its gradient and Hessian
                                -> Scene: collision and distance
     pose -> inverse_kinematics: every configuration that reaches it
+    CartesianPath -> sample_layers -> max_min_search (the highest least index) -> refine
     CartesianPath -> track (a QP a step that raises the index while it follows) -> Tracking
     start, goal -> seed_path (OMPL) -> optimize_path (least ∫ ‖q'‖/m^p ds) -> retime (toppra) -> Trajectory -> Report
 
@@ -44,6 +45,11 @@ from manipplan.robots.catalog import available_robots, load_robot, planar_arm
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Scene, Sphere
+from manipplan.search.bottleneck import SearchResult, SearchStatus, max_min_search
+from manipplan.search.guilamo import GuilamoResult, guilamo_search
+from manipplan.search.layers import Layers
+from manipplan.search.refine import Refinement, refine
+from manipplan.search.sample import sample_layers
 from manipplan.seeds.ompl import seed_path
 from manipplan.status import Status
 from manipplan.timing.retime import retime
@@ -79,6 +85,7 @@ __all__ = [
     "Formulation",
     "FrobeniusNorm",
     "General",
+    "GuilamoResult",
     "InvalidInputError",
     "InverseCondition",
     "Isotropy",
@@ -86,6 +93,7 @@ __all__ = [
     "JointLimits",
     "JointPath",
     "Kinematics",
+    "Layers",
     "LimitUse",
     "LogDet",
     "LogDrive",
@@ -102,10 +110,13 @@ __all__ = [
     "Plane",
     "PlanningError",
     "Posture",
+    "Refinement",
     "Report",
     "Robot",
     "Rollout",
     "Scene",
+    "SearchResult",
+    "SearchStatus",
     "SmallestSingularValue",
     "SolutionSet",
     "Sphere",
@@ -126,16 +137,20 @@ __all__ = [
     "available_robots",
     "dynamic_ellipsoid",
     "force_ellipsoid",
+    "guilamo_search",
     "improve",
     "inverse_kinematics",
     "limit_use",
     "load_robot",
+    "max_min_search",
     "optimize_path",
     "path_cost",
     "pinocchio_casadi",
     "plan",
     "planar_arm",
+    "refine",
     "retime",
+    "sample_layers",
     "seed_path",
     "torque_use",
     "track",

@@ -1,6 +1,8 @@
 """Numba kernels: compiled once for all that change together, and kept in the user's cache folder."""
 
 import hashlib
+import tempfile
+import warnings
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -8,6 +10,7 @@ from typing import Any, TypeVar
 
 import numba
 
+from manipplan.errors import CompilerWarning
 from manipplan.kinematics.compile import cache_folder
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -15,22 +18,28 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 def kernel(function: Function) -> Function:
     """Machine code that runs without Python's lock. Only modules that a computation has asked for may import this one."""
-    return _compiled(function, inline="never")
-
-
-def inlined(function: Function) -> Function:
-    """The same, put into the kernels that call it."""
-    return _compiled(function, inline="always")
-
-
-def _compiled(function: Function, inline: str) -> Function:
     # numba looks for changes in a kernel's own file only, not in the files of kernels that it calls
-    before, numba.config.CACHE_DIR = numba.config.CACHE_DIR, str(cache_folder() / f"numba-{_sources()}")
+    folder = _folder()
+    before, numba.config.CACHE_DIR = numba.config.CACHE_DIR, str(folder)
     try:
-        made: Function = numba.njit(cache=True, nogil=True, inline=inline)(function)
+        made: Function = numba.njit(cache=folder is not None, nogil=True)(function)
     finally:
         numba.config.CACHE_DIR = before
     return made
+
+
+@cache
+def _folder() -> Path | None:
+    """Where machine code is kept; None, with a CompilerWarning, where nothing can be: numba would keep it beside the sources."""
+    folder = cache_folder() / f"numba-{_sources()}"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            return folder
+    except OSError as error:
+        told = f"{folder} cannot be written ({error.strerror}): kernels are compiled in each process again"
+        warnings.warn(told, CompilerWarning, stacklevel=2)
+        return None
 
 
 @cache

@@ -22,9 +22,9 @@ def _first_ones(q: Array, source: NDArray[np.int64]) -> NDArray[np.bool_]:
     for row in range(len(q)):
         other = row - 1
         while other >= 0 and source[other] == source[row] and keep[row]:
-            same = keep[other]
-            for k in range(q.shape[1]):
-                same = same and abs(q[row, k] - q[other, k]) < SAME
-            keep[row] = not same
+            k = 0
+            while k < q.shape[1] and abs(q[row, k] - q[other, k]) < SAME:
+                k += 1
+            keep[row] = k < q.shape[1] or not keep[other]
             other -= 1
     return keep

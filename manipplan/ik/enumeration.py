@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from manipplan.checks import Array
 from manipplan.ik.form import PARALLEL, SPHERICAL, ClosedForm
 from manipplan.ik.parallel import solve_parallel
-from manipplan.ik.spherical import MOST, lie, row, solve_spherical
+from manipplan.ik.spherical import AT_LIMIT, MOST, least_above, lie, row, solve_spherical, wrapped
 from manipplan.ik.subproblems import Vector, turned, turned_about
 from manipplan.ik.swivel import solve_swivel
-from manipplan.kernels import inlined, kernel
+from manipplan.kernels import kernel
 
 #: Samples that are answered at a time.
 CHUNK = 8192
@@ -43,8 +43,10 @@ def answers(
     home = np.asarray(np.linalg.inv(form.screws.home), dtype=np.float64)
     axes, points = form.screws.axes.copy(), form.screws.points.copy()
     bounded_lower = np.where(np.isfinite(lower), lower, -np.pi)
-    bounded_upper = np.where(np.isfinite(upper), upper, np.nextafter(np.pi, 0))
-    most = MOST * int(np.prod(np.maximum((bounded_upper - bounded_lower)[free] // (2 * np.pi) + 1, 1)))
+    bounded_upper = np.where(np.isfinite(upper), upper, np.pi)
+    endless = ~(np.isfinite(lower) & np.isfinite(upper))
+    turns = np.where(endless, 0, (bounded_upper - bounded_lower + 2 * AT_LIMIT) // (2 * np.pi))
+    most = MOST * int(np.prod(np.maximum(turns[free] + 1, 1)))
     rows = max(4 * most, min(len(samples) * MOST, CHUNK * MOST))
     begin = 0
     while begin < len(samples):
@@ -67,6 +69,7 @@ def answers(
             axis if axis is not None else np.zeros(3),
             bounded_lower,
             bounded_upper,
+            endless,
             begin,
             most,
             out,
@@ -75,7 +78,7 @@ def answers(
         yield out[:filled], source[:filled]
 
 
-@inlined
+@kernel
 def _shift_left(motion: Array, h: Vector, p: Vector, slides: bool, value: float) -> None:
     """motion <- e^(joint at value) motion."""
     if slides:
@@ -90,7 +93,7 @@ def _shift_left(motion: Array, h: Vector, p: Vector, slides: bool, value: float)
     motion[0, 3], motion[1, 3], motion[2, 3] = v[0], v[1], v[2]
 
 
-@inlined
+@kernel
 def _multiply(a: Array, b: Array, out: Array) -> None:
     """out <- a b, for motions (4, 4)."""
     for i in range(3):
@@ -99,7 +102,14 @@ def _multiply(a: Array, b: Array, out: Array) -> None:
         out[i, 3] += a[i, 3]
 
 
-@inlined
+@kernel
+def _copy(source: Array, out: Array) -> None:
+    for i in range(source.shape[0]):
+        for j in range(source.shape[1]):
+            out[i, j] = source[i, j]
+
+
+@kernel
 def _invert(motion: Array) -> None:
     x, y, z = motion[0, 3], motion[1, 3], motion[2, 3]
     for i in range(3):
@@ -128,6 +138,7 @@ def _fill(
     free_axis: Array,
     lower: Array,
     upper: Array,
+    endless: NDArray[np.bool_],
     begin: int,
     most: int,
     out: Array,
@@ -138,7 +149,7 @@ def _fill(
     axes, points, meeting = home_axes.copy(), home_points.copy(), home_meeting.copy()
     free_axes, free_points = np.empty((f, 3)), np.empty((f, 3))
     low, high = lower[free], upper[free]
-    motion, tool, turn = np.eye(4), np.eye(4), np.eye(4)
+    motion, tool, turn, identity = np.eye(4), np.eye(4), np.eye(4), np.eye(4)
     found, work = np.empty((MOST, f)), np.empty((16, 3))
     sign = -1.0 if backward else 1.0
     any_axis = free_axis[0] != 0 or free_axis[1] != 0 or free_axis[2] != 0
@@ -152,19 +163,21 @@ def _fill(
         if filled + most > len(out):
             return sample, filled
         if any_axis:
-            turn[:, :] = np.eye(4)
-            _shift_left(turn, row(free_axis.reshape(1, 3), 0), (0.0, 0.0, 0.0), False, samples[sample, -1])
+            _copy(identity, turn)
+            _shift_left(turn, (free_axis[0], free_axis[1], free_axis[2]), (0.0, 0.0, 0.0), False, samples[sample, -1])
             _multiply(poses[owners[sample]], turn, tool)
             _multiply(tool, home, motion)
         else:
             _multiply(poses[owners[sample]], home, motion)
         if moves_axes:
-            axes[:], points[:], meeting[:] = home_axes, home_points, home_meeting
+            _copy(home_axes, axes)
+            _copy(home_points, points)
+            _copy(home_meeting, meeting)
         inside = True
         for k in range(len(held)):
             value = samples[sample, k]
             joint = held[k]
-            inside = inside and lower[joint] <= value <= upper[joint]
+            inside = inside and (endless[joint] or lower[joint] <= value <= upper[joint])
             if joint < first:
                 _shift_left(motion, row(axes, joint), row(points, joint), slides[joint], -value)
         if not inside:
@@ -220,7 +233,10 @@ def _fill(
             # the least value of each joint inside its limits, then every full turn more
             before = filled
             for k in range(f):
-                found[a, k] = low[k] + (found[a, k] - low[k]) % (2 * math.pi)
+                if endless[free[k]]:
+                    found[a, k] = wrapped(found[a, k])
+                else:
+                    found[a, k] = min(max(least_above(found[a, k], low[k]), low[k]), high[k])
                 out[filled, free[k]] = found[a, k]
             for k in range(len(held)):
                 out[filled, held[k]] = samples[sample, k]
@@ -228,10 +244,11 @@ def _fill(
             for k in range(f):
                 rows = filled
                 extra = found[a, k] + 2 * math.pi
-                while extra <= high[k]:
+                while extra <= high[k] + AT_LIMIT and not endless[free[k]]:
                     for r in range(before, rows):
-                        out[filled] = out[r]
-                        out[filled, free[k]] = extra
+                        for j in range(n):
+                            out[filled, j] = out[r, j]
+                        out[filled, free[k]] = min(extra, high[k])
                         filled += 1
                     extra += 2 * math.pi
             for r in range(before, filled):

@@ -10,6 +10,7 @@ from manipplan.checks import Array
 from manipplan.errors import InvalidInputError, UnknownNameError
 from manipplan.ik.geometry import EXACT, MEETS, Screws
 from manipplan.ik.spherical import SKEW, lie
+from manipplan.measures.task import Task
 from manipplan.robots.robot import Robot
 
 #: Which solver answers.
@@ -68,7 +69,7 @@ def closed_form(robot: Robot, held: Sequence[str] | None = None) -> ClosedForm |
     Raises UnknownNameError or InvalidInputError where `held` names no joints of the arm, or not n - 6 of them.
     """
     screws = Screws.of(robot)
-    if screws.n < 6:
+    if screws.n < 6 or robot.planar:
         return None
     if held is None:
         swivel = _swivel(screws)
@@ -77,6 +78,8 @@ def closed_form(robot: Robot, held: Sequence[str] | None = None) -> ClosedForm |
         choices = list(combinations(range(screws.n), screws.n - 6))
     else:
         choices = [held_indices(robot, held, max(robot.n - 6, 0))]
+        if not _moves_everywhere(robot, choices[0]):
+            raise InvalidInputError("held", list(held), "joints without which the others still move the tool in all directions")
     forms = [form for chosen in choices for form in _six_joints(screws, chosen)]
     return min(forms, key=_effort, default=None)
 
@@ -91,6 +94,13 @@ def held_indices(robot: Robot, held: Sequence[str], count: int) -> tuple[int, ..
     if len(set(held)) != count or len(held) != count:
         raise InvalidInputError("held", list(held), f"{count} different joints: so many are left over by a pose")
     return tuple(sorted(robot.joint_names.index(name) for name in held))
+
+
+def _moves_everywhere(robot: Robot, held: tuple[int, ...]) -> bool:
+    """Whether the joints that are not held move the tool in six dimensions."""
+    q = robot.random_configuration(np.random.default_rng(0), size=5)
+    jacobians = np.delete(robot.kinematics(Task.pose()).jacobian(q), held, axis=2)
+    return int(np.linalg.matrix_rank(jacobians, tol=1e-8).max()) == 6
 
 
 def _swivel(screws: Screws) -> ClosedForm | None:

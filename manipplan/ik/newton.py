@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from manipplan.checks import Array
 from manipplan.ik.spherical import row
 from manipplan.ik.subproblems import add, cross, sub, turned, turned_about
-from manipplan.kernels import inlined, kernel
+from manipplan.kernels import kernel
 
 #: Damping of the first step of a search, relative to the square of the Jacobian's size, and the least.
 DAMPING = 1e-2
@@ -45,7 +45,7 @@ def forward(axes: Array, points: Array, slides: NDArray[np.bool_], home: Array, 
     pose[0, 3], pose[1, 3], pose[2, 3] = tip[0], tip[1], tip[2]
 
 
-@inlined
+@kernel
 def _error(pose: Array, target: Array, out: Array) -> float:
     """Displacement and rotation vector (6,) from pose to target; returns the largest entry."""
     for i in range(3):

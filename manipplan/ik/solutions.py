@@ -121,9 +121,15 @@ def inverse_kinematics(
 
 def pose_stack(argument: str, pose: Any) -> Array:
     """One pose, or several, as (p, 4, 4); every one is checked."""
+    from manipplan.ik.verify import are_poses
+
     matrix = getattr(pose, "homogeneous", pose)
+    if isinstance(matrix, np.ndarray) and matrix.dtype == np.float64 and matrix.shape[1:] == (4, 4):
+        stack = np.array(matrix, order="C")
+        if are_poses(stack):
+            return stack
     if np.ndim(matrix) == 3 or (
         isinstance(pose, list | tuple) and len(pose) and np.ndim(getattr(pose[0], "homogeneous", 0)) == 2
     ):
         return np.array([pose_matrix(f"{argument}[{k}]", each) for k, each in enumerate(pose)])
-    return pose_matrix(argument, pose)[None]
+    return pose_matrix(argument, pose)[None].copy()

@@ -16,6 +16,8 @@ from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import refine
 from manipplan.ik.solutions import Completeness
 from manipplan.ik.statistical import Sampled, best_held, random_answers
+from manipplan.ik.swivel import swivels_of
+from manipplan.ik.verify import residuals
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.task import Task
 from manipplan.robots.robot import Robot
@@ -48,6 +50,7 @@ class Solver:
 
     Attributes:
         robot: the arm.
+        task: what of a pose has to be met.
         kinematics: by which answers are judged.
         form: the closed form; None: Newton steps from random starts.
         screws: the arm.
@@ -57,6 +60,7 @@ class Solver:
     """
 
     robot: Robot
+    task: Task
     kinematics: Kinematics
     form: ClosedForm | None
     screws: Screws = field(repr=False)
@@ -83,6 +87,7 @@ class Solver:
             indices = held_indices(robot, held, spare(robot)) if held is not None else best_held(robot, spare(robot))
         return cls(
             robot=robot,
+            task=task,
             kinematics=robot.kinematics(Task.pose(), threads=1),
             form=form,
             screws=screws,
@@ -120,10 +125,12 @@ class Solver:
                 "parameters", np.atleast_1d(np.asarray(parameters)), (r,) if np.ndim(parameters) < 2 else (None, r)
             )
             return np.atleast_2d(values), Completeness.EXACT
-        if r == 0:
-            return np.zeros((1, 0)), Completeness.EXACT
-        axes = [self._line(k, count) for k, count in enumerate(sample_counts(samples, self.names))]
-        return np.array(list(product(*axes))).reshape(-1, r), Completeness.TO_RESOLUTION
+        return self.grid(samples, SAMPLES), Completeness.TO_RESOLUTION if r else Completeness.EXACT
+
+    def grid(self, samples: int | Sequence[int] | None, usual: Sequence[int]) -> Array:
+        """A grid of parameters (s, r); `usual` says how many values of each where `samples` does not, by the number of them."""
+        counts = sample_counts(samples, self.names, usual)
+        return np.array(list(product(*(self._line(k, count) for k, count in enumerate(counts)))))
 
     def _line(self, parameter: int, count: int) -> Array:
         """Values of one parameter: a joint's range with its ends, or a full turn."""
@@ -133,27 +140,56 @@ class Solver:
                 return np.linspace(lower, upper, count) if count > 1 else np.array([(lower + upper) / 2])
         return -np.pi + 2 * np.pi * np.arange(count) / count
 
+    def parameters_of(self, q: Array, poses: Array) -> Array:
+        """The parameters (k, r) by which configurations (k, n) that reach poses (k, 4, 4) are found."""
+        columns = [q[:, list(self.held)]]
+        if self.form is not None and self.form.solver == SWIVEL:
+            free, screws = list(self.form.free), self.screws
+            wrist, shoulder = self.form.meeting
+            columns.append(swivels_of(screws.axes[free], screws.points[free], shoulder, wrist, q[:, free])[:, None])
+        if self.axis is not None:
+            columns.append(self._tool_turns(q, poses)[:, None])
+        return np.hstack(columns)
+
+    def _tool_turns(self, q: Array, poses: Array) -> Array:
+        """By how much the tool is turned about its free axis against the poses, (k,) [rad]."""
+        from scipy.spatial.transform import Rotation
+
+        turned = np.swapaxes(poses[:, :3, :3], 1, 2) @ self.kinematics.pose(q)[:, :3, :3]
+        return np.asarray(Rotation.from_matrix(turned).as_rotvec() @ self.axis)
+
+    def onto(self, q: Array, poses: Array) -> Array:
+        """Configurations (k, n) moved onto poses (k, 4, 4) by Newton steps of least norm; inside the limits."""
+        targets = poses
+        if self.axis is not None:
+            targets = poses @ turns_about(self.axis, self._tool_turns(q, poses))
+        moved, screws = q.copy(), self.screws
+        rows, moves = np.arange(len(q)), np.ones(self.robot.n, dtype=np.bool_)
+        refine(screws.axes, screws.points, screws.slides, screws.home, targets, rows, moves, moved, STEPS, REACHED / 100)
+        return np.clip(moved, self.robot.limits.lower, self.robot.limits.upper)
+
     def solve(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
         """All answers for samples (s, r), each for the pose that `owners` (s,) names; doubles among them."""
         if self.form is None:
             return self._by_search(poses, owners, samples)
         limits = self.robot.limits
         blocks = [
-            self._judged(q, source, self._targets(poses, owners, samples, source))
+            self._judged(q, source, *self._targets(poses, owners, samples, source))
             for q, source in answers(self.form, poses, owners, samples, limits.lower, limits.upper, self.axis)
         ]
         return _joined(blocks, self.robot.n)
 
-    def _targets(self, poses: Array, owners: NDArray[np.int64], samples: Array, source: NDArray[np.int64]) -> Array:
-        """The pose (k, 4, 4) that each row has to reach."""
-        targets = poses[owners[source]]
+    def _targets(
+        self, poses: Array, owners: NDArray[np.int64], samples: Array, source: NDArray[np.int64]
+    ) -> tuple[Array, NDArray[np.int64]]:
+        """Poses (p, 4, 4), and which of them (k,) each row has to reach."""
         if self.axis is None:
-            return targets
-        return targets @ turns_about(self.axis, samples[source, -1])
+            return poses, owners[source]
+        return poses[owners[source]] @ turns_about(self.axis, samples[source, -1]), np.arange(len(source))
 
-    def _judged(self, q: Array, source: NDArray[np.int64], targets: Array) -> Found:
-        """The rows that reach their pose, after refinement where rounding makes it necessary."""
-        residual = self._residual(q, targets)
+    def _judged(self, q: Array, source: NDArray[np.int64], targets: Array, rows: NDArray[np.int64]) -> Found:
+        """The rows of q that reach their pose, targets[rows], after refinement where rounding makes it necessary."""
+        residual = self._residual(q, targets, rows)
         off = residual > REACHED
         if self.form is not None and self.form.exact:
             off &= residual < ROUNDED
@@ -161,14 +197,13 @@ class Solver:
             moves = np.ones(self.robot.n, dtype=bool)
             moves[list(self.held)] = False
             better, screws = q[off], self.screws
-            rows = np.arange(len(better))
             refine(
                 screws.axes,
                 screws.points,
                 screws.slides,
                 screws.home,
-                targets[off],
-                rows,
+                targets,
+                rows[off],
                 moves,
                 better,
                 STEPS,
@@ -176,33 +211,33 @@ class Solver:
             )
             q = q.copy()
             q[off] = np.clip(better, self.robot.limits.lower, self.robot.limits.upper)
-            residual[off] = self._residual(q[off], targets[off])
+            residual[off] = self._residual(q[off], targets, rows[off])
         good = residual <= REACHED
         return Found(q=q[good], source=source[good], residual=residual[good])
 
-    def _residual(self, q: Array, targets: Array) -> Array:
+    def _residual(self, q: Array, targets: Array, rows: NDArray[np.int64]) -> Array:
         if not len(q):
             return np.zeros(0)
-        return np.asarray(np.abs(self.kinematics.pose(q) - targets).max(axis=(1, 2)))
+        return residuals(self.kinematics.pose(q), targets, rows)
 
     def _by_search(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
         blocks, missing = [], []
         rng = np.random.default_rng(self.seed)
-        targets = self._targets(poses, owners, samples, np.arange(len(samples)))
-        for k, target in enumerate(targets):
+        targets, rows = self._targets(poses, owners, samples, np.arange(len(samples)))
+        for k, target in enumerate(targets[rows]):
             setup = Sampled(screws=self.screws, held=self.held, values=samples[k, : len(self.held)], limits=self.robot.limits)
             q, share = random_answers(setup, target, rng)
-            blocks.append(self._judged(q, np.full(len(q), k), np.broadcast_to(target, (len(q), 4, 4))))
+            blocks.append(self._judged(q, np.full(len(q), k), targets, np.full(len(q), rows[k])))
             missing.append(share)
         found = _joined(blocks, self.robot.n)
         return Found(q=found.q, source=found.source, residual=found.residual, missing=float(np.mean(missing)))
 
 
-def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...]) -> tuple[int, ...]:
+def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...], usual: Sequence[int]) -> tuple[int, ...]:
     """How many values of each parameter a grid takes."""
     r = len(names)
     if samples is None:
-        return (SAMPLES[min(r, len(SAMPLES)) - 1],) * r
+        return (usual[min(r, len(usual)) - 1],) * r
     if not isinstance(samples, list | tuple):
         return (whole_number("samples", samples, least=1),) * r
     if len(samples) != r:

@@ -21,21 +21,23 @@ from manipplan.ik.subproblems import (
     turned,
     turned_about,
 )
-from manipplan.kernels import inlined, kernel
+from manipplan.kernels import kernel
 
 #: How the three joints a, b, c that place the point lie.
 A_MEETS_B, B_MEETS_C, A_PARALLEL_B, B_PARALLEL_C, SKEW = range(5)
+#: Answers that are outside a limit by less are put on it [rad]: a closed form leaves rounding.
+AT_LIMIT = 1e-9
 #: A general position has up to four answers, the wrist two each.
 MOST = 8
 
 
-@inlined
+@kernel
 def row(rows: Array, k: int) -> Vector:
     """Row k of an array (k, 3)."""
     return (rows[k, 0], rows[k, 1], rows[k, 2])
 
 
-@inlined
+@kernel
 def times(rotation: Array, v: Vector) -> Vector:
     """`v` turned by a matrix (3, 3)."""
     return (
@@ -45,7 +47,7 @@ def times(rotation: Array, v: Vector) -> Vector:
     )
 
 
-@inlined
+@kernel
 def times_back(rotation: Array, v: Vector) -> Vector:
     """`v` turned by the transpose of a matrix (3, 3)."""
     return (
@@ -55,19 +57,25 @@ def times_back(rotation: Array, v: Vector) -> Vector:
     )
 
 
-@inlined
+@kernel
 def wrapped(angle: float) -> float:
     """The angle in [-π, π]."""
     return angle - 2 * math.pi * math.floor((angle + math.pi) / (2 * math.pi))
 
 
-@inlined
+@kernel
+def least_above(angle: float, lower: float) -> float:
+    """The least of the angles that differ from this one by full turns, above `lower` or below it by no more than rounding."""
+    return angle - 2 * math.pi * math.floor((angle - lower + AT_LIMIT) / (2 * math.pi))
+
+
+@kernel
 def fits(angle: float, lower: float, upper: float) -> bool:
     """Whether the angle, or one that differs by full turns, lies inside limits."""
-    return lower + ((angle - lower) % (2 * math.pi)) <= upper
+    return least_above(angle, lower) <= upper + AT_LIMIT
 
 
-@inlined
+@kernel
 def perpendicular(h: Vector) -> Vector:
     """A unit vector at right angles to h."""
     v = (0.0, -h[2], h[1]) if abs(h[0]) < 0.6 else (h[2], 0.0, -h[0])
@@ -201,17 +209,22 @@ def place_skew(ha: Vector, hb: Vector, hc: Vector, pa: Vector, pb: Vector, pc: V
     k11 = s2 * (x1[1] * x1[1] + u[1] * u[1]) + n1 * n1
     k12 = s2 * (2 * x1[1] * x1[2] + 2 * u[1] * u[2]) + 2 * n1 * n2
     k22 = s2 * (x1[2] * x1[2] + u[2] * u[2]) + n2 * n2
-    # c = (1 - t²) / (1 + t²), s = 2 t / (1 + t²)
-    quartic = np.array(
-        [k00 - k01 + k11, 2 * k02 - 2 * k12, 2 * k00 - 2 * k11 + 4 * k22, 2 * k02 + 2 * k12, k00 + k01 + k11],
-        dtype=np.complex128,
-    )
-    roots = np.roots(quartic)
+    # c = (1 - t²) / (1 + t²), s = 2 t / (1 + t²): a quartic in t, or in 1/t where the first coefficient is the smaller one
+    k0, k4 = k00 + k01 + k11, k00 - k01 + k11
+    k1, k3 = 2 * (k02 + k12), 2 * (k02 - k12)
+    upward = abs(k4) >= abs(k0)
+    lead = k4 if upward else k0
+    companion = np.zeros((4, 4), dtype=np.complex128)
+    companion[1, 0] = companion[2, 1] = companion[3, 2] = 1.0
+    companion[0, 3], companion[3, 3] = -(k0 if upward else k4) / lead, -(k3 if upward else k1) / lead
+    companion[1, 3], companion[2, 3] = -(k1 if upward else k3) / lead, -(2 * (k00 - k11) + 4 * k22) / lead
+    roots = np.linalg.eigvals(companion)
     found = 0
-    for t in roots:
-        if abs(t.imag) > 1e-6 * (1.0 + abs(t.real)) or found == 4:
+    for k in range(4):
+        t = roots[k]
+        if abs(t.imag) > 1e-6 * (1.0 + abs(t.real)):
             continue
-        qc = 2 * math.atan(t.real)
+        qc = 2 * math.atan2(t.real, 1.0) if upward else 2 * math.atan2(1.0, t.real)
         c, s = math.cos(qc), math.sin(qc)
         elbow = sub(turned_about(hc, pc, c, s, x), pb)
         first = x1[0] + x1[1] * c + x1[2] * s

@@ -7,7 +7,7 @@ answers are refined and judged by forward kinematics afterwards.
 
 import math
 
-from manipplan.kernels import inlined
+from manipplan.kernels import kernel
 
 #: How far a cosine may be above 1.
 GRAZE = 1e-3
@@ -15,31 +15,31 @@ GRAZE = 1e-3
 Vector = tuple[float, float, float]
 
 
-@inlined
+@kernel
 def dot(a: Vector, b: Vector) -> float:
     """Scalar product."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-@inlined
+@kernel
 def cross(a: Vector, b: Vector) -> Vector:
     """Vector product."""
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
-@inlined
+@kernel
 def add(a: Vector, b: Vector) -> Vector:
     """The sum a + b."""
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 
-@inlined
+@kernel
 def sub(a: Vector, b: Vector) -> Vector:
     """The difference a - b."""
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
-@inlined
+@kernel
 def turned(h: Vector, c: float, s: float, v: Vector) -> Vector:
     """`v` turned about the unit axis h by the angle of cosine c and sine s (Rodrigues)."""
     along = dot(h, v) * (1.0 - c)
@@ -47,13 +47,13 @@ def turned(h: Vector, c: float, s: float, v: Vector) -> Vector:
     return (c * v[0] + s * w[0] + along * h[0], c * v[1] + s * w[1] + along * h[1], c * v[2] + s * w[2] + along * h[2])
 
 
-@inlined
+@kernel
 def turned_about(h: Vector, p: Vector, c: float, s: float, v: Vector) -> Vector:
     """The point `v` turned about the axis h through the point p."""
     return add(p, turned(h, c, s, sub(v, p)))
 
 
-@inlined
+@kernel
 def angle_from_to(h: Vector, x: Vector, y: Vector) -> float:
     """Subproblem 1: the angle about h that turns x nearest to y; 0 where either lies on the axis."""
     across = cross(h, x)
@@ -63,7 +63,7 @@ def angle_from_to(h: Vector, x: Vector, y: Vector) -> float:
     return math.atan2(s, c)
 
 
-@inlined
+@kernel
 def height_angles(h: Vector, x: Vector, k: Vector, d: float) -> tuple[int, float, float]:
     """Subproblem 4: angles about h at which k · (x turned) = d: how many, and two of them.
 
@@ -88,7 +88,7 @@ def height_angles(h: Vector, x: Vector, k: Vector, d: float) -> tuple[int, float
     return 2, middle + off, middle - off
 
 
-@inlined
+@kernel
 def distance_angles(h: Vector, p: Vector, x: Vector, y: Vector, distance: float) -> tuple[int, float, float]:
     """Subproblem 3: angles about h through p at which the point x comes to `distance` from the point y."""
     x, y = sub(x, p), sub(y, p)

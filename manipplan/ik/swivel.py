@@ -6,16 +6,18 @@ the two, the swivel: it is measured at the elbow's axis, from the first joint's 
 
 import math
 
+import numpy as np
+
 from manipplan.checks import Array
 from manipplan.ik.spherical import fits, perpendicular, row, times, turn
 from manipplan.ik.subproblems import Vector, add, cross, distance_angles, dot, sub, turned, turned_about
-from manipplan.kernels import inlined, kernel
+from manipplan.kernels import kernel
 
 #: Below this sine two directions count as one.
 IN_LINE = 1e-9
 
 
-@inlined
+@kernel
 def beside(axis: Vector, v: Vector) -> Vector:
     """The unit vector of v's part at right angles to the unit vector `axis`; any such where there is none."""
     along = dot(axis, v)
@@ -26,7 +28,7 @@ def beside(axis: Vector, v: Vector) -> Vector:
     return (part[0] / size, part[1] / size, part[2] / size)
 
 
-@inlined
+@kernel
 def unit(v: Vector) -> Vector:
     """The direction of v."""
     size = math.sqrt(dot(v, v))
@@ -110,3 +112,13 @@ def swivel_of(axes: Array, points: Array, shoulder: Vector, wrist: Vector, q: Ar
     to = unit(arm)
     zero, now = beside(to, row(axes, 0)), beside(to, side)
     return math.atan2(dot(to, cross(zero, now)), dot(zero, now))
+
+
+@kernel
+def swivels_of(axes: Array, points: Array, shoulder: Array, wrist: Array, q: Array) -> Array:
+    """The swivel [rad] of each row of q (k, 7)."""
+    swivels = np.empty(len(q))
+    a, b = (shoulder[0], shoulder[1], shoulder[2]), (wrist[0], wrist[1], wrist[2])
+    for k in range(len(q)):
+        swivels[k] = swivel_of(axes, points, a, b, q[k])
+    return swivels

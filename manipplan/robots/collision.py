@@ -1,7 +1,7 @@
 """CollisionModel: a robot in convex primitives among the obstacles of a scene, and which pairs are checked."""
 
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 import coal
@@ -98,6 +98,16 @@ class CollisionModel:
         self._set_margin(clearance)
         return bool(pin.computeCollisions(self.robot.model, self._data, self.geometry, self._geometry_data, q, True))
 
+    def touches(self, q: Array, pairs: Iterable[int], *, clearance: float = 0.0) -> bool:
+        """Whether any of the pairs with these indices is nearer than `clearance` [m] at q (n,)."""
+        self._set_margin(clearance)
+        pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
+        return any(pin.computeCollision(self.geometry, self._geometry_data, int(pair)) for pair in pairs)
+
+    def copy(self) -> "CollisionModel":
+        """The same with working data of its own, for another thread."""
+        return CollisionModel(self.robot, self.geometry.copy(), self.dropped, self.primitives)
+
     def touching_pairs(self, q: Array) -> list[int]:
         """Indices of the pairs that touch at q (n,)."""
         self._set_margin(0.0)
@@ -108,6 +118,26 @@ class CollisionModel:
         """Signed distance [m] of every pair at q (n,), (k,)."""
         pin.computeDistances(self.robot.model, self._data, self.geometry, self._geometry_data, q)
         return np.array([result.min_distance for result in self._geometry_data.distanceResults])
+
+    def distance_gradient(self, q: Array, pair: int) -> Array:
+        """How fast the distance of a pair grows with each joint at q (n,), (n,) [m per rad or m]."""
+        model, data = self.robot.model, self._data
+        pin.computeJointJacobians(model, data, q)
+        pin.updateGeometryPlacements(model, data, self.geometry, self._geometry_data)
+        result = pin.computeDistance(self.geometry, self._geometry_data, pair)
+        bodies = self.geometry.collisionPairs[pair]
+        gradient = np.zeros(self.robot.n)
+        for body, point, side in (
+            (bodies.first, result.getNearestPoint1(), -1.0),
+            (bodies.second, result.getNearestPoint2(), 1.0),
+        ):
+            joint = self.geometry.geometryObjects[body].parentJoint
+            if joint > 0:
+                jacobian = pin.getJointJacobian(model, data, joint, pin.LOCAL_WORLD_ALIGNED)
+                lever = np.asarray(point) - data.oMi[joint].translation
+                motion = jacobian[:3] - pin.skew(lever) @ jacobian[3:]
+                gradient += side * (np.asarray(result.normal) @ motion)  # coal's normal points from the first to the second
+        return gradient
 
     def contact(self, q: Array, pair: int) -> Contact:
         """Nearest points and separating plane of the pair with the given index at q (n,)."""

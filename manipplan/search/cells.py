@@ -1,0 +1,165 @@
+"""Kernels that sort candidates into cells and look up the cells around one (imports numba)."""
+
+# numba has no types
+# mypy: disable-error-code="untyped-decorator"
+
+import numba
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.checks import Array
+
+Whole = NDArray[np.int64]
+Numbers = NDArray[np.int32]
+Truth = NDArray[np.bool_]
+
+TAU = 2 * np.pi
+#: Cells that adjoin a cell at most, itself among them.
+ADJOINING = 27
+
+
+@numba.njit(cache=True, nogil=True)
+def cell_of(q: Array, i: int, joints: Whole, low: Array, per: Array, count: Whole, wraps: Truth) -> int:
+    """The cell of row i of q (k, n)."""
+    cell = 0
+    for axis in range(3):
+        size = count[axis]
+        if size == 1:
+            continue
+        x = q[i, joints[axis]]
+        if wraps[axis]:
+            x /= TAU
+            place = (x - np.floor(x)) * size
+        else:
+            place = (x - low[axis]) * per[axis]
+        # compared as numbers with a point: a huge one would not fit an integer
+        place = min(max(place, 0.0), size - 1.0)
+        cell = cell * size + int(place)
+    return cell
+
+
+@numba.njit(cache=True, nogil=True)
+def taking_part(m: Array, threshold: float, share: float) -> Numbers:
+    """Numbers of the candidates with m >= threshold; with a share below 1, of about that share of them.
+
+    The choice is random in effect but always the same, and a smaller share is part of a larger one.
+    """
+    taken = np.empty(len(m) + 1, dtype=np.int32)
+    count = 0
+    if share >= 1.0:
+        for i in range(len(m)):  # written in any case: a branch would be guessed wrong too often
+            taken[count] = i
+            count += m[i] >= threshold
+    else:
+        below = np.uint64(share * 2.0**32)
+        for i in range(len(m)):
+            taken[count] = i
+            mixed = (np.uint64(i) ^ (np.uint64(i) >> np.uint64(15))) * np.uint64(0x9E3779B97F4A7C15)
+            count += (m[i] >= threshold) & ((mixed >> np.uint64(32)) < below)
+    return taken[:count]
+
+
+@numba.njit(cache=True, nogil=True)
+def sort_into_cells(
+    q: Array, m: Array, threshold: float, share: float, cap: float,
+    joints: Whole, low: Array, per: Array, count: Whole, wraps: Truth, order: Whole,
+) -> tuple[Numbers, Array, Array, Numbers]:  # fmt: skip
+    """The candidates of a layer that take part, in the order of their cells.
+
+    Returns their numbers (k,), configurations (k, n) with joints in the given order, indices (k,) of `cap` at most, and where
+    each cell begins (cells + 1,). Takes time in proportion to candidates and cells.
+    """
+    n = q.shape[1]
+    cells = count[0] * count[1] * count[2]
+    taken = taking_part(m, threshold, share)
+    active = len(taken)
+    cell = np.empty(active, dtype=np.int32)
+    start = np.zeros(cells + 1, dtype=np.int32)
+    for k in range(active):
+        c = cell_of(q, taken[k], joints, low, per, count, wraps)
+        cell[k] = c
+        start[c + 1] += 1
+    for c in range(cells):
+        start[c + 1] += start[c]
+    following = start[:-1].copy()
+    ids = np.empty(active, dtype=np.int32)
+    rows = np.empty((active, n))
+    values = np.empty(active)
+    for k in range(active):
+        i, place = taken[k], following[cell[k]]
+        following[cell[k]] += 1
+        ids[place] = i
+        values[place] = min(m[i], cap)
+        for j in range(n):
+            rows[place, j] = q[i, order[j]]
+    return ids, rows, values, start
+
+
+@numba.njit(cache=True, nogil=True)
+def cells_around(cell: int, count: Whole, wraps: Truth, top: Array, near: Whole) -> int:
+    """The cells that adjoin `cell`, itself among them, and hold a value above -inf: the one with the largest value first.
+
+    Fills near (ADJOINING,) and returns how many there are. `top` (cells,) holds the largest value of each cell.
+    """
+    size0, size1, size2 = count[0], count[1], count[2]
+    c2 = cell % size2
+    c1 = cell // size2 % size1
+    c0 = cell // (size2 * size1)
+    found = 0
+    for k0 in range(3 if size0 > 1 else 1):
+        a = c0 + (0, -1, 1)[k0]  # of equal values the own cell comes first: its candidates are the most likely neighbours
+        if a < 0 or a >= size0:
+            if not wraps[0]:
+                continue
+            a = (a + size0) % size0
+        for k1 in range(3 if size1 > 1 else 1):
+            b = c1 + (0, -1, 1)[k1]
+            if b < 0 or b >= size1:
+                if not wraps[1]:
+                    continue
+                b = (b + size1) % size1
+            for k2 in range(3 if size2 > 1 else 1):
+                c = c2 + (0, -1, 1)[k2]
+                if c < 0 or c >= size2:
+                    if not wraps[2]:
+                        continue
+                    c = (c + size2) % size2
+                other = (a * size1 + b) * size2 + c
+                value = top[other]
+                if value > -np.inf:
+                    place = found
+                    while place > 0 and top[near[place - 1]] < value:
+                        near[place] = near[place - 1]
+                        place -= 1
+                    near[place] = other
+                    found += 1
+    return found
+
+
+@numba.njit(cache=True, nogil=True, inline="always")
+def step(a: float, b: float, turns: bool) -> float:
+    """How far a joint turns or moves from a to b; one that turns without end by the shorter way."""
+    d = b - a
+    if turns:
+        d -= TAU * np.floor(d / TAU + 0.5)
+    return d
+
+
+@numba.njit(cache=True, nogil=True)
+def is_near(rows: Array, i: int, others: Array, k: int, reach: Array, turns: Truth) -> bool:
+    """Whether each joint's step from rows[i] to others[k] is below its reach."""
+    for j in range(rows.shape[1]):
+        d = others[k, j] - rows[i, j]
+        if not abs(d) < reach[j] and (not turns[j] or not abs(step(rows[i, j], others[k, j], True)) < reach[j]):
+            return False
+    return True
+
+
+@numba.njit(cache=True, nogil=True)
+def largest_of_each(start: Numbers, value: Array) -> Array:
+    """The largest value of each cell (cells,), -inf of an empty one."""
+    top = np.full(len(start) - 1, -np.inf)
+    for cell in range(len(top)):
+        for b in range(start[cell], start[cell + 1]):
+            top[cell] = max(top[cell], value[b])
+    return top

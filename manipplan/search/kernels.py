@@ -1,0 +1,131 @@
+"""Kernels of one step of the dynamic programme, from the candidates of a layer to those of the next (imports numba).
+
+All values are maximised. Candidates lie in the order of their cells (`sort_into_cells`); `previous` is -inf where a
+candidate is not reached, `top` is the largest value of each cell, and cells first_cell to last_cell - 1 of the new layer
+are worked on, so that threads share a layer. Results go into value, source (the place in the previous layer, -1 where
+there is none) and new_top.
+"""
+
+# numba has no types
+# mypy: disable-error-code="untyped-decorator"
+
+import numba
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.search.cells import ADJOINING, Numbers, Truth, Whole, cells_around, is_near, step
+
+
+@numba.njit(cache=True, nogil=True)
+def widest_step(
+    old_rows: Array, previous: Array, top: Array, old_start: Numbers, rows: Array, m: Array, start: Numbers,
+    first_cell: int, last_cell: int, reach: Array, turns: Truth, count: Whole, wraps: Truth,
+    value: Array, source: Numbers, new_top: Array,
+) -> None:  # fmt: skip
+    """W(b) = min(m(b), max over neighbours a of W(a))."""
+    near = np.empty(ADJOINING, np.int64)
+    for cell in range(first_cell, last_cell):
+        new_top[cell] = -np.inf
+        begin, end = start[cell], start[cell + 1]
+        if begin == end:
+            continue
+        adjoining = cells_around(cell, count, wraps, top, near)
+        limit = top[near[0]] if adjoining > 0 else -np.inf
+        highest = -np.inf
+        for b in range(begin, end):
+            enough = min(m[b], limit)
+            best, where = -np.inf, -1
+            for other in near[:adjoining]:
+                if top[other] <= best or (where >= 0 and best >= enough):
+                    break
+                for a in range(old_start[other], old_start[other + 1]):
+                    if previous[a] > best and is_near(old_rows, a, rows, b, reach, turns):
+                        best, where = previous[a], a
+                        if best >= enough:
+                            break
+            value[b] = min(m[b], best)
+            source[b] = where
+            highest = max(highest, value[b])
+        new_top[cell] = highest
+
+
+@numba.njit(cache=True, nogil=True)
+def shortest_step(
+    old_rows: Array, previous: Array, top: Array, old_start: Numbers, rows: Array, rank: Whole, ranked: bool, start: Numbers,
+    first_cell: int, last_cell: int, reach: Array, turns: Truth, count: Whole, wraps: Truth,
+    value: Array, source: Numbers, new_top: Array,
+) -> None:  # fmt: skip
+    """V(b) = max over neighbours a of V(a) - ‖step‖: minus the least length; of a higher `rank` (a) first, if ranked."""
+    n = rows.shape[1]
+    near = np.empty(ADJOINING, np.int64)
+    for cell in range(first_cell, last_cell):
+        new_top[cell] = -np.inf
+        begin, end = start[cell], start[cell + 1]
+        if begin == end:
+            continue
+        adjoining = cells_around(cell, count, wraps, top, near)
+        highest = -np.inf
+        for b in range(begin, end):
+            best, where, best_rank = -np.inf, -1, -1
+            for other in near[:adjoining]:
+                if not ranked and top[other] <= best:
+                    break
+                for a in range(old_start[other], old_start[other + 1]):
+                    if previous[a] == -np.inf:
+                        continue
+                    if ranked:
+                        if rank[a] < best_rank or (rank[a] == best_rank and previous[a] <= best):
+                            continue
+                    elif previous[a] <= best:
+                        continue
+                    if not is_near(old_rows, a, rows, b, reach, turns):
+                        continue
+                    square = 0.0
+                    for j in range(n):
+                        d = step(old_rows[a, j], rows[b, j], turns[j])
+                        square += d * d
+                    length = previous[a] - np.sqrt(square)
+                    if ranked and rank[a] > best_rank:
+                        best, where, best_rank = length, a, rank[a]
+                    elif length > best:
+                        best, where = length, a
+            value[b] = best
+            source[b] = where
+            highest = max(highest, best)
+        new_top[cell] = highest
+
+
+@numba.njit(cache=True, nogil=True)
+def closest_step(
+    old_rows: Array, previous: Array, top: Array, old_start: Numbers, rows: Array, epsilon: Array, start: Numbers,
+    first_cell: int, last_cell: int, reach: Array, turns: Truth, count: Whole, wraps: Truth,
+    value: Array, source: Numbers, new_top: Array,
+) -> None:  # fmt: skip
+    """V(b) = max over neighbours a of min(V(a), -max_j |step_j| / ε_j): minus the least factor of ε that connects."""
+    n = rows.shape[1]
+    near = np.empty(ADJOINING, np.int64)
+    for cell in range(first_cell, last_cell):
+        new_top[cell] = -np.inf
+        begin, end = start[cell], start[cell + 1]
+        if begin == end:
+            continue
+        adjoining = cells_around(cell, count, wraps, top, near)
+        limit = top[near[0]] if adjoining > 0 else -np.inf
+        highest = -np.inf
+        for b in range(begin, end):
+            best, where = -np.inf, -1
+            for other in near[:adjoining]:
+                if top[other] <= best or best == limit:
+                    break
+                for a in range(old_start[other], old_start[other + 1]):
+                    if previous[a] <= best or not is_near(old_rows, a, rows, b, reach, turns):
+                        continue
+                    ratio = 0.0
+                    for j in range(n):
+                        ratio = max(ratio, abs(step(old_rows[a, j], rows[b, j], turns[j])) / epsilon[j])
+                    if min(previous[a], -ratio) > best:
+                        best, where = min(previous[a], -ratio), a
+            value[b] = best
+            source[b] = where
+            highest = max(highest, best)
+        new_top[cell] = highest

@@ -1,0 +1,152 @@
+"""The nonlinear program of a whole path through given poses: raise the least index, or shorten the path at that index.
+
+Unknowns: configurations X (n, L) and the level t. Index rows m(x_i) >= t, pose rows within the tolerance, steps within ε, and
+linear rows that keep distances. Solved inside a trust region about the path at hand, on which the linear rows hold.
+"""
+
+import casadi as ca
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.kinematics.chain import Placement
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.tracking.error import free_axis
+from manipplan.tracking.relaxation import Tolerance
+
+#: Linear rows for distances at each position.
+ROWS = 4
+#: Pose rows hold to this [m or rad] where there is no tolerance.
+EXACT = 1e-11
+
+
+class LevelProgram:
+    """The program for L positions of one arm and task; built once, solved for many paths.
+
+    Args:
+        kinematics: whose index is raised, for a pose or pointing task.
+        positions: L.
+        closed: whether the last position neighbours the first.
+    """
+
+    def __init__(self, kinematics: Kinematics, positions: int, *, closed: bool) -> None:
+        self.kinematics, self.positions, self.closed = kinematics, positions, closed
+        n = kinematics.robot.n
+        self._error = pose_error(kinematics)
+        self.rows = int(self._error.size1_out(0))
+        x, t = ca.MX.sym("x", n, positions), ca.MX.sym("t")
+        about = ca.MX.sym("about", n, positions)
+        poses = ca.MX.sym("poses", 16, positions)
+        slopes = ca.MX.sym("slopes", n * ROWS, positions)
+        scale = ca.MX.sym("scale")
+        weight = ca.MX.sym("weight")
+        index = kinematics.symbolic.manipulability.map(positions)(x) / scale
+        error = self._error.map(positions)(x, poses)
+        winding = ca.MX.sym("winding", n)
+        following = ca.horzcat(x[:, 1:], x[:, 0] + winding) if closed else x[:, 1:]
+        steps = following - (x if closed else x[:, :-1])
+        distances = ca.horzcat(*(ca.reshape(slopes[:, i], n, ROWS).T @ (x[:, i] - about[:, i]) for i in range(positions)))
+        self._steps = positions if closed else positions - 1
+        nlp = {
+            "x": ca.vertcat(ca.vec(x), t),
+            "p": ca.vertcat(ca.vec(about), ca.vec(poses), ca.vec(slopes), winding, scale, weight),
+            "f": (weight - 1) * t + weight * ca.sumsqr(steps) / max(self._steps, 1),
+            "g": ca.vertcat(index.T - t, ca.vec(error), ca.vec(steps), ca.vec(distances)),
+        }
+        options = {
+            "print_time": False,
+            "error_on_fail": False,
+            "ipopt": {
+                "print_level": 0,
+                "sb": "yes",
+                "max_iter": 200,
+                "tol": 1e-9,
+                "constr_viol_tol": 1e-11,
+                "bound_relax_factor": 0.0,
+                "mu_strategy": "adaptive",
+            },
+        }
+        self._solve = ca.nlpsol("level", "ipopt", nlp, options)
+
+    def solve(
+        self,
+        q: Array,
+        poses: Array,
+        *,
+        epsilon: Array,
+        tolerance: Array,
+        trust: float,
+        slopes: Array,
+        slack: Array,
+        level: float | None = None,
+    ) -> tuple[Array, float]:
+        """A path (L, n) of a higher level, and its level [the index's unit]; with `level`, a shorter one at that level.
+
+        Args:
+            q: (L, n) the path at hand.
+            poses: (L, 4, 4).
+            epsilon: (n,) the longest steps [rad or m].
+            tolerance: (rows,) half the box of each pose row; 0: met exactly.
+            trust: how far each joint may leave the path at hand.
+            slopes: (L, ROWS, n) gradients of distances [m per rad or m]; zeros where there is none.
+            slack: (L, ROWS) how much each distance may shrink [m], at least 0.
+            level: see above.
+        """
+        limits, positions = self.kinematics.robot.limits, self.positions
+        index = self.kinematics.manipulability(q)
+        scale = float(np.abs(index).min()) or 1.0
+        turns = 2 * np.pi * np.round((q[-1] - q[0]) / (2 * np.pi))  # of joints that end a cycle full turns further on
+        weights = [scale, 0.0 if level is None else 1.0]
+        parameters = [q.ravel(), poses.transpose(0, 2, 1).ravel(), slopes.ravel(), turns, weights]
+        lower, upper = np.maximum(q - trust, limits.lower), np.minimum(q + trust, limits.upper)
+        box = np.tile(np.maximum(tolerance, EXACT), positions)
+        most = np.tile(epsilon, self._steps)
+        fixed = None if level is None else level / scale
+        result = self._solve(
+            x0=np.append(q.ravel(), index.min() / scale if fixed is None else fixed),
+            p=np.concatenate(parameters),
+            lbx=np.append(lower.ravel(), -np.inf if fixed is None else fixed),
+            ubx=np.append(upper.ravel(), np.inf if fixed is None else fixed),
+            lbg=np.concatenate([np.zeros(positions), -box, -most, -slack.ravel()]),
+            ubg=np.concatenate([np.full(positions, np.inf), box, most, np.full(slack.size, np.inf)]),
+        )
+        x = np.asarray(result["x"]).ravel()
+        return x[:-1].reshape(q.shape), float(x[-1]) * scale
+
+    def box(self, tolerance: Tolerance | None) -> Array:
+        """Half the box (rows,) inside the ball of a tolerance [m, or sine of an angle]; zeros without one."""
+        rows = np.zeros(self.rows)
+        if tolerance is not None:
+            moves = 2 if self.kinematics.robot.planar else 3
+            if tolerance.position is not None:
+                rows[:moves] = tolerance.position / np.sqrt(moves)
+            if tolerance.rotation is not None and self.rows > moves:
+                rows[moves:] = np.sin(min(tolerance.rotation, np.pi / 2)) / np.sqrt(self.rows - moves)
+        return rows
+
+    def errors(self, q: Array, poses: Array) -> Array:
+        """The pose rows (L, rows) of configurations (L, n)."""
+        columns = self._error.map(len(q))(ca.DM(q.T), ca.DM(poses.transpose(0, 2, 1).reshape(len(q), 16).T))
+        return np.asarray(columns).T
+
+
+def pose_error(kinematics: Kinematics) -> ca.Function:
+    """How far the tool at q (n,) is from a pose (16,), column by column: position [m], then sines of angles; smooth.
+
+    Three angles about the pose's axes, or two across the tool axis about which it may turn; one for an arm in a plane.
+    """
+    chain, task = kinematics.symbolic.chain, kinematics.task
+    pose = ca.SX.sym("pose", 16)
+    matrix = ca.reshape(pose, 4, 4)
+    target, tool = Placement(rotation=matrix[:3, :3], origin=matrix[:3, 3]), chain.tool
+    turned = target.rotation.T @ tool.rotation
+    position = tool.origin - target.origin
+    skew = ca.vertcat(turned[2, 1] - turned[1, 2], turned[0, 2] - turned[2, 0], turned[1, 0] - turned[0, 1]) / 2
+    axis = free_axis(task)
+    if kinematics.robot.planar:
+        rows = [position[:2]] if task.rows == 2 else [position[:2], skew[2]]
+    elif axis is not None:
+        across = np.linalg.svd(axis[None, :])[2][1:]
+        rows = [position, ca.DM(across) @ (turned @ ca.DM(axis))]
+    else:
+        rows = [position, skew]
+    return ca.Function("pose_error", [chain.q, pose], [ca.densify(ca.vertcat(*rows))])

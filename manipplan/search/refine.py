@@ -1,0 +1,284 @@
+"""refine: from the best path through samples to the best path that samples cannot hold."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from manipplan.checks import Array, instance, whole_number
+from manipplan.errors import InvalidInputError
+from manipplan.interrupts import interruptible
+from manipplan.search.bottleneck import max_min_search
+from manipplan.search.layers import Layers
+from manipplan.search.result import SearchResult
+from manipplan.search.setup import Setup
+from manipplan.search.steps import path_length, within
+from manipplan.tracking.relaxation import Tolerance
+
+#: Values of each parameter around the path at hand, and how much nearer they lie in the next round.
+AROUND, CLOSER = 5, 0.4
+#: Largest and smallest trust region of the program [rad or m], and how it changes.
+TRUST, LEAST_TRUST = 0.3, 1e-4
+SHRINK, GROW = 0.35, 2.0
+#: Solves of the program at most, and the relative gain in the least index that is worth another.
+SOLVES, GAIN = 30, 1e-7
+#: Steps stay this much below ε, and the index of the shortened path this much above its level, relative: rounding.
+SPARE = 1e-9
+#: Distances below this are watched [m].
+NEAR = 0.05
+#: A pose counts as met within this, in position [m] and rotation [rad].
+MET = 1e-9
+
+Progress = Callable[[float, str], None]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Refinement:
+    """A path through all positions, refined; each figure is of a path that was checked again.
+
+    Attributes:
+        q: (L, n) configurations [rad or m].
+        manipulability: (L,) index.
+        discrete: least index of the path that was found among the samples.
+        resampled: the same, after finer samples around that path.
+        refined: the least index of q, never below the other two.
+        bound: least over the positions of the largest index among all samples, raised by ascent from them: an estimate of
+            what no path can exceed; it is certain only for the samples.
+        length: Σ ‖Δq‖ of q [rad or m].
+        history: least index after each step that was accepted.
+    """
+
+    q: Array
+    manipulability: Array
+    discrete: float
+    resampled: float
+    refined: float
+    bound: float
+    length: float
+    history: tuple[float, ...]
+
+    @property
+    def gap(self) -> float:
+        """bound - refined."""
+        return self.bound - self.refined
+
+    def __str__(self) -> str:
+        return (
+            f"least index {self.discrete:.6g} among the samples, {self.resampled:.6g} with finer ones, "
+            f"{self.refined:.6g} refined; bound {self.bound:.6g}"
+        )
+
+
+@interruptible()
+def refine(
+    layers: Layers,
+    found: SearchResult,
+    *,
+    tolerance: Tolerance | None = None,
+    resample: int = 2,
+    progress: Progress | None = None,
+) -> Refinement:
+    """The least index of a searched path raised beyond what its samples allow, with every constraint of the search kept.
+
+    Finer samples around the path are searched first. Then a nonlinear program over all positions at once raises the least
+    index, and in the end shortens the path at the index reached. A step is accepted only when an independent check of
+    poses, limits, ε and collisions passes and the least index has risen: the result is never worse than the path given.
+
+    Args:
+        layers: made by `sample_layers`.
+        found: what `max_min_search` found in them.
+        tolerance: how far the tool may leave each pose, in a box inside this ball; None: not at all.
+        resample: rounds of finer samples.
+        progress: called with the share done in [0, 1] and a text.
+
+    Raises InvalidInputError for layers without robot and poses, or a search that found no path.
+    """
+    instance("layers", layers, Layers)
+    instance("found", found, SearchResult)
+    if layers.setup is None or layers.poses is None:
+        raise InvalidInputError("layers", "layers of given arrays", "layers of sample_layers, which know their robot and poses")
+    if not found.connected or len(found.q) != len(layers.q):
+        raise InvalidInputError(
+            "found", found.status.name, f"the result of a search through these {len(layers.q)} layers that found a path"
+        )
+    whole_number("resample", resample, least=0)
+    if tolerance is not None:
+        instance("tolerance", tolerance, Tolerance)
+    refiner = _Refiner(layers, found, layers.setup, layers.poses, tolerance)
+    return refiner.run(resample, progress or _silent)
+
+
+class _Refiner:
+    """What the steps of a refinement share."""
+
+    def __init__(self, layers: Layers, found: SearchResult, setup: Setup, poses: Array, tolerance: Tolerance | None) -> None:
+        from manipplan.search.program import LevelProgram
+        from manipplan.search.worker import Worker
+
+        self.layers, self.found, self.robot, self.poses = layers, found, setup.robot, poses
+        self.worker = Worker(setup)
+        self.model, self.clearance = self.worker.collision, setup.clearance
+        self.kinematics = self.worker.kinematics
+        self.program = LevelProgram(self.kinematics, len(self.poses), closed=layers.closed)
+        self.tolerance = self.program.box(tolerance)
+        self.history = [found.minimum]
+
+    def run(self, resample: int, progress: Progress) -> Refinement:
+        q = self.found.q
+        for k in range(resample):
+            progress(0.3 * k / max(resample, 1), f"finer samples, least index {self.least(q):.6g}")
+            q = self._resampled(q, self.found.epsilon * CLOSER**k)
+        resampled = self.least(q)
+        q = self._raised(q, progress)
+        progress(0.9, "shortening the path")
+        q = self._shortened(q)
+        index = self.kinematics.manipulability(q)
+        return Refinement(
+            q=q,
+            manipulability=index,
+            discrete=self.found.minimum,
+            resampled=resampled,
+            refined=float(index.min()),
+            bound=max(self._bound(), float(index.min())),
+            length=path_length(q, self.layers.continuous, closed=self.layers.closed),
+            history=tuple(self.history),
+        )
+
+    def least(self, q: Array) -> float:
+        return float(self.kinematics.manipulability(q).min())
+
+    def _resampled(self, q: Array, width: Array) -> Array:
+        """The best path through samples around `q` (L, n), and through `q` itself."""
+        values = self.worker.solver.parameters_of(q, self.poses)
+        if values.shape[1] == 0:
+            return q
+        spread = float(width.max())
+        offsets = np.array(list(product(np.linspace(-spread, spread, AROUND), repeat=values.shape[1])))
+        sets, indices = [], []
+        for k, pose in enumerate(self.poses):
+            near, m, _ = self.worker.sample(pose, values[k] + offsets)
+            step = near - q[k]
+            turns = self.layers.continuous
+            step[:, turns] -= 2 * np.pi * np.round(step[:, turns] / (2 * np.pi))
+            beside = np.abs(step).max(axis=1) < 10 * spread
+            sets.append(np.vstack([q[k], q[k] + step[beside]]))
+            indices.append(np.append(self.kinematics.manipulability(q[k]), m[beside]))
+        finer = Layers.from_arrays(sets, indices, continuous=self.layers.continuous, closed=self.layers.closed)
+        found = max_min_search(finer, self.found.epsilon, strict=self.found.strict, throw=False)
+        return self._better(q, found.q) if found.connected else q
+
+    def _better(self, q: Array, new: Array) -> Array:
+        """The new path where it is sound and its least index is higher, else q."""
+        if self.least(new) <= self.least(q) or not self.sound(new):
+            return q
+        self.history.append(self.least(new))
+        return new
+
+    def _raised(self, q: Array, progress: Progress) -> Array:
+        trust = TRUST
+        for k in range(SOLVES):
+            progress(0.3 + 0.6 * k / SOLVES, f"raising the least index, {self.least(q):.6g}")
+            before = self.least(q)
+            new, _ = self._solve(q, trust, None)
+            new = self._better(q, self._on_poses(new))
+            if new is q:
+                trust *= SHRINK
+                if trust < LEAST_TRUST:
+                    break
+                continue
+            moved = np.abs(new - q).max()
+            q = new
+            if self.least(q) < before * (1 + GAIN):
+                break
+            trust = min(trust * GROW, TRUST) if moved > 0.9 * trust else trust
+        return q
+
+    def _shortened(self, q: Array) -> Array:
+        level = self.least(q)
+        trust = TRUST
+        while trust > LEAST_TRUST:
+            new, _ = self._solve(q, trust, level * (1 + SPARE) if level > 0 else level)
+            new = self._on_poses(new)
+            shorter = self._length(new) < self._length(q)
+            if shorter and self.least(new) >= level and self.sound(new):
+                if self._length(new) > self._length(q) * (1 - 1e-4):
+                    return new
+                q = new
+            else:
+                trust *= SHRINK
+        return q
+
+    def _length(self, q: Array) -> float:
+        return float(path_length(q, self.layers.continuous, closed=self.layers.closed))
+
+    def _solve(self, q: Array, trust: float, level: float | None) -> tuple[Array, float]:
+        slopes, slack = self._near_pairs(q, trust)
+        return self.program.solve(
+            q,
+            self.poses,
+            epsilon=self.found.epsilon * (1 - SPARE),
+            tolerance=self.tolerance * (1 - SPARE),
+            trust=trust,
+            slopes=slopes,
+            slack=slack,
+            level=level,
+        )
+
+    def _near_pairs(self, q: Array, trust: float) -> tuple[Array, Array]:
+        """Gradients (L, ROWS, n) of the distances of the nearest pairs, and how much each may shrink (L, ROWS) [m]."""
+        from manipplan.search.program import ROWS
+
+        slopes, slack = np.zeros((len(q), ROWS, self.robot.n)), np.ones((len(q), ROWS))
+        if self.model is None:
+            return slopes, slack
+        for k, each in enumerate(q):
+            distances = self.model.distances(each)
+            for row, pair in enumerate(np.argsort(distances)[:ROWS]):
+                if distances[pair] < self.clearance + NEAR:
+                    slopes[k, row] = self.model.distance_gradient(each, int(pair))
+                    slack[k, row] = max(distances[pair] - self.clearance - 0.05 * trust * NEAR, 0.0)
+        return slopes, slack
+
+    def _on_poses(self, q: Array) -> Array:
+        """Each configuration moved onto its pose by the shortest way, where no tolerance is left to it."""
+        if self.tolerance.any():
+            return q
+        return self.worker.solver.onto(q, self.poses)
+
+    def sound(self, q: Array) -> bool:
+        """Whether poses, limits, ε and distances are kept; independent of the program."""
+        if (self.robot.limits.outside(q) > 0).any() or not np.isfinite(q).all():
+            return False
+        if not within(q, self.found.epsilon, self.layers.continuous, strict=self.found.strict, closed=self.layers.closed):
+            return False
+        errors = self.program.errors(q, self.poses)
+        if (np.abs(errors) > np.maximum(self.tolerance, MET)).any():
+            return False
+        return self.model is None or not any(self.model.in_collision(each, clearance=self.clearance) for each in q)
+
+    def _bound(self) -> float:
+        """The bound of the samples, raised by ascent at those positions that set it."""
+        from manipplan.search.program import ROWS, LevelProgram
+
+        single = LevelProgram(self.kinematics, 1, closed=False)
+        highest = np.array([m.max() for m in self.layers.m])
+        best = [self.layers.q[k][int(m.argmax())] for k, m in enumerate(self.layers.m)]
+        done: set[int] = set()
+        while (k := int(highest.argmin())) not in done:
+            done.add(k)
+            _, level = single.solve(
+                best[k][None],
+                self.poses[k : k + 1],
+                epsilon=np.ones(self.robot.n),
+                tolerance=self.tolerance,
+                trust=10 * TRUST,
+                slopes=np.zeros((1, ROWS, self.robot.n)),
+                slack=np.ones((1, ROWS)),
+            )
+            highest[k] = max(highest[k], level)
+        return float(highest.min())
+
+
+def _silent(_share: float, _text: str) -> None:
+    """Tell nobody."""

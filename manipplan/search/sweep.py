@@ -1,0 +1,203 @@
+"""Sweep: one pass of the dynamic programme over the layers, in cells, shared by threads."""
+
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.checks import Array
+from manipplan.search.grid import Grid
+
+#: A layer with fewer candidates is not shared out.
+SHARED = 8192
+#: A share of a stage is not smaller.
+LEAST = 512
+#: Pieces of a layer for each thread: they take unequal time.
+PIECES = 4
+
+
+class Stage(NamedTuple):
+    """Candidates that a sweep passes: q (k, n) [rad or m] and m (k,), contiguous."""
+
+    q: Array
+    m: Array
+
+
+class Cells(NamedTuple):
+    """Candidates of a stage in the order of their cells: numbers, configurations, indices, where each cell begins."""
+
+    ids: NDArray[np.int32]
+    rows: Array
+    m: Array
+    start: NDArray[np.int32]
+
+
+class Reached(NamedTuple):
+    """What a sweep knows of a stage: values (k,), the largest of each cell, and ranks (k,) with what they rank, or None.
+
+    A value is -inf where no path leads. Larger is better; where there are ranks, they come first.
+    """
+
+    value: Array
+    top: Array
+    rank: NDArray[np.int64] | None = None
+    vectors: NDArray[np.uint64] | None = None
+
+
+#: Works on cells [first, last) of a stage.
+Piece = Callable[[int, int], None]
+
+
+class Objective(Protocol):
+    """What a sweep maximises: values of the first stage, and the step from one stage to the next."""
+
+    def first(self, cells: Cells) -> Reached:
+        """Values of the first stage."""
+
+    def step(
+        self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Callable[[Piece, Cells], None]
+    ) -> tuple[Reached, NDArray[np.int32]]:
+        """Values of the next stage, and the place (k,) in the old stage that each comes from, -1 for none."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Trace:
+    """A finished sweep.
+
+    Attributes:
+        indices: candidate of each stage on the best path, (stages,); empty when the last stage is not reached.
+        value: of the best path; -inf when there is none.
+        vector: what ranks it, (stages,) ascending codes, or None.
+        depth: number of stages that were reached.
+        nodes: candidates that took part.
+    """
+
+    indices: NDArray[np.int64]
+    value: float
+    vector: NDArray[np.uint64] | None
+    depth: int
+    nodes: int
+
+
+class Crew:
+    """Threads that share the work; one thread means none besides the caller."""
+
+    def __init__(self, threads: int) -> None:
+        self.threads = threads
+        self._pool = ThreadPoolExecutor(threads) if threads > 1 else None
+
+    def __enter__(self) -> "Crew":
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        if self._pool is not None:
+            self._pool.shutdown(cancel_futures=True)
+
+    def share(self, piece: Piece, cells: Cells) -> None:
+        """Run `piece` over all cells of a stage."""
+        last = len(cells.start) - 1
+        if self._pool is None or len(cells.ids) < SHARED:
+            piece(0, last)
+            return
+        edges = np.searchsorted(cells.start, np.linspace(0, len(cells.ids), PIECES * self.threads + 1)[1:-1])
+        edges = np.concatenate([[0], edges, [last]])
+        for done in [self._pool.submit(piece, int(a), int(b)) for a, b in pairwise(edges) if b > a]:
+            done.result()
+
+    def ahead(self, work: Callable[[Any], Cells], items: Sequence[Any]) -> Iterator[Cells]:
+        """Results of `work` in order, begun a few items ahead."""
+        if self._pool is None:
+            yield from map(work, items)
+            return
+        waiting: deque[Future[Cells]] = deque()
+        following = iter(items)
+        try:
+            for _ in range(self.threads + 1):
+                waiting.extend(self._pool.submit(work, item) for item in _next(following))
+            while waiting:
+                cells = waiting.popleft().result()
+                waiting.extend(self._pool.submit(work, item) for item in _next(following))
+                yield cells
+        finally:
+            for future in waiting:
+                future.cancel()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Part:
+    """Who takes part in a sweep: candidates with m >= threshold, or a `share` of them; m counts up to `cap`.
+
+    Of each stage at least LEAST take part, whatever the share is.
+    """
+
+    threshold: float = -np.inf
+    share: float = 1.0
+    cap: float = np.inf
+
+
+def sort_stage(stage: Stage, part: Part, grid: Grid) -> Cells:
+    """The candidates of a stage that take part, by cells."""
+    from manipplan.search.cells import sort_into_cells
+
+    q, m = stage.q.view(), stage.m.view()
+    q.flags.writeable = m.flags.writeable = False  # one type for the compiler, whatever the caller's arrays are
+    share = min(1.0, max(part.share, LEAST / len(m)))
+    return Cells(
+        *sort_into_cells(
+            q, m, part.threshold, share, part.cap, grid.joints, grid.low, grid.per, grid.count, grid.wraps, grid.order
+        )
+    )
+
+
+def sweep(
+    stages: Iterable[Cells],
+    grid: Grid,
+    objective: Objective,
+    crew: Crew,
+    tick: Callable[[int], None],
+) -> Trace:
+    """One pass from the first stage to the last; tick(nodes) is called after each."""
+    ids: list[NDArray[np.int32]] = []
+    sources: list[NDArray[np.int32]] = []
+    old: Cells | None = None
+    reached = Reached(np.empty(0), np.empty(0))
+    nodes = 0
+    for cells in stages:
+        nodes += len(cells.ids)
+        if old is None:
+            reached, source = objective.first(cells), np.full(len(cells.ids), -1, dtype=np.int32)
+        else:
+            reached, source = objective.step(old, reached, cells, grid, crew.share)
+        if not (reached.top > -np.inf).any():
+            return Trace(indices=np.empty(0, np.int64), value=-np.inf, vector=None, depth=len(ids), nodes=nodes)
+        ids.append(cells.ids)
+        sources.append(source)
+        old = cells
+        tick(nodes)
+    end = _last(reached)
+    vector = None if reached.vectors is None else reached.vectors[end]
+    indices = np.empty(len(ids), dtype=np.int64)
+    place = end
+    for i in range(len(ids) - 1, -1, -1):
+        indices[i] = ids[i][place]
+        place = int(sources[i][place])
+    return Trace(indices=indices, value=float(reached.value[end]), vector=vector, depth=len(ids), nodes=nodes)
+
+
+def _next(items: Iterator[Any]) -> list[Any]:
+    for item in items:
+        return [item]
+    return []
+
+
+def _last(reached: Reached) -> int:
+    if reached.rank is None:
+        return int(reached.value.argmax())
+    found = np.where(reached.value > -np.inf, reached.rank, -1)
+    highest = np.flatnonzero(found == found.max())
+    return int(highest[reached.value[highest].argmax()])
