@@ -22,7 +22,10 @@ from manipplan.errors import (
     UnsupportedJointError,
 )
 from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
-from manipplan.jobs import Plan, improve, plan
+from manipplan.jobs.following import follow
+from manipplan.jobs.improving import improve
+from manipplan.jobs.planning import plan
+from manipplan.jobs.result import Plan
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.kinematics.pinocchio_casadi import PinocchioCasadi, pinocchio_casadi
@@ -38,6 +41,7 @@ from manipplan.measures.transmission import ForceTransmission, VelocityTransmiss
 from manipplan.optimize.objective import PathCost, path_cost
 from manipplan.optimize.optimize import PathResult, optimize_path
 from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
 from manipplan.paths.report import Report
 from manipplan.paths.trajectory import Trajectory
@@ -76,6 +80,7 @@ __all__ = [
     "ConditionNumber",
     "Controller",
     "Cylinder",
+    "Deviation",
     "DynamicManipulability",
     "Ellipsoid",
     "Equality",
@@ -136,6 +141,7 @@ __all__ = [
     "available_measures",
     "available_robots",
     "dynamic_ellipsoid",
+    "follow",
     "force_ellipsoid",
     "guilamo_search",
     "improve",

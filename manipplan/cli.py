@@ -15,9 +15,13 @@ from tyro.conf import Positional
 from manipplan.demo import Problem, panda_among_boxes, planar_path
 from manipplan.errors import InvalidInputError, ManipplanError, MissingExtraError
 from manipplan.files import writable_folder
-from manipplan.jobs import plan as plan_job
+from manipplan.jobs.following import follow as follow_job
+from manipplan.jobs.planning import plan as plan_job
+from manipplan.measures.task import Task
+from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.catalog import available_robots, load_robot
 from manipplan.robots.scene import Scene
+from manipplan.tracking.relaxation import Tolerance
 
 
 def demo(out: Path = Path("demo"), seed: int = 0) -> None:
@@ -93,6 +97,70 @@ def plan(
     _print_result(str(made.report), files)
 
 
+def follow(
+    robot: Positional[str],
+    poses: Positional[Path],
+    /,
+    positions: int = 50,
+    epsilon: float = 0.2,
+    samples: tuple[int, ...] = (),
+    pointing: tuple[float, float, float] | None = None,
+    tolerance: tuple[float, float] | None = None,
+    scene: Path | None = None,
+    out: Path = Path("follow"),
+    tool: str | None = None,
+    srdf: Path | None = None,
+    clearance: float = 0.0,
+    closed: bool = False,
+    torque: bool = False,
+    seed: int = 0,
+) -> None:
+    """Follow a workspace path with the highest least index, and write the motion as CSV, JSON and ROS JointTrajectory.
+
+    Args:
+        robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
+        poses: CSV file with the columns x, y, z [m], qw, qx, qy, qz.
+        positions: At which configurations are enumerated.
+        epsilon: Longest step of a joint between neighbouring positions [rad or m].
+        samples: Of what the arm has to spare, a number or one for each parameter.
+        pointing: Tool axis about which the tool may turn.
+        tolerance: How far the tool may leave the path [m] [rad].
+        scene: YAML file with obstacles.
+        out: Folder for what is written.
+        tool: Frame whose motion counts, when the robot is a file.
+        srdf: Semantic description, when the robot is a file.
+        clearance: Distance [m] to keep.
+        closed: The path returns to its start, and so does the motion.
+        torque: Limit the motion by the joints' effort, too.
+        seed: Of random starts, for arms without a closed form.
+    """
+    folder = writable_folder("out", out)
+    path = CartesianPath.from_csv(poses)
+    options: dict[str, object] = {"tool": tool, "srdf": srdf}
+    with _bar() as tell:
+        tell(0.0, "loading the robot")
+        arm = load_robot(robot, **{key: value for key, value in options.items() if value is not None})
+        world = Scene.from_yaml(scene) if scene is not None else Scene()
+        made = follow_job(
+            arm,
+            path,
+            positions,
+            epsilon=epsilon,
+            task=Task.pointing(pointing) if pointing is not None else None,
+            samples=(samples[0] if len(samples) == 1 else samples) or None,
+            tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]) if tolerance is not None else None,
+            scene=world,
+            clearance=clearance,
+            closed=closed,
+            torque=torque,
+            seed=seed,
+            progress=tell,
+        )
+    files = made.save(folder)
+    _notice(arm.locked)
+    _print_result(f"{made.report}\n  search       {made.refinement}\n  deviation    {made.deviation}", files)
+
+
 def robots(name: Positional[str | None] = None, /) -> None:
     """List the known arms, or print the table of one.
 
@@ -119,7 +187,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     errors = Console(stderr=True)
     try:
         tyro.extras.subcommand_cli_from_dict(
-            {"demo": demo, "plan": plan, "robots": robots},
+            {"demo": demo, "plan": plan, "follow": follow, "robots": robots},
             prog="manipplan",
             description="Robot-arm motion that stays far from singularities.",
             args=arguments,
@@ -170,6 +238,29 @@ def _progress() -> Iterator[Callable[[str], None]]:
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task("")
         yield lambda text: bar.reset(task, description=text)
+
+
+@contextmanager
+def _bar() -> Iterator[Callable[[float, str], None]]:
+    """A bar with the share done and the time that is left; where there is no terminal a line for every tenth."""
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        last = -1
+
+        def line(share: float, text: str) -> None:
+            nonlocal last
+            if int(10 * share) > last:
+                last = int(10 * share)
+                console.print(f"... {10 * last} % {escape(text)}", highlight=False)
+
+        yield line
+        return
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task("", total=1.0)
+        yield lambda share, text: bar.update(task, completed=share, description=text)
 
 
 def run() -> None:

@@ -31,6 +31,10 @@ class Status(Enum):
     NOT_FOLLOWED = (
         "failed: the recorded motion could not be followed inside the tolerance to its last pose; allow more tolerance or time"
     )
+    FOLLOWED = "followed: the workspace path is followed with the highest least index that was found, and every check passed"
+    NOT_CONNECTED = (
+        "failed: no continuous motion along the workspace path was found; take more positions, more samples or a larger epsilon"
+    )
     NO_PATH = "failed: no collision-free path was found; allow more time_limit, less clearance, or check the goal"
 
     NO_TIMING = "failed: no motion along the path obeys the limits; raise effort or acceleration, or choose another path"
@@ -42,7 +46,7 @@ class Status(Enum):
     @property
     def ok(self) -> bool:
         """Whether an optimised or improved, checked path is returned."""
-        return self in (Status.OPTIMAL, Status.STOPPED_EARLY, Status.IMPROVED)
+        return self in (Status.OPTIMAL, Status.STOPPED_EARLY, Status.IMPROVED, Status.FOLLOWED)
 
     @property
     def has_path(self) -> bool:

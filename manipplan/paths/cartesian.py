@@ -169,6 +169,6 @@ class Spline(CartesianPath):
         from scipy.interpolate import CubicSpline
         from scipy.spatial.transform import Rotation, RotationSpline
 
-        positions = CubicSpline(self.s, self.poses[:, :3, 3], bc_type="natural")(s)
+        positions = CubicSpline(self.s, self.poses[:, :3, 3])(s)
         turns = RotationSpline(self.s, Rotation.from_matrix(self.poses[:, :3, :3]))(s)
         return np.asarray(positions), np.asarray(turns.as_matrix()).reshape(-1, 3, 3)

@@ -56,6 +56,26 @@ class JointPath:
         breaks[-1] = 1.0
         return cls(breaks=breaks, control=np.stack([points[:-1], points[1:]], axis=1))
 
+    @classmethod
+    def spline(cls, s: ArrayLike, q: ArrayLike, *, closed: bool = False) -> "JointPath":
+        """The cubic spline through q (k, n) at rising s (k,) from 0 to 1, twice continuously differentiable.
+
+        With `closed` also where the last configuration, which has to be the first or full turns from it, joins the first.
+        """
+        from scipy.interpolate import CubicSpline
+
+        places, points = finite_array("s", s, (None,)), finite_array("q", q, (None, None))
+        if len(places) != len(points) or len(places) < 2 or not (np.diff(places) > 0).all():
+            raise InvalidInputError("s", places, "rising numbers, one for each row of q")
+        drift = points[-1] - points[0] if closed else np.zeros(points.shape[1])
+        even = points - places[:, None] * drift
+        if closed:
+            even[-1] = even[0]
+        curve = CubicSpline(places, even, bc_type="periodic" if closed else "not-a-knot")
+        slopes, widths = curve(places, 1) + drift, np.diff(places)[:, None]
+        control = [points[:-1], points[:-1] + widths * slopes[:-1] / 3, points[1:] - widths * slopes[1:] / 3, points[1:]]
+        return cls(breaks=places, control=np.stack(control, axis=1))
+
     @property
     def n(self) -> int:
         """Number of joints."""

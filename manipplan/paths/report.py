@@ -11,12 +11,14 @@ import numpy as np
 from manipplan.checks import Array, existing_file
 from manipplan.errors import FileFormatError
 from manipplan.files import write_text
+from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.objective import PathCost, path_cost
 from manipplan.optimize.optimize import PathResult
-from manipplan.paths.joint import JointPath
+from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.collision import CollisionModel
 from manipplan.seeds.ompl import CHECK_STEP
+from manipplan.status import Status
 from manipplan.timing.verify import LimitUse, limit_use, torque_use
 
 #: A limit counts as kept when it is exceeded by no more than this [rad, m] or this share.
@@ -80,7 +82,7 @@ class Report:
         kinematics = robot.kinematics(result.task)
         path = trajectory.path()
         cost = path_cost(path, kinematics, result.power)
-        straight = path_cost(JointPath.line(path.start, path.goal), kinematics, result.power)
+        straight = _straight_cost(path, kinematics, result.power)
         use = dict(limit_use(trajectory, robot.limits))
         if torque:
             use["torque"] = torque_use(trajectory, robot.model, robot.limits.effort)
@@ -110,7 +112,7 @@ class Report:
             min_at=cost.at,
             seed_min_manipulability=result.seed_cost.min_manipulability,
             straight_min_manipulability=straight.min_manipulability,
-            index_note=_index_note(cost, result.seed_cost, straight, is_seed=result.path is result.seed),
+            index_note=_index_note(cost, result, straight),
             clearance=least,
             nearest_pair=pair,
             collision_free=free,
@@ -162,6 +164,13 @@ class Report:
             raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
 
 
+def _straight_cost(path: JointPath, kinematics: Kinematics, power: float) -> PathCost:
+    """Of the straight line from start to goal; of a path that returns to its start that of standing there."""
+    if np.linalg.norm(path.goal - path.start) < SHORTEST:
+        return PathCost(g=0.0, length=0.0, min_manipulability=float(kinematics.manipulability(path.start)), at=0.0)
+    return path_cost(JointPath.line(path.start, path.goal), kinematics, power)
+
+
 def _json_ready(value: Any) -> Any:
     """The same with infinite numbers as text, since JSON has none."""
     if isinstance(value, dict):
@@ -169,10 +178,12 @@ def _json_ready(value: Any) -> Any:
     return str(value) if isinstance(value, float) and not np.isfinite(value) else value
 
 
-def _index_note(cost: PathCost, seed: PathCost, straight: PathCost, *, is_seed: bool) -> str:
+def _index_note(cost: PathCost, result: PathResult, straight: PathCost) -> str:
     """How the least index compares with the seed's and the straight path's, and why when it is not twice both."""
     least = cost.min_manipulability
-    others = {"seed": seed.min_manipulability, "straight path": straight.min_manipulability}
+    if result.status is Status.FOLLOWED:
+        return "seed: the best path among the samples; straight: a line between the ends, which leaves the workspace path"
+    others = {"seed": result.seed_cost.min_manipulability, "straight path": straight.min_manipulability}
     note = ", ".join(
         f"{least / other:.3g} times the {name}'s" if other > 0 else f"the {name}'s is zero" for name, other in others.items()
     )
@@ -180,6 +191,6 @@ def _index_note(cost: PathCost, seed: PathCost, straight: PathCost, *, is_seed: 
         return note
     if cost.at <= AT_END or cost.at >= 1 - AT_END:
         return f"{note}; it is at the {'start' if cost.at <= AT_END else 'goal'}, which every path between the two shares"
-    if is_seed:
+    if result.path is result.seed:
         return f"{note}; this is the seed itself"
     return f"{note}; no path with a larger one and a g as low was found"

@@ -31,8 +31,7 @@ class LevelProgram:
     def __init__(self, kinematics: Kinematics, positions: int, *, closed: bool) -> None:
         self.kinematics, self.positions, self.closed = kinematics, positions, closed
         n = kinematics.robot.n
-        self._error = pose_error(kinematics)
-        self.rows = int(self._error.size1_out(0))
+        self.rows = PoseRows(kinematics)
         x, t = ca.MX.sym("x", n, positions), ca.MX.sym("t")
         about = ca.MX.sym("about", n, positions)
         poses = ca.MX.sym("poses", 16, positions)
@@ -40,7 +39,7 @@ class LevelProgram:
         scale = ca.MX.sym("scale")
         weight = ca.MX.sym("weight")
         index = kinematics.symbolic.manipulability.map(positions)(x) / scale
-        error = self._error.map(positions)(x, poses)
+        error = self.rows.error.map(positions)(x, poses)
         winding = ca.MX.sym("winding", n)
         following = ca.horzcat(x[:, 1:], x[:, 0] + winding) if closed else x[:, 1:]
         steps = following - (x if closed else x[:, :-1])
@@ -58,8 +57,8 @@ class LevelProgram:
             "ipopt": {
                 "print_level": 0,
                 "sb": "yes",
-                "max_iter": 200,
-                "tol": 1e-9,
+                "max_iter": 60,
+                "tol": 1e-7,
                 "constr_viol_tol": 1e-11,
                 "bound_relax_factor": 0.0,
                 "mu_strategy": "adaptive",
@@ -112,22 +111,6 @@ class LevelProgram:
         x = np.asarray(result["x"]).ravel()
         return x[:-1].reshape(q.shape), float(x[-1]) * scale
 
-    def box(self, tolerance: Tolerance | None) -> Array:
-        """Half the box (rows,) inside the ball of a tolerance [m, or sine of an angle]; zeros without one."""
-        rows = np.zeros(self.rows)
-        if tolerance is not None:
-            moves = 2 if self.kinematics.robot.planar else 3
-            if tolerance.position is not None:
-                rows[:moves] = tolerance.position / np.sqrt(moves)
-            if tolerance.rotation is not None and self.rows > moves:
-                rows[moves:] = np.sin(min(tolerance.rotation, np.pi / 2)) / np.sqrt(self.rows - moves)
-        return rows
-
-    def errors(self, q: Array, poses: Array) -> Array:
-        """The pose rows (L, rows) of configurations (L, n)."""
-        columns = self._error.map(len(q))(ca.DM(q.T), ca.DM(poses.transpose(0, 2, 1).reshape(len(q), 16).T))
-        return np.asarray(columns).T
-
 
 def pose_error(kinematics: Kinematics) -> ca.Function:
     """How far the tool at q (n,) is from a pose (16,), column by column: position [m], then sines of angles; smooth.
@@ -150,3 +133,28 @@ def pose_error(kinematics: Kinematics) -> ca.Function:
     else:
         rows = [position, skew]
     return ca.Function("pose_error", [chain.q, pose], [ca.densify(ca.vertcat(*rows))])
+
+
+class PoseRows:
+    """How far the tool is from poses, row by row; see `pose_error`."""
+
+    def __init__(self, kinematics: Kinematics) -> None:
+        self.error = pose_error(kinematics)
+        self.count = int(self.error.size1_out(0))
+        self._planar = kinematics.robot.planar
+
+    def box(self, tolerance: Tolerance | None) -> Array:
+        """Half the box (rows,) inside the ball of a tolerance [m, or sine of an angle]; zeros without one."""
+        rows = np.zeros(self.count)
+        if tolerance is not None:
+            moves = 2 if self._planar else 3
+            if tolerance.position is not None:
+                rows[:moves] = tolerance.position / np.sqrt(moves)
+            if tolerance.rotation is not None and self.count > moves:
+                rows[moves:] = np.sin(min(tolerance.rotation, np.pi / 2)) / np.sqrt(self.count - moves)
+        return rows
+
+    def errors(self, q: Array, poses: Array) -> Array:
+        """The pose rows (L, rows) of configurations (L, n)."""
+        columns = self.error.map(len(q))(ca.DM(q.T), ca.DM(poses.transpose(0, 2, 1).reshape(len(q), 16).T))
+        return np.asarray(columns).T

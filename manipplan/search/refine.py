@@ -23,8 +23,10 @@ TRUST, LEAST_TRUST = 0.3, 1e-4
 SHRINK, GROW = 0.35, 2.0
 #: Solves of the program at most, and the relative gain in the least index that is worth another.
 SOLVES, GAIN = 30, 1e-7
-#: Steps stay this much below ε, and the index of the shortened path this much above its level, relative: rounding.
+#: Steps stay this much below ε, relative: rounding.
 SPARE = 1e-9
+#: The share of the least index that is given for a shorter path: at the highest index itself there is no room to move.
+GIVEN = 1e-4
 #: Distances below this are watched [m].
 NEAR = 0.05
 #: A pose counts as met within this, in position [m] and rotation [rad].
@@ -82,8 +84,8 @@ def refine(
     """The least index of a searched path raised beyond what its samples allow, with every constraint of the search kept.
 
     Finer samples around the path are searched first. Then a nonlinear program over all positions at once raises the least
-    index, and in the end shortens the path at the index reached. A step is accepted only when an independent check of
-    poses, limits, ε and collisions passes and the least index has risen: the result is never worse than the path given.
+    index, and in the end shortens the path, for which it gives up to 1e-4 of the index. A step is accepted only when an
+    independent check of poses, limits, ε and collisions passes: the result is never worse than the path given.
 
     Args:
         layers: made by `sample_layers`.
@@ -121,7 +123,7 @@ class _Refiner:
         self.model, self.clearance = self.worker.collision, setup.clearance
         self.kinematics = self.worker.kinematics
         self.program = LevelProgram(self.kinematics, len(self.poses), closed=layers.closed)
-        self.tolerance = self.program.box(tolerance)
+        self.tolerance = self.program.rows.box(tolerance)
         self.history = [found.minimum]
 
     def run(self, resample: int, progress: Progress) -> Refinement:
@@ -195,10 +197,10 @@ class _Refiner:
         return q
 
     def _shortened(self, q: Array) -> Array:
-        level = self.least(q)
+        level = max(self.least(q) - GIVEN * abs(self.least(q)), self.history[0])
         trust = TRUST
         while trust > LEAST_TRUST:
-            new, _ = self._solve(q, trust, level * (1 + SPARE) if level > 0 else level)
+            new, _ = self._solve(q, trust, level)
             new = self._on_poses(new)
             shorter = self._length(new) < self._length(q)
             if shorter and self.least(new) >= level and self.sound(new):
@@ -252,7 +254,7 @@ class _Refiner:
             return False
         if not within(q, self.found.epsilon, self.layers.continuous, strict=self.found.strict, closed=self.layers.closed):
             return False
-        errors = self.program.errors(q, self.poses)
+        errors = self.program.rows.errors(q, self.poses)
         if (np.abs(errors) > np.maximum(self.tolerance, MET)).any():
             return False
         return self.model is None or not any(self.model.in_collision(each, clearance=self.clearance) for each in q)

@@ -59,6 +59,11 @@ class Tolerance:
         if self.position is None and self.rotation is None:
             raise InvalidInputError("tolerance", None, "a position [m], a rotation [rad], or both")
 
+    def scaled(self, factor: float) -> "Tolerance":
+        """A tolerance `factor` times as large."""
+        position = None if self.position is None else factor * self.position
+        return Tolerance(position=position, rotation=None if self.rotation is None else factor * self.rotation)
+
 
 def row_shares(task: Task) -> tuple[list[float], list[float]]:
     """What a tolerance of 1 m and one of 1 rad leave to each row of `task`, in the row's unit; 0: not of that kind.

@@ -19,7 +19,7 @@ from manipplan.viz import style
 from manipplan.viz.ellipsoids import plot_ellipsoid
 
 if TYPE_CHECKING:
-    from manipplan.jobs import Plan
+    from manipplan.jobs.result import Plan
 
 #: Figures drawn of the arm along a path.
 POSTURES = 7
@@ -53,21 +53,27 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
         else:
             plot_arm(plan.robot, plan.path, plan.scene, seed=plan.result.seed, ax=left.add_subplot(projection="3d"))
         top, bottom = right.subplots(2, 1)
-        paths = {"optimised": plan.path}
+        first, second = ("refined", "best of the samples") if plan.refinement is not None else ("optimised", "seed")
+        paths = {first: plan.path}
         if plan.result.seed is not None:
-            paths["seed"] = plan.result.seed
-        plot_index(plan.robot, paths, task=plan.result.task, ax=top)
+            paths[second] = plan.result.seed
+        plot_index(plan.robot, paths, task=plan.result.task, straight=plan.refinement is None, ax=top)
+        if plan.refinement is not None:
+            top.axhline(plan.refinement.bound, color=style.STRAIGHT, linestyle=":", label="bound")
+            top.legend(loc="best", fontsize=8)
         plot_joints(plan, ax=bottom)
     return figure
 
 
-def plot_index(robot: Robot, paths: dict[str, JointPath], *, task: Task | None = None, ax: Any) -> None:
-    """The manipulability index along paths, by share of their length, with the straight line for comparison."""
+def plot_index(robot: Robot, paths: dict[str, JointPath], *, task: Task | None = None, straight: bool = True, ax: Any) -> None:
+    """The manipulability index along paths, by share of their length, by default with the straight line for comparison."""
     kinematics = robot.kinematics(task)
     first = next(iter(paths.values()))
-    colours = {"optimised": style.OPTIMUM, "seed": style.SEED}
+    colours = dict(zip(paths, (style.OPTIMUM, style.SEED), strict=False))
+    if straight:
+        paths = {**paths, "straight": JointPath.line(first.start, first.goal)}
     drawn: list[tuple[Array, Any]] = []
-    for name, path in {**paths, "straight": JointPath.line(first.start, first.goal)}.items():
+    for name, path in paths.items():
         s, index = _by_length(path, kinematics)
         same = next((line for other, line in drawn if np.allclose(index, other, atol=1e-9)), None)
         if same is not None:

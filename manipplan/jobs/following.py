@@ -1,0 +1,203 @@
+"""follow: a workspace path in, a timed motion along it out."""
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array, instance, number
+from manipplan.errors import PlanningError
+from manipplan.interrupts import interruptible
+from manipplan.jobs.result import Plan, checked, failed
+from manipplan.measures.task import Task
+from manipplan.optimize.objective import path_cost
+from manipplan.optimize.optimize import PathResult
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.deviation import Deviation, deviation_from
+from manipplan.paths.joint import JointPath
+from manipplan.robots.robot import Robot
+from manipplan.robots.scene import Scene
+from manipplan.search.bottleneck import max_min_search
+from manipplan.search.layers import Layers
+from manipplan.search.refine import Refinement, refine
+from manipplan.search.result import SearchResult
+from manipplan.search.sample import sample_layers
+from manipplan.status import Status
+from manipplan.timing.retime import check_timing_limits, retime
+from manipplan.tracking.relaxation import Tolerance
+
+#: How far the tool may leave the path between positions where no tolerance is given [m, rad].
+BETWEEN = Tolerance(position=1e-4, rotation=1e-3)
+#: The share of a tolerance that is used at the positions, and between them before knots are added: timing needs a little, too.
+AT_POSITIONS, AT_KNOTS = 0.9, 0.5
+#: Candidates keep this much more than the demanded clearance, for what happens between positions [m].
+SPARE = 0.003
+#: The tool is compared with the path at so many times.
+TIMES = 1500
+
+Progress = Callable[[float, str], None]
+
+
+@interruptible()
+def follow(
+    robot: Robot,
+    path: CartesianPath,
+    n: int = 50,
+    *,
+    epsilon: ArrayLike = 0.2,
+    task: Task | None = None,
+    samples: int | Sequence[int] | None = None,
+    tolerance: Tolerance | None = None,
+    scene: Scene | None = None,
+    clearance: float = 0.0,
+    closed: bool = False,
+    torque: bool = False,
+    executor: Executor | None = None,
+    seed: int = 0,
+    throw: bool = True,
+    progress: Progress | None = None,
+) -> Plan:
+    """The motion along a workspace path whose least manipulability index is the highest, timed and checked.
+
+    All configurations at n positions are searched for the best continuous path, which is refined between the samples, joined
+    by a spline that stays on the workspace path, timed, and judged by an independent check.
+
+    Args:
+        robot: the arm.
+        path: of the tool.
+        n: positions at which configurations are enumerated.
+        epsilon: longest step of a joint between neighbouring positions [rad or m], one number or (n,).
+        task: Task.pose(), the default, or Task.pointing(axis); see `sample_layers`.
+        samples: of what the arm has to spare; see `sample_layers`.
+        tolerance: how far the tool may leave the path. The default keeps it within 0.1 mm and 1 mrad, all but the
+            positions themselves, which are met exactly.
+        scene: obstacles; None: none. The arm is always checked against itself.
+        clearance: distance [m] to keep from obstacles and between the arm's own links.
+        closed: the path returns to its start, and the motion ends in the configuration in which it began.
+        torque: limit the motion by the joints' effort, too.
+        executor: where positions are sampled; see `sample_layers`.
+        seed: of random starts, for arms without a closed form.
+        throw: raise PlanningError where no motion can be had; False: return a Plan whose status says why.
+        progress: called with the share done in [0, 1] and a text.
+
+    Raises:
+        InvalidInputError: an argument is not usable, a position is out of reach (also with throw=False).
+        PlanningError: no continuous motion, or none that passes its checks; its `result` is the Plan so far.
+    """
+    instance("robot", robot, Robot)
+    scene = instance("scene", scene if scene is not None else Scene(), Scene)
+    if tolerance is not None:
+        instance("tolerance", tolerance, Tolerance)
+    clearance = number("clearance", clearance, least=0.0)
+    check_timing_limits(robot.limits)
+    tell = progress or _silent
+    layers = sample_layers(
+        robot,
+        path,
+        n,
+        task=task,
+        samples=samples,
+        scene=scene,
+        clearance=clearance + SPARE,
+        closed=closed,
+        executor=executor,
+        seed=seed,
+        progress=lambda share, text: tell(0.5 * share, text),
+    )
+    draft = Plan(robot=robot, scene=scene, status=Status.NOT_CONNECTED)
+    found = max_min_search(layers, epsilon, throw=False, progress=lambda share, text: tell(0.5 + 0.1 * share, text))
+    draft = replace(draft, search=found)
+    if not found.connected:
+        return failed(draft, throw, found.message)
+    inner = tolerance.scaled(AT_POSITIONS) if tolerance is not None else None
+    refined = refine(layers, found, tolerance=inner, progress=lambda share, text: tell(0.6 + 0.3 * share, text))
+    tell(0.9, "joining the positions")
+    joints, result = _joined(path, layers, found, refined, tolerance)
+    draft = replace(draft, status=Status.FOLLOWED, refinement=refined, path=joints, result=result)
+    tell(0.95, "timing the motion")
+    try:
+        model = robot.model if torque else None
+        trajectory = retime(joints, robot.limits, joint_names=robot.joint_names, torque_model=model)
+    except PlanningError as error:
+        return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
+    tell(0.97, "checking the result")
+    motion = trajectory(np.linspace(0.0, trajectory.duration, TIMES))
+    deviation = deviation_from(path, robot.kinematics(result.task).pose(motion), _axis(layers))
+    draft = replace(draft, deviation=deviation)
+    collision = scene.collision_model(robot)
+    made = checked(draft, trajectory, result, collision, joints.goal, clearance=clearance, torque=torque, throw=throw)
+    excess = _excess(deviation, tolerance or BETWEEN)
+    if excess and made.status is Status.FOLLOWED:
+        return failed(replace(made, status=Status.CHECK_FAILED), throw, excess)
+    tell(1.0, "done")
+    return made
+
+
+def _joined(
+    path: CartesianPath, layers: Layers, found: SearchResult, refined: Refinement, tolerance: Tolerance | None
+) -> tuple[JointPath, PathResult]:
+    """The joint path through the refined positions, and its figures beside those of the path that the search found.
+
+    With a tolerance the refined positions are joined as they are: their spline is as smooth as they are.
+    """
+    from manipplan.search.between import joint_path
+    from manipplan.search.program import PoseRows
+    from manipplan.search.worker import Worker
+
+    assert layers.setup is not None
+    assert layers.s is not None
+    worker = Worker(layers.setup)
+    kinematics = worker.kinematics
+    rows = PoseRows(kinematics)
+    paths = []
+    for exact, positions in ((tolerance is None, refined.q), (True, found.q)):
+        s, q = layers.s, positions
+        if layers.closed:
+            turns = 2 * np.pi * np.round((q[-1] - q[0]) / (2 * np.pi))
+            s, q = np.append(s, 1.0), np.vstack([q, q[0] + turns])  # the way back to the start
+        if not exact:
+            paths.append(JointPath.spline(s, q, closed=layers.closed))
+        else:
+            allowed = AT_KNOTS * rows.box(BETWEEN)
+            paths.append(joint_path(worker.solver, rows, path, s, q, closed=layers.closed, allowed=allowed))
+    cost, seed_cost = (path_cost(each, kinematics, 1.0) for each in paths)
+    result = PathResult(
+        path=paths[0],
+        g=cost.g,
+        length=cost.length,
+        min_manipulability=cost.min_manipulability,
+        min_at=cost.at,
+        power=1.0,
+        task=kinematics.task,
+        seed=paths[1],
+        seed_cost=seed_cost,
+        history=(),
+        status=Status.FOLLOWED,
+    )
+    return paths[0], result
+
+
+def _axis(layers: Layers) -> Array | None:
+    """The tool's axis whose direction alone counts."""
+    from manipplan.search.worker import Worker
+
+    assert layers.setup is not None
+    return Worker(layers.setup).solver.axis
+
+
+def _excess(deviation: Deviation, tolerance: Tolerance) -> str:
+    """What of a tolerance is exceeded; nothing when it is kept."""
+    for name, value, limit, unit, at in (
+        ("position", deviation.position, tolerance.position, "m", deviation.position_at),
+        ("rotation", deviation.rotation, tolerance.rotation, "rad", deviation.rotation_at),
+    ):
+        if limit is not None and value > limit:
+            where = f"the tool's {name} leaves the path by {value:.3g} {unit} after {at:.2f} of the time"
+            return f"{where}; allowed: {limit:g} {unit}. Take more positions"
+    return ""
+
+
+def _silent(_share: float, _text: str) -> None:
+    """Tell nobody."""

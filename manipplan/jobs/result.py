@@ -1,0 +1,102 @@
+"""Plan: what every job returns, and the check that none leaves out."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from manipplan.checks import Array
+from manipplan.errors import PlanningError
+from manipplan.files import writable_folder, write_text
+from manipplan.optimize.optimize import PathResult
+from manipplan.paths.deviation import Deviation
+from manipplan.paths.joint import JointPath
+from manipplan.paths.report import Report
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.collision import CollisionModel
+from manipplan.robots.robot import Robot
+from manipplan.robots.scene import Scene
+from manipplan.search.refine import Refinement
+from manipplan.search.result import SearchResult
+from manipplan.status import Status
+from manipplan.tracking.track import Tracking
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plan:
+    """A finished plan. With a status that failed, what could not be made is None and `message` says why.
+
+    Attributes:
+        robot, scene: what was planned for.
+        status: how the path came about.
+        path: the JointPath from start to goal.
+        trajectory: the timed motion along it.
+        report: its figures, measured on the trajectory.
+        result: the optimiser's result, with seed and history; of `improve`, the motion beside the recorded one.
+        tracking: what `improve` did, step by step.
+        search, refinement, deviation: of `follow`: the path found among the samples, refined, and how far the tool leaves
+            the workspace path.
+        message: why it failed, when it did.
+    """
+
+    robot: Robot
+    scene: Scene
+    status: Status
+    path: JointPath | None = None
+    trajectory: Trajectory | None = None
+    report: Report | None = None
+    result: PathResult | None = None
+    tracking: Tracking | None = None
+    search: SearchResult | None = None
+    refinement: Refinement | None = None
+    deviation: Deviation | None = None
+    message: str = ""
+
+    def save(self, folder: str | Path) -> list[Path]:
+        """Write trajectory.csv, .json and .yaml (ROS), report.json, report.txt and plan.png; returns the files.
+
+        Raises InvalidInputError when the folder cannot be written and PlanningError when there is no trajectory.
+        """
+        from manipplan.viz.plots import save_plan
+
+        if self.trajectory is None or self.report is None:
+            raise PlanningError(f"there is no trajectory to save: {self.status.value}", self)
+        to = writable_folder("folder", folder)
+        self.trajectory.to_csv(to / "trajectory.csv")
+        self.trajectory.to_json(to / "trajectory.json")
+        self.trajectory.to_ros(to / "trajectory.yaml")
+        self.report.to_json(to / "report.json")
+        write_text(to / "report.txt", f"{self.report}\n")
+        save_plan(self, to / "plan.png")
+        names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png")
+        return [to / name for name in names]
+
+
+def checked(
+    draft: Plan,
+    trajectory: Trajectory,
+    result: PathResult,
+    model: CollisionModel,
+    goal: Array,
+    *,
+    clearance: float,
+    torque: bool,
+    throw: bool,
+) -> Plan:
+    """The plan with its report; one that failed where the report did not pass."""
+    report = Report.of(trajectory, result, model, goal, clearance=clearance, torque=torque)
+    finished = replace(draft, trajectory=trajectory, report=report)
+    if report.passed:
+        return finished
+    report = replace(report, status=Status.CHECK_FAILED.value)
+    return failed(replace(finished, status=Status.CHECK_FAILED, report=report), throw, str(report))
+
+
+def silent(_: str) -> None:
+    """Tell nobody."""
+
+
+def failed(plan: Plan, throw: bool, message: str) -> Plan:
+    """The plan with its message, returned or raised."""
+    without = replace(plan, message=message)
+    if throw:
+        raise PlanningError(message, without)
+    return without

@@ -1,0 +1,82 @@
+"""Deviation: how far a motion's tool leaves a workspace path, judged without knowing how the motion was made."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.paths.cartesian import CartesianPath
+
+#: Poses of the path that are compared, and how many metres a radian counts while the nearest is looked for.
+POSES = 2001
+RADIAN = 0.1
+#: Rows of poses that are compared at a time.
+BLOCK = 256
+
+
+@dataclass(frozen=True, kw_only=True)
+class Deviation:
+    """The largest distances of a tool from a path.
+
+    Attributes:
+        position: [m], and `position_at`: the share of the samples where it is.
+        rotation: [rad], of the tool, or of its pointing axis; and `rotation_at`.
+    """
+
+    position: float
+    position_at: float
+    rotation: float
+    rotation_at: float
+
+    def __str__(self) -> str:
+        return f"{1e3 * self.position:.3g} mm and {np.rad2deg(self.rotation):.2g}° at most from the path"
+
+
+def deviation_from(path: CartesianPath, poses: Array, axis: Array | None = None) -> Deviation:
+    """Of tool poses (k, 4, 4) from a path, whatever their times; `axis` (3,) of the tool: only its direction counts.
+
+    Each pose is compared with the nearest piece of the path, cut into 2000.
+    """
+    line = path(np.linspace(0.0, 1.0, POSES))
+    position, rotation = np.empty(len(poses)), np.empty(len(poses))
+    for begin in range(0, len(poses), BLOCK):
+        some = poses[begin : begin + BLOCK]
+        apart = np.linalg.norm(some[:, None, :3, 3] - line[None, :, :3, 3], axis=2)
+        apart += RADIAN * _angles(some[:, None, :3, :3], line[None, :, :3, :3], axis)
+        nearest = np.clip(apart.argmin(axis=1), 1, POSES - 2)
+        sides = [_from_piece(some, line[nearest + side], line[nearest + side + 1], axis) for side in (-1, 0)]
+        better = sides[0][0] + RADIAN * sides[0][1] < sides[1][0] + RADIAN * sides[1][1]
+        position[begin : begin + BLOCK] = np.where(better, sides[0][0], sides[1][0])
+        rotation[begin : begin + BLOCK] = np.where(better, sides[0][1], sides[1][1])
+    worst, turned = int(position.argmax()), int(rotation.argmax())
+    last = max(len(poses) - 1, 1)
+    return Deviation(
+        position=float(position[worst]),
+        position_at=worst / last,
+        rotation=float(rotation[turned]),
+        rotation_at=turned / last,
+    )
+
+
+def _from_piece(poses: Array, begins: Array, ends: Array, axis: Array | None) -> tuple[Array, Array]:
+    """Distances (k,) and angles (k,) of poses from the straight pieces between two poses each."""
+    from scipy.spatial.transform import Rotation
+
+    along = ends[:, :3, 3] - begins[:, :3, 3]
+    turn = Rotation.from_matrix(np.swapaxes(begins[:, :3, :3], 1, 2) @ ends[:, :3, :3]).as_rotvec()
+    offset = poses[:, :3, 3] - begins[:, :3, 3]
+    leaning = Rotation.from_matrix(np.swapaxes(begins[:, :3, :3], 1, 2) @ poses[:, :3, :3]).as_rotvec()
+    length = (along**2).sum(axis=1) + RADIAN**2 * (turn**2).sum(axis=1)
+    share = (offset * along).sum(axis=1) + (RADIAN**2 * (leaning * turn).sum(axis=1) if axis is None else 0.0)
+    share = np.clip(share / np.maximum(length, 1e-30), 0.0, 1.0)[:, None]
+    rotations = begins[:, :3, :3] @ Rotation.from_rotvec(share * turn).as_matrix()
+    return np.linalg.norm(offset - share * along, axis=1), _angles(poses[:, :3, :3], rotations, axis)
+
+
+def _angles(first: Array, second: Array, axis: Array | None) -> Array:
+    """Angles between rotations (..., 3, 3), or between the directions that they give an axis."""
+    if axis is not None:
+        a, b = first @ axis, second @ axis
+        return np.asarray(np.arctan2(np.linalg.norm(np.cross(a, b), axis=-1), (a * b).sum(axis=-1)))
+    chord = np.linalg.norm(first - second, axis=(-2, -1)) / np.sqrt(8)  # |R - S| = √8 sin(angle / 2)
+    return np.asarray(2 * np.arcsin(np.minimum(chord, 1.0)))
