@@ -33,6 +33,7 @@ benchmark: $(READY)
 
 benchmark-peers: $(READY)
 	$(BIN)/python benchmarks/tracking.py
+	$(BIN)/python benchmarks/inverse_kinematics.py
 
 $(READY): requirements.txt pyproject.toml
 	@$(PYTHON) -c 'import sys; v = sys.version_info[:2]; sys.exit(0 if (3, 11) <= v <= (3, 13) else "manipplan needs Python 3.11 to 3.13, not %d.%d; name another: make PYTHON=python3.12" % v)'

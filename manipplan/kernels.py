@@ -30,7 +30,7 @@ def kernel(function: Function) -> Function:
 
 @cache
 def _folder() -> Path | None:
-    """Where machine code is kept; None, with a CompilerWarning, where nothing can be: numba would keep it beside the sources."""
+    """Where machine code is kept; None, with a CompilerWarning, where nothing can be."""
     folder = cache_folder() / f"numba-{_sources()}"
     try:
         folder.mkdir(parents=True, exist_ok=True)

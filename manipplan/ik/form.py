@@ -68,18 +68,25 @@ def closed_form(robot: Robot, held: Sequence[str] | None = None) -> ClosedForm |
 
     Raises UnknownNameError or InvalidInputError where `held` names no joints of the arm, or not n - 6 of them.
     """
-    screws = Screws.of(robot)
-    if screws.n < 6 or robot.planar:
+    if robot.n < 6 or robot.planar:
         return None
+    chosen = held_indices(robot, held, robot.n - 6) if held is not None else None
+    key = ("closed form", chosen)
+    if key not in robot.cache:
+        if chosen is not None and not _moves_everywhere(robot, chosen):
+            wanted = "joints without which the others still move the tool in all directions"
+            raise InvalidInputError("held", [robot.joint_names[k] for k in chosen], wanted)
+        robot.cache[key] = _simplest(Screws.of(robot), chosen)
+    form: ClosedForm | None = robot.cache[key]
+    return form
+
+
+def _simplest(screws: Screws, held: tuple[int, ...] | None) -> ClosedForm | None:
     if held is None:
         swivel = _swivel(screws)
         if swivel is not None:
             return swivel
-        choices = list(combinations(range(screws.n), screws.n - 6))
-    else:
-        choices = [held_indices(robot, held, max(robot.n - 6, 0))]
-        if not _moves_everywhere(robot, choices[0]):
-            raise InvalidInputError("held", list(held), "joints without which the others still move the tool in all directions")
+    choices = [held] if held is not None else combinations(range(screws.n), screws.n - 6)
     forms = [form for chosen in choices for form in _six_joints(screws, chosen)]
     return min(forms, key=_effort, default=None)
 

@@ -12,6 +12,8 @@ from manipplan.kernels import kernel
 
 #: Damping of the first step of a search, relative to the square of the Jacobian's size, and the least.
 DAMPING = 1e-2
+#: The least damping relative to the trace of J Jᵀ: less is lost in rounding, and no longer keeps the matrix regular.
+LEAST = 1e-14
 
 
 @kernel
@@ -92,7 +94,7 @@ def refine(
         target = targets[owners[k]]
         forward(axes, points, slides, home, q[k], pose, jacobian)
         miss = _error(pose, target, error)
-        damping = 1e-16
+        damping = LEAST
         for _ in range(steps):
             if miss <= tolerance or damping > 1e-2:
                 break
@@ -100,13 +102,14 @@ def refine(
                 if not moves[j]:
                     jacobian[:, j] = 0.0
             gram = jacobian @ jacobian.T
+            size = np.trace(gram)
             for i in range(6):
-                gram[i, i] += damping
+                gram[i, i] += damping * size
             trial[:] = q[k] + jacobian.T @ np.linalg.solve(gram, error)
             forward(axes, points, slides, home, trial, pose, jacobian)
             nearer = _error(pose, target, error)
             if nearer < miss:
-                miss, damping = nearer, max(damping / 100, 1e-16)
+                miss, damping = nearer, max(damping / 100, LEAST)
                 q[k] = trial
             else:  # next to a singularity, where only short steps lead nearer
                 damping *= 10
@@ -153,8 +156,9 @@ def search(
                 if held[j]:
                     jacobian[:, j] = 0.0
             gram = jacobian @ jacobian.T
+            least = LEAST * np.trace(gram) + 1e-12
             for i in range(6):
-                gram[i, i] += damping * square + 1e-12
+                gram[i, i] += damping * square + least
             trial[:] = q[k] + jacobian.T @ np.linalg.solve(gram, error)
             for j in range(n):
                 if not held[j]:

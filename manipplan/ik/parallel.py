@@ -17,6 +17,9 @@ from manipplan.ik.subproblems import (
 )
 from manipplan.kernels import kernel
 
+#: Below this sine the last axis counts as parallel to the three: so many values of q6 are then tried.
+IN_LINE, TRIES = 1e-7, 32
+
 
 @kernel
 def solve_parallel(axes: Array, points: Array, wrist: Vector, motion: Array, lower: Array, upper: Array, out: Array) -> int:
@@ -45,21 +48,27 @@ def solve_parallel(axes: Array, points: Array, wrist: Vector, motion: Array, low
             if not fits(q5, lower[4], upper[4]):
                 continue
             c5, s5 = math.cos(q5), math.sin(q5)
-            q6 = angle_from_to(h6, times_back(motion, outward), turned(h5, c5, -s5, h2))
-            if not fits(q6, lower[5], upper[5]):
-                continue
-            across = perpendicular(h2)
-            image = turned(h6, math.cos(q6), -math.sin(q6), turned(h5, c5, -s5, across))
-            total = angle_from_to(h2, across, turned(h1, c1, -s1, times(motion, image)))
-            target = sub(sub(centre, turned(h2, math.cos(total), math.sin(total), sub(wrist, p4))), p2)
-            elbows, elbow1, elbow2 = distance_angles(h2, p3, p4, p2, math.sqrt(dot(target, target)))
-            for i in range(abs(elbows)):
-                bend = elbow1 if i == 0 else elbow2
-                lifted = sub(turned_about(h2, p3, math.cos(bend), math.sin(bend), p4), p2)
-                q2 = angle_from_to(h2, lifted, target)
-                q3, q4 = same3 * bend, same4 * (total - q2 - bend)
-                if fits(q2, lower[1], upper[1]) and fits(q3, lower[2], upper[2]) and fits(q4, lower[3], upper[3]):
-                    out[found, 0], out[found, 1], out[found, 2] = q1, q2, q3
-                    out[found, 3], out[found, 4], out[found, 5] = q4, q5, q6
-                    found += 1
+            last = turned(h5, c5, -s5, h2)
+            sixth = angle_from_to(h6, times_back(motion, outward), last)
+            # where the last axis is parallel to the others q6 is free, but not each lets the arm reach
+            in_line = dot(last, h6) ** 2 > 1.0 - IN_LINE**2
+            before, tries = found, TRIES if in_line else 1
+            for attempt in range(tries):
+                q6 = sixth + attempt * 2 * math.pi / tries
+                if found > before or not fits(q6, lower[5], upper[5]):
+                    continue
+                across = perpendicular(h2)
+                image = turned(h6, math.cos(q6), -math.sin(q6), turned(h5, c5, -s5, across))
+                total = angle_from_to(h2, across, turned(h1, c1, -s1, times(motion, image)))
+                target = sub(sub(centre, turned(h2, math.cos(total), math.sin(total), sub(wrist, p4))), p2)
+                elbows, elbow1, elbow2 = distance_angles(h2, p3, p4, p2, math.sqrt(dot(target, target)))
+                for i in range(abs(elbows)):
+                    bend = elbow1 if i == 0 else elbow2
+                    lifted = sub(turned_about(h2, p3, math.cos(bend), math.sin(bend), p4), p2)
+                    q2 = angle_from_to(h2, lifted, target)
+                    q3, q4 = same3 * bend, same4 * (total - q2 - bend)
+                    if fits(q2, lower[1], upper[1]) and fits(q3, lower[2], upper[2]) and fits(q4, lower[3], upper[3]):
+                        out[found, 0], out[found, 1], out[found, 2] = q1, q2, q3
+                        out[found, 3], out[found, 4], out[found, 5] = q4, q5, q6
+                        found += 1
     return found

@@ -128,8 +128,15 @@ def pose_stack(argument: str, pose: Any) -> Array:
         stack = np.array(matrix, order="C")
         if are_poses(stack):
             return stack
-    if np.ndim(matrix) == 3 or (
-        isinstance(pose, list | tuple) and len(pose) and np.ndim(getattr(pose[0], "homogeneous", 0)) == 2
-    ):
-        return np.array([pose_matrix(f"{argument}[{k}]", each) for k, each in enumerate(pose)])
+    first = matrix[0] if isinstance(matrix, list | tuple) and len(matrix) else None
+    if getattr(matrix, "ndim", 0) == 3 or _is_matrix(getattr(first, "homogeneous", first)):
+        checked = [pose_matrix(f"{argument}[{k}]", each) for k, each in enumerate(matrix)]
+        return np.array(checked, dtype=np.float64).reshape(-1, 4, 4)
     return pose_matrix(argument, pose)[None].copy()
+
+
+def _is_matrix(value: Any) -> bool:
+    try:
+        return np.ndim(value) == 2
+    except ValueError:  # rows of different lengths
+        return False

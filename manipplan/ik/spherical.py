@@ -25,8 +25,8 @@ from manipplan.kernels import kernel
 
 #: How the three joints a, b, c that place the point lie.
 A_MEETS_B, B_MEETS_C, A_PARALLEL_B, B_PARALLEL_C, SKEW = range(5)
-#: Answers that are outside a limit by less are put on it [rad]: a closed form leaves rounding.
-AT_LIMIT = 1e-9
+#: Answers that are outside a limit by less are put on it [rad], and then judged: rounding puts them outside as often as inside.
+AT_LIMIT = 1e-5
 #: A general position has up to four answers, the wrist two each.
 MOST = 8
 
