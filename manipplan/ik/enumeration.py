@@ -10,7 +10,7 @@ from manipplan.checks import Array
 from manipplan.ik.form import PARALLEL, SPHERICAL, ClosedForm
 from manipplan.ik.parallel import solve_parallel
 from manipplan.ik.spherical import AT_LIMIT, MOST, least_above, lie, row, solve_spherical, wrapped
-from manipplan.ik.subproblems import Vector, turned, turned_about
+from manipplan.ik.subproblems import Vector, turn_by, turned, turned_about
 from manipplan.ik.swivel import solve_swivel
 from manipplan.kernels import kernel
 
@@ -85,11 +85,11 @@ def _shift_left(motion: Array, h: Vector, p: Vector, slides: bool, value: float)
         for i in range(3):
             motion[i, 3] += value * h[i]
         return
-    c, s = math.cos(value), math.sin(value)
+    turn = turn_by(value)
     for k in range(3):
-        v = turned(h, c, s, (motion[0, k], motion[1, k], motion[2, k]))
+        v = turned(h, turn, (motion[0, k], motion[1, k], motion[2, k]))
         motion[0, k], motion[1, k], motion[2, k] = v[0], v[1], v[2]
-    v = turned_about(h, p, c, s, (motion[0, 3], motion[1, 3], motion[2, 3]))
+    v = turned_about(h, p, turn, (motion[0, 3], motion[1, 3], motion[2, 3]))
     motion[0, 3], motion[1, 3], motion[2, 3] = v[0], v[1], v[2]
 
 
@@ -150,7 +150,7 @@ def _fill(
     free_axes, free_points = np.empty((f, 3)), np.empty((f, 3))
     low, high = lower[free], upper[free]
     motion, tool, turn, identity = np.eye(4), np.eye(4), np.eye(4), np.eye(4)
-    found, work = np.empty((MOST, f)), np.empty((16, 3))
+    found, work = np.empty((MOST + 1, f)), np.empty((16, 6))
     sign = -1.0 if backward else 1.0
     any_axis = free_axis[0] != 0 or free_axis[1] != 0 or free_axis[2] != 0
     first, last = free.min(), free.max()
@@ -191,14 +191,14 @@ def _fill(
                 continue
             h, p = row(axes, joint), row(points, joint)
             if moves_axes and joint < last:
-                c, s = math.cos(value), math.sin(value)
+                by = turn_by(value)
                 for j in range(joint + 1, n):
                     shift = (0.0, 0.0, 0.0)
                     if slides[joint]:
                         moved = (points[j, 0] + value * h[0], points[j, 1] + value * h[1], points[j, 2] + value * h[2])
                     else:
-                        moved = turned_about(h, p, c, s, row(points, j))
-                        shift = turned(h, c, s, row(axes, j))
+                        moved = turned_about(h, p, by, row(points, j))
+                        shift = turned(h, by, row(axes, j))
                         axes[j, 0], axes[j, 1], axes[j, 2] = shift[0], shift[1], shift[2]
                     points[j, 0], points[j, 1], points[j, 2] = moved[0], moved[1], moved[2]
                 if triple > joint:
@@ -206,7 +206,7 @@ def _fill(
                     if slides[joint]:
                         point = (point[0] + value * h[0], point[1] + value * h[1], point[2] + value * h[2])
                     else:
-                        point = turned_about(h, p, c, s, point)
+                        point = turned_about(h, p, by, point)
                     meeting[0, 0], meeting[0, 1], meeting[0, 2] = point[0], point[1], point[2]
             # S E⁻¹; read backward: S⁻¹ becomes E S⁻¹
             if backward:

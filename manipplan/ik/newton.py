@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from manipplan.checks import Array
 from manipplan.ik.spherical import row
-from manipplan.ik.subproblems import add, cross, sub, turned, turned_about
+from manipplan.ik.subproblems import add, cross, sub, turn_by, turned, turned_about
 from manipplan.kernels import kernel
 
 #: Damping of the first step of a search, relative to the square of the Jacobian's size, and the least.
@@ -31,14 +31,14 @@ def forward(axes: Array, points: Array, slides: NDArray[np.bool_], home: Array, 
             jacobian[0, k], jacobian[1, k], jacobian[2, k] = h[0], h[1], h[2]
             jacobian[3, k], jacobian[4, k], jacobian[5, k] = 0.0, 0.0, 0.0
             continue
-        c, s = math.cos(q[k]), math.sin(q[k])
-        tip = turned_about(h, p, c, s, tip)
+        turn = turn_by(q[k])
+        tip = turned_about(h, p, turn, tip)
         for j in range(3):
-            v = turned(h, c, s, (pose[0, j], pose[1, j], pose[2, j]))
+            v = turned(h, turn, (pose[0, j], pose[1, j], pose[2, j]))
             pose[0, j], pose[1, j], pose[2, j] = v[0], v[1], v[2]
         for j in range(k + 1, n):
-            v = turned(h, c, s, (jacobian[0, j], jacobian[1, j], jacobian[2, j]))
-            w = turned(h, c, s, (jacobian[3, j], jacobian[4, j], jacobian[5, j]))
+            v = turned(h, turn, (jacobian[0, j], jacobian[1, j], jacobian[2, j]))
+            w = turned(h, turn, (jacobian[3, j], jacobian[4, j], jacobian[5, j]))
             jacobian[0, j], jacobian[1, j], jacobian[2, j] = v[0], v[1], v[2]
             jacobian[3, j], jacobian[4, j], jacobian[5, j] = w[0], w[1], w[2]
         v = cross(h, sub(tip, p))

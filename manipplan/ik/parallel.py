@@ -7,13 +7,16 @@ from manipplan.ik.spherical import fits, perpendicular, row, times, times_back
 from manipplan.ik.subproblems import (
     Vector,
     add,
-    angle_from_to,
-    distance_angles,
+    angle,
+    back,
     dot,
-    height_angles,
     sub,
+    turn_by,
+    turn_from_to,
     turned,
     turned_about,
+    turns_to_distance,
+    turns_to_height,
 )
 from manipplan.kernels import kernel
 
@@ -33,23 +36,23 @@ def solve_parallel(axes: Array, points: Array, wrist: Vector, motion: Array, low
     point = add(times(motion, wrist), (motion[0, 3], motion[1, 3], motion[2, 3]))
     found = 0
     # the parallel joints keep the height of `wrist` along their axes
-    bases, base1, base2 = height_angles(h1, sub(point, p1), h2, dot(h2, sub(wrist, p1)))
-    for k in range(abs(bases)):
-        q1 = -(base1 if k == 0 else base2)
+    bases, base1, base2 = turns_to_height(h1, sub(point, p1), h2, dot(h2, sub(wrist, p1)))
+    for k in range(bases):
+        first = back(base1 if k == 0 else base2)
+        q1 = angle(first)
         if not fits(q1, lower[0], upper[0]):
             continue
-        c1, s1 = math.cos(q1), math.sin(q1)
-        centre = turned_about(h1, p1, c1, -s1, point)
-        outward = turned(h1, c1, s1, h2)
+        centre = turned_about(h1, p1, back(first), point)
+        outward = turned(h1, first, h2)
         # the part of the last axis along the parallel ones is q5's alone
-        wrists, wrist1, wrist2 = height_angles(h5, h6, h2, dot(outward, times(motion, h6)))
-        for j in range(abs(wrists)):
-            q5 = wrist1 if j == 0 else wrist2
+        wrists, wrist1, wrist2 = turns_to_height(h5, h6, h2, dot(outward, times(motion, h6)))
+        for j in range(wrists):
+            fifth = wrist1 if j == 0 else wrist2
+            q5 = angle(fifth)
             if not fits(q5, lower[4], upper[4]):
                 continue
-            c5, s5 = math.cos(q5), math.sin(q5)
-            last = turned(h5, c5, -s5, h2)
-            sixth = angle_from_to(h6, times_back(motion, outward), last)
+            last = turned(h5, back(fifth), h2)
+            sixth = angle(turn_from_to(h6, times_back(motion, outward), last))
             # where the last axis is parallel to the others q6 is free, but not each lets the arm reach
             in_line = dot(last, h6) ** 2 > 1.0 - IN_LINE**2
             before, tries = found, TRIES if in_line else 1
@@ -58,17 +61,16 @@ def solve_parallel(axes: Array, points: Array, wrist: Vector, motion: Array, low
                 if found > before or not fits(q6, lower[5], upper[5]):
                     continue
                 across = perpendicular(h2)
-                image = turned(h6, math.cos(q6), -math.sin(q6), turned(h5, c5, -s5, across))
-                total = angle_from_to(h2, across, turned(h1, c1, -s1, times(motion, image)))
-                target = sub(sub(centre, turned(h2, math.cos(total), math.sin(total), sub(wrist, p4))), p2)
-                elbows, elbow1, elbow2 = distance_angles(h2, p3, p4, p2, math.sqrt(dot(target, target)))
-                for i in range(abs(elbows)):
+                image = turned(h6, back(turn_by(q6)), turned(h5, back(fifth), across))
+                whole = turn_from_to(h2, across, turned(h1, back(first), times(motion, image)))
+                target = sub(sub(centre, turned(h2, whole, sub(wrist, p4))), p2)
+                elbows, elbow1, elbow2 = turns_to_distance(h2, p3, p4, p2, math.sqrt(dot(target, target)))
+                for i in range(elbows):
                     bend = elbow1 if i == 0 else elbow2
-                    lifted = sub(turned_about(h2, p3, math.cos(bend), math.sin(bend), p4), p2)
-                    q2 = angle_from_to(h2, lifted, target)
-                    q3, q4 = same3 * bend, same4 * (total - q2 - bend)
-                    if fits(q2, lower[1], upper[1]) and fits(q3, lower[2], upper[2]) and fits(q4, lower[3], upper[3]):
-                        out[found, 0], out[found, 1], out[found, 2] = q1, q2, q3
+                    second = angle(turn_from_to(h2, sub(turned_about(h2, p3, bend, p4), p2), target))
+                    q3, q4 = same3 * angle(bend), same4 * (angle(whole) - second - angle(bend))
+                    if fits(second, lower[1], upper[1]) and fits(q3, lower[2], upper[2]) and fits(q4, lower[3], upper[3]):
+                        out[found, 0], out[found, 1], out[found, 2] = q1, second, q3
                         out[found, 3], out[found, 4], out[found, 5] = q4, q5, q6
                         found += 1
     return found

@@ -10,16 +10,18 @@ import numpy as np
 from manipplan.checks import Array
 from manipplan.ik.geometry import MEETS
 from manipplan.ik.subproblems import (
+    Turn,
     Vector,
     add,
-    angle_from_to,
+    back,
     cross,
-    distance_angles,
     dot,
-    height_angles,
     sub,
+    turn_from_to,
     turned,
     turned_about,
+    turns_to_distance,
+    turns_to_height,
 )
 from manipplan.kernels import kernel
 
@@ -106,19 +108,29 @@ def lie(axes: Array, points: Array) -> tuple[int, Vector, float]:
 
 
 @kernel
-def two_meeting(ha: Vector, hb: Vector, x: Vector, y: Vector, out: Array) -> int:
-    """Subproblem 2: angles (qa, qb) with R_a R_b x = y, for vectors from the point where a and b meet; rows of `out`."""
-    count, first, second = height_angles(hb, x, ha, dot(ha, y))
-    for k in range(abs(count)):
-        qb = first if k == 0 else second
-        out[k, 0] = angle_from_to(ha, turned(hb, math.cos(qb), math.sin(qb), x), y)
-        out[k, 1] = qb
-    return abs(count)
+def put(out: Array, k: int, first: Turn, second: Turn, third: Turn) -> None:
+    """Write three turns into row k of an array (any, 6)."""
+    out[k, 0], out[k, 1] = first
+    out[k, 2], out[k, 3] = second
+    out[k, 4], out[k, 5] = third
 
 
 @kernel
-def place(kind: int, axes: Array, points: Array, meeting: Vector, x: Vector, y: Vector, out: Array, pair: Array) -> int:
-    """Angles (qa, qb, qc) of the three first axes with e_a e_b e_c x = y: rows of `out` (4, 3), and how many."""
+def two_meeting(ha: Vector, hb: Vector, x: Vector, y: Vector) -> tuple[int, Turn, Turn, Turn, Turn]:
+    """Subproblem 2: turns a, b with R_a R_b x = y, for vectors from the point where the axes meet: how many, a, b, a, b."""
+    count, first, second = turns_to_height(hb, x, ha, dot(ha, y))
+    return (
+        count,
+        turn_from_to(ha, turned(hb, first, x), y),
+        first,
+        turn_from_to(ha, turned(hb, second, x), y),
+        second,
+    )
+
+
+@kernel
+def place(kind: int, axes: Array, points: Array, meeting: Vector, x: Vector, y: Vector, out: Array) -> int:
+    """Turns a, b, c about the three first axes with e_a e_b e_c x = y: rows of `out` (4, 6), and how many."""
     ha, hb, hc = row(axes, 0), row(axes, 1), row(axes, 2)
     pa, pb, pc = row(points, 0), row(points, 1), row(points, 2)
     found = 0
@@ -126,46 +138,45 @@ def place(kind: int, axes: Array, points: Array, meeting: Vector, x: Vector, y: 
         return place_skew(ha, hb, hc, pa, pb, pc, x, y, out)
     if kind == A_MEETS_B:
         target = sub(y, meeting)
-        count, first, second = distance_angles(hc, pc, x, meeting, math.sqrt(dot(target, target)))
-        for k in range(abs(count)):
-            qc = first if k == 0 else second
-            elbow = turned_about(hc, pc, math.cos(qc), math.sin(qc), x)
-            for j in range(two_meeting(ha, hb, sub(elbow, meeting), target, pair)):
-                out[found, 0], out[found, 1], out[found, 2] = pair[j, 0], pair[j, 1], qc
+        count, first, second = turns_to_distance(hc, pc, x, meeting, math.sqrt(dot(target, target)))
+        for k in range(count):
+            c = first if k == 0 else second
+            elbow = sub(turned_about(hc, pc, c, x), meeting)
+            pairs, a1, b1, a2, b2 = two_meeting(ha, hb, elbow, target)
+            for j in range(pairs):
+                put(out, found, a1 if j == 0 else a2, b1 if j == 0 else b2, c)
                 found += 1
     elif kind == B_MEETS_C:
         start = sub(x, meeting)
-        count, first, second = distance_angles(ha, pa, y, meeting, math.sqrt(dot(start, start)))
-        for k in range(abs(count)):
-            qa = -(first if k == 0 else second)
-            elbow = turned_about(ha, pa, math.cos(qa), -math.sin(qa), y)
-            for j in range(two_meeting(hb, hc, start, sub(elbow, meeting), pair)):
-                out[found, 0], out[found, 1], out[found, 2] = qa, pair[j, 0], pair[j, 1]
+        count, first, second = turns_to_distance(ha, pa, y, meeting, math.sqrt(dot(start, start)))
+        for k in range(count):
+            a = back(first if k == 0 else second)
+            elbow = sub(turned_about(ha, pa, back(a), y), meeting)
+            pairs, b1, c1, b2, c2 = two_meeting(hb, hc, start, elbow)
+            for j in range(pairs):
+                put(out, found, a, b1 if j == 0 else b2, c1 if j == 0 else c2)
                 found += 1
     elif kind == A_PARALLEL_B:
         # the height along a is that of c's turn alone
-        count, first, second = height_angles(hc, sub(x, pc), ha, dot(ha, sub(y, pc)))
-        for k in range(abs(count)):
-            qc = first if k == 0 else second
-            elbow = turned_about(hc, pc, math.cos(qc), math.sin(qc), x)
-            target = sub(y, pa)
-            turns, one, two = distance_angles(hb, pb, elbow, pa, math.sqrt(dot(target, target)))
-            for j in range(abs(turns)):
-                qb = one if j == 0 else two
-                hand = turned_about(hb, pb, math.cos(qb), math.sin(qb), elbow)
-                out[found, 0], out[found, 1], out[found, 2] = angle_from_to(ha, sub(hand, pa), target), qb, qc
+        target = sub(y, pa)
+        count, first, second = turns_to_height(hc, sub(x, pc), ha, dot(ha, sub(y, pc)))
+        for k in range(count):
+            c = first if k == 0 else second
+            elbow = turned_about(hc, pc, c, x)
+            pairs, b1, b2 = turns_to_distance(hb, pb, elbow, pa, math.sqrt(dot(target, target)))
+            for j in range(pairs):
+                b = b1 if j == 0 else b2
+                put(out, found, turn_from_to(ha, sub(turned_about(hb, pb, b, elbow), pa), target), b, c)
                 found += 1
     else:
-        count, first, second = height_angles(ha, sub(y, pa), hb, dot(hb, sub(x, pa)))
-        for k in range(abs(count)):
-            qa = -(first if k == 0 else second)
-            elbow = turned_about(ha, pa, math.cos(qa), -math.sin(qa), y)
-            target = sub(elbow, pb)
-            turns, one, two = distance_angles(hc, pc, x, pb, math.sqrt(dot(target, target)))
-            for j in range(abs(turns)):
-                qc = one if j == 0 else two
-                hand = turned_about(hc, pc, math.cos(qc), math.sin(qc), x)
-                out[found, 0], out[found, 1], out[found, 2] = qa, angle_from_to(hb, sub(hand, pb), target), qc
+        count, first, second = turns_to_height(ha, sub(y, pa), hb, dot(hb, sub(x, pa)))
+        for k in range(count):
+            a = back(first if k == 0 else second)
+            target = sub(turned_about(ha, pa, back(a), y), pb)
+            pairs, c1, c2 = turns_to_distance(hc, pc, x, pb, math.sqrt(dot(target, target)))
+            for j in range(pairs):
+                c = c1 if j == 0 else c2
+                put(out, found, a, turn_from_to(hb, sub(turned_about(hc, pc, c, x), pb), target), c)
                 found += 1
     return found
 
@@ -224,37 +235,48 @@ def place_skew(ha: Vector, hb: Vector, hc: Vector, pa: Vector, pb: Vector, pc: V
         t = roots[k]
         if abs(t.imag) > 1e-6 * (1.0 + abs(t.real)):
             continue
-        qc = 2 * math.atan2(t.real, 1.0) if upward else 2 * math.atan2(1.0, t.real)
-        c, s = math.cos(qc), math.sin(qc)
-        elbow = sub(turned_about(hc, pc, c, s, x), pb)
-        first = x1[0] + x1[1] * c + x1[2] * s
-        second = (n0 + n1 * c + n2 * s) / side
+        top, bottom = (t.real, 1.0) if upward else (1.0, t.real)  # tan(qc / 2)
+        size = top * top + bottom * bottom
+        turn_c = ((bottom * bottom - top * top) / size, 2 * top * bottom / size)
+        elbow = sub(turned_about(hc, pc, turn_c, x), pb)
+        first = x1[0] + x1[1] * turn_c[0] + x1[2] * turn_c[1]
+        second = (n0 + n1 * turn_c[0] + n2 * turn_c[1]) / side
         height_b = dot(hb, elbow)
         image = (
             height_b * hb[0] + first * e1[0] + second * e2[0],
             height_b * hb[1] + first * e1[1] + second * e2[1],
             height_b * hb[2] + first * e1[2] + second * e2[2],
         )
-        out[found, 0] = angle_from_to(ha, sub(image, origin), target)
-        out[found, 1] = angle_from_to(hb, elbow, image)
-        out[found, 2] = qc
+        put(out, found, turn_from_to(ha, sub(image, origin), target), turn_from_to(hb, elbow, image), turn_c)
         found += 1
     return found
 
 
 @kernel
-def turn(h4: Vector, h5: Vector, h6: Vector, rotation: Array, out: Array) -> int:
-    """Angles with R4 R5 R6 = rotation (3, 3), for any three axes: rows of `out` (2, 3), and how many."""
+def orient(h4: Vector, h5: Vector, h6: Vector, rotation: Array, out: Array) -> int:
+    """Turns with R4 R5 R6 = rotation (3, 3), for any three axes: rows of `out` (2, 6), and how many."""
     toward = times(rotation, h6)
-    count, first, second = height_angles(h5, h6, h4, dot(h4, toward))
-    for k in range(abs(count)):
-        q5 = first if k == 0 else second
-        c5, s5 = math.cos(q5), math.sin(q5)
-        q4 = angle_from_to(h4, turned(h5, c5, s5, h6), toward)
-        across = perpendicular(h6)  # R6 = R5ᵀ R4ᵀ R, also where 4 and 6 are in line and q4 is free
-        image = turned(h5, c5, -s5, turned(h4, math.cos(q4), -math.sin(q4), times(rotation, across)))
-        out[k, 0], out[k, 1], out[k, 2] = q4, q5, angle_from_to(h6, across, image)
-    return abs(count)
+    across = perpendicular(h6)
+    across_turned = times(rotation, across)
+    count, first, second = turns_to_height(h5, h6, h4, dot(h4, toward))
+    for k in range(count):
+        fifth = first if k == 0 else second
+        fourth = turn_from_to(h4, turned(h5, fifth, h6), toward)
+        # R6 = R5ᵀ R4ᵀ R, also where 4 and 6 are in line and q4 is free
+        image = turned(h5, back(fifth), turned(h4, back(fourth), across_turned))
+        put(out, k, fourth, fifth, turn_from_to(h6, across, image))
+    return count
+
+
+@kernel
+def angles_fit(turns: Array, k: int, lower: Array, upper: Array, begin: int, out: Array, found: int) -> bool:
+    """Write the angles of the three turns in row k to row `found` of `out`, from column `begin` on; whether they fit."""
+    for i in range(3):
+        value = math.atan2(turns[k, 2 * i + 1], turns[k, 2 * i])
+        if not fits(value, lower[begin + i], upper[begin + i]):
+            return False
+        out[found, begin + i] = value
+    return True
 
 
 @kernel
@@ -278,29 +300,25 @@ def solve_spherical(
         wrist: where 4, 5, 6 meet at zero.
         motion: (4, 4).
         lower, upper: (6,); an answer outside, whatever its full turns, is left out.
-        out: (MOST, 6), filled.
-        work: (16, 3).
+        out: (MOST + 1, 6), filled; the last row is for trials.
+        work: (16, 6).
 
     Returns how many rows of `out` are filled.
     """
     target = add(times(motion, wrist), (motion[0, 3], motion[1, 3], motion[2, 3]))
-    places, pair, rotation, wrists = work[0:4], work[4:6], work[6:9], work[9:11]
+    places, wrists, rotation = work[0:4], work[4:6], work[6:9, 0:3]
     found = 0
-    for k in range(place(kind, axes, points, meeting, wrist, target, places, pair)):
-        qa, qb, qc = places[k, 0], places[k, 1], places[k, 2]
-        if not (fits(qa, lower[0], upper[0]) and fits(qb, lower[1], upper[1]) and fits(qc, lower[2], upper[2])):
+    for k in range(place(kind, axes, points, meeting, wrist, target, places)):
+        if not angles_fit(places, k, lower, upper, 0, out, found):
             continue
-        ca, sa, cb, sb, cc, sc = math.cos(qa), math.sin(qa), math.cos(qb), math.sin(qb), math.cos(qc), math.sin(qc)
+        a, b, c = (places[k, 0], -places[k, 1]), (places[k, 2], -places[k, 3]), (places[k, 4], -places[k, 5])
         for column in range(3):
-            v = turned(row(axes, 0), ca, -sa, (motion[0, column], motion[1, column], motion[2, column]))
-            v = turned(row(axes, 2), cc, -sc, turned(row(axes, 1), cb, -sb, v))
+            v = turned(row(axes, 0), a, (motion[0, column], motion[1, column], motion[2, column]))
+            v = turned(row(axes, 2), c, turned(row(axes, 1), b, v))
             rotation[0, column], rotation[1, column], rotation[2, column] = v[0], v[1], v[2]
-        for j in range(turn(row(axes, 3), row(axes, 4), row(axes, 5), rotation, wrists)):
-            good = True
-            for i in range(3):
-                good = good and fits(wrists[j, i], lower[3 + i], upper[3 + i])
-            if good:
+        qa, qb, qc = out[found, 0], out[found, 1], out[found, 2]
+        for j in range(orient(row(axes, 3), row(axes, 4), row(axes, 5), rotation, wrists)):
+            if angles_fit(wrists, j, lower, upper, 3, out, found):
                 out[found, 0], out[found, 1], out[found, 2] = qa, qb, qc
-                out[found, 3], out[found, 4], out[found, 5] = wrists[j, 0], wrists[j, 1], wrists[j, 2]
                 found += 1
     return found

@@ -13,6 +13,8 @@ from manipplan.kernels import kernel
 GRAZE = 1e-3
 
 Vector = tuple[float, float, float]
+#: Cosine and sine of an angle: trigonometry is left for the angles that come out.
+Turn = tuple[float, float]
 
 
 @kernel
@@ -40,57 +42,78 @@ def sub(a: Vector, b: Vector) -> Vector:
 
 
 @kernel
-def turned(h: Vector, c: float, s: float, v: Vector) -> Vector:
-    """`v` turned about the unit axis h by the angle of cosine c and sine s (Rodrigues)."""
+def turned(h: Vector, turn: Turn, v: Vector) -> Vector:
+    """`v` turned about the unit axis h (Rodrigues)."""
+    c, s = turn
     along = dot(h, v) * (1.0 - c)
     w = cross(h, v)
     return (c * v[0] + s * w[0] + along * h[0], c * v[1] + s * w[1] + along * h[1], c * v[2] + s * w[2] + along * h[2])
 
 
 @kernel
-def turned_about(h: Vector, p: Vector, c: float, s: float, v: Vector) -> Vector:
+def turned_about(h: Vector, p: Vector, turn: Turn, v: Vector) -> Vector:
     """The point `v` turned about the axis h through the point p."""
-    return add(p, turned(h, c, s, sub(v, p)))
+    return add(p, turned(h, turn, sub(v, p)))
 
 
 @kernel
-def angle_from_to(h: Vector, x: Vector, y: Vector) -> float:
-    """Subproblem 1: the angle about h that turns x nearest to y; 0 where either lies on the axis."""
+def back(turn: Turn) -> Turn:
+    """The turn the other way round."""
+    return (turn[0], -turn[1])
+
+
+@kernel
+def angle(turn: Turn) -> float:
+    """The angle of a turn, in [-π, π]."""
+    return math.atan2(turn[1], turn[0])
+
+
+@kernel
+def turn_by(value: float) -> Turn:
+    """The turn by an angle."""
+    return (math.cos(value), math.sin(value))
+
+
+@kernel
+def turn_from_to(h: Vector, x: Vector, y: Vector) -> Turn:
+    """Subproblem 1: the turn about h that brings x nearest to y; none where either lies on the axis."""
     across = cross(h, x)
     s, c = dot(across, y), dot(x, y) - dot(h, x) * dot(h, y)
-    if abs(s) + abs(c) < 1e-14:
-        return 0.0
-    return math.atan2(s, c)
+    size = math.sqrt(s * s + c * c)
+    if size < 1e-14:
+        return (1.0, 0.0)
+    return (c / size, s / size)
 
 
 @kernel
-def height_angles(h: Vector, x: Vector, k: Vector, d: float) -> tuple[int, float, float]:
-    """Subproblem 4: angles about h at which k · (x turned) = d: how many, and two of them.
+def turns_to_height(h: Vector, x: Vector, k: Vector, d: float) -> tuple[int, Turn, Turn]:
+    """Subproblem 4: turns about h at which k · (x turned) = d: how many, and two of them.
 
-    None where the height cannot be reached; -1 where every angle reaches it, for which 0 is given.
+    None where the height cannot be reached; one, which is none at all, where every turn reaches it.
     """
     across = cross(h, x)
     a = dot(k, x) - dot(h, x) * dot(h, k)
     b = dot(k, across)
     rest = d - dot(h, x) * dot(h, k)
     size = math.sqrt(a * a + b * b)
+    still = (1.0, 0.0)
     if size < 1e-12:
-        return (-1, 0.0, 0.0) if abs(rest) < 1e-9 else (0, 0.0, 0.0)
+        return (1 if abs(rest) < 1e-9 else 0), still, still
     ratio = rest / size
     if abs(ratio) > 1.0 + GRAZE:
-        return 0, 0.0, 0.0
-    middle = math.atan2(b, a)
+        return 0, still, still
     if abs(ratio) <= 1.0:
-        off = math.acos(ratio)
+        off = math.sqrt((1.0 - ratio) * (1.0 + ratio))
     else:
-        beyond = math.sqrt(2.0 * (abs(ratio) - 1.0))
-        off = beyond if ratio > 0 else math.pi - beyond
-    return 2, middle + off, middle - off
+        off = math.sqrt(2.0 * (abs(ratio) - 1.0))
+        ratio = math.copysign(math.sqrt(1.0 - off * off), ratio)
+    a, b = a / size, b / size
+    return 2, (a * ratio - b * off, b * ratio + a * off), (a * ratio + b * off, b * ratio - a * off)
 
 
 @kernel
-def distance_angles(h: Vector, p: Vector, x: Vector, y: Vector, distance: float) -> tuple[int, float, float]:
-    """Subproblem 3: angles about h through p at which the point x comes to `distance` from the point y."""
+def turns_to_distance(h: Vector, p: Vector, x: Vector, y: Vector, distance: float) -> tuple[int, Turn, Turn]:
+    """Subproblem 3: turns about h through p at which the point x comes to `distance` from the point y."""
     x, y = sub(x, p), sub(y, p)
     # |x turned - y|² = |x|² + |y|² - 2 y · (x turned)
-    return height_angles(h, x, y, 0.5 * (dot(x, x) + dot(y, y) - distance * distance))
+    return turns_to_height(h, x, y, 0.5 * (dot(x, x) + dot(y, y) - distance * distance))

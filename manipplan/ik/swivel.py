@@ -9,8 +9,8 @@ import math
 import numpy as np
 
 from manipplan.checks import Array
-from manipplan.ik.spherical import fits, perpendicular, row, times, turn
-from manipplan.ik.subproblems import Vector, add, cross, distance_angles, dot, sub, turned, turned_about
+from manipplan.ik.spherical import angles_fit, fits, orient, perpendicular, row, times, times_back
+from manipplan.ik.subproblems import Vector, add, angle, back, cross, dot, sub, turn_by, turned, turned_about, turns_to_distance
 from manipplan.kernels import kernel
 
 #: Below this sine two directions count as one.
@@ -60,43 +60,34 @@ def solve_swivel(
     to = unit(target)
     h4, p4 = row(axes, 3), row(points, 3)
     zero = beside(to, row(axes, 0))
-    toward = turned(to, math.cos(swivel), math.sin(swivel), zero)
+    toward = turned(to, turn_by(swivel), zero)
     third = cross(to, toward)
-    turns, shoulders, wrists = work[0:3], work[3:5], work[5:7]
+    turns, shoulders, wrists, rest = work[0:3, 0:3], work[3:5], work[5:7], work[7:10, 0:3]
     found = 0
-    count, first, second = distance_angles(h4, p4, wrist, shoulder, reach)
-    for k in range(abs(count)):
-        q4 = first if k == 0 else second
+    count, first, second = turns_to_distance(h4, p4, wrist, shoulder, reach)
+    for k in range(count):
+        fourth = first if k == 0 else second
+        q4 = angle(fourth)
         if not fits(q4, lower[3], upper[3]):
             continue
-        c4, s4 = math.cos(q4), math.sin(q4)
-        at = unit(sub(turned_about(h4, p4, c4, s4, wrist), shoulder))
+        at = unit(sub(turned_about(h4, p4, fourth, wrist), shoulder))
         side = beside(at, h4)
         up = cross(at, side)
         for i in range(3):  # the turn that takes (at, side, up) to (to, toward, third)
             for j in range(3):
                 turns[i, j] = to[i] * at[j] + toward[i] * side[j] + third[i] * up[j]
-        for a in range(turn(row(axes, 0), row(axes, 1), row(axes, 2), turns, shoulders)):
-            q1, q2, q3 = shoulders[a, 0], shoulders[a, 1], shoulders[a, 2]
-            if not (fits(q1, lower[0], upper[0]) and fits(q2, lower[1], upper[1]) and fits(q3, lower[2], upper[2])):
+        for column in range(3):  # what is left for the wrist
+            v = times_back(turns, (motion[0, column], motion[1, column], motion[2, column]))
+            v = turned(h4, back(fourth), v)
+            rest[0, column], rest[1, column], rest[2, column] = v[0], v[1], v[2]
+        bends = orient(row(axes, 4), row(axes, 5), row(axes, 6), rest, wrists)
+        for a in range(orient(row(axes, 0), row(axes, 1), row(axes, 2), turns, shoulders)):
+            if not angles_fit(shoulders, a, lower, upper, 0, out, found):
                 continue
-            rest = work[7:10]
-            for column in range(3):
-                v = (motion[0, column], motion[1, column], motion[2, column])
-                v = (
-                    turns[0, 0] * v[0] + turns[1, 0] * v[1] + turns[2, 0] * v[2],
-                    turns[0, 1] * v[0] + turns[1, 1] * v[1] + turns[2, 1] * v[2],
-                    turns[0, 2] * v[0] + turns[1, 2] * v[1] + turns[2, 2] * v[2],
-                )
-                v = turned(h4, c4, -s4, v)
-                rest[0, column], rest[1, column], rest[2, column] = v[0], v[1], v[2]
-            for b in range(turn(row(axes, 4), row(axes, 5), row(axes, 6), rest, wrists)):
-                good = True
-                for i in range(3):
-                    good = good and fits(wrists[b, i], lower[4 + i], upper[4 + i])
-                if good:
+            q1, q2, q3 = out[found, 0], out[found, 1], out[found, 2]
+            for b in range(bends):
+                if angles_fit(wrists, b, lower, upper, 4, out, found):
                     out[found, 0], out[found, 1], out[found, 2], out[found, 3] = q1, q2, q3, q4
-                    out[found, 4], out[found, 5], out[found, 6] = wrists[b, 0], wrists[b, 1], wrists[b, 2]
                     found += 1
     return found
 
@@ -104,11 +95,11 @@ def solve_swivel(
 @kernel
 def swivel_of(axes: Array, points: Array, shoulder: Vector, wrist: Vector, q: Array) -> float:
     """The swivel [rad] of angles q (7,)."""
-    h4, at = row(axes, 3), turned_about(row(axes, 3), row(points, 3), math.cos(q[3]), math.sin(q[3]), wrist)
+    h4, at = row(axes, 3), turned_about(row(axes, 3), row(points, 3), turn_by(q[3]), wrist)
     arm, side = sub(at, shoulder), h4
     for k in (2, 1, 0):
-        c, s = math.cos(q[k]), math.sin(q[k])
-        arm, side = turned(row(axes, k), c, s, arm), turned(row(axes, k), c, s, side)
+        turn = turn_by(q[k])
+        arm, side = turned(row(axes, k), turn, arm), turned(row(axes, k), turn, side)
     to = unit(arm)
     zero, now = beside(to, row(axes, 0)), beside(to, side)
     return math.atan2(dot(to, cross(zero, now)), dot(zero, now))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from manipplan.checks import Array
 from manipplan.ik.geometry import Screws
 from manipplan.ik.spherical import row
-from manipplan.ik.subproblems import add, cross, dot, sub, turned
+from manipplan.ik.subproblems import add, cross, dot, sub, turn_by, turned
 from manipplan.kernels import kernel
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.primitives import core_of
@@ -149,13 +149,13 @@ def _suspects(
                 turns[j + 1] = before
                 move = (q[k, j] * h[0], q[k, j] * h[1], q[k, j] * h[2])
             else:
-                c, s = math.cos(q[k, j]), math.sin(q[k, j])
+                turn_j = turn_by(q[k, j])
                 for column in range(3):
                     unit = (1.0 * (column == 0), 1.0 * (column == 1), 1.0 * (column == 2))
-                    v = turned(h, c, s, unit)
+                    v = turned(h, turn_j, unit)
                     for i in range(3):
                         turns[j + 1, i, column] = before[i, 0] * v[0] + before[i, 1] * v[1] + before[i, 2] * v[2]
-                move = sub(p, turned(h, c, s, p))
+                move = sub(p, turned(h, turn_j, p))
             for i in range(3):
                 shifts[j + 1, i] = shifts[j, i] + before[i, 0] * move[0] + before[i, 1] * move[1] + before[i, 2] * move[2]
         for body in range(bodies):
