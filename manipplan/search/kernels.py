@@ -13,7 +13,72 @@ import numba
 import numpy as np
 
 from manipplan.checks import Array
-from manipplan.search.cells import ADJOINING, Numbers, Truth, Whole, cells_around, is_near, step
+from manipplan.search.cells import TAU, Numbers, Truth, Whole
+
+# what these kernels call lies in this file: numba's cache would not see a change in another one
+
+#: Cells that adjoin a cell at most, itself among them.
+ADJOINING = 27
+
+
+@numba.njit(cache=True, nogil=True)
+def cells_around(cell: int, count: Whole, wraps: Truth, top: Array, near: Whole) -> int:
+    """The cells that adjoin `cell`, itself among them, and hold a value above -inf: the one with the largest value first.
+
+    Fills near (ADJOINING,) and returns how many there are. `top` (cells,) holds the largest value of each cell.
+    """
+    size0, size1, size2 = count[0], count[1], count[2]
+    c2 = cell % size2
+    c1 = cell // size2 % size1
+    c0 = cell // (size2 * size1)
+    found = 0
+    for k0 in range(3 if size0 > 1 else 1):
+        a = c0 + (0, -1, 1)[k0]  # of equal values the own cell comes first: its candidates are the most likely neighbours
+        if a < 0 or a >= size0:
+            if not wraps[0]:
+                continue
+            a = (a + size0) % size0
+        for k1 in range(3 if size1 > 1 else 1):
+            b = c1 + (0, -1, 1)[k1]
+            if b < 0 or b >= size1:
+                if not wraps[1]:
+                    continue
+                b = (b + size1) % size1
+            for k2 in range(3 if size2 > 1 else 1):
+                c = c2 + (0, -1, 1)[k2]
+                if c < 0 or c >= size2:
+                    if not wraps[2]:
+                        continue
+                    c = (c + size2) % size2
+                other = (a * size1 + b) * size2 + c
+                value = top[other]
+                if value > -np.inf:
+                    place = found
+                    while place > 0 and top[near[place - 1]] < value:
+                        near[place] = near[place - 1]
+                        place -= 1
+                    near[place] = other
+                    found += 1
+    return found
+
+
+@numba.njit(cache=True, nogil=True, inline="always")
+def step(a: float, b: float, turns: bool) -> float:
+    """How far a joint turns or moves from a to b; one that turns without end by the shorter way."""
+    d = b - a
+    if turns:
+        d -= TAU * np.floor(d / TAU + 0.5)
+    return d
+
+
+@numba.njit(cache=True, nogil=True)
+def is_near(rows: Array, i: int, others: Array, k: int, reach: Array, turns: Truth) -> bool:
+    """Whether each joint's step from rows[i] to others[k] is below its reach."""
+    for j in range(rows.shape[1]):
+        d = others[k, j] - rows[i, j]
+        if not abs(d) < reach[j] and (not turns[j] or not abs(step(rows[i, j], others[k, j], True)) < reach[j]):
+            return False
+    return True
 
 
 @numba.njit(cache=True, nogil=True)

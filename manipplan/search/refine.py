@@ -13,7 +13,7 @@ from manipplan.search.bottleneck import max_min_search
 from manipplan.search.layers import Layers
 from manipplan.search.result import SearchResult
 from manipplan.search.setup import Setup
-from manipplan.search.steps import path_length, within
+from manipplan.search.steps import path_length, steps_between, within
 from manipplan.tracking.relaxation import Tolerance
 
 #: Values of each parameter around the path at hand, and how much nearer they lie in the next round.
@@ -31,6 +31,8 @@ GIVEN = 1e-4
 NEAR = 0.05
 #: A pose counts as met within this, in position [m] and rotation [rad].
 MET = 1e-9
+#: A candidate is the one of the layers within this [rad or m]: full turns round.
+SAME = 1e-9
 
 Progress = Callable[[float, str], None]
 
@@ -104,6 +106,10 @@ def refine(
         raise InvalidInputError(
             "found", found.status.name, f"the result of a search through these {len(layers.q)} layers that found a path"
         )
+    for k, (q, index) in enumerate(zip(layers.q, found.indices, strict=True)):
+        same = index < len(q) and q.shape[1] == found.q.shape[1]
+        if not same or np.abs(steps_between(q[index], found.q[k], layers.continuous)).max() > SAME:
+            raise InvalidInputError("found", f"another candidate at position {k}", "the result of a search in these layers")
     whole_number("resample", resample, least=0)
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
@@ -134,7 +140,7 @@ class _Refiner:
         resampled = self.least(q)
         q = self._raised(q, progress)
         progress(0.9, "shortening the path")
-        q = self._shortened(q)
+        q = self._shortened(q, resampled)
         index = self.kinematics.manipulability(q)
         return Refinement(
             q=q,
@@ -196,8 +202,8 @@ class _Refiner:
             trust = min(trust * GROW, TRUST) if moved > 0.9 * trust else trust
         return q
 
-    def _shortened(self, q: Array) -> Array:
-        level = max(self.least(q) - GIVEN * abs(self.least(q)), self.history[0])
+    def _shortened(self, q: Array, resampled: float) -> Array:
+        level = max(self.least(q) - GIVEN * abs(self.least(q)), resampled)
         trust = TRUST
         while trust > LEAST_TRUST:
             new, _ = self._solve(q, trust, level)

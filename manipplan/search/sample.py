@@ -1,5 +1,6 @@
 """sample_layers: for each position of a workspace path all configurations that reach it, judged and filtered."""
 
+import math
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, ThreadPoolExecutor, as_completed
@@ -7,6 +8,7 @@ from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from manipplan.checks import Array, instance, number, whole_number
 from manipplan.errors import InvalidInputError
@@ -14,6 +16,7 @@ from manipplan.kinematics.batch import all_cores
 from manipplan.measures.measure import Measure
 from manipplan.measures.task import Task
 from manipplan.paths.cartesian import CartesianPath
+from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.search.layers import Layers
@@ -28,6 +31,8 @@ SAMPLES = (720, 96, 36, 16, 9, 6)
 MEMORY = 0.5
 #: Samples of a few positions tell how many candidates there will be.
 PROBES, PROBE = 3, 2000
+#: What one point of the grid takes while it is made [bytes].
+GRID = 200
 #: A path returns to its start within this, and a pose is within reach [m, rad].
 RETURNS = 1e-9
 REACHES = (1e-6, 1e-6)
@@ -79,6 +84,7 @@ def sample_layers(
         InvalidInputError: an argument is not usable; a position that no candidate reaches, with how far off the arm stays;
             more candidates than memory allows, estimated before the work starts.
     """
+    from manipplan.ik.verify import are_poses
     from manipplan.search.worker import Worker
 
     instance("robot", robot, Robot)
@@ -100,11 +106,19 @@ def sample_layers(
         clearance=number("clearance", clearance, least=0.0),
         seed=seed,
     )
+    if executor is not None and not callable(getattr(executor, "submit", None)):
+        raise InvalidInputError("executor", executor, "a concurrent.futures.Executor, or None")
+    if progress is not None and not callable(progress):
+        raise InvalidInputError("progress", progress, "a function of (share, text), or None")
+    allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * _machine_memory()
     worker = Worker(setup)
+    _check_grid(worker, n, samples, allowed)
     values = worker.solver.grid(samples, SAMPLES)
     s = np.arange(n) / n if closed else np.linspace(0.0, 1.0, n)
     poses = path(s)
-    allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * _machine_memory()
+    if not are_poses(poses):
+        k = next(k for k in range(n) if not are_poses(poses[k : k + 1]))
+        raise InvalidInputError(f"path, position {k} of 0 to {n - 1}", poses[k].tolist(), "a rotation and a translation")
     _check_memory(worker, poses, values, allowed)
     with ExitStack() as stack:
         run = executor if executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))
@@ -124,7 +138,7 @@ def sample_layers(
     return Layers(
         q=tuple(layers[k][0] for k in range(n)),
         m=tuple(layers[k][1] for k in range(n)),
-        continuous=~(np.isfinite(robot.limits.lower) & np.isfinite(robot.limits.upper)),
+        continuous=endless(robot.limits),
         closed=closed,
         s=s,
         poses=poses,
@@ -143,6 +157,22 @@ def _remedy(worker: "Worker", pose: Array, reached: int) -> str:
     if far < REACHES[0] and angle < REACHES[1]:
         return "a pose that some sample reaches: it is within reach, but of no value on the grid; take more samples"
     return f"a pose within reach; the arm stays {1e3 * far:.4g} mm and {np.rad2deg(angle):.3g}° away from it"
+
+
+def endless(limits: JointLimits) -> NDArray[np.bool_]:
+    """Joints (n,) that turn without end."""
+    return np.asarray(~(np.isfinite(limits.lower) & np.isfinite(limits.upper)))
+
+
+def _check_grid(worker: "Worker", n: int, samples: int | Sequence[int] | None, allowed: float) -> None:
+    """Raises InvalidInputError where the poses, or the grid of parameters itself, would not fit into memory."""
+    from manipplan.ik.solver import sample_counts
+
+    counts = sample_counts(samples, worker.solver.names, SAMPLES)
+    for argument, value, needed in (("n", n, 8 * 16 * n), ("samples", samples, GRID * math.prod(counts))):
+        if needed > allowed:
+            wanted = f"fewer: they need {needed / 1e9:.2g} GB, and memory allows {allowed / 1e9:.2g} GB"
+            raise InvalidInputError(argument, value, wanted)
 
 
 def _check_memory(worker: "Worker", poses: Array, values: Array, allowed: float) -> None:

@@ -117,7 +117,7 @@ class Crew:
         waiting: deque[Future[Cells]] = deque()
         following = iter(items)
         try:
-            for _ in range(self.threads + 1):
+            for _ in range(self.threads):
                 waiting.extend(self._pool.submit(work, item) for item in _next(following))
             while waiting:
                 cells = waiting.popleft().result()

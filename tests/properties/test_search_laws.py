@@ -1,0 +1,194 @@
+"""The exact search against brute force on a thousand random layered graphs, and laws that hold for all of them."""
+
+from itertools import pairwise
+
+import layered
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from manipplan.search import rounds, sweep
+from manipplan.search.bottleneck import SearchStatus, max_min_search
+from manipplan.search.guilamo import guilamo_search
+from manipplan.search.layers import Layers
+
+GRAPHS = 1000
+
+
+def check_path(layers, epsilon, strict, result):
+    """The path is what the result says it is, and it is continuous."""
+    path = tuple(result.indices)
+    size = np.abs(layered.path_steps(layers, path))
+    assert ((size < epsilon) if strict else (size <= epsilon)).all()
+    values = layered.indices_along(layers, path)
+    np.testing.assert_array_equal(result.manipulability, values)
+    assert result.minimum == values.min()
+    np.testing.assert_allclose(result.length, layered.length(layers, path), rtol=1e-12, atol=1e-12)
+    taken = np.array([layers.q[i][k] for i, k in enumerate(path)])
+    np.testing.assert_array_equal(result.q[:, ~layers.continuous], taken[:, ~layers.continuous])
+    turned = (result.q - taken)[:, layers.continuous] / (2 * np.pi)
+    np.testing.assert_allclose(turned, np.round(turned), atol=1e-9)
+    assert (np.abs(np.diff(result.q, axis=0)) <= epsilon + 1e-9).all()
+
+
+@pytest.fixture(params=["as it is", "with samples"])
+def forced(request, monkeypatch):
+    """Rounds and samples are for large layers: with other constants small ones go through them, too."""
+    if request.param != "as it is":
+        monkeypatch.setattr(rounds, "FIRST", 4)
+        monkeypatch.setattr("manipplan.search.bottleneck.FIRST", 4)
+        monkeypatch.setattr("manipplan.search.bottleneck.TOP", 0.3)
+        monkeypatch.setattr(sweep, "LEAST", 1)
+    return request.param != "as it is"
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_optimum_is_that_of_brute_force(closed, forced):
+    rng = np.random.default_rng(1 + closed)
+    connected = 0
+    for _ in range(GRAPHS // 2):
+        layers, epsilon = layered.random_layers(rng, closed=closed)
+        strict = bool(rng.random() < 0.5)
+        result = max_min_search(layers, epsilon, strict=strict, prefer="first", throw=False)
+        assert result.minimum == layered.widest(layers, epsilon, strict)
+        assert result.connected == result.status.ok == (result.breaks_at is None)
+        if result.connected:
+            connected += 1
+            assert result.minimum == result.certified_bound <= result.bound == layers.bound
+            check_path(layers, epsilon, strict, result)
+    assert GRAPHS / 10 < connected < GRAPHS / 2
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_preferred_paths_are_those_of_brute_force(closed):
+    rng = np.random.default_rng(3 + closed)
+    compared = 0
+    while compared < 100:
+        layers, epsilon = layered.random_layers(rng, closed=closed, most=5, positions=5)
+        strict = bool(rng.random() < 0.5)
+        all_paths = list(layered.paths(layers, epsilon, strict))
+        if len(all_paths) < 2:
+            continue
+        compared += 1
+        vectors = {path: np.sort(layered.indices_along(layers, path)) for path in all_paths}
+        highest = max(vector[0] for vector in vectors.values())
+        best = [path for path in all_paths if vectors[path][0] == highest]
+        shortest = max_min_search(layers, epsilon, strict=strict)
+        check_path(layers, epsilon, strict, shortest)
+        assert shortest.minimum == highest
+        np.testing.assert_allclose(shortest.length, min(layered.length(layers, path) for path in best), rtol=1e-12, atol=1e-12)
+        found = max_min_search(layers, epsilon, strict=strict, prefer="lexicographic")
+        check_path(layers, epsilon, strict, found)
+        wanted = max(tuple(vectors[path]) for path in best)
+        assert tuple(np.sort(found.manipulability)) == wanted
+        ties = [path for path in best if tuple(vectors[path]) == wanted]
+        np.testing.assert_allclose(found.length, min(layered.length(layers, path) for path in ties), rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_smallest_epsilon_is_that_of_brute_force(closed):
+    rng = np.random.default_rng(5 + closed)
+    compared = 0
+    while compared < 50:
+        layers, epsilon = layered.random_layers(rng, closed=closed, most=4, positions=5)
+        epsilon = np.asarray(epsilon) * rng.uniform(0.001, 0.5)
+        result = max_min_search(layers, epsilon, throw=False)
+        if result.connected:
+            continue
+        factor = layered.least_factor(layers, epsilon)
+        if factor == 1.0:
+            continue
+        compared += 1
+        np.testing.assert_allclose(result.smallest_epsilon, factor * result.epsilon, rtol=1e-12)
+        if (result.smallest_epsilon[layers.continuous] < np.pi).all():
+            assert max_min_search(layers, result.smallest_epsilon, strict=False).connected
+            assert not max_min_search(layers, result.smallest_epsilon * (1 - 1e-9), throw=False).connected
+            assert max_min_search(layers, np.nextafter(result.smallest_epsilon, np.inf), throw=False).connected
+        reached = 0
+        while reached + 1 < len(layers.q) and reaches(layers, reached + 1, epsilon):
+            reached += 1
+        assert result.breaks_at == (reached + 1) % len(layers.q)
+
+
+def reaches(layers, position, epsilon):
+    here = np.ones(len(layers.q[0]), dtype=bool)
+    for i in range(position):
+        here = (layered.neighbours(layers, i, i + 1, epsilon, True) & here[:, None]).any(0)
+    return here.any()
+
+
+def test_the_papers_search_finds_the_same_optimum():
+    rng = np.random.default_rng(7)
+    for _ in range(GRAPHS // 2):
+        layers, epsilon = layered.random_layers(rng, most=12, positions=5)
+        strict = bool(rng.random() < 0.5)
+        expected = layered.widest(layers, epsilon, strict)
+        for memoised in (False, True):
+            result = guilamo_search(layers, epsilon, strict=strict, memoised=memoised, throw=False)
+            assert result.minimum == expected
+            assert result.status.ok == (expected > -np.inf)
+            if result.status.ok:
+                size = np.abs(layered.path_steps(layers, tuple(result.indices)))
+                assert ((size < epsilon) if strict else (size <= epsilon)).all()
+                layer, candidate = result.start
+                assert result.indices[layer] == candidate
+                assert layers.m[layer][candidate] == result.minimum
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_anytime_results_close_in_on_the_optimum(closed, forced):
+    rng = np.random.default_rng(9 + closed)
+    steps = 0
+    for _ in range(100):
+        layers, epsilon = layered.random_layers(rng, closed=closed)
+        results = list(max_min_search(layers, epsilon, anytime=True, throw=False))
+        optimum = layered.widest(layers, epsilon, True)
+        assert results[-1].minimum == optimum
+        for result in results:
+            assert result.minimum <= optimum <= max(result.certified_bound, optimum if result is results[-1] else -np.inf)
+            assert result.connected == (len(result.q) > 0)
+        for before, after in pairwise(results):
+            assert before.status is SearchStatus.IMPROVING
+            assert after.minimum >= before.minimum or after.status is SearchStatus.NOT_CONNECTED
+            assert after.certified_bound <= before.certified_bound
+        steps += len(results) - 1
+    assert steps > 0 or not forced
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(0, 2**32 - 1))
+def test_threads_do_not_change_the_optimum(seed):
+    rng = np.random.default_rng(seed)
+    layers, epsilon = layered.random_layers(rng)
+    more = Layers.from_arrays([np.tile(q, (400, 1)) for q in layers.q], [np.tile(m, 400) for m in layers.m])
+    one = max_min_search(more, epsilon, prefer="first", throw=False, threads=1)
+    two = max_min_search(more, epsilon, prefer="first", throw=False, threads=2)
+    assert one.minimum == two.minimum
+    np.testing.assert_array_equal(one.indices, two.indices)
+
+
+@settings(max_examples=50, deadline=None)
+@given(st.integers(0, 2**32 - 1), st.booleans())
+def test_a_higher_epsilon_never_makes_it_worse_and_a_scaled_index_scales_it(seed, closed):
+    rng = np.random.default_rng(seed)
+    layers, epsilon = layered.random_layers(rng, closed=closed)
+    before = max_min_search(layers, epsilon, prefer="first", throw=False)
+    more = max_min_search(layers, np.minimum(1.2 * np.asarray(epsilon), 3.1), prefer="first", throw=False)
+    assert more.minimum >= before.minimum
+    scaled = Layers.from_arrays(layers.q, [4 * m for m in layers.m], continuous=layers.continuous, closed=closed)
+    assert max_min_search(scaled, epsilon, prefer="first", throw=False).minimum == 4 * before.minimum
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(0, 2**32 - 1), st.integers(1, 5))
+def test_a_cycle_does_not_depend_on_where_it_begins(seed, shift):
+    rng = np.random.default_rng(seed)
+    layers, epsilon = layered.random_layers(rng, closed=True)
+    shift %= len(layers.q)
+    turned = Layers.from_arrays(
+        layers.q[shift:] + layers.q[:shift], layers.m[shift:] + layers.m[:shift], continuous=layers.continuous, closed=True
+    )
+    first, second = (max_min_search(each, epsilon, throw=False) for each in (layers, turned))
+    assert first.minimum == second.minimum
+    np.testing.assert_allclose(first.length, second.length, rtol=1e-12)

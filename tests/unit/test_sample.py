@@ -1,0 +1,355 @@
+"""sample_layers: every candidate against Pinocchio, the same layers from every executor, and what is refused."""
+
+import itertools
+import multiprocessing
+import time
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+
+import numpy as np
+import pinocchio as pin
+import pytest
+
+import manipplan as mp
+from manipplan.paths.cartesian import CartesianPath
+
+PLANAR_START = np.array([0.3, 0.9, 0.8])
+
+
+def moved(pose, by):
+    """The same pose elsewhere."""
+    matrix = np.array(pose)
+    matrix[:3, 3] += by
+    return matrix
+
+
+def tool_poses(robot, q):
+    """By Pinocchio alone, (k, 4, 4)."""
+    data, frame = robot.model.createData(), robot.model.getFrameId(robot.tool)
+    poses = []
+    for each in q:
+        pin.framesForwardKinematics(robot.model, data, each)
+        poses.append(data.oMf[frame].homogeneous.copy())
+    return np.array(poses)
+
+
+def jacobians(robot, q):
+    """Of the tool's origin in the world's axes, by Pinocchio alone, (k, 6, n)."""
+    data, frame = robot.model.createData(), robot.model.getFrameId(robot.tool)
+    return np.array([pin.computeFrameJacobian(robot.model, data, each, frame, pin.LOCAL_WORLD_ALIGNED) for each in q])
+
+
+def pose_index(robot, q, length=0.5):
+    """Yoshikawa's: the product of the singular values, angles times `length`."""
+    weights = np.array([1.0] * 3 + [length] * 3)[:, None]
+    return np.linalg.svd(weights * jacobians(robot, q), compute_uv=False).prod(axis=1)
+
+
+@pytest.fixture(scope="module")
+def line(panda):
+    start = panda.kinematics().pose(panda.neutral)
+    return CartesianPath.line(start, moved(start, [0.1, 0.2, -0.15]))
+
+
+@pytest.fixture(scope="module")
+def table():
+    return mp.Scene(
+        [
+            mp.Box(size=(0.6, 0.1, 0.3), position=(0.35, 0.3, 0.75), name="shelf"),
+            mp.Sphere(radius=0.08, position=(0.1, -0.4, 0.6), name="ball"),
+        ]
+    )
+
+
+@pytest.fixture(scope="module")
+def layers(panda, line, table):
+    return mp.sample_layers(panda, line, 4, samples=40, scene=table)
+
+
+def planar_layers(planar, **options):
+    start = planar.kinematics().pose(PLANAR_START)
+    scene = mp.Scene([mp.Sphere(radius=0.3, position=(0.6, 0.9, 0.0), name="ball")])
+    path = CartesianPath.line(start, moved(start, [-0.3, 0.4, 0.0]))
+    return mp.sample_layers(planar, path, 6, **{"samples": 90, "scene": scene, **options})
+
+
+def same_layers(one, other):
+    assert one.count > 0
+    assert all(np.array_equal(a, b) for a, b in zip(one.q, other.q, strict=True))
+    assert all(np.array_equal(a, b) for a, b in zip(one.m, other.m, strict=True))
+    np.testing.assert_array_equal(one.poses, other.poses)
+
+
+def rows(array):
+    return {tuple(row) for row in array}
+
+
+# ---- what a candidate is
+
+
+def test_every_candidate_is_what_it_says(panda, line, table, layers):
+    assert len(layers.q) == 4
+    assert layers.considered == 4 * 40
+    np.testing.assert_allclose(layers.s, [0, 1 / 3, 2 / 3, 1])
+    np.testing.assert_allclose(layers.poses, line(layers.s), atol=0)
+    assert layers.count > 100
+    for pose, q, m in zip(layers.poses, layers.q, layers.m, strict=True):
+        assert np.abs(tool_poses(panda, q) - pose).max() < 1e-10
+        assert not panda.limits.outside(q).any()
+        np.testing.assert_allclose(m, pose_index(panda, q), rtol=1e-9, atol=1e-14)
+        assert not table.in_collision(panda, q).any()
+
+
+def test_without_collisions_exactly_those_that_touch_come_back(panda, line, table, layers):
+    every = mp.sample_layers(panda, line, 4, samples=40, scene=table, collisions=False)
+    dropped = 0
+    for all_q, q in zip(every.q, layers.q, strict=True):
+        free = all_q[~table.in_collision(panda, all_q)]
+        assert rows(free) == rows(q)
+        dropped += len(all_q) - len(q)
+    assert dropped > 20
+
+
+def test_clearance_drops_exactly_what_is_nearer(panda, line, table, layers):
+    kept = mp.sample_layers(panda, line, 4, samples=40, scene=table, clearance=0.05)
+    model = table.collision_model(panda)
+    for q, far in zip(layers.q, kept.q, strict=True):
+        distances = np.array([model.distances(each).min() for each in q])
+        assert rows(far) == rows(q[distances >= 0.05])
+    assert kept.count < layers.count
+
+
+def test_a_pointing_tool_turns_about_its_axis_alone(panda, line):
+    axis = np.array([0.0, 0.6, 0.8])
+    layers = mp.sample_layers(panda, line, 2, task=mp.Task.pointing(axis), samples=(12, 8), collisions=False)
+    basis = np.linalg.svd(axis[None])[2][1:]
+    turns = []
+    for pose, q, m in zip(layers.poses, layers.q, layers.m, strict=True):
+        reached = tool_poses(panda, q)
+        assert np.abs(reached[:, :3, 3] - pose[:3, 3]).max() < 1e-10
+        assert np.abs(reached[:, :3, :3] @ axis - pose[:3, :3] @ axis).max() < 1e-10
+        turns.append(np.linalg.norm(reached[:, :3, :3] - pose[:3, :3], axis=(1, 2)))
+        jacobian = jacobians(panda, q)
+        across = basis @ np.swapaxes(reached[:, :3, :3], 1, 2) @ jacobian[:, 3:]
+        matrix = np.concatenate([jacobian[:, :3], 0.5 * across], axis=1)
+        np.testing.assert_allclose(m, np.linalg.svd(matrix, compute_uv=False).prod(axis=1), rtol=1e-9, atol=1e-14)
+    assert len(np.unique(np.concatenate(turns).round(6))) >= 5  # of eight turns, ± alike
+
+
+def test_a_closed_path_does_not_repeat_its_first_position(planar):
+    start = planar.kinematics().pose(PLANAR_START)
+    circle = CartesianPath.circle(start, moved(start, [0.2, 0, 0])[:3, 3], [0, 0, 1])
+    layers = mp.sample_layers(planar, circle, 5, samples=20, closed=True)
+    assert layers.closed
+    np.testing.assert_allclose(layers.s, [0, 0.2, 0.4, 0.6, 0.8])
+    assert np.linalg.norm(np.diff(layers.poses[:, :3, 3], axis=0), axis=1).min() > 0.1
+    arc = CartesianPath.circle(start, moved(start, [0.2, 0, 0])[:3, 3], [0, 0, 1], 6.0)
+    with pytest.raises(mp.InvalidInputError, match="closed: .*the path's last pose is not its first"):
+        mp.sample_layers(planar, arc, 5, samples=20, closed=True)
+
+
+def test_another_measure_is_the_candidates_index(panda, line):
+    layers = mp.sample_layers(panda, line, 2, samples=10, measure="smallest-singular-value", collisions=False)
+    weights = np.array([1.0] * 3 + [0.5] * 3)[:, None]
+    least = np.linalg.svd(weights * jacobians(panda, layers.q[1]), compute_uv=False)[:, -1]
+    np.testing.assert_allclose(layers.m[1], least, rtol=1e-8, atol=1e-12)
+
+
+# ---- who does the work
+
+
+def test_a_pool_of_processes_gives_the_same_layers(planar):
+    with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as pool:
+        elsewhere = planar_layers(planar, executor=pool)
+    same_layers(planar_layers(planar), elsewhere)
+
+
+def test_a_dask_cluster_gives_the_same_layers(planar):
+    import distributed
+
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        client.wait_for_workers(2)
+        elsewhere = planar_layers(planar, executor=client.get_executor())
+        workers = client.run(lambda: None)
+    assert len(workers) == 2
+    same_layers(planar_layers(planar), elsewhere)
+
+
+def test_one_thread_or_many_give_the_same_layers(panda, line, table, layers):
+    with ThreadPoolExecutor(1) as one:
+        same_layers(layers, mp.sample_layers(panda, line, 4, samples=40, scene=table, executor=one))
+
+
+def test_progress_never_falls_and_ends_at_one(planar):
+    told = []
+    layers = planar_layers(planar, progress=lambda share, text: told.append((share, text)))
+    shares = [share for share, _ in told]
+    assert shares == sorted(shares) and 0 < shares[0] < 1 and shares[-1] == 1.0
+    assert len(told) == 6
+    assert f"{layers.count:,} candidates" in told[-1][1]
+
+
+class Interrupted(Executor):
+    """An executor whose third job meets Ctrl-C."""
+
+    def __init__(self):
+        self.jobs = []
+
+    def submit(self, function, *arguments):
+        future = Future()
+        self.jobs.append(future)
+        if len(self.jobs) < 3:
+            future.set_result(function(*arguments))
+        elif len(self.jobs) == 3:
+            future.set_exception(KeyboardInterrupt())
+        return future
+
+
+def test_an_interrupt_ends_sampling_and_cancels_what_waits(planar):
+    executor = Interrupted()
+    with pytest.raises(KeyboardInterrupt):
+        planar_layers(planar, executor=executor)
+    assert len(executor.jobs) == 6
+    assert all(job.cancelled() for job in executor.jobs[3:])
+
+
+def test_an_interrupt_between_positions_is_not_swallowed(panda, line):
+    """Ctrl-C in the main thread, as it tells of the first position: the other positions are not waited for."""
+
+    def interrupt(share, text):
+        raise KeyboardInterrupt
+
+    began = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        mp.sample_layers(panda, line, 60, samples=2000, collisions=False, progress=interrupt)
+    stopped = time.perf_counter() - began
+    began = time.perf_counter()
+    mp.sample_layers(panda, line, 15, samples=2000, collisions=False)
+    assert stopped < time.perf_counter() - began
+
+
+# ---- what is refused
+
+
+def test_memory_is_refused_before_work_starts(planar):
+    told = []
+    with pytest.raises(mp.InvalidInputError, match=r"samples: got '90 at each of 6 positions'.*need .* GB.*allows 2e-05 GB"):
+        planar_layers(planar, memory=20_000.0, progress=lambda share, text: told.append(share))
+    assert told == []
+    assert planar_layers(planar, memory=100_000.0).nbytes < 100_000
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"samples": 10**12}, "samples: got 1000000000000; allowed: fewer"),
+        ({"n": 10**12}, "n: got 1000000000000; allowed: fewer"),
+    ],
+)
+def test_a_grid_larger_than_memory_is_refused_before_it_is_made(panda, line, change, message):
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.sample_layers(panda, line, **{"n": 3, **change})
+
+
+def test_a_position_out_of_reach_is_named_with_the_distance(planar):
+    """The arm is three metres long; the last position lies half a metre further."""
+    start = planar.kinematics().pose(PLANAR_START)
+    end = np.eye(4)
+    end[:3, 3] = [3.5, 0.0, start[2, 3]]
+    with pytest.raises(mp.InvalidInputError, match=r"path, position 3 of 0 to 3 \(s = 1\): .*stays 500 mm and") as caught:
+        mp.sample_layers(planar, CartesianPath.line(start, end), 4, samples=60, task=mp.Task.planar())
+    assert "within reach" in caught.value.allowed
+
+
+def test_a_pose_between_the_samples_is_told_as_reachable(planar):
+    """Stretched out, only one tool rotation reaches; a grid of seven passes it by."""
+    start = planar.kinematics().pose([0.1, 0.0, 0.0])
+    end = planar.kinematics().pose([0.2, 0.0, 0.0])
+    with pytest.raises(mp.InvalidInputError, match="within reach, but of no value on the grid; take more samples"):
+        mp.sample_layers(planar, CartesianPath.line(start, end), 2, samples=7, task=mp.Task.planar(), collisions=False)
+
+
+def test_positions_inside_an_obstacle_are_told(planar):
+    start = planar.kinematics().pose(PLANAR_START)
+    ball = mp.Scene([mp.Sphere(radius=0.2, position=start[:3, 3], name="ball")])
+    path = CartesianPath.line(start, moved(start, [0.0, 0.05, 0.0]))
+    with pytest.raises(mp.InvalidInputError, match=r"each of the \d+ that reach it touches an obstacle or the arm itself"):
+        mp.sample_layers(planar, path, 2, samples=30, scene=ball)
+    near = mp.Scene([mp.Sphere(radius=0.2, position=start[:3, 3] + [0, 0, 0.4], name="ball")])
+    with pytest.raises(mp.InvalidInputError, match="comes nearer than 0.3 m to something"):
+        mp.sample_layers(planar, path, 2, samples=30, scene=near, clearance=0.3)
+
+
+class Broken(CartesianPath):
+    """A user's own path with a NaN at its second position."""
+
+    def __init__(self, pose):
+        self.pose = pose
+
+    def _at(self, s):
+        positions = np.tile(self.pose[:3, 3], (len(s), 1))
+        positions[(s > 0.3) & (s < 0.7)] = np.nan
+        return positions, np.tile(self.pose[:3, :3], (len(s), 1, 1))
+
+
+def test_a_pose_with_nan_is_refused(planar):
+    pose = np.array(planar.kinematics().pose(PLANAR_START))
+    with pytest.raises(mp.InvalidInputError, match="path, position 1 of 0 to 2.*a rotation and a translation"):
+        mp.sample_layers(planar, Broken(pose), 3, samples=10)
+    pose[0, 3] = np.nan
+    with pytest.raises(mp.InvalidInputError, match="finite"):
+        CartesianPath.line(pose, np.eye(4))
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"robot": "panda"}, "robot: got 'panda'"),
+        ({"path": np.eye(4)}, "path: .*a CartesianPath"),
+        ({"n": 1}, "n: got 1; allowed: .*at least 2"),
+        ({"n": 2.0}, "n: got 2.0"),
+        ({"n": "many"}, "n: got 'many'"),
+        ({"n": True}, "n: got True"),
+        ({"samples": 0}, "samples: got 0"),
+        ({"samples": (3, 3)}, r"samples: got \(3, 3\)"),
+        ({"samples": "fine"}, "samples: got 'fine'"),
+        ({"samples": -4}, "samples: got -4"),
+        ({"clearance": -0.1}, "clearance: got -0.1"),
+        ({"clearance": np.nan}, "clearance: got nan"),
+        ({"clearance": None}, "clearance: got None"),
+        ({"memory": 0}, "memory: got 0"),
+        ({"memory": "1 GB"}, "memory: got '1 GB'"),
+        ({"closed": "yes"}, "closed: got 'yes'"),
+        ({"collisions": None}, "collisions: got None"),
+        ({"scene": "scene.yaml"}, "scene: got 'scene.yaml'"),
+        ({"seed": -1}, "seed: got -1"),
+        ({"task": "pose"}, "task: got 'pose'"),
+        ({"task": mp.Task.position()}, "task: got 'position'"),
+        ({"measure": "yoshikava"}, "did you mean yoshikawa"),
+        ({"method": "magic"}, "method: got 'magic'"),
+        ({"held": ["elbow"]}, "held"),
+        ({"executor": "dask"}, "executor: got 'dask'"),
+        ({"progress": 5}, "progress: got 5"),
+    ],
+)
+def test_wrong_arguments(panda, line, change, message):
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.sample_layers(**{"robot": panda, "path": line, "n": 2, "samples": 4, "collisions": False, **change})
+
+
+@pytest.mark.parametrize(("epsilon", "message"), [(0, "above zero"), (-1.0, "above zero"), ([0.1, 0.1], "7 of them"), ("a", "real")])
+def test_epsilon_is_checked(layers, epsilon, message):
+    with pytest.raises(mp.InvalidInputError, match=f"epsilon: .*{message}"):
+        mp.max_min_search(layers, epsilon)
+
+
+def test_the_search_over_samples_equals_all_pairs(planar):
+    """From sampling to the optimum, by brute force."""
+    layers = planar_layers(planar, samples=24)
+    best = {k: m for k, m in enumerate(layers.m[0])}
+    for (before, q), m in zip(itertools.pairwise(layers.q), layers.m[1:], strict=True):
+        near = (np.abs(q[:, None] - before[None]) < 0.5).all(axis=2)
+        best = {k: min(m[k], max((best[j] for j in np.flatnonzero(near[k])), default=-np.inf)) for k in range(len(q))}
+    assert mp.max_min_search(layers, 0.5).minimum == max(best.values()) > 0
