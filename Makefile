@@ -30,6 +30,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/kinematics.py
 	$(BIN)/python benchmarks/import_time.py
 	$(BIN)/python benchmarks/random_steps.py
+	$(BIN)/python benchmarks/search.py
 
 benchmark-peers: $(READY)
 	$(BIN)/python benchmarks/tracking.py

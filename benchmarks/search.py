@@ -1,6 +1,6 @@
 """The exact max-min search beside the paper's own, a ladder graph and a dense dynamic programme, on the same layers.
 
-Run with `make benchmark`. Layers are made of smooth self-motions: at each position every inverse-kinematic branch of a
+Run with `make benchmark`. mp.Layers are made of smooth self-motions: at each position every inverse-kinematic branch of a
 seven-joint arm is a surface over two angles, on which the index is smooth. From position to position the surfaces move
 slowly; index and holes (collisions) move along them at a `speed`, so that high candidates of one position need not
 neighbour high ones of the next. Every large case runs in a process of its own, for its memory. Writes
@@ -9,6 +9,7 @@ docs/benchmarks/search.md.
 
 import argparse
 import json
+import os
 import platform
 import resource
 import subprocess
@@ -23,18 +24,16 @@ from pathlib import Path
 import numpy as np
 from rich.progress import Progress
 
-from manipplan.kinematics.batch import all_cores
-from manipplan.search.bottleneck import max_min_search
-from manipplan.search.guilamo import guilamo_search
-from manipplan.search.layers import Layers
+import manipplan as mp
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "search.md"
+CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 POSITIONS, JOINTS, BRANCHES, WAVES = 50, 7, 8, 4
 
 
 @dataclass(frozen=True, kw_only=True)
 class Case:
-    """Layers to search.
+    """mp.Layers to search.
 
     Attributes:
         count: candidates in all, before the holes.
@@ -62,7 +61,7 @@ LARGE = {
 }
 
 
-def layers_of(case: Case) -> Layers:
+def layers_of(case: Case) -> mp.Layers:
     """The layers of a case, made one after the other so that nothing else is held."""
     rng = np.random.default_rng(case.seed)
     terms = rng.integers(-1, 2, (BRANCHES, JOINTS, 3, 2)).astype(float)
@@ -94,10 +93,10 @@ def layers_of(case: Case) -> Layers:
                 filled += len(free)
         order = rng.permutation(each)  # candidates come in no order that a search could lean on
         configurations[-1], indices[-1] = configurations[-1][order], indices[-1][order]
-    return Layers.from_arrays(configurations, indices)
+    return mp.Layers.from_arrays(configurations, indices)
 
 
-def ladder(layers: Layers, epsilon: float) -> float:
+def ladder(layers: mp.Layers, epsilon: float) -> float:
     """As Descartes plans: all edges of all pairs of rungs are built and stored, then the graph is searched."""
     edges = []
     for a, b in pairwise(layers.q):
@@ -111,7 +110,7 @@ def ladder(layers: Layers, epsilon: float) -> float:
     return float(value.max())
 
 
-def dense(layers: Layers, epsilon: float) -> float:
+def dense(layers: mp.Layers, epsilon: float) -> float:
     """As CppFlow does: a dynamic programme over dense matrices of all pairs of neighbouring layers."""
     value = layers.m[0]
     for (a, b), m in zip(pairwise(layers.q), layers.m[1:], strict=True):
@@ -136,11 +135,11 @@ def warm() -> None:
     """Compile everything: the first call in a process also loads what an earlier process compiled."""
     layers = layers_of(Case(count=2000, epsilon=1.0, speed=0.1))
     for prefer in ("first", "shortest", "lexicographic"):
-        max_min_search(layers, 1.0, prefer=prefer)
-    guilamo_search(layers, 1.0, memoised=True)
+        mp.max_min_search(layers, 1.0, prefer=prefer)
+    mp.guilamo_search(layers, 1.0, memoised=True)
 
 
-def quantile(layers: Layers, value: float) -> float:
+def quantile(layers: mp.Layers, value: float) -> float:
     """The share of all candidates whose index is below the value."""
     return sum(int((m < value).sum()) for m in layers.m) / layers.count
 
@@ -148,7 +147,7 @@ def quantile(layers: Layers, value: float) -> float:
 def small(branches: int, tell: Callable[[str], None]) -> list[str]:
     """All searches on layers that all of them can hold."""
     layers, epsilon = layers_of(SMALL[0]), SMALL[0].epsilon
-    exact, result = timed(lambda: max_min_search(layers, epsilon, prefer="first", threads=1), repeat=5)
+    exact, result = timed(lambda: mp.max_min_search(layers, epsilon, prefer="first", threads=1), repeat=5)
     rows = [
         f"{layers.count} candidates in {POSITIONS} layers, ε = {epsilon:g} rad, one thread:",
         "",
@@ -162,7 +161,7 @@ def small(branches: int, tell: Callable[[str], None]) -> list[str]:
 
     for prefer in ("shortest", "lexicographic"):
         tell(prefer)
-        seconds, path = timed(partial(max_min_search, layers, epsilon, prefer=prefer, threads=1), repeat=5)
+        seconds, path = timed(partial(mp.max_min_search, layers, epsilon, prefer=prefer, threads=1), repeat=5)
         row(
             f'exact, prefer="{prefer}"',
             seconds,
@@ -191,10 +190,10 @@ def papers(branches: int, tell: Callable[[str], None]) -> list[str]:
     for case in SMALL:
         layers, epsilon = layers_of(case), case.epsilon
         tell(f"guilamo2006, seed {case.seed}")
-        exact, result = timed(partial(max_min_search, layers, epsilon, prefer="first", threads=1), repeat=5)
-        seconds, found = timed(partial(guilamo_search, layers, epsilon, memoised=True))
+        exact, result = timed(partial(mp.max_min_search, layers, epsilon, prefer="first", threads=1), repeat=5)
+        seconds, found = timed(partial(mp.guilamo_search, layers, epsilon, memoised=True))
         assert found.minimum == result.minimum
-        spent, literal = timed(partial(guilamo_search, layers, epsilon, most_branches=branches, throw=False))
+        spent, literal = timed(partial(mp.guilamo_search, layers, epsilon, most_branches=branches, throw=False))
         end = "found it" if literal.status.ok else "stopped, not finished,"
         rows.append(
             f"| {case.seed} | {quantile(layers, result.minimum):.2f} ({quantile(layers, result.bound):.3f}) | {exact:.4f} s "
@@ -210,14 +209,14 @@ def large(name: str, threads: int) -> dict:
     warm()
     layers = layers_of(case)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    seconds, result = timed(lambda: max_min_search(layers, case.epsilon, prefer="first", threads=threads), repeat=3)
+    seconds, result = timed(lambda: mp.max_min_search(layers, case.epsilon, prefer="first", threads=threads), repeat=3)
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    alone, _ = timed(lambda: max_min_search(layers, case.epsilon, prefer="first", threads=1), repeat=3)
-    longer, shortest = timed(lambda: max_min_search(layers, case.epsilon, prefer="shortest", threads=threads))
+    alone, _ = timed(lambda: mp.max_min_search(layers, case.epsilon, prefer="first", threads=1), repeat=3)
+    longer, shortest = timed(lambda: mp.max_min_search(layers, case.epsilon, prefer="shortest", threads=threads))
     assert shortest.minimum == result.minimum
     first = []
     began = time.perf_counter()
-    for each in max_min_search(layers, case.epsilon, prefer="first", anytime=True, threads=threads):
+    for each in mp.max_min_search(layers, case.epsilon, prefer="first", anytime=True, threads=threads):
         if each.connected:
             first.append((time.perf_counter() - began, each.certified_gap))
     return {
@@ -240,7 +239,7 @@ def large(name: str, threads: int) -> dict:
 
 def large_rows(tell: Callable[[str], None]) -> list[str]:
     """Every large case, each in a fresh process."""
-    threads = all_cores()
+    threads = CORES
     rows = [
         f'50 layers, ε = 0.1 rad, prefer="first", {threads} threads; memory is the peak of the whole process, with the '
         "candidates themselves in brackets.",
@@ -262,19 +261,53 @@ def large_rows(tell: Callable[[str], None]) -> list[str]:
     return rows
 
 
+def sampled_rows(tell: Callable[[str], None]) -> list[str]:
+    """The circle of the study: TALOS' torso and arm, 306,306 samples of what it has to spare at each of 50 positions."""
+    tell("sampling TALOS' circle")
+    robot = mp.load_robot("talos_torso_right_arm")
+    start = np.array([[0.0, 0.0, -1.0, 0.45], [-1.0, 0.0, 0.0, -0.25], [0.0, 1.0, 0.0, 0.25], [0.0, 0.0, 0.0, 1.0]])
+    circle = mp.CartesianPath.circle(start, start[:3, 3] - [0.0, 0.0, 0.1], (1.0, 0.0, 0.0))
+    mp.sample_layers(robot, circle, 3, samples=(9, 9, 9))  # kernels, collision shapes
+    lines = [
+        "TALOS' torso and right arm on a vertical circle, 306,306 samples at each of 50 positions, each with up to eight "
+        f"answers; sampling on {CORES} threads:",
+        "",
+        "| collisions | candidates | sampling | ε | search | least index (bound) | together |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    for collisions in (False, True):
+        began = time.perf_counter()
+        layers = mp.sample_layers(robot, circle, 50, samples=(77, 78, 51), collisions=collisions)
+        sampled = time.perf_counter() - began
+        for degrees in (2, 3, 5):
+            began = time.perf_counter()
+            found = mp.max_min_search(layers, np.deg2rad(degrees), throw=False)
+            searched = time.perf_counter() - began
+            figures = f"{found.minimum:.6f} ({found.bound:.6f})"
+            if found.smallest_epsilon is not None:
+                figures = f"not connected; above {np.rad2deg(found.smallest_epsilon.max()):.3f}°"
+            row = f"{layers.count} | {sampled:.1f} s | {degrees}° | {searched:.2f} s | {figures} | {sampled + searched:.1f} s"
+            lines.append(f"| {'checked' if collisions else 'not checked'} | {row} |")
+    return lines
+
+
 def main(arguments: list[str] | None = None) -> None:
     """Run, and write the page."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--branches", type=int, default=20_000_000, help="after which the literal search is stopped")
     parser.add_argument("--out", type=Path, default=OUT)
     parser.add_argument("--large", choices=list(LARGE), help="one large case only, as JSON")
-    parser.add_argument("--threads", type=int, default=all_cores())
+    parser.add_argument("--threads", type=int, default=CORES)
     options = parser.parse_args(arguments)
     if options.large:
         print(json.dumps(large(options.large, options.threads)))
         return
     # a section of the page each: its lines
-    sections: list[Callable[[Callable[[str], None]], list[str]]] = [lambda tell: small(options.branches, tell), large_rows]
+    sections: list[Callable[[Callable[[str], None]], list[str]]] = [
+        sampled_rows,
+        lambda tell: small(options.branches, tell),
+        large_rows,
+    ]
     text: list[str] = []
     with Progress() as progress:
         bar = progress.add_task("compiling", total=len(sections))
@@ -282,7 +315,7 @@ def main(arguments: list[str] | None = None) -> None:
         for section in sections:
             text += [*section(lambda words: progress.update(bar, description=words)), ""]
             progress.advance(bar)
-    told = f"Python {platform.python_version()}, {platform.machine()}, {all_cores()} cores; command: `make benchmark`."
+    told = f"Python {platform.python_version()}, {platform.machine()}, {CORES} cores; command: `make benchmark`."
     page = "\n".join([*text, told, ""])
     options.out.parent.mkdir(parents=True, exist_ok=True)
     options.out.write_text(page)

@@ -1,13 +1,10 @@
-"""Kernels that sort candidates into cells (imports numba)."""
+"""Kernels that sort candidates into cells."""
 
-# numba has no types
-# mypy: disable-error-code="untyped-decorator"
-
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.checks import Array
+from manipplan.kernels import kernel
 
 Whole = NDArray[np.int64]
 Numbers = NDArray[np.int32]
@@ -16,7 +13,7 @@ Truth = NDArray[np.bool_]
 TAU = 2 * np.pi
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def cell_of(q: Array, i: int, joints: Whole, low: Array, per: Array, count: Whole, wraps: Truth) -> int:
     """The cell of row i of q (k, n)."""
     cell = 0
@@ -36,7 +33,7 @@ def cell_of(q: Array, i: int, joints: Whole, low: Array, per: Array, count: Whol
     return cell
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def taking_part(m: Array, threshold: float, share: float) -> Numbers:
     """Numbers of the candidates with m >= threshold; with a share below 1, of about that share of them.
 
@@ -57,7 +54,7 @@ def taking_part(m: Array, threshold: float, share: float) -> Numbers:
     return taken[:count]
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def sort_into_cells(
     q: Array, m: Array, threshold: float, share: float, cap: float,
     joints: Whole, low: Array, per: Array, count: Whole, wraps: Truth, order: Whole,
@@ -93,7 +90,7 @@ def sort_into_cells(
     return ids, rows, values, start
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def largest_of_each(start: Numbers, value: Array) -> Array:
     """The largest value of each cell (cells,), -inf of an empty one."""
     top = np.full(len(start) - 1, -np.inf)

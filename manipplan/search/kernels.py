@@ -1,4 +1,4 @@
-"""Kernels of one step of the dynamic programme, from the candidates of a layer to those of the next (imports numba).
+"""Kernels of one step of the dynamic programme, from the candidates of a layer to those of the next.
 
 All values are maximised. Candidates lie in the order of their cells (`sort_into_cells`); `previous` is -inf where a
 candidate is not reached, `top` is the largest value of each cell, and cells first_cell to last_cell - 1 of the new layer
@@ -6,22 +6,17 @@ are worked on, so that threads share a layer. Results go into value, source (the
 there is none) and new_top.
 """
 
-# numba has no types
-# mypy: disable-error-code="untyped-decorator"
-
-import numba
 import numpy as np
 
 from manipplan.checks import Array
+from manipplan.kernels import kernel
 from manipplan.search.cells import TAU, Numbers, Truth, Whole
-
-# what these kernels call lies in this file: numba's cache would not see a change in another one
 
 #: Cells that adjoin a cell at most, itself among them.
 ADJOINING = 27
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def cells_around(cell: int, count: Whole, wraps: Truth, top: Array, near: Whole) -> int:
     """The cells that adjoin `cell`, itself among them, and hold a value above -inf: the one with the largest value first.
 
@@ -62,7 +57,7 @@ def cells_around(cell: int, count: Whole, wraps: Truth, top: Array, near: Whole)
     return found
 
 
-@numba.njit(cache=True, nogil=True, inline="always")
+@kernel
 def step(a: float, b: float, turns: bool) -> float:
     """How far a joint turns or moves from a to b; one that turns without end by the shorter way."""
     d = b - a
@@ -71,7 +66,7 @@ def step(a: float, b: float, turns: bool) -> float:
     return d
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def is_near(rows: Array, i: int, others: Array, k: int, reach: Array, turns: Truth) -> bool:
     """Whether each joint's step from rows[i] to others[k] is below its reach."""
     for j in range(rows.shape[1]):
@@ -81,7 +76,7 @@ def is_near(rows: Array, i: int, others: Array, k: int, reach: Array, turns: Tru
     return True
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def widest_step(
     old_rows: Array, previous: Array, top: Array, old_start: Numbers, rows: Array, m: Array, start: Numbers,
     first_cell: int, last_cell: int, reach: Array, turns: Truth, count: Whole, wraps: Truth,
@@ -114,7 +109,7 @@ def widest_step(
         new_top[cell] = highest
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def shortest_step(
     old_rows: Array, previous: Array, top: Array, old_start: Numbers, rows: Array, rank: Whole, ranked: bool, start: Numbers,
     first_cell: int, last_cell: int, reach: Array, turns: Truth, count: Whole, wraps: Truth,
@@ -160,7 +155,7 @@ def shortest_step(
         new_top[cell] = highest
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def closest_step(
     old_rows: Array, previous: Array, top: Array, old_start: Numbers, rows: Array, epsilon: Array, start: Numbers,
     first_cell: int, last_cell: int, reach: Array, turns: Truth, count: Whole, wraps: Truth,

@@ -1,13 +1,10 @@
-"""Kernel of the restart search of guilamo2006 (imports numba)."""
+"""Kernel of the restart search of guilamo2006."""
 
-# numba has no types
-# mypy: disable-error-code="untyped-decorator"
-
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.checks import Array
+from manipplan.kernels import kernel
 
 Whole = NDArray[np.int64]
 Truth = NDArray[np.bool_]
@@ -21,7 +18,7 @@ UNFINISHED, FOUND, EXHAUSTED, TOO_MANY = 0, 1, 2, 3
 NEXT, UP, DOWN = 0, 1, 2
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def search_restarts(
     q: Array, m: Array, offset: Whole, starts: Whole, layer_of: Whole, reach: Array, turns: Truth, memoised: bool,
     most_branches: int, budget: int, state: Whole, path: Whole, pointer: Whole, seen: Whole,
