@@ -147,7 +147,7 @@ def follow(
             positions,
             epsilon=epsilon,
             task=Task.pointing(pointing) if pointing is not None else None,
-            samples=(samples[0] if len(samples) == 1 else samples) or None,
+            samples=samples[0] if len(samples) == 1 else samples or None,
             tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]) if tolerance is not None else None,
             scene=world,
             clearance=clearance,

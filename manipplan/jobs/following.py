@@ -8,22 +8,23 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, instance, number
-from manipplan.errors import PlanningError
+from manipplan.errors import InvalidInputError, PlanningError
 from manipplan.interrupts import interruptible
 from manipplan.jobs.result import Plan, checked, failed
 from manipplan.measures.task import Task
 from manipplan.optimize.objective import path_cost
 from manipplan.optimize.optimize import PathResult
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.deviation import Deviation, deviation_from
+from manipplan.paths.deviation import Deviation, deviation_at, deviation_from
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.search.bottleneck import max_min_search
+from manipplan.search.epsilon import checked_epsilon
 from manipplan.search.layers import Layers
 from manipplan.search.refine import Refinement, refine
 from manipplan.search.result import SearchResult
-from manipplan.search.sample import sample_layers
+from manipplan.search.sample import endless, sample_layers
 from manipplan.status import Status
 from manipplan.timing.retime import check_timing_limits, retime
 from manipplan.tracking.relaxation import Tolerance
@@ -31,7 +32,9 @@ from manipplan.tracking.relaxation import Tolerance
 #: How far the tool may leave the path between positions where no tolerance is given [m, rad].
 BETWEEN = Tolerance(position=1e-4, rotation=1e-3)
 #: The share of a tolerance that is used at the positions, and between them before knots are added: timing needs a little, too.
-AT_POSITIONS, AT_KNOTS = 0.9, 0.5
+AT_POSITIONS, IN_TUBE = 0.9, 0.97
+#: The latter where no tolerance is given.
+AT_KNOTS = 0.5
 #: Candidates keep this much more than the demanded clearance, for what happens between positions [m].
 SPARE = 0.003
 #: The tool is compared with the path at so many times.
@@ -72,7 +75,7 @@ def follow(
         task: Task.pose(), the default, or Task.pointing(axis); see `sample_layers`.
         samples: of what the arm has to spare; see `sample_layers`.
         tolerance: how far the tool may leave the path. The default keeps it within 0.1 mm and 1 mrad, all but the
-            positions themselves, which are met exactly.
+            positions themselves, which are met exactly; so does a tolerance that names one of the two for the other.
         scene: obstacles; None: none. The arm is always checked against itself.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         closed: the path returns to its start, and the motion ends in the configuration in which it began.
@@ -90,6 +93,11 @@ def follow(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
+    for name, value in (("torque", torque), ("throw", throw)):
+        instance(name, value, bool)
+    if progress is not None and not callable(progress):
+        raise InvalidInputError("progress", progress, "a function of (share, text), or None")
+    epsilon = checked_epsilon(epsilon, endless(robot.limits))
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
     tell = progress or _silent
@@ -124,13 +132,16 @@ def follow(
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     tell(0.97, "checking the result")
     motion = trajectory(np.linspace(0.0, trajectory.duration, TIMES))
-    deviation = deviation_from(path, robot.kinematics(result.task).pose(motion), _axis(layers))
+    pose, axis, s = robot.kinematics(result.task).pose, _axis(layers), np.linspace(0.0, 1.0, TIMES)
+    deviation = deviation_from(path, pose(motion), axis)
     draft = replace(draft, deviation=deviation)
     collision = scene.collision_model(robot)
     made = checked(draft, trajectory, result, collision, joints.goal, clearance=clearance, torque=torque, throw=throw)
-    excess = _excess(deviation, tolerance or BETWEEN)
-    if excess and made.status is Status.FOLLOWED:
-        return failed(replace(made, status=Status.CHECK_FAILED), throw, excess)
+    allowed = _allowed(tolerance)
+    excess = _excess(deviation, allowed) or _excess(deviation_at(path, s, pose(joints(s)), axis), allowed)
+    if excess and made.report is not None and made.status is Status.FOLLOWED:
+        report = replace(made.report, status=Status.CHECK_FAILED.value, passed=False)
+        return failed(replace(made, status=Status.CHECK_FAILED, report=report), throw, excess)
     tell(1.0, "done")
     return made
 
@@ -140,10 +151,10 @@ def _joined(
 ) -> tuple[JointPath, PathResult]:
     """The joint path through the refined positions, and its figures beside those of the path that the search found.
 
-    With a tolerance the refined positions are joined as they are: their spline is as smooth as they are.
+    With a tolerance the refined positions are joined as they are, as long as their spline stays inside it.
     """
     from manipplan.search.between import joint_path
-    from manipplan.search.program import PoseRows
+    from manipplan.search.program import PoseRows, full_turns
     from manipplan.search.worker import Worker
 
     assert layers.setup is not None
@@ -152,16 +163,14 @@ def _joined(
     kinematics = worker.kinematics
     rows = PoseRows(kinematics)
     paths = []
-    for exact, positions in ((tolerance is None, refined.q), (True, found.q)):
+    exact = AT_KNOTS * rows.box(BETWEEN)
+    wide = exact if tolerance is None else np.maximum(exact, IN_TUBE * rows.box(tolerance))
+    tube = tolerance.scaled(AT_POSITIONS / np.sqrt(3)) if tolerance is not None else None  # inside the box of the rows
+    for positions, allowed, inside in ((refined.q, wide, tube), (found.q, exact, None)):
         s, q = layers.s, positions
         if layers.closed:
-            turns = 2 * np.pi * np.round((q[-1] - q[0]) / (2 * np.pi))
-            s, q = np.append(s, 1.0), np.vstack([q, q[0] + turns])  # the way back to the start
-        if not exact:
-            paths.append(JointPath.spline(s, q, closed=layers.closed))
-        else:
-            allowed = AT_KNOTS * rows.box(BETWEEN)
-            paths.append(joint_path(worker.solver, rows, path, s, q, closed=layers.closed, allowed=allowed))
+            s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
+        paths.append(joint_path(worker.solver, rows, path, s, q, closed=layers.closed, allowed=allowed, tube=inside))
     cost, seed_cost = (path_cost(each, kinematics, 1.0) for each in paths)
     result = PathResult(
         path=paths[0],
@@ -185,6 +194,14 @@ def _axis(layers: Layers) -> Array | None:
 
     assert layers.setup is not None
     return Worker(layers.setup).solver.axis
+
+
+def _allowed(tolerance: Tolerance | None) -> Tolerance:
+    """The tolerance, or for what it leaves out the default."""
+    if tolerance is None:
+        return BETWEEN
+    position = BETWEEN.position if tolerance.position is None else tolerance.position
+    return Tolerance(position=position, rotation=BETWEEN.rotation if tolerance.rotation is None else tolerance.rotation)
 
 
 def _excess(deviation: Deviation, tolerance: Tolerance) -> str:

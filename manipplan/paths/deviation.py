@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from manipplan.checks import Array
+from manipplan.errors import InvalidInputError
 from manipplan.paths.cartesian import CartesianPath
 
 #: Poses of the path that are compared, and how many metres a radian counts while the nearest is looked for.
@@ -37,6 +38,8 @@ def deviation_from(path: CartesianPath, poses: Array, axis: Array | None = None)
 
     Each pose is compared with the nearest piece of the path, cut into 2000.
     """
+    if not len(poses):
+        raise InvalidInputError("poses", f"an array of shape {poses.shape}", "at least one pose (4, 4)")
     line = path(np.linspace(0.0, 1.0, POSES))
     position, rotation = np.empty(len(poses)), np.empty(len(poses))
     for begin in range(0, len(poses), BLOCK):
@@ -48,8 +51,19 @@ def deviation_from(path: CartesianPath, poses: Array, axis: Array | None = None)
         better = sides[0][0] + RADIAN * sides[0][1] < sides[1][0] + RADIAN * sides[1][1]
         position[begin : begin + BLOCK] = np.where(better, sides[0][0], sides[1][0])
         rotation[begin : begin + BLOCK] = np.where(better, sides[0][1], sides[1][1])
+    return _largest(position, rotation)
+
+
+def deviation_at(path: CartesianPath, s: Array, poses: Array, axis: Array | None = None) -> Deviation:
+    """Of tool poses (k, 4, 4) from those of a path at s (k,): small only where the whole path is passed, in its order."""
+    targets = path(s)
+    position = np.linalg.norm(poses[:, :3, 3] - targets[:, :3, 3], axis=1)
+    return _largest(position, _angles(poses[:, :3, :3], targets[:, :3, :3], axis))
+
+
+def _largest(position: Array, rotation: Array) -> Deviation:
     worst, turned = int(position.argmax()), int(rotation.argmax())
-    last = max(len(poses) - 1, 1)
+    last = max(len(position) - 1, 1)
     return Deviation(
         position=float(position[worst]),
         position_at=worst / last,
@@ -66,8 +80,9 @@ def _from_piece(poses: Array, begins: Array, ends: Array, axis: Array | None) ->
     turn = Rotation.from_matrix(np.swapaxes(begins[:, :3, :3], 1, 2) @ ends[:, :3, :3]).as_rotvec()
     offset = poses[:, :3, 3] - begins[:, :3, 3]
     leaning = Rotation.from_matrix(np.swapaxes(begins[:, :3, :3], 1, 2) @ poses[:, :3, :3]).as_rotvec()
-    length = (along**2).sum(axis=1) + RADIAN**2 * (turn**2).sum(axis=1)
-    share = (offset * along).sum(axis=1) + (RADIAN**2 * (leaning * turn).sum(axis=1) if axis is None else 0.0)
+    turns, leans = (turn, leaning) if axis is None else ((each[:, :3, :3] - begins[:, :3, :3]) @ axis for each in (ends, poses))
+    length = (along**2).sum(axis=1) + RADIAN**2 * (turns**2).sum(axis=1)
+    share = (offset * along).sum(axis=1) + RADIAN**2 * (leans * turns).sum(axis=1)
     share = np.clip(share / np.maximum(length, 1e-30), 0.0, 1.0)[:, None]
     rotations = begins[:, :3, :3] @ Rotation.from_rotvec(share * turn).as_matrix()
     return np.linalg.norm(offset - share * along, axis=1), _angles(poses[:, :3, :3], rotations, axis)

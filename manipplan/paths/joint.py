@@ -11,6 +11,8 @@ from manipplan.errors import InvalidInputError
 
 #: Shorter paths [rad or m] than this are no motion.
 SHORTEST = 1e-6
+#: A closed path ends within this of full turns [rad or m].
+TURNED = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -68,6 +70,8 @@ class JointPath:
         if len(places) != len(points) or len(places) < 2 or not (np.diff(places) > 0).all():
             raise InvalidInputError("s", places, "rising numbers, one for each row of q")
         drift = points[-1] - points[0] if closed else np.zeros(points.shape[1])
+        if np.abs(drift - 2 * np.pi * np.round(drift / (2 * np.pi))).max(initial=0.0) > TURNED:
+            raise InvalidInputError("q", points[-1].tolist(), "a last row that is the first, or full turns from it")
         even = points - places[:, None] * drift
         if closed:
             even[-1] = even[0]

@@ -7,6 +7,7 @@ import sys
 import time
 
 import numpy as np
+import pinocchio as pin
 import pytest
 
 import manipplan as mp
@@ -85,6 +86,102 @@ def test_no_path_is_exit_code_one(arm_file, tmp_path, capsys):
     changes = {"start": ["0.5"] * 3, "goal": ["-0.5"] * 3, "scene": [str(scene)], "time-limit": ["0.3"]}
     assert main(plan_arguments(arm_file, tmp_path / "out", **changes)) == 1
     assert "no path from start to goal" in capsys.readouterr().err
+
+
+@pytest.fixture(scope="module")
+def six_file(tmp_path_factory):
+    """Six joints, the last three meeting: an arm that reaches poses and is read in no time."""
+    text = '<robot name="six"><link name="l0"/>'
+    for k, (axis, far) in enumerate(
+        (("0 0 1", 0), ("0 1 0", 0.3), ("0 1 0", 0.4), ("0 0 1", 0.2), ("0 1 0", 0.2), ("0 0 1", 0))
+    ):
+        text += (
+            f'<link name="l{k + 1}"/><joint name="j{k}" type="revolute"><parent link="l{k}"/><child link="l{k + 1}"/>'
+            f'<origin xyz="0 0 {far}"/><axis xyz="{axis}"/><limit lower="-2.9" upper="2.9" velocity="2" effort="50"/></joint>'
+        )
+    file = tmp_path_factory.mktemp("six") / "six.urdf"
+    file.write_text(f"{text}</robot>")
+    return str(file)
+
+
+@pytest.fixture(scope="module")
+def seam(six_file, tmp_path_factory):
+    """A CSV file of poses along a straight line."""
+    pose = pin.SE3(np.array(mp.load_robot(six_file).kinematics().pose([0.2, 0.5, 1.0, 0.3, 0.6, 0.1])))
+    x, y, z, w = pin.Quaternion(pose.rotation).coeffs()
+    file = tmp_path_factory.mktemp("seam") / "seam.csv"
+    points = [pose.translation + d * np.array([-1, 1, 0]) for d in (0.0, 0.04, 0.1)]
+    rows = [",".join(f"{value:.15g}" for value in (*point, w, x, y, z)) for point in points]
+    file.write_text("x,y,z,qw,qx,qy,qz\n" + "\n".join(rows) + "\n")
+    return str(file)
+
+
+def follow_arguments(six_file, seam, folder, **changes):
+    options = {"positions": ["3"], "epsilon": ["0.8"], "out": [str(folder)], **changes}
+    return ["follow", six_file, seam, *[word for key, values in options.items() for word in (f"--{key}", *values)]]
+
+
+def test_follow_writes_all_files(six_file, seam, tmp_path, capsys):
+    assert main(follow_arguments(six_file, seam, tmp_path / "out")) == 0
+    shown = capsys.readouterr()
+    assert "all checks passed" in shown.out and "at most from the path" in shown.out and "refined" in shown.out
+    names = {file.name for file in (tmp_path / "out").iterdir()}
+    assert {"trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png"} <= names
+    assert mp.Report.from_json(tmp_path / "out" / "report.json").passed
+    trajectory = mp.Trajectory.from_csv(tmp_path / "out" / "trajectory.csv")
+    tool = mp.load_robot(six_file).kinematics().pose(trajectory(np.linspace(0, trajectory.duration, 50)))[:, :3, 3]
+    ends = np.loadtxt(seam, delimiter=",", skiprows=1)[[0, -1], :3]
+    np.testing.assert_allclose(tool[[0, -1]], ends, atol=1e-6)
+    across = np.cross(tool - ends[0], (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0]))
+    assert np.abs(across).max() < 1e-4
+    shares = [int(line.split()[1]) for line in shown.err.splitlines() if line.startswith("...")]
+    assert shares == sorted(shares) and shares[-1] == 100
+
+
+@pytest.mark.parametrize(
+    ("changes", "code", "message"),
+    [
+        ({"positions": ["1"]}, 2, "n: got 1"),
+        ({"epsilon": ["0"]}, 2, "epsilon: got 0.0"),
+        ({"epsilon": ["1e-9"]}, 1, "can be reached from position"),
+        ({"scene": ["no_such_scene.yaml"]}, 2, "scene: got 'no_such_scene.yaml'"),
+        ({"tolerance": ["-1", "0.1"]}, 2, "position: got -1.0"),
+        ({"clearance": ["-1"]}, 2, "clearance: got -1.0"),
+        ({"samples": ["0"]}, 2, "samples: got 0"),
+        ({"samples": ["3", "3", "3"]}, 2, "samples: got"),
+        ({"pointing": ["0", "0", "0"]}, 2, "axis"),
+        ({"closed": []}, 2, "the path's last pose is not its first"),
+        ({"out": ["/proc/nowhere"]}, 2, "out: got '/proc/nowhere'"),
+    ],
+)
+def test_wrong_input_to_follow_is_one_line(six_file, seam, tmp_path, capsys, changes, code, message):
+    assert main(follow_arguments(six_file, seam, tmp_path / "out", **changes)) == code
+    errors = [line for line in capsys.readouterr().err.splitlines() if not line.startswith("...")]
+    assert len(errors) == 1
+    assert message in errors[0]
+    assert list(tmp_path.rglob("trajectory*")) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "a first line x,y,z,qw,qx,qy,qz"),
+        ("a,b,c\n1,2,3\n", "a first line x,y,z,qw,qx,qy,qz"),
+        ("x,y,z,qw,qx,qy,qz\n", "at least two poses"),
+        ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0\n1,1.2,0,1,0,0,0\n", "row 2"),
+        ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0,0\n1,nan,0,1,0,0,0\n", "row 3"),
+        ("x,y,z,qw,qx,qy,qz\n1,1,0,2,0,0,0\n1,1.2,0,1,0,0,0\n", "a quaternion of length 1"),
+        ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0,0\n1,1,0,1,0,0,0\n", "a pose that differs"),
+        ("x,y,z,qw,qx,qy,qz\n9,9,0,1,0,0,0\n9,8,0,1,0,0,0\n", "a pose within reach; the arm stays"),
+    ],
+)
+def test_poses_that_cannot_be_read_or_reached(six_file, tmp_path, capsys, text, message):
+    file = tmp_path / "poses.csv"
+    file.write_text(text)
+    assert main(follow_arguments(six_file, str(file), tmp_path / "out")) == 2
+    assert message in capsys.readouterr().err
+    assert main(follow_arguments(six_file, str(tmp_path / "none.csv"), tmp_path / "out")) == 2
+    assert "existing file" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

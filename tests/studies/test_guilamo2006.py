@@ -1,0 +1,93 @@
+"""The figures of the study are those of expected.csv, and of its page."""
+
+import csv
+
+import numpy as np
+import pytest
+
+import manipplan as mp
+from studies.guilamo2006 import claims, config, courses, run, runs
+
+FIGURES = {"circle.png", "line.png", "index.png", "search.png", "sampling.png", "joints.png"}
+
+
+def test_the_quick_study_makes_what_is_expected(tmp_path):
+    assert run.main(["--quick", "--out", str(tmp_path)]) == []
+    assert {file.name for file in tmp_path.glob("*.png")} == FIGURES
+
+
+@pytest.mark.long
+def test_the_whole_study_makes_what_is_expected(tmp_path):
+    assert run.main(["--out", str(tmp_path)]) == []
+    assert {file.name for file in tmp_path.iterdir()} == {
+        file.name for file in config.PAGES.iterdir() if file.suffix in (".png", ".md", ".csv")
+    }
+
+
+def test_a_difference_is_told():
+    found = [claims.Claim(text=text, paper="", value=value) for text, value, _ in claims.expected(quick=False)]
+    assert claims.differences(found, quick=False) == []
+    found[2] = claims.Claim(text=found[2].text, paper="", value=found[2].value + 1000)
+    [line] = claims.differences(found, quick=False)
+    assert found[2].text in line
+    assert claims.differences(found[3:], quick=False)
+
+
+def test_the_page_shows_what_is_expected():
+    with (config.PAGES / "claims.csv").open(newline="") as file:
+        rows = [claims.Claim(text=row["claim"], paper=row["paper"], value=float(row["ours"])) for row in csv.DictReader(file)]
+    assert claims.differences(rows, quick=False) == []
+    page = config.PAGES.with_suffix(".md").read_text()
+    assert {file.name for file in config.PAGES.glob("*.png")} == FIGURES
+    for file in config.PAGES.iterdir():
+        if file.suffix in (".png", ".md"):
+            assert file.stat().st_size < 300_000
+            assert f"guilamo2006/{file.name}" in page
+
+
+def test_the_line_ends_where_reach_does():
+    _, line = courses.courses()
+    assert courses.furthest(line, config.SIDE, config.FULL) == config.LINE_END
+    assert line.path.length == pytest.approx(config.LENGTH)
+    _, second = courses.second_courses()
+    assert courses.furthest(second, config.SECOND_SIDE, config.SECOND_SAMPLES) == config.SECOND_LINE_END
+    assert second.path.length == pytest.approx(config.LENGTH * courses.second_scale(second.robot))
+
+
+def test_the_circle_is_that_of_the_paper():
+    circle, _ = courses.courses()
+    poses = circle.path.sample(50)
+    centre = np.array(config.CENTRE)
+    np.testing.assert_allclose(np.linalg.norm(poses[:, :3, 3] - centre, axis=1), config.DIAMETER / 2, atol=1e-12)
+    np.testing.assert_allclose(poses[:, 0, 3], centre[0], atol=1e-12)
+    np.testing.assert_allclose(poses[:, :3, :3], np.broadcast_to(poses[0, :3, :3], (50, 3, 3)), atol=1e-12)
+    assert np.prod(config.FULL) == np.prod(config.UNEVEN) == config.CONSIDERED
+
+
+def test_starts_that_are_needed_are_those_that_the_papers_search_takes():
+    kept = runs.Runs()
+    circle, _ = courses.courses()
+    sampled = kept.sampled(circle, config.GRIDS[0])
+    searched = kept.searched(sampled, 5.0, "first")
+    restarted = kept.restarted(sampled, 5.0, memoised=True)
+    assert restarted.ended
+    assert restarted.found.new_starts == sampled.above(searched.found.minimum) + 1
+    assert restarted.found.minimum == searched.found.minimum
+    assert kept.sampled(circle, config.GRIDS[0]) is sampled
+    kept.forget(sampled)
+    assert not kept.kept
+
+
+def test_perturbation_is_that_of_a_wave():
+    places = np.linspace(0, 1, 40)
+    index = 1 - places**2
+    assert runs.perturbation(index) < 1e-12
+    index[20] += 0.01
+    assert runs.perturbation(index) == pytest.approx(0.01, rel=0.2)
+
+
+def test_layers_without_collisions_hold_every_answer():
+    circle, _ = courses.courses()
+    sampled = runs.Runs().sampled(circle, (4, 3, 4))
+    answers = mp.inverse_kinematics(circle.robot, circle.path(0.0), samples=(4, 3, 4))
+    assert len(answers) == sampled.layers.sizes[0]

@@ -1,0 +1,191 @@
+"""Deviation of a motion's tool from a workspace path, and the spline that joins configurations."""
+
+import numpy as np
+import pinocchio as pin
+import pytest
+
+import manipplan as mp
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.deviation import deviation_at, deviation_from
+
+RNG = np.random.default_rng(7)
+START = pin.SE3(pin.rpy.rpyToMatrix(0.4, -0.3, 1.1), np.array([0.4, -0.1, 0.3])).homogeneous
+END = pin.SE3(pin.rpy.rpyToMatrix(0.9, 0.5, 0.2), np.array([0.5, 0.4, 0.1])).homogeneous
+LINE = CartesianPath.line(START, END)
+
+
+def turned(poses, rotvec):
+    """Turned about the tool's own axes."""
+    new = np.array(poses)
+    new[..., :3, :3] = new[..., :3, :3] @ pin.exp3(np.asarray(rotvec, dtype=float))
+    return new
+
+
+def shifted(poses, by):
+    new = np.array(poses)
+    new[..., :3, 3] += by
+    return new
+
+
+# ---- deviation
+
+
+def test_a_motion_on_the_path_has_none_whatever_its_timing():
+    s = np.sort(RNG.uniform(size=300)) ** 2
+    for path in (LINE, CartesianPath.circle(START, START[:3, 3] + [0.1, 0, 0], [0, 0, 1], turning=True)):
+        found = deviation_from(path, path(s))
+        assert found.position < 2e-7  # of chords of a 2000th
+        assert found.rotation < 1e-6
+        assert found.position > 0 or found.rotation > 0 or path is LINE
+
+
+@pytest.mark.parametrize("offset", [1e-6, 1e-3, 0.05])
+def test_a_known_offset_is_found_where_it_is(offset):
+    s = np.linspace(0, 1, 101)
+    across = np.cross(END[:3, 3] - START[:3, 3], [0, 0, 1.0])
+    across /= np.linalg.norm(across)
+    poses = LINE(s)
+    poses[30] = shifted(poses[30], offset * across)
+    poses[70] = turned(poses[70], [0, 0, offset])
+    found = deviation_from(LINE, poses)
+    assert found.position == pytest.approx(offset, rel=1e-6)
+    assert found.position_at == pytest.approx(0.3)
+    assert found.rotation == pytest.approx(offset, rel=0.01, abs=1e-12)
+    assert found.rotation_at == pytest.approx(0.7)
+    assert f"{1e3 * offset:.3g} mm" in str(found)
+
+
+def test_an_offset_beyond_the_ends_counts():
+    beyond = shifted(LINE(np.array([0.0, 1.0])), (END - START)[:3, 3] * np.array([[-0.1], [0.1]]))
+    found = deviation_from(LINE, beyond)
+    assert found.position == pytest.approx(0.1 * np.linalg.norm((END - START)[:3, 3]), rel=1e-9)
+
+
+def test_the_angle_is_right_up_to_half_a_turn():
+    still = CartesianPath.line(START, shifted(START, [0.2, 0, 0]))
+    for angle in (1e-8, 0.5, 2.0, np.pi - 1e-3, np.pi):
+        assert deviation_from(still, turned(still([0.5]), [0, angle, 0])).rotation == pytest.approx(angle, abs=1e-7)
+
+
+def test_a_pointing_tool_may_turn_about_its_axis_and_no_other():
+    axis = np.array([0.6, 0.0, 0.8])
+    s = np.linspace(0, 1, 50)
+    spun = np.array([turned(pose, angle * axis) for pose, angle in zip(LINE(s), 5 * s, strict=True)])
+    assert deviation_from(LINE, spun).rotation > 2
+    found = deviation_from(LINE, spun, axis)
+    assert found.rotation < 1e-6 and found.position < 1e-9
+    leaning = np.array([turned(pose, 0.02 * np.array([0.0, 1.0, 0.0])) for pose in spun])
+    assert 0.01 < deviation_from(LINE, leaning, axis).rotation < 0.021
+
+
+def test_a_path_that_turns_about_the_pointing_axis_leaves_no_bias():
+    """Pieces whose turn does not count have to be divided by their length alone: a share of it once made 0.1 mm of nothing."""
+    circle = CartesianPath.circle(START, START[:3, 3] + [0.0, 0.1, 0.0], [0, 0, 1], turning=True)
+    axis = START[:3, :3].T @ [0, 0, 1.0]
+    found = deviation_from(circle, circle(RNG.uniform(size=400)), axis)
+    assert found.position < 2e-7
+    assert found.rotation < 1e-6
+
+
+def test_a_path_of_rotation_alone():
+    spin = CartesianPath.line(START, turned(START, [0, 0, 1.5]))
+    s = RNG.uniform(size=100)
+    assert deviation_from(spin, spin(s)).rotation < 1e-7
+    assert deviation_from(spin, spin(s), np.array([1.0, 0, 0])).rotation < 1e-6
+    off = deviation_from(spin, turned(spin(s), [0.1, 0, 0]))
+    assert 0.05 < off.rotation < 0.1 + 1e-9
+    assert off.position < 1e-12
+    assert deviation_from(spin, shifted(spin(s), [0, 0.01, 0])).position == pytest.approx(0.01)
+
+
+def test_a_coarse_curve_and_one_pose():
+    """Three poses on a path through far-apart poses; the nearest piece is found although none of its ends is near."""
+    path = CartesianPath.through([START, shifted(END, [5, 0, 0]), shifted(START, [0, 9, 0])])
+    s = np.array([0.12345, 0.5, 0.98765])
+    assert deviation_from(path, path(s)).position < 1e-5
+    assert deviation_from(path, shifted(path(s[:1]), [0, 0, 0.25])).position == pytest.approx(0.25, rel=0.2)
+    with pytest.raises(mp.InvalidInputError, match="poses: .*at least one pose"):
+        deviation_from(path, path(s[:0]))
+
+
+def test_by_parameter_a_shortcut_and_a_wrong_order_are_found():
+    """Each pose lies on the path, but the way is not the path's."""
+    there_and_back = CartesianPath.circle(START, START[:3, 3] + [0.1, 0, 0], [0, 0, 1])
+    s = np.linspace(0, 1, 200)
+    still = np.broadcast_to(START, (200, 4, 4))
+    assert deviation_from(there_and_back, still).position < 1e-9
+    assert deviation_at(there_and_back, s, still).position == pytest.approx(0.2, rel=1e-3)
+    assert deviation_from(LINE, LINE(s[::-1])).position < 1e-9
+    assert deviation_at(LINE, s, LINE(s[::-1])).position == pytest.approx(LINE.length, rel=1e-6)
+    assert deviation_at(LINE, s, LINE(s)).position == 0
+
+
+# ---- JointPath.spline
+
+
+S = np.array([0.0, 0.1, 0.35, 0.5, 0.8, 1.0])
+Q = RNG.normal(size=(6, 3))
+
+
+def one_sided(path, s, order):
+    """The derivative just before and just after s."""
+    return path(s - 1e-9, order), path(s + 1e-9, order)
+
+
+def test_a_spline_interpolates_and_is_twice_continuously_differentiable():
+    path = mp.JointPath.spline(S, Q)
+    np.testing.assert_allclose(path(S), Q, atol=1e-12)
+    np.testing.assert_array_equal(path.start, Q[0])
+    np.testing.assert_array_equal(path.goal, Q[-1])
+    for s in S[1:-1]:
+        for order in (1, 2):
+            before, after = one_sided(path, s, order)
+            np.testing.assert_allclose(before, after, atol=1e-4)
+    third = one_sided(path, 0.35, 3)
+    assert np.abs(third[0] - third[1]).max() > 1  # a spline of its own, not one cubic
+    cubic = S[:, None] ** [1, 2, 3]
+    np.testing.assert_allclose(mp.JointPath.spline(S, cubic)(0.6), [0.6, 0.36, 0.216], atol=1e-12)
+
+
+def test_a_closed_spline_is_periodic_in_slope_and_curvature():
+    q = np.vstack([Q[:-1], Q[:1]])
+    path, open_path = mp.JointPath.spline(S, q, closed=True), mp.JointPath.spline(S, q)
+    np.testing.assert_allclose(path(S), q, atol=1e-12)
+    for order in (1, 2):
+        np.testing.assert_allclose(path(0.0, order), path(1.0, order), atol=1e-9)
+        assert np.abs(open_path(0.0, order) - open_path(1.0, order)).max() > 0.1
+
+
+def test_a_closed_spline_may_end_full_turns_further_on():
+    q = np.vstack([Q[:-1], Q[:1] + [2 * np.pi, 0, -4 * np.pi]])
+    path = mp.JointPath.spline(S, q, closed=True)
+    np.testing.assert_allclose(path(S), q, atol=1e-12)
+    for order in (1, 2):
+        np.testing.assert_allclose(path(0.0, order), path(1.0, order), atol=1e-9)
+
+
+def test_a_closed_spline_of_three_rows():
+    path = mp.JointPath.spline([0.0, 0.5, 1.0], [[0.0], [1.0], [0.0]], closed=True)
+    np.testing.assert_allclose(path([0.0, 0.5, 1.0])[:, 0], [0, 1, 0], atol=1e-12)
+    np.testing.assert_allclose(path(0.0, 1), path(1.0, 1), atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("s", "q", "closed", "message"),
+    [
+        ([0.0, 0.5], Q, False, "s: .*rising numbers, one for each row of q"),
+        ([0.0], Q[:1], False, "s: "),
+        ([0.0, 0.6, 0.5], Q[:3], False, "s: "),
+        ([0.0, 0.5, 0.5], Q[:3], False, "s: "),
+        ([0.0, 0.5, 2.0], Q[:3], False, "breaks: "),
+        ([0.1, 0.5, 1.0], Q[:3], False, "breaks: "),
+        ([0.0, np.nan, 1.0], Q[:3], False, "s: .*finite"),
+        ([0.0, 0.5, 1.0], [[0.0], [np.inf], [1.0]], False, "q: .*finite"),
+        ([0.0, 0.5, 1.0], [0.0, 1.0, 2.0], False, "q: .*shape"),
+        ("s", Q, False, "s: got 's'"),
+        (S, Q, True, "q: .*a last row that is the first, or full turns from it"),
+    ],
+)
+def test_wrong_splines(s, q, closed, message):
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.JointPath.spline(s, q, closed=closed)

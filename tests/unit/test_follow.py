@@ -1,0 +1,315 @@
+"""follow: a workspace path in, a timed motion out, judged here by Pinocchio, singular values and coal alone."""
+
+import numpy as np
+import pinocchio as pin
+import pytest
+
+import manipplan as mp
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.robots.collision import CollisionModel
+
+FEW = {"samples": 48, "epsilon": 0.5}
+#: What `follow` keeps to where no tolerance is given [m, rad].
+BETWEEN = (1e-4, 1e-3)
+
+
+def moved(pose, by):
+    matrix = np.array(pose)
+    matrix[:3, 3] += by
+    return matrix
+
+
+@pytest.fixture(scope="module")
+def start(panda):
+    return np.array(panda.kinematics().pose(panda.neutral))
+
+
+@pytest.fixture(scope="module")
+def line(start):
+    return CartesianPath.line(start, moved(start, [0.1, 0.25, -0.1]))
+
+
+def motion(robot, plan, count=1201):
+    """Times, configurations, tool poses and Jacobians along the finished trajectory, by Pinocchio alone."""
+    t = np.linspace(0.0, plan.trajectory.duration, count)
+    q = plan.trajectory(t)
+    data, frame = robot.model.createData(), robot.model.getFrameId(robot.tool)
+    poses, jacobians = [], []
+    for each in q:
+        jacobians.append(pin.computeFrameJacobian(robot.model, data, each, frame, pin.LOCAL_WORLD_ALIGNED))
+        pin.framesForwardKinematics(robot.model, data, each)
+        poses.append(data.oMf[frame].homogeneous.copy())
+    return t, q, np.array(poses), np.array(jacobians)
+
+
+def assert_followed(robot, plan, *, scene=None, clearance=0.0, axis=None, index=True, least_length=0.5):
+    """The plan's own promises; returns the tool poses, to be compared with the analytic path."""
+    assert plan.status is mp.Status.FOLLOWED and plan.status.ok and plan.message == ""
+    assert plan.report.passed and plan.report.collision_free and plan.report.goal_error < 1e-6
+    t, q, poses, jacobians = motion(robot, plan)
+    limits = robot.limits
+    assert not (limits.outside(q) > 1e-6).any()
+    assert (np.abs(plan.trajectory(t, 1)) <= limits.velocity * (1 + 1e-6)).all()
+    assert (np.abs(plan.trajectory(t, 2)) <= limits.acceleration * (1 + 1e-6)).all()
+    np.testing.assert_allclose(plan.trajectory(t[[0, -1]], 1), 0, atol=1e-9)
+    model = CollisionModel.of(robot, scene or mp.Scene())
+    assert not any(model.in_collision(each, clearance=max(clearance - 1e-6, 0)) for each in q[::3])
+    weights = np.array([1.0] * 3 + [0.5] * 3)[:, None]
+    rows = weights * jacobians
+    if axis is not None:
+        basis = np.linalg.svd(np.array(axis)[None])[2][1:]
+        across = 0.5 * basis @ np.swapaxes(poses[:, :3, :3], 1, 2) @ jacobians[:, 3:]
+        rows = np.concatenate([jacobians[:, :3], across], axis=1)
+    values = np.linalg.svd(rows, compute_uv=False).prod(axis=1)
+    assert plan.report.min_manipulability == pytest.approx(values.min(), rel=1e-3)
+    assert plan.report.min_manipulability <= values.min() * (1 + 1e-9)
+    assert plan.refinement.refined >= plan.search.minimum
+    return poses
+
+
+def angles(one, other):
+    return np.array([np.linalg.norm(pin.log3(a.T @ b)) for a, b in zip(one, np.broadcast_to(other, one.shape), strict=True)])
+
+
+def assert_along_line(poses, begin, end, position, rotation):
+    """On the straight line between two points with one rotation, from one end to the other, never far back."""
+    way = (end - begin)[:3, 3]
+    share = (poses[:, :3, 3] - begin[:3, 3]) @ way / (way @ way)
+    off = poses[:, :3, 3] - begin[:3, 3] - np.clip(share, 0, 1)[:, None] * way
+    assert np.linalg.norm(off, axis=1).max() <= position
+    assert angles(poses[:, :3, :3], begin[:3, :3]).max() <= rotation
+    slack = 2 * position / np.linalg.norm(way)
+    assert abs(share[0]) <= slack and abs(share[-1] - 1) <= slack
+    assert np.diff(share).min() >= -slack
+
+
+# ---- what is followed
+
+
+def test_a_line(panda, start, line):
+    told = []
+    plan = mp.follow(panda, line, 8, **FEW, progress=lambda share, text: told.append((share, text)))
+    poses = assert_followed(panda, plan)
+    assert_along_line(poses, start, line.end, *BETWEEN)
+    shares = [share for share, _ in told]
+    assert shares == sorted(shares) and shares[-1] == 1.0 and told[-1][1] == "done"
+    assert plan.deviation.position < BETWEEN[0] and plan.deviation.rotation < BETWEEN[1]
+    assert plan.report.min_manipulability > 0.9 * plan.refinement.refined
+    np.testing.assert_allclose(plan.path(0.0), plan.refinement.q[0], atol=1e-12)
+
+
+def test_a_circle_ends_as_it_began(panda, start):
+    centre = moved(start, [0, 0, -0.1])[:3, 3]
+    plan = mp.follow(panda, CartesianPath.circle(start, centre, [1, 0, 0]), 10, closed=True, **FEW)
+    poses = assert_followed(panda, plan)
+    np.testing.assert_allclose(plan.trajectory.q[-1], plan.trajectory.q[0], atol=1e-6)
+    spoke = poses[:, :3, 3] - centre
+    assert np.abs(spoke[:, 0]).max() < BETWEEN[0]
+    assert np.abs(np.linalg.norm(spoke[:, 1:], axis=1) - 0.1).max() < BETWEEN[0]
+    turned = np.unwrap(np.arctan2(spoke[:, 2], spoke[:, 1]))
+    assert turned[-1] - turned[0] == pytest.approx(2 * np.pi, abs=2e-3)
+    assert np.diff(turned).min() > -2e-3
+    assert angles(poses[:, :3, :3], start[:3, :3]).max() < BETWEEN[1]
+
+
+def test_a_seam_whose_torch_may_turn(panda, start, line):
+    plan = mp.follow(panda, line, 6, task=mp.Task.pointing(), samples=(16, 10), epsilon=0.7)
+    poses = assert_followed(panda, plan, axis=(0, 0, 1))
+    free = np.array(poses)
+    free[:, :3, :3] = start[:3, :3]  # the axis is judged alone
+    assert_along_line(free, start, line.end, *BETWEEN)
+    lean = np.linalg.norm(np.cross(poses[:, :3, 2], start[:3, 2]), axis=1)
+    assert lean.max() < BETWEEN[1]
+    assert angles(poses[:, :3, :3], start[:3, :3]).max() > 0.01
+
+
+def test_a_seam_on_a_cylinder_with_a_turning_torch(panda, start):
+    """The path itself turns about the free axis: that part of its rotation neither counts nor misleads."""
+    centre = moved(start, [0, 0.1, 0])[:3, 3]
+    path = CartesianPath.circle(start, centre, [0, 0, 1], 1.5, turning=True)
+    plan = mp.follow(panda, path, 6, task=mp.Task.pointing(), samples=(16, 10), epsilon=0.9)
+    poses = assert_followed(panda, plan, axis=(0, 0, 1))
+    spoke = poses[:, :3, 3] - centre
+    assert np.abs(np.linalg.norm(spoke[:, :2], axis=1) - 0.1).max() < BETWEEN[0]
+
+
+@pytest.mark.parametrize("n", [3, 8])
+def test_a_tolerance_is_used_and_kept(panda, start, line, n):
+    """Also where few positions leave a spline that would leave the tube between them."""
+    exact = mp.follow(panda, line, n, samples=48, epsilon=1.0)
+    plan = mp.follow(panda, line, n, samples=48, epsilon=1.0, tolerance=mp.Tolerance(position=0.01, rotation=0.1))
+    poses = assert_followed(panda, plan)
+    assert_along_line(poses, start, line.end, 0.01, 0.1)
+    assert plan.deviation.position > 1e-3
+    assert plan.refinement.refined > exact.refinement.refined
+
+
+def test_a_tolerance_of_rotation_alone_leaves_the_position_as_it_is(panda, start, line):
+    plan = mp.follow(panda, line, 4, samples=48, epsilon=1.0, tolerance=mp.Tolerance(rotation=0.05))
+    poses = assert_followed(panda, plan)
+    assert_along_line(poses, start, line.end, BETWEEN[0], 0.05)
+    assert angles(poses[:, :3, :3], start[:3, :3]).max() > 0.01
+
+
+def test_an_obstacle_beside_the_path_is_missed_by_the_clearance(panda, start, line):
+    """A ball where the free plan's elbow passes."""
+    free = mp.follow(panda, line, 6, **FEW)
+    data = panda.model.createData()
+    pin.forwardKinematics(panda.model, data, free.trajectory(free.trajectory.duration / 2))
+    scene = mp.Scene([mp.Sphere(radius=0.06, position=data.oMi[4].translation.copy(), name="ball")])
+    assert scene.in_collision(panda, free.trajectory(free.trajectory.duration / 2))
+    plan = mp.follow(panda, line, 6, scene=scene, clearance=0.02, **FEW)
+    poses = assert_followed(panda, plan, scene=scene, clearance=0.02)
+    assert_along_line(poses, start, line.end, *BETWEEN)
+    assert plan.report.clearance >= 0.02 - 1e-6
+
+
+def test_six_joints_and_torque(ur5):
+    begin = ur5.kinematics().pose([0.3, -1.2, 1.4, -1.0, -1.2, 0.4])
+    path = CartesianPath.line(begin, moved(begin, [0.05, 0.15, 0.05]))
+    plan = mp.follow(ur5, path, 5, epsilon=0.5, torque=True)
+    poses = assert_followed(ur5, plan)
+    assert_along_line(poses, begin, path.end, *BETWEEN)
+    assert 0 < plan.report.limits["torque"].ratio <= 1 + 1e-6
+
+
+def test_two_positions_are_enough_for_a_winding_path(panda, start):
+    """Both positions are the same pose: the way between them is made of knots, and it is the whole circle."""
+    centre = moved(start, [0, 0, -0.08])[:3, 3]
+    plan = mp.follow(panda, CartesianPath.circle(start, centre, [1, 0, 0]), 2, **FEW)
+    poses = assert_followed(panda, plan)
+    spoke = poses[:, 1:3, 3] - centre[1:]
+    assert np.abs(np.linalg.norm(spoke, axis=1) - 0.08).max() < BETWEEN[0]
+    turned = np.unwrap(np.arctan2(spoke[:, 1], spoke[:, 0]))
+    assert turned[-1] - turned[0] == pytest.approx(2 * np.pi, abs=3e-3)
+
+
+def test_a_tool_that_only_turns(panda, start):
+    end = np.array(start)
+    end[:3, :3] = start[:3, :3] @ pin.exp3(np.array([0.0, 0.3, 0.6]))
+    plan = mp.follow(panda, CartesianPath.line(start, end), 4, **FEW)
+    poses = assert_followed(panda, plan)
+    assert np.linalg.norm(poses[:, :3, 3] - start[:3, 3], axis=1).max() < BETWEEN[0]
+    assert angles(poses[-1:, :3, :3], end[:3, :3]).max() < BETWEEN[1]
+
+
+# ---- what is not
+
+
+def test_steps_too_small_to_connect(panda, line):
+    plan = mp.follow(panda, line, 4, samples=8, epsilon=0.01, throw=False)
+    assert plan.status is mp.Status.NOT_CONNECTED and not plan.status.has_path
+    assert plan.trajectory is None and plan.report is None
+    smallest = plan.search.smallest_epsilon
+    assert smallest.shape == (7,) and (smallest > 0.01).all()
+    assert f"{smallest[0]:.6g}" in plan.message and "position" in plan.message
+    with pytest.raises(mp.PlanningError, match="no trajectory to save"):
+        plan.save("nowhere")
+    with pytest.raises(mp.PlanningError, match="can be reached from position") as caught:
+        mp.follow(panda, line, 4, samples=8, epsilon=0.01)
+    assert isinstance(caught.value.result, mp.Plan)
+    assert caught.value.result.status is mp.Status.NOT_CONNECTED
+    again = mp.follow(panda, line, 4, samples=8, epsilon=1.001 * smallest, throw=False)
+    assert again.search.connected
+
+
+def test_a_path_out_of_reach_between_its_positions(panda, start):
+    """Both ends are reached, the middle a metre further is not: knots cannot mend that, and the check tells."""
+    path = CartesianPath.through([start, moved(start, [1.0, 0, 0]), moved(start, [0, 0.1, 0])])
+    plan = mp.follow(panda, path, 2, throw=False, **FEW)
+    assert plan.status is mp.Status.CHECK_FAILED and not plan.status.has_path
+    assert "leaves the path by" in plan.message and "Take more positions" in plan.message
+    assert not plan.report.passed and "CHECK FAILED" in str(plan.report)
+    with pytest.raises(mp.PlanningError, match="leaves the path by") as caught:
+        mp.follow(panda, path, 2, **FEW)
+    assert caught.value.result.status is mp.Status.CHECK_FAILED
+
+
+class OutAndBack(CartesianPath):
+    """Straight out along x, and back."""
+
+    def __init__(self, pose, far):
+        self.pose, self.far = pose, far
+
+    def _at(self, s):
+        positions = self.pose[:3, 3] + np.outer(self.far * (1 - np.abs(2 * s - 1)), [1, 0, 0])
+        return positions, np.tile(self.pose[:3, :3], (len(s), 1, 1))
+
+
+def test_a_motion_that_would_turn_back_early(panda, start):
+    """No position lies at the far end, and each pose of a spline that turns back before it is near the path."""
+    tube = mp.Tolerance(position=0.01, rotation=0.1)
+    plan = mp.follow(panda, OutAndBack(start, 0.15), 4, samples=48, epsilon=1.0, tolerance=tube)
+    poses = assert_followed(panda, plan)
+    assert poses[:, 0, 3].max() - start[0, 3] > 0.14
+    far = mp.follow(panda, OutAndBack(start, 1.0), 2, throw=False, **FEW)
+    assert far.status is mp.Status.CHECK_FAILED  # out of reach
+
+
+def test_positions_inside_an_obstacle(panda, start, line):
+    scene = mp.Scene([mp.Sphere(radius=0.05, position=line(0.5)[:3, 3], name="ball")])
+    with pytest.raises(mp.InvalidInputError, match=r"path, position \d of 0 to 4 .*touches|comes nearer"):
+        mp.follow(panda, line, 5, scene=scene, **FEW)
+
+
+def test_an_obstacle_between_positions_fails_the_check(panda, start, line):
+    """Thin enough to stand between two positions: candidates are free, the motion between them is not."""
+    scene = mp.Scene([mp.Sphere(radius=0.01, position=line(0.5)[:3, 3], name="bead")])
+    plan = mp.follow(panda, line, 2, scene=scene, throw=False, **FEW)
+    assert plan.status is mp.Status.CHECK_FAILED
+    assert not plan.report.collision_free and not plan.report.passed
+
+
+def test_a_path_without_length(panda, start):
+    with pytest.raises(mp.InvalidInputError, match="a path with a length of at least"):
+        mp.follow(panda, CartesianPath.line(start, start), 2, **FEW)
+
+
+def test_limits_that_gravity_exceeds(panda, line):
+    weak = panda.with_limits(effort=np.array([87.0, 3.0, 87, 87, 12, 12, 12]))
+    plan = mp.follow(weak, line, 4, torque=True, throw=False, **FEW)
+    assert plan.status is mp.Status.NO_TIMING
+    assert plan.path is not None and "gravity alone asks" in plan.message
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"robot": "panda"}, "robot: got 'panda'"),
+        ({"robot": None}, "robot: got None"),
+        ({"path": "path.csv"}, "path: got 'path.csv'"),
+        ({"path": np.eye(4)}, "path: .*a CartesianPath"),
+        ({"n": 1}, "n: got 1"),
+        ({"n": -5}, "n: got -5"),
+        ({"n": "50"}, "n: got '50'"),
+        ({"epsilon": 0.0}, "epsilon: got 0.0"),
+        ({"epsilon": -0.1}, "epsilon: got -0.1"),
+        ({"epsilon": np.nan}, "epsilon: got nan"),
+        ({"epsilon": "0.1"}, "epsilon: got '0.1'"),
+        ({"epsilon": None}, "epsilon: got None"),
+        ({"epsilon": [0.1] * 6}, "epsilon: .*7 of them"),
+        ({"task": "pose"}, "task: got 'pose'"),
+        ({"task": mp.Task.orientation()}, "task: got 'orientation'"),
+        ({"samples": 0}, "samples: got 0"),
+        ({"samples": "all"}, "samples: got 'all'"),
+        ({"samples": (10, 10)}, "samples: .*one for each of"),
+        ({"tolerance": 0.01}, "tolerance: got 0.01"),
+        ({"scene": "scene.yaml"}, "scene: got 'scene.yaml'"),
+        ({"clearance": -1.0}, "clearance: got -1.0"),
+        ({"clearance": "1 mm"}, "clearance: got '1 mm'"),
+        ({"closed": 1}, "closed: got 1"),
+        ({"closed": True}, "the path's last pose is not its first"),
+        ({"torque": "yes"}, "torque: got 'yes'"),
+        ({"throw": None}, "throw: got None"),
+        ({"executor": "threads"}, "executor: got 'threads'"),
+        ({"seed": -1}, "seed: got -1"),
+        ({"seed": 0.5}, "seed: got 0.5"),
+        ({"progress": "bar"}, "progress: got 'bar'"),
+    ],
+)
+def test_wrong_arguments_raise_before_work_starts(panda, line, change, message):
+    told = []
+    arguments = {"robot": panda, "path": line, "n": 3, "throw": False, "progress": lambda *tell: told.append(tell), **change}
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.follow(**{**FEW, **arguments})
+    assert told == []
