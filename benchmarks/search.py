@@ -277,7 +277,7 @@ def sampled_rows(tell: Callable[[str], None]) -> list[str]:
     ]
     for collisions in (False, True):
         began = time.perf_counter()
-        layers = mp.sample_layers(robot, circle, 50, samples=(77, 78, 51), collisions=collisions)
+        layers = mp.sample_layers(robot, circle, 50, samples=(77, 51, 78), collisions=collisions)
         sampled = time.perf_counter() - began
         for degrees in (2, 3, 5):
             began = time.perf_counter()

@@ -189,7 +189,10 @@ class _Refiner:
             progress(0.3 + 0.6 * k / SOLVES, f"raising the least index, {self.least(q):.6g}")
             before = self.least(q)
             new, _ = self._solve(q, trust, None)
-            new = self._better(q, self._on_poses(new))
+            new = self._on_poses(new)
+            if before < self.least(new) < before + GAIN * abs(before):
+                break  # not worth the way
+            new = self._better(q, new)
             if new is q:
                 trust *= SHRINK
                 if trust < LEAST_TRUST:
@@ -197,8 +200,6 @@ class _Refiner:
                 continue
             moved = np.abs(new - q).max()
             q = new
-            if self.least(q) < before * (1 + GAIN):
-                break
             trust = min(trust * GROW, TRUST) if moved > 0.9 * trust else trust
         return q
 

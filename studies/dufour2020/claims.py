@@ -11,7 +11,7 @@ from studies.dufour2020 import config
 from studies.dufour2020.follow import Arm, Run
 from studies.dufour2020.numerics import indefinite
 from studies.dufour2020.scenarios import Comparison, Obstacle, Scenario
-from studies.dufour2020.tables import Table
+from studies.tables import Table
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -15,7 +15,7 @@ from studies.dufour2020.courses import Array
 from studies.dufour2020.follow import Run
 from studies.dufour2020.pareto import SPACES, SWEEPS, Fronts
 from studies.dufour2020.scenarios import Comparison, Obstacle, Scenario
-from studies.dufour2020.tables import Table
+from studies.tables import Table
 
 DPI = 110
 MARKS = {"(7)": "s", "(10)": "o", "(14)": "^", "LogDrive": "D"}

@@ -8,7 +8,7 @@ import manipplan as mp
 from studies.dufour2020 import config
 from studies.dufour2020.follow import Arm, Run
 from studies.dufour2020.scenarios import RUN_HEAD, Comparison, best, run_row, sweep
-from studies.dufour2020.tables import Cell, Table
+from studies.tables import Cell, Table
 
 HESSIANS = ("exact", "central", "sr1", "bfgs", "bfgs-literal")
 HESSIAN_ALPHAS = (config.ALPHA, 100e3)

@@ -7,7 +7,7 @@ import numpy as np
 from studies.dufour2020 import config
 from studies.dufour2020.follow import Arm, Run
 from studies.dufour2020.scenarios import sweep
-from studies.dufour2020.tables import Table
+from studies.tables import Table
 
 SWEEPS = {"(7)": config.GAINS, "(10)": config.SWEEP, "(14)": config.SWEEP, "LogDrive": config.WEIGHTS}
 #: None: no tube; (7) knows none.

@@ -9,7 +9,7 @@ import manipplan as mp
 from studies.dufour2020 import config
 from studies.dufour2020.courses import Array
 from studies.dufour2020.follow import Arm, Run
-from studies.dufour2020.tables import Cell, Table
+from studies.tables import Cell, Table
 
 RUN_HEAD = (
     "path",

@@ -1,0 +1,76 @@
+"""The whole study in one command."""
+
+import argparse
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import Progress
+
+from studies.guilamo2006 import claims, config, figures, tables
+from studies.guilamo2006.courses import courses, second_courses
+from studies.guilamo2006.results import Results
+from studies.guilamo2006.runs import Runs, warm
+
+Stage = tuple[str, float, Callable[[], object]]
+
+
+def main(arguments: list[str] | None = None) -> list[str]:
+    """Run it and return what is not as expected.csv has it."""
+    parser = argparse.ArgumentParser(prog="python -m studies.guilamo2006", description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="the coarse grids only")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        help="folder for tables and figures (default: docs/studies/guilamo2006; a temporary one with --quick)",
+    )
+    options = parser.parse_args(arguments)
+    out = options.out or (Path(tempfile.mkdtemp(prefix="guilamo2006-")) if options.quick else config.PAGES)
+    out.mkdir(parents=True, exist_ok=True)
+    console = Console()
+    began = time.monotonic()
+    with Progress(console=console, transient=True) as progress:
+        found = study(out, options.quick, progress)
+    wrong = claims.differences(found, quick=options.quick)
+    console.print(f"{out} written in {time.monotonic() - began:.0f} s")
+    for line in wrong or ["all figures are as expected"]:
+        console.print(line, markup=False)
+    return wrong
+
+
+def study(out: Path, quick: bool, progress: Progress) -> list[claims.Claim]:
+    """Make everything; returns the claims."""
+    results = Results(runs=Runs(), courses=courses(), second=second_courses(), quick=quick)
+    found: list[claims.Claim] = []
+    todo = stages(results, out, found)
+    bar = progress.add_task("guilamo2006", total=sum(weight for _, weight, _ in todo))
+    for text, weight, do in todo:
+        progress.update(bar, description=text)
+        do()
+        progress.update(bar, advance=weight)
+    return found
+
+
+def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[Stage]:
+    """What is done, each with about the seconds it takes on two idle cores."""
+    runs, pair, quick = results.runs, results.courses, results.quick
+    full = [] if quick else [("self-collisions", 10.0, lambda: tables.collisions_table(runs, pair).write(out))]
+    return [
+        ("compiling", 3.0, lambda: warm(runs, pair[0])),
+        *full,
+        ("sampling", 1.5 if quick else 9.0, results.sample),
+        ("Table I", 0.5 if quick else 22.0, lambda: tables.table_1(runs, pair, results.table_grids).write(out)),
+        ("starts", 0.1, lambda: tables.starts_table(runs, pair, results.table_grids).write(out)),
+        ("ε and grid", 2.0 if quick else 18.0, lambda: tables.sampling_table(runs, pair, results.grids).write(out)),
+        ("branching", 3.0, lambda: tables.branching_table(results.branching).write(out)),
+        ("refinement", 6.0 if quick else 13.0, lambda: tables.refinement_table(runs, results.refinable).write(out)),
+        ("ties", 0.1 if quick else 6.5, lambda: tables.ties_table(runs, results.ties).write(out)),
+        ("cycles", 0.3 if quick else 10.0, lambda: tables.closed_table(results.cycles).write(out)),
+        ("positions", 0.8 if quick else 5.0, lambda: tables.positions_table(runs, pair[1], results.table_grids).write(out)),
+        ("second robot", 4.5 if quick else 3.5, lambda: tables.second_table(runs, results.second).write(out)),
+        ("figures", 4.0 if quick else 3.0, lambda: figures.all_figures(results, out)),
+        ("claims", 0.5, lambda: found.extend(claims.claims(results))),
+        ("claims", 0.1, lambda: claims.table(found).write(out)),
+    ]
