@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from studies.tables import Table
 from studies.guilamo2006 import config, runs, tables
 from studies.guilamo2006.results import Results
 from studies.guilamo2006.runs import Grid
+from studies.tables import Table
 
 QUICK, FULL = "quick", "full"
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from studies.tables import Cell, Table
 from studies.guilamo2006 import config
 from studies.guilamo2006.courses import Course
 from studies.guilamo2006.runs import Grid, Restarted, Runs, Sampled, Searched
+from studies.tables import Cell, Table
 
 NONE = "-"
 
