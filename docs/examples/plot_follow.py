@@ -3,8 +3,8 @@ A weld seam with a free tool axis
 =================================
 
 The torch of a Panda follows a seam of 40 cm. The rotation about its axis does not matter, so a pose leaves two numbers to
-choose: a joint and the turn about the axis. All configurations at 40 positions are enumerated; the dots are the candidates. The search
-finds the continuous motion whose least index is the highest, and the refinement raises it between the samples.
+choose: a joint and the turn about the axis. All configurations at 40 positions are enumerated; the dots are the candidates.
+The search finds the continuous motion whose least index is the highest, and the refinement raises it between the samples.
 """
 
 import matplotlib.pyplot as plt

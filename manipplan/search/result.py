@@ -35,7 +35,6 @@ class SearchResult:
         manipulability: index at each position (L,).
         minimum: the least of them.
         bound: least over the layers of the largest index: no path, whatever its steps, has a higher minimum.
-        gap: bound - minimum.
         certified_bound: no continuous path through these candidates has a higher minimum; equal to it once it is optimal.
         connected: whether there is a path.
         status: how the search ended.
