@@ -49,10 +49,11 @@ from manipplan.robots.catalog import available_robots, load_robot, planar_arm
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Scene, Sphere
-from manipplan.search.bottleneck import SearchResult, SearchStatus, max_min_search
+from manipplan.search.bottleneck import max_min_search
 from manipplan.search.guilamo import GuilamoResult, guilamo_search
 from manipplan.search.layers import Layers
 from manipplan.search.refine import Refinement, refine
+from manipplan.search.result import SearchResult, SearchStatus
 from manipplan.search.sample import sample_layers
 from manipplan.seeds.ompl import seed_path
 from manipplan.status import Status

@@ -1,4 +1,4 @@
-"""Numba kernels: compiled once for all that change together, and kept in the user's cache folder."""
+"""Numba kernels: compiled once for each state of the package, and kept in the user's cache folder."""
 
 import hashlib
 import tempfile
@@ -20,9 +20,12 @@ def kernel(function: Function) -> Function:
     """Machine code that runs without Python's lock. Only modules that a computation has asked for may import this one."""
     # numba looks for changes in a kernel's own file only, not in the files of kernels that it calls
     folder = _folder()
+    if folder is None:
+        uncached: Function = numba.njit(nogil=True)(function)
+        return uncached
     before, numba.config.CACHE_DIR = numba.config.CACHE_DIR, str(folder)
     try:
-        made: Function = numba.njit(cache=folder is not None, nogil=True)(function)
+        made: Function = numba.njit(cache=True, nogil=True)(function)
     finally:
         numba.config.CACHE_DIR = before
     return made
@@ -44,11 +47,8 @@ def _folder() -> Path | None:
 
 @cache
 def _sources() -> str:
-    """A name for the state of all source files that hold kernels."""
-    root = Path(__file__).parent
+    """A name for the state of the package: kernels hold constants of files without kernels, too."""
     digest = hashlib.sha256()
-    for file in sorted(root.rglob("*.py")):
-        text = file.read_bytes()
-        if b"manipplan.kernels" in text:
-            digest.update(text)
+    for file in sorted(Path(__file__).parent.rglob("*.py")):
+        digest.update(file.read_bytes())
     return digest.hexdigest()[:16]

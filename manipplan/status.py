@@ -4,7 +4,7 @@ from enum import Enum
 
 
 class Status(Enum):
-    """How a path came about. The value is the text for people; `ok` tells whether the request was met in full."""
+    """How a path came about. The value is the text for people; `ok` tells whether it is what was asked for."""
 
     OPTIMAL = "optimal: the optimiser converged to a local optimum and every check passed"
     STOPPED_EARLY = (
@@ -45,7 +45,7 @@ class Status(Enum):
 
     @property
     def ok(self) -> bool:
-        """Whether an optimised or improved, checked path is returned."""
+        """Whether what was asked for is returned: a checked path that was optimised, improved or followed."""
         return self in (Status.OPTIMAL, Status.STOPPED_EARLY, Status.IMPROVED, Status.FOLLOWED)
 
     @property

@@ -36,7 +36,7 @@ def answers(
         poses: (p, 4, 4).
         owners: (s,) which pose a sample is of.
         samples: (s, r) values of the held joints, then the swivel, then the turn about `axis` where it is free.
-        lower, upper: (n,) limits [rad or m].
+        lower, upper: (n,) limits [rad or m]; infinite on both sides for joints that turn without end.
         axis: (3,) of the tool, about which it may turn; None: the pose is met in full.
     """
     free = np.array(form.free)
@@ -44,7 +44,7 @@ def answers(
     axes, points = form.screws.axes.copy(), form.screws.points.copy()
     bounded_lower = np.where(np.isfinite(lower), lower, -np.pi)
     bounded_upper = np.where(np.isfinite(upper), upper, np.pi)
-    endless = ~(np.isfinite(lower) & np.isfinite(upper))
+    endless = np.isinf(lower)
     turns = np.where(endless, 0, (bounded_upper - bounded_lower + 2 * AT_LIMIT) // (2 * np.pi))
     most = MOST * int(np.prod(np.maximum(turns[free] + 1, 1)))
     rows = max(4 * most, min(len(samples) * MOST, CHUNK * MOST))

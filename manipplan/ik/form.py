@@ -53,11 +53,6 @@ class ClosedForm:
         return NAMES[self.solver]
 
     @property
-    def parameters(self) -> int:
-        """How many numbers leave finitely many answers: held joints, then the swivel."""
-        return len(self.held) + (self.solver == SWIVEL)
-
-    @property
     def moves_axes(self) -> bool:
         """Whether a held joint lies between free ones, so that it moves some of their axes against others."""
         return any(min(self.free) < joint < max(self.free) for joint in self.held)

@@ -1,4 +1,4 @@
-"""An arm as a product of exponentials, and which closed form fits it."""
+"""An arm as a product of exponentials."""
 
 from dataclasses import dataclass
 

@@ -10,7 +10,7 @@ from manipplan.ik.spherical import row
 from manipplan.ik.subproblems import add, cross, sub, turn_by, turned, turned_about
 from manipplan.kernels import kernel
 
-#: Damping of the first step of a search, relative to the square of the Jacobian's size, and the least.
+#: Damping of the first step of a search, times the squared error.
 DAMPING = 1e-2
 #: The least damping relative to the trace of J Jᵀ: less is lost in rounding, and no longer keeps the matrix regular.
 LEAST = 1e-14

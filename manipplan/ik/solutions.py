@@ -19,7 +19,8 @@ class Completeness(StrEnum):
     EXACT = "exact"
     """All, for each given value of the parameters; of a continuum, at a singularity, one."""
     TO_RESOLUTION = "to-resolution"
-    """All for each value on a grid of parameters; between these values there are more."""
+    """All for each value on a grid of parameters, between which there are more; or for given values, but for answers next to a
+    singularity of an arm whose description rounds its axes."""
     STATISTICAL = "statistical"
     """Found by many random starts; `SolutionSet.missing` estimates the share that is not found."""
 
@@ -76,8 +77,9 @@ def inverse_kinematics(
     shoulder and wrist, once the swivel of the elbow is chosen: these values are the parameters. Joints that fit into their
     limits at several full turns are listed with each; joints without limits in [-π, π].
 
-    Closed forms (Pieper 1968, Paden-Kahan subproblems) know every arm with three joint axes that meet at the wrist or the
-    shoulder, and those with three parallel axes and two that meet (UR). Others are solved by Newton steps from random starts.
+    Closed forms [pieper1968], of Paden-Kahan subproblems [murray1994], know every arm with three joint axes that meet at the
+    wrist or the shoulder, and those with three parallel axes and two that meet (UR). Others are solved by Newton steps from
+    random starts.
 
     Args:
         robot: the arm.

@@ -77,6 +77,7 @@ class Solver:
         if method not in METHODS:
             raise UnknownNameError("method", str(method), METHODS)
         axis = _tool_axis(task, robot)
+        _check_limits(robot)
         form = closed_form(robot, held) if method != "newton" else None
         if form is None and method == "closed-form":
             raise InvalidInputError("method", method, f"'newton': {robot.name} has no closed form")
@@ -136,7 +137,7 @@ class Solver:
         """Values of one parameter: a joint's range with its ends, or a full turn."""
         if parameter < len(self.held):
             lower, upper = (float(limit[self.held[parameter]]) for limit in (self.robot.limits.lower, self.robot.limits.upper))
-            if np.isfinite(lower) and np.isfinite(upper):
+            if np.isfinite(lower):
                 return np.linspace(lower, upper, count) if count > 1 else np.array([(lower + upper) / 2])
         return -np.pi + 2 * np.pi * np.arange(count) / count
 
@@ -230,7 +231,9 @@ class Solver:
             blocks.append(self._judged(q, np.full(len(q), k), targets, np.full(len(q), rows[k])))
             missing.append(share)
         found = _joined(blocks, self.robot.n)
-        return Found(q=found.q, source=found.source, residual=found.residual, missing=float(np.mean(missing)))
+        return Found(
+            q=found.q, source=found.source, residual=found.residual, missing=float(np.mean(missing)) if missing else 0.0
+        )
 
 
 def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...], usual: Sequence[int]) -> tuple[int, ...]:
@@ -260,6 +263,16 @@ def spare(robot: Robot) -> int:
     q = robot.random_configuration(np.random.default_rng(0), size=5)
     ranks = np.linalg.matrix_rank(robot.kinematics(Task.pose()).jacobian(q), tol=1e-8)
     return robot.n - int(ranks.max())
+
+
+def _check_limits(robot: Robot) -> None:
+    """Raises InvalidInputError where a joint has a limit on one side only, or slides without any."""
+    limits = robot.limits
+    half = (np.isinf(limits.lower) | np.isinf(limits.upper)) & ~robot.endless
+    if half.any():
+        k = int(half.argmax())
+        wanted = "limits on both sides; joints that turn may have none at all"
+        raise InvalidInputError(f"limits of {robot.joint_names[k]}", (float(limits.lower[k]), float(limits.upper[k])), wanted)
 
 
 def _tool_axis(task: Task, robot: Robot) -> Array | None:

@@ -1,6 +1,6 @@
 """Six revolute joints of which three neighbours meet in one point, at the wrist or (the chain read backwards) at the shoulder.
 
-Position and rotation come apart (Pieper 1968): the three other joints place the point, the three that meet turn the tool.
+Position and rotation come apart [pieper1968]: the three other joints place the point, the three that meet turn the tool.
 """
 
 import math

@@ -43,7 +43,7 @@ class Sampled:
 def random_answers(setup: Sampled, target: Array, rng: np.random.Generator) -> tuple[Array, float]:
     """Configurations (k, n) that reach `target` (4, 4), and an estimate of the share that was not found.
 
-    The estimate is Good and Turing's: the share of the hits whose answer was met only once.
+    The estimate is Good and Turing's [good1953]: the share of the hits whose answer was met only once.
     """
     limits, screws, held = setup.limits, setup.screws, list(setup.held)
     lower, upper = (
@@ -102,5 +102,4 @@ def best_held(robot: Robot, count: int) -> tuple[int, ...]:
 
 def _in_range(q: Array, limits: JointLimits) -> Array:
     """Joints without limits in [-π, π]."""
-    endless = ~(np.isfinite(limits.lower) & np.isfinite(limits.upper))
-    return np.where(endless, (q + np.pi) % (2 * np.pi) - np.pi, q)
+    return np.where(np.isinf(limits.lower), (q + np.pi) % (2 * np.pi) - np.pi, q)

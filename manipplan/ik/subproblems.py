@@ -1,4 +1,4 @@
-"""The geometric subproblems of Paden and Kahan that closed-form inverse kinematics is made of, for numba.
+"""The geometric subproblems of Paden and Kahan [murray1994, ch. 3] that closed-form inverse kinematics is made of, for numba.
 
 Vectors are tuples of three floats: numba keeps them in registers. Where a subproblem has no answer by less than `GRAZE`, two
 guesses beside the nearest point are given, since an arm may differ from its closed form by what its description rounds. All

@@ -1,6 +1,6 @@
 """follow: a workspace path in, a timed motion along it out."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import replace
 
@@ -17,6 +17,7 @@ from manipplan.optimize.optimize import PathResult
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation, deviation_at, deviation_from
 from manipplan.paths.joint import JointPath
+from manipplan.progress import Progress, silent
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.search.bottleneck import max_min_search
@@ -24,7 +25,7 @@ from manipplan.search.epsilon import checked_epsilon
 from manipplan.search.layers import Layers
 from manipplan.search.refine import Refinement, refine
 from manipplan.search.result import SearchResult
-from manipplan.search.sample import endless, sample_layers
+from manipplan.search.sample import sample_layers
 from manipplan.status import Status
 from manipplan.timing.retime import check_timing_limits, retime
 from manipplan.tracking.relaxation import Tolerance
@@ -39,8 +40,6 @@ AT_KNOTS = 0.5
 SPARE = 0.003
 #: The tool is compared with the path at so many times.
 TIMES = 1500
-
-Progress = Callable[[float, str], None]
 
 
 @interruptible()
@@ -97,10 +96,10 @@ def follow(
         instance(name, value, bool)
     if progress is not None and not callable(progress):
         raise InvalidInputError("progress", progress, "a function of (share, text), or None")
-    epsilon = checked_epsilon(epsilon, endless(robot.limits))
+    epsilon = checked_epsilon(epsilon, robot.endless)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
-    tell = progress or _silent
+    tell = progress or silent
     layers = sample_layers(
         robot,
         path,
@@ -138,7 +137,7 @@ def follow(
     collision = scene.collision_model(robot)
     made = checked(draft, trajectory, result, collision, joints.goal, clearance=clearance, torque=torque, throw=throw)
     allowed = _allowed(tolerance)
-    excess = _excess(deviation, allowed) or _excess(deviation_at(path, s, pose(joints(s)), axis), allowed)
+    excess = _excess(deviation, allowed, "time") or _excess(deviation_at(path, s, pose(joints(s)), axis), allowed, "path")
     if excess and made.report is not None and made.status is Status.FOLLOWED:
         report = replace(made.report, status=Status.CHECK_FAILED.value, passed=False)
         return failed(replace(made, status=Status.CHECK_FAILED, report=report), throw, excess)
@@ -154,7 +153,8 @@ def _joined(
     With a tolerance the refined positions are joined as they are, as long as their spline stays inside it.
     """
     from manipplan.search.between import joint_path
-    from manipplan.search.program import PoseRows, full_turns
+    from manipplan.search.program import PoseRows
+    from manipplan.search.steps import full_turns
     from manipplan.search.worker import Worker
 
     assert layers.setup is not None
@@ -204,17 +204,13 @@ def _allowed(tolerance: Tolerance | None) -> Tolerance:
     return Tolerance(position=position, rotation=BETWEEN.rotation if tolerance.rotation is None else tolerance.rotation)
 
 
-def _excess(deviation: Deviation, tolerance: Tolerance) -> str:
-    """What of a tolerance is exceeded; nothing when it is kept."""
+def _excess(deviation: Deviation, tolerance: Tolerance, of: str) -> str:
+    """What of a tolerance is exceeded, and after which share `of` what; nothing when it is kept."""
     for name, value, limit, unit, at in (
         ("position", deviation.position, tolerance.position, "m", deviation.position_at),
         ("rotation", deviation.rotation, tolerance.rotation, "rad", deviation.rotation_at),
     ):
         if limit is not None and value > limit:
-            where = f"the tool's {name} leaves the path by {value:.3g} {unit} after {at:.2f} of the time"
+            where = f"the tool's {name} leaves the path by {value:.3g} {unit} after {at:.2f} of the {of}"
             return f"{where}; allowed: {limit:g} {unit}. Take more positions"
     return ""
-
-
-def _silent(_share: float, _text: str) -> None:
-    """Tell nobody."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from manipplan.checks import Array, configurations, existing_file, instance, number, whole_number
 from manipplan.errors import InvalidInputError, UnknownNameError, UnsupportedJointError
@@ -174,6 +174,12 @@ class Robot:
             else:
                 kinds.append("continuous" if np.isinf(self.limits.lower[i]) else "revolute")
         return tuple(kinds)
+
+    @property
+    def endless(self) -> NDArray[np.bool_]:
+        """Joints (n,) that turn without end: revolute, and without limits on either side."""
+        unlimited = np.isinf(self.limits.lower) & np.isinf(self.limits.upper)
+        return np.asarray(unlimited & np.array([kind != "prismatic" for kind in self.joint_types]))
 
     @property
     def default_task(self) -> "Task":

@@ -8,6 +8,7 @@ finds the optimum, or proves that it is below t.
 """
 
 from collections.abc import Iterator
+from dataclasses import replace
 from enum import Enum
 from typing import Literal, overload
 
@@ -16,16 +17,15 @@ from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, instance, whole_number
 from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
+from manipplan.progress import Progress
 from manipplan.search.epsilon import checked_epsilon, exclusive
 from manipplan.search.layers import Layers
 from manipplan.search.objectives import Lexicographic, Shortest, Widest
 from manipplan.search.result import SearchResult, SearchStatus
 from manipplan.search.rounds import FIRST, GROWTH, TOP, Quantiles
-from manipplan.search.search import Path, Progress, Search
+from manipplan.search.search import Path, Search
 from manipplan.search.steps import path_length, without_jumps
 from manipplan.search.sweep import Crew, Part
-
-__all__ = ["SearchResult", "SearchStatus", "max_min_search"]
 
 #: Fewer candidates are not worth threads.
 THREADED = 50_000
@@ -214,9 +214,6 @@ def _result(
 
 
 def _not_connected(search: Search, epsilon: Array, reach: Array, strict: bool) -> SearchResult:
-    from dataclasses import replace
-
-    rounds, nodes = search.rounds, search.nodes
     result = _result(search, None, SearchStatus.NOT_CONNECTED, epsilon, strict, -np.inf)
     count = len(search.layers.q)
     place = search.reached(reach) % count  # all reached, but no cycle closes: 0
@@ -230,4 +227,4 @@ def _not_connected(search: Search, epsilon: Array, reach: Array, strict: bool) -
     told = f"above {factor:.6g} times epsilon" if strict else f"from {factor:.6g} times epsilon on"
     message = f"{where}; connected {told} ({least}); {SearchStatus.NOT_CONNECTED.value}"
     search.tell(1.0, "done")
-    return replace(result, rounds=rounds, nodes=nodes, breaks_at=place, smallest_epsilon=smallest, message=message)
+    return replace(result, breaks_at=place, smallest_epsilon=smallest, message=message)

@@ -118,8 +118,8 @@ def guilamo_search(
         )
     names = {FOUND: GuilamoStatus.FOUND, EXHAUSTED: GuilamoStatus.NOT_CONNECTED}
     status = names.get(code, GuilamoStatus.GAVE_UP)
-    _, _, position, new_starts, branches, comparisons = (int(each) for each in state)
-    last = int(starts[max(position, 1) - 1])
+    _, _, new_starts, branches, comparisons = (int(each) for each in state)
+    last = int(starts[max(new_starts, 1) - 1])
     found = [order[place - low] for order, place, low in zip(orders, path, offset[:-1], strict=True)] if status.ok else []
     result = GuilamoResult(
         q=without_jumps(q[path], layers.continuous) if status.ok else np.empty((0, layers.n)),

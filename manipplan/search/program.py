@@ -6,11 +6,11 @@ linear rows that keep distances. Solved inside a trust region about the path at 
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from manipplan.checks import Array
 from manipplan.kinematics.chain import Placement
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.search.steps import full_turns
 from manipplan.tracking.error import free_axis
 from manipplan.tracking.relaxation import Tolerance
 
@@ -94,7 +94,7 @@ class LevelProgram:
         limits, positions = self.kinematics.robot.limits, self.positions
         index = self.kinematics.manipulability(q)
         scale = float(np.abs(index).min()) or 1.0
-        turns = full_turns(q, ~(np.isfinite(limits.lower) & np.isfinite(limits.upper)))
+        turns = full_turns(q, self.kinematics.robot.endless)
         weights = np.array([scale, 0.0 if level is None else 1.0])
         parameters = [q.ravel(), poses.transpose(0, 2, 1).ravel(), slopes.ravel(), turns, weights]
         lower, upper = np.maximum(q - trust, limits.lower), np.minimum(q + trust, limits.upper)
@@ -134,11 +134,6 @@ def pose_error(kinematics: Kinematics) -> ca.Function:
     else:
         rows = [position, skew]
     return ca.Function("pose_error", [chain.q, pose], [ca.densify(ca.vertcat(*rows))])
-
-
-def full_turns(q: Array, continuous: NDArray[np.bool_]) -> Array:
-    """By how much each joint (n,) ends the cycle q (L, n) further on than it began: full turns of those without end."""
-    return np.where(continuous, 2 * np.pi * np.round((q[-1] - q[0]) / (2 * np.pi)), 0.0)
 
 
 class PoseRows:

@@ -1,6 +1,5 @@
 """refine: from the best path through samples to the best path that samples cannot hold."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import product
 
@@ -9,6 +8,7 @@ import numpy as np
 from manipplan.checks import Array, instance, whole_number
 from manipplan.errors import InvalidInputError
 from manipplan.interrupts import interruptible
+from manipplan.progress import Progress, silent
 from manipplan.search.bottleneck import max_min_search
 from manipplan.search.layers import Layers
 from manipplan.search.result import SearchResult
@@ -33,8 +33,6 @@ NEAR = 0.05
 MET = 1e-9
 #: A candidate is the one of the layers within this [rad or m]: full turns round.
 SAME = 1e-9
-
-Progress = Callable[[float, str], None]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -114,7 +112,7 @@ def refine(
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
     refiner = _Refiner(layers, found, layers.setup, layers.poses, tolerance)
-    return refiner.run(resample, progress or _silent)
+    return refiner.run(resample, progress or silent)
 
 
 class _Refiner:
@@ -166,9 +164,7 @@ class _Refiner:
         sets, indices = [], []
         for k, pose in enumerate(self.poses):
             near, m, _ = self.worker.sample(pose, values[k] + offsets)
-            step = near - q[k]
-            turns = self.layers.continuous
-            step[:, turns] -= 2 * np.pi * np.round(step[:, turns] / (2 * np.pi))
+            step = steps_between(q[k], near, self.layers.continuous)
             beside = np.abs(step).max(axis=1) < 10 * spread
             sets.append(np.vstack([q[k], q[k] + step[beside]]))
             indices.append(np.append(self.kinematics.manipulability(q[k]), m[beside]))
@@ -287,7 +283,3 @@ class _Refiner:
             )
             highest[k] = max(highest[k], level)
         return float(highest.min())
-
-
-def _silent(_share: float, _text: str) -> None:
-    """Tell nobody."""

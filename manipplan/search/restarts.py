@@ -11,7 +11,7 @@ Truth = NDArray[np.bool_]
 
 TAU = 2 * np.pi
 #: Places of the state that goes in and out of `search_restarts`.
-PHASE, LEVEL, POSITION, STARTS, BRANCHES, COMPARISONS, STATE = 0, 1, 2, 3, 4, 5, 6
+PHASE, LEVEL, STARTS, BRANCHES, COMPARISONS, STATE = 0, 1, 2, 3, 4, 5
 #: How a call ended.
 UNFINISHED, FOUND, EXHAUSTED, TOO_MANY = 0, 1, 2, 3
 #: Phases: the next start is to be taken, the path grows to the last layer, the path grows to the first one.
@@ -33,10 +33,9 @@ def search_restarts(
     stop = state[COMPARISONS] + budget
     while state[COMPARISONS] < stop:
         if state[PHASE] == NEXT:
-            if state[POSITION] == len(starts):
+            if state[STARTS] == len(starts):
                 return EXHAUSTED
-            start = starts[state[POSITION]]
-            state[POSITION] += 1
+            start = starts[state[STARTS]]
             state[STARTS] += 1
             level = layer_of[start]
             path[level] = start
@@ -44,7 +43,7 @@ def search_restarts(
             state[PHASE] = UP
             if level < layers - 1:
                 pointer[level + 1] = offset[level + 1]
-        start = starts[state[POSITION] - 1]
+        start = starts[state[STARTS] - 1]
         first, least = layer_of[start], m[start]
         level = state[LEVEL]
         if state[PHASE] == UP and level == layers - 1:

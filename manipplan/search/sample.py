@@ -2,13 +2,12 @@
 
 import math
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import Executor, ThreadPoolExecutor, as_completed
 from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from manipplan.checks import Array, instance, number, whole_number
 from manipplan.errors import InvalidInputError
@@ -16,7 +15,7 @@ from manipplan.kinematics.batch import all_cores
 from manipplan.measures.measure import Measure
 from manipplan.measures.task import Task
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.robots.limits import JointLimits
+from manipplan.progress import Progress
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.search.layers import Layers
@@ -36,8 +35,6 @@ GRID = 200
 #: A path returns to its start within this, and a pose is within reach [m, rad].
 RETURNS = 1e-9
 REACHES = (1e-6, 1e-6)
-
-Progress = Callable[[float, str], None]
 
 
 def sample_layers(
@@ -138,7 +135,7 @@ def sample_layers(
     return Layers(
         q=tuple(layers[k][0] for k in range(n)),
         m=tuple(layers[k][1] for k in range(n)),
-        continuous=endless(robot.limits),
+        continuous=robot.endless,
         closed=closed,
         s=s,
         poses=poses,
@@ -157,11 +154,6 @@ def _remedy(worker: "Worker", pose: Array, reached: int) -> str:
     if far < REACHES[0] and angle < REACHES[1]:
         return "a pose that some sample reaches: it is within reach, but of no value on the grid; take more samples"
     return f"a pose within reach; the arm stays {1e3 * far:.4g} mm and {np.rad2deg(angle):.3g}° away from it"
-
-
-def endless(limits: JointLimits) -> NDArray[np.bool_]:
-    """Joints (n,) that turn without end."""
-    return np.asarray(~(np.isfinite(limits.lower) & np.isfinite(limits.upper)))
 
 
 def _check_grid(worker: "Worker", n: int, samples: int | Sequence[int] | None, allowed: float) -> None:

@@ -193,7 +193,7 @@ def _apart(ends: Array, radii: Array, capsule: int, boxes: Array, halves: Array,
 
 @kernel
 def _spines_apart(ends: Array, first: int, second: int, reach: float) -> bool:
-    """Whether the axes of two capsules are farther apart than `reach`, by the gap along three directions."""
+    """Whether the axes of two capsules are farther apart than `reach`, by the gap along two directions."""
     a, b, c, d = row(ends, 2 * first), row(ends, 2 * first + 1), row(ends, 2 * second), row(ends, 2 * second + 1)
     middle = sub(add(a, b), add(c, d))
     normal = cross(sub(b, a), sub(d, c))

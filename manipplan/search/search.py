@@ -1,7 +1,7 @@
 """The work of a search: grids, sweeps over open and closed layers, and the count of what was done."""
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import chain
 
@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.checks import Array
+from manipplan.progress import Progress
 from manipplan.search.closed import best_cycle
 from manipplan.search.grid import SAMPLE, Grid, choose_grid
 from manipplan.search.layers import Layers
@@ -16,7 +17,6 @@ from manipplan.search.objectives import Closest, Widest
 from manipplan.search.steps import path_steps
 from manipplan.search.sweep import Cells, Crew, Objective, Part, Stage, Trace, sort_stage, sweep
 
-Progress = Callable[[float, str], None]
 #: Called at most so often [s].
 RATE = 0.1
 #: Sorted layers of a cycle are kept for the next sweep up to this size [bytes].
@@ -43,7 +43,6 @@ class Search:
         self.crew = crew
         self.rounds = 0
         self.nodes = 0
-        self.depth = 0
         self._progress = progress
         self._work = work  # candidates that are passed in the worst case
         self._passed = 0
@@ -53,7 +52,6 @@ class Search:
         """The path that the objective values most, of the candidates that take part, with steps below `reach` (n,)."""
         active = [int(np.count_nonzero(m >= part.threshold)) for m in self.layers.m]
         if min(active) == 0:
-            self.depth = active.index(0)
             return None
         grid = self._grid(reach, part.share * sum(active))
         if self.layers.closed:
@@ -123,7 +121,7 @@ class Search:
 
         trace = sweep(cells, grid, objective, self.crew, tick)
         self.rounds += 1
-        self.nodes, self.depth = trace.nodes, trace.depth
+        self.nodes = trace.nodes
         return trace
 
     def _cycle(self, objective: Objective, part: Part, grid: Grid, text: str, active: list[int]) -> Path | None:

@@ -36,3 +36,8 @@ def within(q: Array, epsilon: Array, continuous: NDArray[np.bool_], *, strict: b
     """Whether every step of the path q (L, n) is below ε (n,), or, without `strict`, at most ε."""
     steps = np.abs(path_steps(q, continuous, closed=closed))
     return bool((steps < epsilon if strict else steps <= epsilon).all())
+
+
+def full_turns(q: Array, continuous: NDArray[np.bool_]) -> Array:
+    """By how much each joint (n,) ends the cycle q (L, n) further on than it began: full turns of those without end."""
+    return np.where(continuous, 2 * np.pi * np.round((q[-1] - q[0]) / (2 * np.pi)), 0.0)
