@@ -8,7 +8,7 @@ import pytest
 PAGES = Path(__file__).parents[2] / "docs"
 
 
-@pytest.mark.parametrize("page", ["kinematics", "tracking", "search"])
+@pytest.mark.parametrize("page", ["kinematics", "tracking", "best-motion"])
 def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
     text = (PAGES / f"{page}.md").read_text()
     blocks = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
