@@ -91,3 +91,20 @@ def test_layers_without_collisions_hold_every_answer():
     sampled = runs.Runs().sampled(circle, (4, 3, 4))
     answers = mp.inverse_kinematics(circle.robot, circle.path(0.0), samples=(4, 3, 4))
     assert len(answers) == sampled.layers.sizes[0]
+
+
+def test_the_circle_against_all_pairs():
+    """The exact search on the study's coarse circle against a dynamic programme over all pairs of neighbouring layers."""
+    robot = mp.load_robot("talos_torso_right_arm")
+    start = np.array([[0.0, 0.0, -1.0, 0.45], [-1.0, 0.0, 0.0, -0.25], [0.0, 1.0, 0.0, 0.25], [0.0, 0.0, 0.0, 1.0]])
+    circle = mp.CartesianPath.circle(start, start[:3, 3] - [0.0, 0.0, 0.1], (1.0, 0.0, 0.0))
+    layers = mp.sample_layers(robot, circle, 50, samples=(28, 18, 28), collisions=False)
+    for degrees in (3.0, 5.0):
+        epsilon = np.deg2rad(degrees)
+        value = layers.m[0]
+        for q, following, m in zip(layers.q, layers.q[1:], layers.m[1:], strict=False):
+            near = np.ones((len(following), len(q)), dtype=bool)
+            for joint in range(layers.n):
+                near &= np.abs(following[:, joint, None] - q[None, :, joint]) < epsilon
+            value = np.minimum(m, np.where(near, value, -np.inf).max(axis=1))
+        assert mp.max_min_search(layers, epsilon).minimum == value.max() > 0
