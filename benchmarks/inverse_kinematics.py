@@ -29,7 +29,7 @@ from manipplan.ik.swivel import swivel_of
 
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT / "benchmarks" / "peers"))
-from run import run_peer  # noqa: E402
+from run import run_peer  # noqa: E402  # its folder is put on the path first
 
 OUT = ROOT / "docs" / "benchmarks" / "inverse_kinematics.md"
 ARMS = ("simple_humanoid_right_arm", "panda", "talos_right_arm", "ur5", "xarm7")

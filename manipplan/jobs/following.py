@@ -121,7 +121,7 @@ def follow(
     inner = tolerance.scaled(AT_POSITIONS) if tolerance is not None else None
     refined = refine(layers, found, tolerance=inner, progress=lambda share, text: tell(0.6 + 0.3 * share, text))
     tell(0.9, "joining the positions")
-    joints, result = _joined(path, layers, found, refined, tolerance)
+    joints, result, axis = _joined(path, layers, found, refined, tolerance)
     draft = replace(draft, status=Status.FOLLOWED, refinement=refined, path=joints, result=result)
     tell(0.95, "timing the motion")
     try:
@@ -131,7 +131,7 @@ def follow(
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     tell(0.97, "checking the result")
     motion = trajectory(np.linspace(0.0, trajectory.duration, TIMES))
-    pose, axis, s = robot.kinematics(result.task).pose, _axis(layers), np.linspace(0.0, 1.0, TIMES)
+    pose, s = robot.kinematics(result.task).pose, np.linspace(0.0, 1.0, TIMES)
     deviation = deviation_from(path, pose(motion), axis)
     draft = replace(draft, deviation=deviation)
     collision = scene.collision_model(robot)
@@ -147,20 +147,19 @@ def follow(
 
 def _joined(
     path: CartesianPath, layers: Layers, found: SearchResult, refined: Refinement, tolerance: Tolerance | None
-) -> tuple[JointPath, PathResult]:
-    """The joint path through the refined positions, and its figures beside those of the path that the search found.
+) -> tuple[JointPath, PathResult, Array | None]:
+    """The joint path through the refined positions, its figures beside those of the path that the search found, and the
+    tool's axis whose direction alone counts.
 
     With a tolerance the refined positions are joined as they are, as long as their spline stays inside it.
     """
     from manipplan.search.between import joint_path
     from manipplan.search.program import PoseRows
     from manipplan.search.steps import full_turns
-    from manipplan.search.worker import Worker
 
-    assert layers.setup is not None
+    assert layers.worker is not None
     assert layers.s is not None
-    worker = Worker(layers.setup)
-    kinematics = worker.kinematics
+    solver, kinematics = layers.worker.solver, layers.worker.kinematics
     rows = PoseRows(kinematics)
     paths = []
     exact = AT_KNOTS * rows.box(BETWEEN)
@@ -170,7 +169,7 @@ def _joined(
         s, q = layers.s, positions
         if layers.closed:
             s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
-        paths.append(joint_path(worker.solver, rows, path, s, q, closed=layers.closed, allowed=allowed, tube=inside))
+        paths.append(joint_path(solver, rows, path, s, q, closed=layers.closed, allowed=allowed, tube=inside))
     cost, seed_cost = (path_cost(each, kinematics, 1.0) for each in paths)
     result = PathResult(
         path=paths[0],
@@ -185,15 +184,7 @@ def _joined(
         history=(),
         status=Status.FOLLOWED,
     )
-    return paths[0], result
-
-
-def _axis(layers: Layers) -> Array | None:
-    """The tool's axis whose direction alone counts."""
-    from manipplan.search.worker import Worker
-
-    assert layers.setup is not None
-    return Worker(layers.setup).solver.axis
+    return paths[0], result, solver.axis
 
 
 def _allowed(tolerance: Tolerance | None) -> Tolerance:

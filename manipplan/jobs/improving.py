@@ -35,7 +35,7 @@ def improve(
     *,
     dt: float = 0.01,
     duration: float | None = None,
-    tolerance: Tolerance | None = Tolerance(position=0.02, rotation=0.2),  # noqa: B008
+    tolerance: Tolerance | None = Tolerance(position=0.02, rotation=0.2),  # noqa: B008  # a frozen value
     stiffness: Stiffness | None = None,
     task: Task | None = None,
     scene: Scene | None = None,

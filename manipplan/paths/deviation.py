@@ -45,7 +45,7 @@ def deviation_from(path: CartesianPath, poses: Array, axis: Array | None = None)
     for begin in range(0, len(poses), BLOCK):
         some = poses[begin : begin + BLOCK]
         apart = np.linalg.norm(some[:, None, :3, 3] - line[None, :, :3, 3], axis=2)
-        apart += RADIAN * _angles(some[:, None, :3, :3], line[None, :, :3, :3], axis)
+        apart += RADIAN * angles_between(some[:, None, :3, :3], line[None, :, :3, :3], axis)
         nearest = np.clip(apart.argmin(axis=1), 1, POSES - 2)
         sides = [_from_piece(some, line[nearest + side], line[nearest + side + 1], axis) for side in (-1, 0)]
         better = sides[0][0] + RADIAN * sides[0][1] < sides[1][0] + RADIAN * sides[1][1]
@@ -58,7 +58,7 @@ def deviation_at(path: CartesianPath, s: Array, poses: Array, axis: Array | None
     """Of tool poses (k, 4, 4) from those of a path at s (k,): small only where the whole path is passed, in its order."""
     targets = path(s)
     position = np.linalg.norm(poses[:, :3, 3] - targets[:, :3, 3], axis=1)
-    return _largest(position, _angles(poses[:, :3, :3], targets[:, :3, :3], axis))
+    return _largest(position, angles_between(poses[:, :3, :3], targets[:, :3, :3], axis))
 
 
 def _largest(position: Array, rotation: Array) -> Deviation:
@@ -85,10 +85,10 @@ def _from_piece(poses: Array, begins: Array, ends: Array, axis: Array | None) ->
     share = (offset * along).sum(axis=1) + RADIAN**2 * (leans * turns).sum(axis=1)
     share = np.clip(share / np.maximum(length, 1e-30), 0.0, 1.0)[:, None]
     rotations = begins[:, :3, :3] @ Rotation.from_rotvec(share * turn).as_matrix()
-    return np.linalg.norm(offset - share * along, axis=1), _angles(poses[:, :3, :3], rotations, axis)
+    return np.linalg.norm(offset - share * along, axis=1), angles_between(poses[:, :3, :3], rotations, axis)
 
 
-def _angles(first: Array, second: Array, axis: Array | None) -> Array:
+def angles_between(first: Array, second: Array, axis: Array | None = None) -> Array:
     """Angles between rotations (..., 3, 3), or between the directions that they give an axis."""
     if axis is not None:
         a, b = first @ axis, second @ axis

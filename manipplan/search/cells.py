@@ -5,12 +5,11 @@ from numpy.typing import NDArray
 
 from manipplan.checks import Array
 from manipplan.kernels import kernel
+from manipplan.search.steps import TAU
 
 Whole = NDArray[np.int64]
 Numbers = NDArray[np.int32]
 Truth = NDArray[np.bool_]
-
-TAU = 2 * np.pi
 
 
 @kernel

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.checks import Array
+from manipplan.search.steps import TAU
 
-TAU = 2 * np.pi
 #: Joints that are hashed at most.
 AXES = 3
 #: A joint with fewer cells is not hashed: three of them are looked at anyhow.

@@ -10,7 +10,8 @@ import numpy as np
 
 from manipplan.checks import Array
 from manipplan.kernels import kernel
-from manipplan.search.cells import TAU, Numbers, Truth, Whole
+from manipplan.search.cells import Numbers, Truth, Whole
+from manipplan.search.steps import TAU
 
 #: Cells that adjoin a cell at most, itself among them.
 ADJOINING = 27

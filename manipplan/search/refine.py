@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from itertools import product
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,9 +13,11 @@ from manipplan.progress import Progress, silent
 from manipplan.search.bottleneck import max_min_search
 from manipplan.search.layers import Layers
 from manipplan.search.result import SearchResult
-from manipplan.search.setup import Setup
 from manipplan.search.steps import path_length, steps_between, within
 from manipplan.tracking.relaxation import Tolerance
+
+if TYPE_CHECKING:
+    from manipplan.search.worker import Worker
 
 #: Values of each parameter around the path at hand, and how much nearer they lie in the next round.
 AROUND, CLOSER = 5, 0.4
@@ -98,7 +101,7 @@ def refine(
     """
     instance("layers", layers, Layers)
     instance("found", found, SearchResult)
-    if layers.setup is None or layers.poses is None:
+    if layers.worker is None or layers.poses is None:
         raise InvalidInputError("layers", "layers of given arrays", "layers of sample_layers, which know their robot and poses")
     if not found.connected or len(found.q) != len(layers.q):
         raise InvalidInputError(
@@ -111,21 +114,21 @@ def refine(
     whole_number("resample", resample, least=0)
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
-    refiner = _Refiner(layers, found, layers.setup, layers.poses, tolerance)
+    refiner = _Refiner(layers, found, layers.worker, layers.poses, tolerance)
     return refiner.run(resample, progress or silent)
 
 
 class _Refiner:
     """What the steps of a refinement share."""
 
-    def __init__(self, layers: Layers, found: SearchResult, setup: Setup, poses: Array, tolerance: Tolerance | None) -> None:
+    def __init__(
+        self, layers: Layers, found: SearchResult, worker: "Worker", poses: Array, tolerance: Tolerance | None
+    ) -> None:
         from manipplan.search.program import LevelProgram
-        from manipplan.search.worker import Worker
 
-        self.layers, self.found, self.robot, self.poses = layers, found, setup.robot, poses
-        self.worker = Worker(setup)
-        self.model, self.clearance = self.worker.collision, setup.clearance
-        self.kinematics = self.worker.kinematics
+        self.layers, self.found, self.worker, self.poses = layers, found, worker, poses
+        self.robot, self.clearance = worker.setup.robot, worker.setup.clearance
+        self.model, self.kinematics = worker.collision, worker.kinematics
         self.program = LevelProgram(self.kinematics, len(self.poses), closed=layers.closed)
         self.tolerance = self.program.rows.box(tolerance)
         self.history = [found.minimum]

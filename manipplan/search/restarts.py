@@ -1,15 +1,10 @@
 """Kernel of the restart search of guilamo2006."""
 
-import numpy as np
-from numpy.typing import NDArray
-
 from manipplan.checks import Array
 from manipplan.kernels import kernel
+from manipplan.search.cells import Truth, Whole
+from manipplan.search.kernels import is_near
 
-Whole = NDArray[np.int64]
-Truth = NDArray[np.bool_]
-
-TAU = 2 * np.pi
 #: Places of the state that goes in and out of `search_restarts`.
 PHASE, LEVEL, STARTS, BRANCHES, COMPARISONS, STATE = 0, 1, 2, 3, 4, 5
 #: How a call ended.
@@ -29,7 +24,7 @@ def search_restarts(
     begins. starts (N,): candidates in the order in which they start a path; layer_of (N,) their layers. state (STATE,),
     path (L,), pointer (L,) and seen (N,) are changed: where the search stands.
     """
-    layers, n = len(offset) - 1, q.shape[1]
+    layers = len(offset) - 1
     stop = state[COMPARISONS] + budget
     while state[COMPARISONS] < stop:
         if state[PHASE] == NEXT:
@@ -59,15 +54,7 @@ def search_restarts(
         while i < end and m[i] >= least:
             if not memoised or seen[i] != state[STARTS]:
                 state[COMPARISONS] += 1
-                near = True
-                for j in range(n):
-                    d = q[i, j] - q[here, j]
-                    if turns[j]:
-                        d -= TAU * np.floor(d / TAU + 0.5)
-                    if not abs(d) < reach[j]:
-                        near = False
-                        break
-                if near:
+                if is_near(q, here, q, i, reach, turns):
                     found = True
                     break
             i += 1

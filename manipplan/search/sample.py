@@ -140,7 +140,7 @@ def sample_layers(
         s=s,
         poses=poses,
         considered=n * len(values),
-        setup=setup,
+        worker=worker,
     )
 
 

@@ -10,6 +10,7 @@ from manipplan.checks import Array
 from manipplan.ik.enumeration import CHUNK
 from manipplan.ik.newton import search
 from manipplan.ik.solver import Solver, turns_about
+from manipplan.paths.deviation import angles_between
 from manipplan.search.screening import Screening, free_rows
 from manipplan.search.setup import Setup
 
@@ -62,8 +63,8 @@ class Worker:
         targets = np.broadcast_to(pose, (STARTS, 4, 4))
         if solver.axis is not None:
             targets = pose @ turns_about(solver.axis, rng.uniform(-np.pi, np.pi, STARTS))
+        moves = np.ones(robot.n, dtype=np.bool_)
         for k in range(STARTS):
-            moves = np.ones(robot.n, dtype=np.bool_)
             search(
                 screws.axes,
                 screws.points,
@@ -79,8 +80,7 @@ class Worker:
             )
         reached = solver.kinematics.pose(q)
         far = np.linalg.norm(reached[:, :3, 3] - targets[:, :3, 3], axis=1)
-        cosine = (np.trace(np.swapaxes(reached[:, :3, :3], 1, 2) @ targets[:, :3, :3], axis1=1, axis2=2) - 1) / 2
-        angle = np.arccos(np.clip(cosine, -1.0, 1.0))
+        angle = angles_between(reached[:, :3, :3], targets[:, :3, :3])
         best = int(np.argmin(far**2 + angle**2))
         return float(far[best]), float(angle[best])
 

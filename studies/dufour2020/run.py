@@ -1,13 +1,10 @@
 """The whole study in one command."""
 
-import argparse
-import tempfile
-import time
 from pathlib import Path
 
-from rich.console import Console
 from rich.progress import Progress
 
+from studies import command
 from studies.dufour2020 import claims, config, figures, numerics, pareto
 from studies.dufour2020.courses import Array
 from studies.dufour2020.follow import Arm
@@ -21,25 +18,8 @@ TIMED = 20
 
 def main(arguments: list[str] | None = None) -> list[str]:
     """Run it and return what is not as expected.csv has it."""
-    parser = argparse.ArgumentParser(prog="python -m studies.dufour2020", description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="Pareto figure of scenario 1 only, no comparison of step times")
-    parser.add_argument(
-        "--out",
-        type=Path,
-        help="folder for tables and figures (default: docs/studies/dufour2020; a temporary one with --quick)",
-    )
-    options = parser.parse_args(arguments)
-    out = options.out or (Path(tempfile.mkdtemp(prefix="dufour2020-")) if options.quick else config.PAGES)
-    out.mkdir(parents=True, exist_ok=True)
-    console = Console()
-    began = time.monotonic()
-    with Progress(console=console, transient=True) as progress:
-        found = study(out, options.quick, progress)
-    wrong = claims.differences(found)
-    console.print(f"{out} written in {time.monotonic() - began:.0f} s")
-    for line in wrong or ["all figures are as expected"]:
-        console.print(line, markup=False)
-    return wrong
+    quick = "Pareto figure of scenario 1 only, no comparison of step times"
+    return command.run(config.PAGES, quick, study, lambda found, _: claims.differences(found), arguments)
 
 
 def study(out: Path, quick: bool, progress: Progress) -> list[claims.Claim]:

@@ -1,14 +1,11 @@
 """The whole study in one command."""
 
-import argparse
-import tempfile
-import time
 from collections.abc import Callable
 from pathlib import Path
 
-from rich.console import Console
 from rich.progress import Progress
 
+from studies import command
 from studies.guilamo2006 import claims, config, figures, tables
 from studies.guilamo2006.courses import courses, second_courses
 from studies.guilamo2006.results import Results
@@ -19,25 +16,8 @@ Stage = tuple[str, float, Callable[[], object]]
 
 def main(arguments: list[str] | None = None) -> list[str]:
     """Run it and return what is not as expected.csv has it."""
-    parser = argparse.ArgumentParser(prog="python -m studies.guilamo2006", description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="the coarse grids only")
-    parser.add_argument(
-        "--out",
-        type=Path,
-        help="folder for tables and figures (default: docs/studies/guilamo2006; a temporary one with --quick)",
-    )
-    options = parser.parse_args(arguments)
-    out = options.out or (Path(tempfile.mkdtemp(prefix="guilamo2006-")) if options.quick else config.PAGES)
-    out.mkdir(parents=True, exist_ok=True)
-    console = Console()
-    began = time.monotonic()
-    with Progress(console=console, transient=True) as progress:
-        found = study(out, options.quick, progress)
-    wrong = claims.differences(found, quick=options.quick)
-    console.print(f"{out} written in {time.monotonic() - began:.0f} s")
-    for line in wrong or ["all figures are as expected"]:
-        console.print(line, markup=False)
-    return wrong
+    quick = "the coarse grids only"
+    return command.run(config.PAGES, quick, study, lambda found, quick: claims.differences(found, quick=quick), arguments)
 
 
 def study(out: Path, quick: bool, progress: Progress) -> list[claims.Claim]:

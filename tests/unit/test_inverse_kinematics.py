@@ -502,3 +502,29 @@ with warnings.catch_warnings(record=True) as told:
         check=True,
     )
     assert run.stdout.startswith("12.0 None ['CompilerWarning']") and "cannot be written (Not a directory)" in run.stdout
+
+
+@pytest.mark.parametrize(("lower", "upper"), [(-1.0, np.inf), (-np.inf, 1.0)])
+def test_a_limit_on_one_side_only_is_refused(lower, upper):
+    robot = mp.load_robot("panda")
+    limits = {side: getattr(robot.limits, side).copy() for side in ("lower", "upper")}
+    limits["lower"][6], limits["upper"][6] = lower, upper
+    half = robot.with_limits(**limits)
+    assert not half.endless.any()
+    with pytest.raises(mp.InvalidInputError, match="limits of panda_joint7: .*both sides"):
+        mp.inverse_kinematics(half, np.eye(4))
+
+
+def test_a_slider_without_limits_is_refused():
+    robot = mp.load_robot("tiago")
+    assert robot.joint_types[0] == "prismatic"
+    limits = {side: getattr(robot.limits, side).copy() for side in ("lower", "upper")}
+    limits["lower"][0], limits["upper"][0] = -np.inf, np.inf
+    with pytest.raises(mp.InvalidInputError, match=f"limits of {robot.joint_names[0]}"):
+        mp.inverse_kinematics(robot.with_limits(**limits), np.eye(4))
+
+
+@pytest.mark.parametrize("method", ["closed-form", "newton"])
+def test_no_poses_have_no_answers(method):
+    found = mp.inverse_kinematics(mp.load_robot("panda"), np.zeros((0, 4, 4)), samples=2, method=method)
+    assert len(found) == 0 and found.missing == 0.0

@@ -97,7 +97,7 @@ def six_layers(six, **options):
     return mp.sample_layers(six, path, **{"n": 6, "task": mp.Task.pointing(), "samples": 60, "scene": scene, **options})
 
 
-def same_layers(one, other):
+def assert_same_layers(one, other):
     assert one.count > 0
     assert all(np.array_equal(a, b) for a, b in zip(one.q, other.q, strict=True))
     assert all(np.array_equal(a, b) for a, b in zip(one.m, other.m, strict=True))
@@ -182,13 +182,13 @@ def test_another_measure_is_the_candidates_index(six):
 # ---- who does the work
 
 
-def test_a_pool_of_processes_gives_the_same_layers(six):
+def test_a_pool_of_processes_gives_the_assert_same_layers(six):
     with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as pool:
         elsewhere = six_layers(six, executor=pool)
-    same_layers(six_layers(six), elsewhere)
+    assert_same_layers(six_layers(six), elsewhere)
 
 
-def test_a_dask_cluster_gives_the_same_layers(six):
+def test_a_dask_cluster_gives_the_assert_same_layers(six):
     import distributed
 
     with (
@@ -199,12 +199,12 @@ def test_a_dask_cluster_gives_the_same_layers(six):
         elsewhere = six_layers(six, executor=client.get_executor())
         workers = client.run(lambda: None)
     assert len(workers) == 2
-    same_layers(six_layers(six), elsewhere)
+    assert_same_layers(six_layers(six), elsewhere)
 
 
-def test_one_thread_or_many_give_the_same_layers(panda, line, table, layers):
+def test_one_thread_or_many_give_the_assert_same_layers(panda, line, table, layers):
     with ThreadPoolExecutor(1) as one:
-        same_layers(layers, mp.sample_layers(panda, line, 4, samples=40, scene=table, executor=one))
+        assert_same_layers(layers, mp.sample_layers(panda, line, 4, samples=40, scene=table, executor=one))
 
 
 def test_progress_never_falls_and_ends_at_one(six):
