@@ -57,6 +57,7 @@ from manipplan.search.sample import sample_layers
 from manipplan.seeds.ompl import seed_path
 from manipplan.status import Status
 from manipplan.timing.retime import retime
+from manipplan.timing.segment import Segment
 from manipplan.timing.verify import LimitUse, limit_use, torque_use
 from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller, Rollout, StepReport
@@ -121,6 +122,7 @@ __all__ = [
     "Rollout",
     "Scene",
     "SearchResult",
+    "Segment",
     "SearchStatus",
     "SmallestSingularValue",
     "SolutionSet",
