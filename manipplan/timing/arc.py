@@ -59,7 +59,8 @@ class ArcLength:
     def lengths_of(self, s: Array) -> Array:
         """Lengths at which the path parameter is s, for those strictly between the ends."""
         s = s[(s > self.ends[0]) & (s < self.ends[1])]
-        return np.interp(s, self.s(np.linspace(0, self.length, 4001)), np.linspace(0, self.length, 4001))
+        even = np.linspace(0, self.length, 4001)
+        return np.asarray(np.interp(s, self.s(even), even))
 
     def grid(self, count: int, edges: Array) -> Array:
         """Lengths from 0 to the end, about `count` + 1: evenly spaced, twice as dense where the path turns on average.

@@ -19,9 +19,11 @@ from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.timing.arc import ArcLength
-from manipplan.timing.demands import demands
+from manipplan.timing.demands import Demands, demands
+from manipplan.timing.jerk import JerkProblem
 from manipplan.timing.profile import Profile, constant_steps
 from manipplan.timing.segment import LimitsAlong, Segment, ToolSpeed, checked_segments
+from manipplan.timing.smooth import SHORTEST_STEP, SmoothProfile, first_grid, next_grid
 from manipplan.timing.speeds import DIGITS, fastest_speeds
 from manipplan.timing.stops import STANDSTILL, Course, stops
 from manipplan.timing.verify import piece_use
@@ -34,6 +36,9 @@ SPARE = 1e-9
 ENOUGH = 1.02
 #: Limits are made stricter where the motion exceeded them this often, while it is off by more than `CLOSE`.
 ROUNDS, CLOSE = 8, 1.002
+ROUNDS_SMOOTH = 4
+#: Grid intervals of a piece with limited jerk, least.
+SMOOTH_LEAST = 40
 #: As often for a piece that begins or ends moving, which cannot be slowed as a whole.
 ROUNDS_MOVING = 25
 
@@ -55,7 +60,9 @@ def retime(
     Args:
         path: q(s), a curve in space: its parameter is not time. (What `Trajectory.path` gives starts and ends so slowly
             that timing it anew is slower than it need be.)
-        limits: velocity and acceleration count; effort too when `torque_model` is given. Jerk is not limited.
+        limits: velocity and acceleration count;
+            jerk where it is finite: then acceleration is
+            continuous, and zero at stops; effort too when `torque_model` is given.
         joint_names: (n,) default q0, q1, ...
         torque_model: Pinocchio model of the arm, whose inverse dynamics limit the motion by `limits.effort`.
         grid: points along the path on which toppra works; more are taken where they make the motion faster.
@@ -130,12 +137,13 @@ def _pieces(task: _Task, at: list[float], grid: int, speeds: tuple[float, float]
     for k, (a, b) in enumerate(pairwise(at)):
         start = speeds[0] if k == 0 else 0.0
         end = speeds[1] if k == len(at) - 2 else 0.0
-        pieces.append(_piece(task, a, b, max(20, int(np.ceil(grid * (b - a)))), start, end))
+        timed = _smooth_piece if task.limits.has_jerk else _piece
+        pieces.append(timed(task, a, b, max(20, int(np.ceil(grid * (b - a)))), start, end))
     return pieces
 
 
 def _piece(task: _Task, a: float, b: float, grid: int, start: float, end: float) -> _Piece:
-    """One piece: fastest by toppra, stricter where its spline exceeds a limit, slowed by what is left."""
+    """One piece without limits of jerk: fastest by toppra, stricter where its spline exceeds a limit, slowed by what is left."""
     curve = ArcLength(task.course.path, a, b)
     points = curve.grid(grid, task.limits.edges)
     asked = demands(curve, points, task.limits, task.torque_model, task.tool)
@@ -184,6 +192,72 @@ def _piece(task: _Task, a: float, b: float, grid: int, start: float, end: float)
     return best
 
 
+def _smooth_piece(task: _Task, a: float, b: float, grid: int, start: float, end: float) -> _Piece:
+    """One piece with limited jerk: on two grids, the second made for the motion found on the first."""
+    curve = ArcLength(task.course.path, a, b)
+    edges = task.limits.edges
+    grid = max(grid, SMOOTH_LEAST)
+    points = first_grid(curve, grid, edges, (start == 0, end == 0))
+    asked = demands(curve, points, task.limits, task.torque_model, task.tool)
+    fastest_speeds(asked, task.names, task.course.given, start, end)  # raises where nothing is within the limits
+    motion = _jerk_problem(task, asked, np.ones(len(points) - 1), start, end).solved()
+    if motion is None:
+        raise _jerk_error(start, end)
+    profile = SmoothProfile.of(asked, motion)
+    count = int(np.clip(profile.time[-1] / SHORTEST_STEP, SMOOTH_LEAST, grid))
+    points = next_grid(curve, profile, count, edges)
+    asked = demands(curve, points, task.limits, task.torque_model, task.tool)
+    velocity, rows, jerk = np.ones(len(points)), np.ones(len(points)), np.ones(len(points) - 1)
+    guess = np.interp(points, profile.length, profile.speed**2) / asked.speed_unit**2
+    moving = start > 0 or end > 0
+    best: _Piece | None = None
+    ideal = np.inf
+    for k in range(1 + (ROUNDS_MOVING if moving else ROUNDS_SMOOTH)):
+        motion = _jerk_problem(task, asked.eased(velocity, rows) if k else asked, jerk, start, end).solved(guess)
+        if motion is None:
+            break
+        profile = SmoothProfile.of(asked, motion)
+        ideal = min(ideal, float(profile.time[-1]))
+        trajectory, s = profile.sampled(task.names)
+        use = _use(task, trajectory, s)
+        factor = _factor(use)
+        if moving:
+            if factor <= 1 + DIGITS:
+                return _Piece(trajectory=trajectory, ideal=ideal)
+        else:
+            slowed = _slowed(task, profile, factor, trajectory)
+            if slowed is not None and (best is None or slowed.duration < best.trajectory.duration):
+                best = _Piece(trajectory=slowed, ideal=ideal)
+            if best is not None and factor <= CLOSE:
+                break
+        guess = motion.a
+        more = 1e-6 * 4.0 ** min(k, 6)  # a margin, since neighbours answer to each other
+        for factors, kinds in ((velocity, ("velocity", "tool speed")), (rows, ("acceleration", "torque"))):
+            for kind in kinds:
+                if kind in use:
+                    _ease(factors, use[kind], more)
+        velocity[0] = 1.0 if start > 0 else velocity[0]
+        velocity[-1] = 1.0 if end > 0 else velocity[-1]
+        excess = use["jerk"] if len(use["jerk"]) == len(jerk) else np.full(len(jerk), use["jerk"].max())
+        jerk *= np.where(excess > 1, excess * (1 + more), 1.0)
+    if best is None:
+        raise _jerk_error(start, end)
+    return best
+
+
+def _jerk_problem(task: _Task, asked: Demands, factors: Array, start: float, end: float) -> JerkProblem:
+    s = asked.curve.s((asked.length[:-1] + asked.length[1:]) / 2)
+    unit = asked.speed_unit
+    return JerkProblem(asked, task.limits.at(s).jerk / factors[:, None], (start / unit) ** 2, (end / unit) ** 2)
+
+
+def _jerk_error(start: float, end: float) -> Exception:
+    if start > 0 or end > 0:
+        name, value = ("start_speed", start) if start > 0 else ("end_speed", end)
+        return InvalidInputError(name, value, "a lower speed: with this one no motion within the jerk limits was found")
+    return PlanningError("no motion within the jerk limits was found")
+
+
 def _use(task: _Task, trajectory: Trajectory, s: Array) -> dict[str, Array]:
     bounds = task.limits.at((s[:-1] + s[1:]) / 2)
     return dict(piece_use(trajectory, bounds, task.torque_model, task.tool))
@@ -191,7 +265,7 @@ def _use(task: _Task, trajectory: Trajectory, s: Array) -> dict[str, Array]:
 
 def _factor(use: dict[str, Array]) -> float:
     """How many times slower the motion has to be; 1 when every limit holds."""
-    factor = max(float(use["velocity"].max()), float(np.sqrt(use["acceleration"].max())))
+    factor = max(float(use["velocity"].max()), float(np.sqrt(use["acceleration"].max())), float(np.cbrt(use["jerk"].max())))
     if "tool speed" in use:
         factor = max(factor, float(use["tool speed"].max()))
     if "torque" in use and (excess := float(use["torque"].max()) - 1) > 0:
@@ -208,7 +282,7 @@ def _ease(factors: Array, use: Array, more: float) -> None:
     factors[1:] *= excess
 
 
-def _slowed(task: _Task, profile: Profile, factor: float, trajectory: Trajectory) -> Trajectory | None:
+def _slowed(task: _Task, profile: Profile | SmoothProfile, factor: float, trajectory: Trajectory) -> Trajectory | None:
     """The motion slowed until every limit holds; None where it does not get there."""
     total = 1.0
     for _ in range(20):

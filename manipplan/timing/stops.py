@@ -29,7 +29,7 @@ class Course:
 
     def here(self, s: Array) -> Array:
         """The parameter on `path` of a place of the path given."""
-        return np.interp(s, self._given, self._kept)
+        return np.asarray(np.interp(s, self._given, self._kept))
 
     def given(self, s: float) -> float:
         """The parameter on the path given of a place of `path`."""

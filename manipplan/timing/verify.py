@@ -49,10 +49,11 @@ def piece_use(
 ) -> Mapping[str, Array]:
     """Largest demand over limit on each cubic piece (k - 1,), by kind, where every piece has its own `bounds`.
 
-    Velocity and acceleration are exact; torque and the tool's speed are taken at both ends and `inside` between.
+    Velocity, acceleration and jerk are exact, the last but for what acceleration jumps between pieces; torque and the tool's speed are taken at both ends and `inside` between.
     """
     _, velocity, acceleration = _extremes(trajectory)
     found = {
+        "jerk": (6 * np.abs(trajectory.segments()[1][3]) / bounds.jerk).max(axis=1),
         "velocity": (np.abs(velocity).max(axis=0) / bounds.velocity).max(axis=1),
         "acceleration": (np.abs(acceleration).max(axis=0) / bounds.acceleration).max(axis=1),
     }
