@@ -258,10 +258,8 @@ class JerkProblem:
         p = self.demands.at[self.inner]
         knots = np.concatenate([[p[0]], p, [p[-1]]])
         greville = (knots[:-1] + knots[1:]) / 2
-        if guess is None:
-            shape = (greville * (1 - greville) + 1e-12) ** (4 / 3)
-        else:
-            shape = np.interp(greville, self.demands.at, guess)
+        known = (greville * (1 - greville) + 1e-12) ** (4 / 3) if guess is None else guess
+        shape = known if guess is None else np.interp(greville, self.demands.at, known)
         z = np.maximum(shape[1:-1], 1e-9 * shape.max())
         if not any(self.fixed):
             for _ in range(400):

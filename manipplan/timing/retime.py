@@ -32,6 +32,8 @@ from manipplan.timing.verify import piece_use
 NEAR_STANDSTILL = 0.02
 #: What the verified trajectory stays below each limit by, relative.
 SPARE = 1e-9
+#: Grid points for each polynomial piece, least, up to four times the grid asked for; one alone has the whole grid.
+EACH = 40
 #: A grid is refined while what it left over slows the whole motion by more than this.
 ENOUGH = 1.02
 #: Limits are made stricter where the motion exceeded them this often, while it is off by more than `CLOSE`.
@@ -137,13 +139,17 @@ def _pieces(task: _Task, at: list[float], grid: int, speeds: tuple[float, float]
     for k, (a, b) in enumerate(pairwise(at)):
         start = speeds[0] if k == 0 else 0.0
         end = speeds[1] if k == len(at) - 2 else 0.0
-        timed = _smooth_piece if task.limits.has_jerk else _piece
-        pieces.append(timed(task, a, b, max(20, int(np.ceil(grid * (b - a)))), start, end))
+        share = max(20, int(np.ceil(grid * (b - a))))
+        if task.limits.has_jerk:
+            pieces.append(_smooth_piece(task, a, b, share, start, end))
+            continue
+        inside = np.count_nonzero((task.course.path.breaks > a) & (task.course.path.breaks < b))
+        pieces.append(_piece(task, a, b, max(share, min(EACH * (1 + inside), 4 * grid)), start, end))
     return pieces
 
 
 def _piece(task: _Task, a: float, b: float, grid: int, start: float, end: float) -> _Piece:
-    """One piece without limits of jerk: fastest by toppra, stricter where its spline exceeds a limit, slowed by what is left."""
+    """One piece without jerk limits: fastest by toppra, stricter where its spline exceeds a limit, slowed by the rest."""
     curve = ArcLength(task.course.path, a, b)
     points = curve.grid(grid, task.limits.edges)
     asked = demands(curve, points, task.limits, task.torque_model, task.tool)
@@ -173,15 +179,7 @@ def _piece(task: _Task, a: float, b: float, grid: int, start: float, end: float)
                 best = _Piece(trajectory=slowed, ideal=ideal)
             if best is not None and factor <= CLOSE:
                 break
-        _ease(velocity, use["velocity"], 1e-8)
-        if "tool speed" in use:
-            _ease(velocity, use["tool speed"], 1e-8)
-        _ease(rows, use["acceleration"], 1e-7)
-        if "torque" in use:
-            _ease(rows, use["torque"], 1e-7)
-        # a speed that is given stays
-        velocity[0] = 1.0 if start > 0 else velocity[0]
-        velocity[-1] = 1.0 if end > 0 else velocity[-1]
+        _ease_all(velocity, rows, use, k, (start, end))
     if best is None:
         worst = max(use, key=lambda kind: float(use[kind].max()))
         piece = int(np.argmax(use[worst]))
@@ -231,13 +229,7 @@ def _smooth_piece(task: _Task, a: float, b: float, grid: int, start: float, end:
             if best is not None and factor <= CLOSE:
                 break
         guess = motion.a
-        more = 1e-6 * 4.0 ** min(k, 6)  # a margin, since neighbours answer to each other
-        for factors, kinds in ((velocity, ("velocity", "tool speed")), (rows, ("acceleration", "torque"))):
-            for kind in kinds:
-                if kind in use:
-                    _ease(factors, use[kind], more)
-        velocity[0] = 1.0 if start > 0 else velocity[0]
-        velocity[-1] = 1.0 if end > 0 else velocity[-1]
+        more = _ease_all(velocity, rows, use, k, (start, end))
         excess = use["jerk"] if len(use["jerk"]) == len(jerk) else np.full(len(jerk), use["jerk"].max())
         jerk *= np.where(excess > 1, excess * (1 + more), 1.0)
     if best is None:
@@ -272,6 +264,19 @@ def _factor(use: dict[str, Array]) -> float:
         # gravity does not shrink with time, so torque gets a small step each round
         factor = max(factor, 1 + 2 * excess)
     return max(factor, 1.0)
+
+
+def _ease_all(velocity: Array, rows: Array, use: dict[str, Array], k: int, ends: tuple[float, float]) -> float:
+    """Make limits stricter where the motion of round k exceeds them; returns by what margin."""
+    more = 1e-7 * 4.0 ** min(k, 7)  # neighbours answer to each other
+    for factors, kinds in ((velocity, ("velocity", "tool speed")), (rows, ("acceleration", "torque"))):
+        for kind in kinds:
+            if kind in use:
+                _ease(factors, use[kind], more)
+    # a speed that is given stays
+    velocity[0] = 1.0 if ends[0] > 0 else velocity[0]
+    velocity[-1] = 1.0 if ends[1] > 0 else velocity[-1]
+    return more
 
 
 def _ease(factors: Array, use: Array, more: float) -> None:

@@ -109,22 +109,32 @@ def _check_end(
 
 def _failure(demands: Demands, names: Sequence[str], given: Callable[[float], float], start: float, end: float) -> Exception:
     """Why there is no motion, as the error to raise."""
-    unit = demands.speed_unit
-    if end > 0:  # how fast can the end be reached from the start?
-        reached = _algorithm(demands).compute_reachable_sets(start / unit, start / unit)
-        if np.isfinite(reached).all() and reached[-1, 1] * (1 + DIGITS) < (end / unit) ** 2:
-            most = np.sqrt(reached[-1, 1]) * unit
-            return InvalidInputError(
-                "end_speed", end, f"0 to {most:.6g}: more cannot be reached from start_speed = {start:g} within the limits"
-            )
-    ahead = _algorithm(demands).compute_controllable_sets(end / unit, end / unit)
-    empty = np.flatnonzero(~np.isfinite(ahead).all(axis=1))
-    if not len(empty) and start > 0 and (start / unit) ** 2 > ahead[0, 1]:
-        most = np.sqrt(ahead[0, 1]) * unit
+    if end > 0 and (most := _most(demands, end, lambda speed: (start, speed))) is not None:
+        return InvalidInputError(
+            "end_speed", end, f"0 to {most:.6g}: more cannot be reached from start_speed = {start:g} within the limits"
+        )
+    if start > 0 and (most := _most(demands, start, lambda speed: (speed, 0.0))) is not None:
         return InvalidInputError(
             "start_speed", start, f"0 to {most:.6g}: from more the arm cannot slow down in time for what lies ahead"
         )
+    ahead = _algorithm(demands).compute_controllable_sets(0.0, 0.0)
+    empty = np.flatnonzero(~np.isfinite(ahead).all(axis=1))
     k = int(empty[-1]) if len(empty) else 0
-    return PlanningError(
-        f"no motion along the path is within the limits: {_binding(demands, names, k)} {_place(demands, k, given)}"
-    )
+    return PlanningError(f"no motion is within the limits: {_binding(demands, names, k)} {_place(demands, k, given)}")
+
+
+def _most(demands: Demands, given: float, ends: Callable[[float], tuple[float, float]]) -> float | None:
+    """The largest speed below the one given that allows a motion, rounded down; None when even 0 does not."""
+    algorithm = _algorithm(demands)
+
+    def works(speed: float) -> bool:
+        _, found, _ = algorithm.compute_parameterization(*(each / demands.speed_unit for each in ends(speed)))
+        return found is not None and bool(np.isfinite(found).all())
+
+    if not works(0.0):
+        return None
+    low, high = 0.0, given
+    for _ in range(16):
+        middle = (low + high) / 2
+        low, high = (middle, high) if works(middle) else (low, middle)
+    return 0.999 * low

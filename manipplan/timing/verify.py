@@ -49,7 +49,8 @@ def piece_use(
 ) -> Mapping[str, Array]:
     """Largest demand over limit on each cubic piece (k - 1,), by kind, where every piece has its own `bounds`.
 
-    Velocity, acceleration and jerk are exact, the last but for what acceleration jumps between pieces; torque and the tool's speed are taken at both ends and `inside` between.
+    Velocity, acceleration and jerk are exact, the last but for what acceleration jumps between pieces. Torque and the
+    tool's speed are taken at both ends and `inside` between, and bounded between these by their second differences.
     """
     _, velocity, acceleration = _extremes(trajectory)
     found = {
@@ -59,17 +60,19 @@ def piece_use(
     }
     if model is None and tool is None:
         return found
-    torque, speed = np.zeros(len(trajectory.t) - 1), np.zeros(len(trajectory.t) - 1)
-    for _, q, qd, qdd in _within(trajectory, inside):
-        if model is not None:
-            torque = np.maximum(torque, (np.abs(_torques(model, q, qd, qdd)) / bounds.effort).max(axis=1))
-        if tool is not None:
-            speed = np.maximum(speed, tool(q, qd) / bounds.tool_speed)
+    states = list(_within(trajectory, inside))
     if model is not None:
-        found["torque"] = torque
+        torques = np.stack([_torques(model, *state) for _, *state in states])
+        found["torque"] = (_bent(torques) / bounds.effort).max(axis=1)
     if tool is not None:
-        found["tool speed"] = speed
+        speeds = np.stack([tool(q, qd) for _, q, qd, _ in states])
+        found["tool speed"] = _bent(speeds) / bounds.tool_speed
     return found
+
+
+def _bent(values: Array) -> Array:
+    """The largest size of a function between evenly spaced samples (m, ...), by its second differences."""
+    return np.asarray(np.abs(values).max(axis=0) + np.abs(np.diff(values, 2, axis=0)).max(axis=0) / 8)
 
 
 def torque_use(trajectory: Trajectory, model: pin.Model, effort: Array, *, inside: int = 6) -> LimitUse:
