@@ -264,13 +264,13 @@ class JerkProblem:
         if not any(self.fixed):
             for _ in range(400):
                 if self.slacks(self.coefficients(z)) is not None:
-                    return 0.95 * z
+                    return np.asarray(0.95 * z)
                 z = 0.8 * z
             return None
         z = np.maximum(z / z.max() * max(self.fixed), np.interp(greville[1:-1], [0, 1], self.fixed) * 0.999)
         for _ in range(SEARCHES):
             if self.slacks(self.coefficients(z)) is not None:
-                return z
+                return np.asarray(z)
             nearer = self._nearer(z)
             if nearer is None:
                 return None

@@ -143,7 +143,7 @@ def _pieces(task: _Task, at: list[float], grid: int, speeds: tuple[float, float]
         if task.limits.has_jerk:
             pieces.append(_smooth_piece(task, a, b, share, start, end))
             continue
-        inside = np.count_nonzero((task.course.path.breaks > a) & (task.course.path.breaks < b))
+        inside = int(np.count_nonzero((task.course.path.breaks > a) & (task.course.path.breaks < b)))
         pieces.append(_piece(task, a, b, max(share, min(EACH * (1 + inside), 4 * grid)), start, end))
     return pieces
 

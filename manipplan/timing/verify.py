@@ -11,6 +11,9 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.limits import JointLimits
 from manipplan.timing.segment import Bounds, ToolSpeed
 
+#: Acceleration jumps where it changes at once by more than this share of its limit.
+JUMP = 1e-5
+
 
 @dataclass(frozen=True, kw_only=True)
 class LimitUse:
@@ -32,7 +35,7 @@ def limit_use(trajectory: Trajectory, limits: JointLimits) -> Mapping[str, Limit
     """Worst use of position, velocity and acceleration over the whole trajectory, from closed forms.
 
     On a cubic piece velocity is a parabola and acceleration a line, so each extreme is at an end of the piece, or at
-    the vertex of the parabola. Jerk is not stated: the acceleration of a fastest motion jumps.
+    the vertex of the parabola. For jerk see `jerk_use`.
     """
     at, velocity, acceleration = _extremes(trajectory)
     starts = trajectory.t[:-1, None]
@@ -73,6 +76,24 @@ def piece_use(
 def _bent(values: Array) -> Array:
     """The largest size of a function between evenly spaced samples (m, ...), by its second differences."""
     return np.asarray(np.abs(values).max(axis=0) + np.abs(np.diff(values, 2, axis=0)).max(axis=0) / 8)
+
+
+def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
+    """Worst use of jerk, constant on each cubic piece; ratio inf where acceleration jumps, as between pieces of most splines.
+
+    Acceleration jumps where it changes at a sample by more than `JUMP` of its limit: less is the rounding of files and times.
+    """
+    widths, (_, _, second, third) = trajectory.segments()
+    if np.isinf(limits.jerk).all():
+        return LimitUse(ratio=0.0, joint="", time=0.0)
+    ratios = 6 * np.abs(third) / limits.jerk
+    begins, ends = 2 * second, 2 * second + 6 * third * widths[:, None]
+    jumps = np.abs(begins[1:] - ends[:-1]) > JUMP * limits.acceleration
+    ratios[1:][jumps & np.isfinite(limits.jerk)] = np.inf
+    segment, joint = np.unravel_index(np.argmax(ratios), ratios.shape)
+    return LimitUse(
+        ratio=float(ratios[segment, joint]), joint=trajectory.joint_names[joint], time=float(trajectory.t[segment])
+    )
 
 
 def torque_use(trajectory: Trajectory, model: pin.Model, effort: Array, *, inside: int = 6) -> LimitUse:
