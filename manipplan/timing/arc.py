@@ -76,7 +76,7 @@ class ArcLength:
             points = np.union1d(points[~beside], marks)
         points = points[np.concatenate([[True], np.diff(points) > 1e-7 * self.length])]
         points[-1] = self.length
-        return points
+        return np.asarray(points)
 
     def _even(self, count: int) -> Array:
         s = np.linspace(*self._inside, max(4000, 10 * count))

@@ -41,6 +41,8 @@ ROUNDS, CLOSE = 8, 1.002
 ROUNDS_SMOOTH = 4
 #: Grid intervals of a piece with limited jerk, least.
 SMOOTH_LEAST = 40
+#: A jerk limit of which no more than this share is used is too high for the grid: a finer one lets acceleration rise faster.
+COARSE = 0.7
 #: As often for a piece that begins or ends moving, which cannot be slowed as a whole.
 ROUNDS_MOVING = 25
 
@@ -202,7 +204,9 @@ def _smooth_piece(task: _Task, a: float, b: float, grid: int, start: float, end:
     if motion is None:
         raise _jerk_error(start, end)
     profile = SmoothProfile.of(asked, motion)
-    count = int(np.clip(profile.time[-1] / SHORTEST_STEP, SMOOTH_LEAST, grid))
+    used = float(_use(task, *profile.sampled(task.names))["jerk"].max())
+    finer = 2 * grid if used < COARSE else grid
+    count = int(np.clip(profile.time[-1] / SHORTEST_STEP, SMOOTH_LEAST, finer))
     points = next_grid(curve, profile, count, edges)
     asked = demands(curve, points, task.limits, task.torque_model, task.tool)
     velocity, rows, jerk = np.ones(len(points)), np.ones(len(points)), np.ones(len(points) - 1)

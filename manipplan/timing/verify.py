@@ -91,9 +91,7 @@ def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
     jumps = np.abs(begins[1:] - ends[:-1]) > JUMP * limits.acceleration
     ratios[1:][jumps & np.isfinite(limits.jerk)] = np.inf
     segment, joint = np.unravel_index(np.argmax(ratios), ratios.shape)
-    return LimitUse(
-        ratio=float(ratios[segment, joint]), joint=trajectory.joint_names[joint], time=float(trajectory.t[segment])
-    )
+    return LimitUse(ratio=float(ratios[segment, joint]), joint=trajectory.joint_names[joint], time=float(trajectory.t[segment]))
 
 
 def torque_use(trajectory: Trajectory, model: pin.Model, effort: Array, *, inside: int = 6) -> LimitUse:
