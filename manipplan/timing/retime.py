@@ -1,8 +1,8 @@
-"""Fastest motion along a joint path under velocity, acceleration, jerk and torque limits, through toppra, then verified.
+"""Fastest motion along a joint path under velocity, acceleration, jerk and torque limits, then verified.
 
-toppra works on the path by arc length l; the result is a cubic spline whose exact extremes are compared with the
-limits, and which is slowed down by the little that discretisation left over. A path that stands still or turns a
-corner inside is cut there: the arm stops.
+By arc length l the speed is found by toppra, or where jerk is limited by `jerk`; the result is a cubic spline whose exact
+extremes are compared with the limits. Where it exceeds them by what discretisation left over, limits are made stricter, and
+what is left is taken away by going slower. A path that stands still or turns a corner inside is cut there: the arm stops.
 """
 
 from collections.abc import Sequence
