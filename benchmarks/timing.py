@@ -303,23 +303,28 @@ def main(arguments: list[str] | None = None) -> dict[str, Count]:
     parser.add_argument("--compared", type=int, default=1_000)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--minutes", type=float, default=np.inf, help="stop after this long; the table counts what was run")
     parser.add_argument("--out", type=Path, default=OUT)
     options = parser.parse_args(arguments)
     counts: dict[str, Count] = {}
     ratios: list[float] = []
+    began = time.monotonic()
     with ProcessPoolExecutor(options.workers) as pool, Progress() as progress:
-        first = options.seed
-        work = [range(k, min(k + CHUNK, first + options.paths)) for k in range(first, first + options.paths, CHUNK)]
-        bar = progress.add_task("random paths", total=len(work))
-        for found in pool.map(chunk, [ARMS[k % len(ARMS)] for k in range(len(work))], work):
-            for extra, count in found.items():
-                counts.setdefault(extra, Count()).add(count)
-            progress.advance(bar)
         work = [range(k, min(k + CHUNK, options.compared)) for k in range(0, options.compared, CHUNK)]
         bar = progress.add_task("against toppra", total=len(work))
         for found in pool.map(compared, [ARMS[k % len(ARMS)] for k in range(len(work))], work):
             ratios += found
             progress.advance(bar)
+        last = options.seed + options.paths
+        work = [range(k, min(k + CHUNK, last)) for k in range(options.seed, last, CHUNK)]
+        bar = progress.add_task("random paths", total=len(work))
+        for found in pool.map(chunk, [ARMS[k % len(ARMS)] for k in range(len(work))], work):
+            for extra, count in found.items():
+                counts.setdefault(extra, Count()).add(count)
+            progress.advance(bar)
+            if time.monotonic() - began > 60 * options.minutes:
+                pool.shutdown(wait=False, cancel_futures=True)
+                break
     text = page(counts, ratios)
     options.out.parent.mkdir(parents=True, exist_ok=True)
     options.out.write_text(text)

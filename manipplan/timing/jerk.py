@@ -78,7 +78,7 @@ class JerkProblem:
             np.inf if start else float((6 * at_start**2 * self.first) ** (1 / 3)),
             np.inf if end else float((6 * at_end**2 * self.last) ** (1 / 3)),
         ]
-        self.rows = 2 * self.u.size + 2 * self.J.size + len(p) + 2
+        self.rows = 2 * self.u.size + 2 * self.J.size + 2 * len(p) + 3
 
     def coefficients(self, z: Array) -> Array:
         """All spline coefficients of the free ones."""
@@ -87,7 +87,7 @@ class JerkProblem:
     def slacks(self, c: Array, loose: float = 1.0) -> tuple[Array, ...] | None:
         """What each limit, `loose` times as large, leaves; None where one is exceeded."""
         a = self.w * c[:-1] + (1 - self.w) * c[1:]
-        if not (a > 0).all():
+        if not (c > 0).all():  # then a > 0 everywhere, between grid points, too
             return None
         value = self.rowA * c[:-1, None] + self.rowB * c[1:, None] + self.constant
         qdd = self.A * c[:-1, None] + self.B * c[1:, None]
@@ -97,7 +97,7 @@ class JerkProblem:
         change = np.diff(qdd, axis=0)
         b = (self.d[0] * (c[1] - c[0]), -self.d[-1] * (c[-1] - c[-2]))
         most = np.array([m * loose - x if np.isfinite(m) else 1.0 for m, x in zip(self.most, b, strict=True)])
-        found = (loose * self.fastest - a, loose - value, loose + value, room - change, room + change, most)
+        found = (loose * self.fastest - a, loose - value, loose + value, room - change, room + change, most, c)
         if not all((part > 0).all() for part in found):
             return None
         return (*found, root, step)
@@ -125,10 +125,13 @@ class JerkProblem:
         c = self.coefficients(z)
         found = self.slacks(c, loose)
         assert found is not None
-        fast, high, low, up, down, most, root, step = found
+        fast, high, low, up, down, most, _, root, step = found
         count = len(c)
         g = np.zeros(count)
         H = np.zeros((3, count))  # diagonals of the symmetric matrix: H[k, i] at (i, i + k)
+
+        g -= 1 / c
+        H[0] += 1 / c**2
 
         # functions of a_k: weight · time, and what the jerk limits gain with it
         dstep = -step / (root[:-1] + root[1:])  # ∂h/∂√a of both ends
