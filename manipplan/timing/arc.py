@@ -60,7 +60,11 @@ class ArcLength:
         """Lengths at which the path parameter is s, for those strictly between the ends."""
         s = s[(s > self.ends[0]) & (s < self.ends[1])]
         even = np.linspace(0, self.length, 4001)
-        return np.asarray(np.interp(s, self.s(even), even))
+        length = np.interp(s, self.s(even), even)
+        for _ in range(3):
+            length += (s - self.s(length)) * np.linalg.norm(self.path(s, 1), axis=-1)
+            length = np.clip(length, 0.0, self.length)
+        return np.asarray(length)
 
     def grid(self, count: int, edges: Array) -> Array:
         """Lengths from 0 to the end, about `count` + 1: evenly spaced, twice as dense where the path turns on average.

@@ -14,6 +14,8 @@ from manipplan.checks import Array
 from manipplan.timing.arc import ArcLength
 from manipplan.timing.segment import Bounds, LimitsAlong, ToolSpeed
 
+#: A grid point this near to the end of a segment is at it.
+AT_EDGE = 1e-7
 #: Stands for an infinite effort, which leaves rows of zeros.
 NO_EFFORT = 1e12
 
@@ -69,7 +71,7 @@ def demands(
     """The rows at the grid points `length` (k,) of a piece."""
     tangent, curvature = curve.tangent(length), curve.curvature(length)
     s = curve.s(length)
-    bounds = limits.at(s)
+    bounds = limits.at(s, around=AT_EDGE)
     q = curve.path(s)
     time_unit = float(np.sqrt(curve.length * (np.abs(tangent) / bounds.acceleration).max()))
     with np.errstate(divide="ignore"):

@@ -38,7 +38,7 @@ EACH = 40
 ENOUGH = 1.02
 #: Limits are made stricter where the motion exceeded them this often, while it is off by more than `CLOSE`.
 ROUNDS, CLOSE = 8, 1.002
-ROUNDS_SMOOTH = 4
+ROUNDS_SMOOTH = 6
 #: Grid intervals of a piece with limited jerk, least.
 SMOOTH_LEAST = 40
 #: A jerk limit of which no more than this share is used is too high for the grid: a finer one lets acceleration rise faster.
@@ -284,8 +284,10 @@ def _ease_all(velocity: Array, rows: Array, use: dict[str, Array], k: int, ends:
 
 
 def _ease(factors: Array, use: Array, more: float) -> None:
-    """Raise the factors of grid points beside pieces (two a grid interval) that exceed a limit."""
-    excess = use.reshape(-1, 2).max(axis=1) if len(use) == 2 * (len(factors) - 1) else np.full(len(factors) - 1, use.max())
+    """Raise the factors of grid points beside pieces (one or two a grid interval) that exceed a limit."""
+    pieces, over = divmod(len(use), len(factors) - 1)
+    # samples at the same nanosecond were left out: then nobody knows which
+    excess = use.reshape(-1, pieces).max(axis=1) if pieces and not over else np.full(len(factors) - 1, use.max())
     excess = np.where(excess > 1, excess * (1 + more), 1.0)
     factors[:-1] *= excess
     factors[1:] *= excess

@@ -86,13 +86,13 @@ class LimitsAlong:
         """Whether the tool's speed is limited anywhere."""
         return any(np.isfinite(segment.tool_speed) for segment in self.segments)
 
-    def at(self, s: Array) -> Bounds:
-        """Limits at the places s (k,)."""
+    def at(self, s: Array, *, around: float = 0.0) -> Bounds:
+        """Limits at the places s (k,); segments reach `around` further than they do."""
         kinds = ("velocity", "acceleration", "jerk", "effort")
         values = {kind: np.repeat(getattr(self.limits, kind)[None], len(s), axis=0) for kind in kinds}
         tool = np.full(len(s), np.inf)
         for segment, row, (begin, end) in zip(self.segments, self._rows, self.places, strict=True):
-            inside = (s >= begin) & (s <= end)
+            inside = (s >= begin - around) & (s <= end + around)
             for kind in kinds:
                 values[kind][inside] = np.minimum(values[kind][inside], row[kind])
             tool[inside] = np.minimum(tool[inside], segment.tool_speed)
