@@ -58,7 +58,8 @@ from manipplan.search.sample import sample_layers
 from manipplan.seeds.ompl import seed_path
 from manipplan.status import Status
 from manipplan.timing.retime import retime
-from manipplan.timing.verify import LimitUse, limit_use, torque_use
+from manipplan.timing.segment import Segment
+from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller, Rollout, StepReport
 from manipplan.tracking.formulations import Classical, Equality, Formulation, General, LogDrive, Objective
@@ -123,6 +124,7 @@ __all__ = [
     "Scene",
     "SearchResult",
     "SearchStatus",
+    "Segment",
     "SmallestSingularValue",
     "SolutionSet",
     "Sphere",
@@ -147,6 +149,7 @@ __all__ = [
     "guilamo_search",
     "improve",
     "inverse_kinematics",
+    "jerk_use",
     "limit_use",
     "load_robot",
     "max_min_search",

@@ -1,6 +1,6 @@
 """What a trajectory asks of each joint, against its limits: exact extremes of the cubic pieces, not samples."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +9,10 @@ import pinocchio as pin
 from manipplan.checks import Array
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.limits import JointLimits
+from manipplan.timing.segment import Bounds, ToolSpeed
+
+#: Acceleration jumps where it changes at once by more than this share of its limit.
+JUMP = 1e-5
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,17 +35,10 @@ def limit_use(trajectory: Trajectory, limits: JointLimits) -> Mapping[str, Limit
     """Worst use of position, velocity and acceleration over the whole trajectory, from closed forms.
 
     On a cubic piece velocity is a parabola and acceleration a line, so each extreme is at an end of the piece, or at
-    the vertex of the parabola. Jerk is not stated: the acceleration of a fastest motion jumps.
+    the vertex of the parabola. For jerk see `jerk_use`.
     """
-    widths, (_, first, second, third) = trajectory.segments()
-    h = widths[:, None]
+    at, velocity, acceleration = _extremes(trajectory)
     starts = trajectory.t[:-1, None]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        vertex = np.where(third != 0, -second / (3 * third), 0.0)
-    vertex = np.clip(np.nan_to_num(vertex), 0.0, h)
-    at = [np.zeros_like(first), np.broadcast_to(h, first.shape), vertex]
-    velocity = [first + 2 * second * u + 3 * third * u**2 for u in at]
-    acceleration = [2 * second + 6 * third * u for u in at[:2]]
     names = trajectory.joint_names
     return {
         "position": _position_use(trajectory, limits),
@@ -50,27 +47,89 @@ def limit_use(trajectory: Trajectory, limits: JointLimits) -> Mapping[str, Limit
     }
 
 
+def piece_use(
+    trajectory: Trajectory, bounds: Bounds, model: pin.Model | None, tool: ToolSpeed | None, *, inside: int = 6
+) -> Mapping[str, Array]:
+    """Largest demand over limit on each cubic piece (k - 1,), by kind, where every piece has its own `bounds`.
+
+    Velocity, acceleration and jerk are exact, the last but for what acceleration jumps between pieces. Torque and the
+    tool's speed are taken at both ends and `inside` between, and bounded between these by their second differences.
+    """
+    _, velocity, acceleration = _extremes(trajectory)
+    found = {
+        "jerk": (6 * np.abs(trajectory.segments()[1][3]) / bounds.jerk).max(axis=1),
+        "velocity": (np.abs(velocity).max(axis=0) / bounds.velocity).max(axis=1),
+        "acceleration": (np.abs(acceleration).max(axis=0) / bounds.acceleration).max(axis=1),
+    }
+    if model is None and tool is None:
+        return found
+    states = list(_within(trajectory, inside))
+    if model is not None:
+        torques = np.stack([_torques(model, *state) for _, *state in states])
+        found["torque"] = (_bent(torques) / bounds.effort).max(axis=1)
+    if tool is not None:
+        speeds = np.stack([tool(q, qd) for _, q, qd, _ in states])
+        found["tool speed"] = _bent(speeds) / bounds.tool_speed
+    return found
+
+
+def _bent(values: Array) -> Array:
+    """The largest size of a function between evenly spaced samples (m, ...), by its second differences."""
+    return np.asarray(np.abs(values).max(axis=0) + np.abs(np.diff(values, 2, axis=0)).max(axis=0) / 8)
+
+
+def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
+    """Worst use of jerk, constant on each cubic piece; ratio inf where acceleration jumps, as between pieces of most splines.
+
+    Acceleration jumps where it changes at a sample by more than `JUMP` of its limit: less is the rounding of files and times.
+    """
+    widths, (_, _, second, third) = trajectory.segments()
+    if np.isinf(limits.jerk).all():
+        return LimitUse(ratio=0.0, joint="", time=0.0)
+    ratios = 6 * np.abs(third) / limits.jerk
+    begins, ends = 2 * second, 2 * second + 6 * third * widths[:, None]
+    jumps = np.abs(begins[1:] - ends[:-1]) > JUMP * limits.acceleration
+    ratios[1:][jumps & np.isfinite(limits.jerk)] = np.inf
+    segment, joint = np.unravel_index(np.argmax(ratios), ratios.shape)
+    return LimitUse(ratio=float(ratios[segment, joint]), joint=trajectory.joint_names[joint], time=float(trajectory.t[segment]))
+
+
 def torque_use(trajectory: Trajectory, model: pin.Model, effort: Array, *, inside: int = 6) -> LimitUse:
     """Worst use of the joints' effort, by Pinocchio's inverse dynamics at both ends of every piece and `inside` between."""
-    widths, coefficients = trajectory.segments()
-    data = model.createData()
     worst = LimitUse(ratio=0.0, joint="", time=0.0)
-    for fraction in np.linspace(0.0, 1.0, inside + 2):
-        u = (widths * fraction)[:, None]
-        c0, c1, c2, c3 = coefficients
-        q = c0 + u * (c1 + u * (c2 + u * c3))
-        qd = c1 + u * (2 * c2 + 3 * u * c3)
-        qdd = 2 * c2 + 6 * u * c3
-        torque = np.array([pin.rnea(model, data, *state) for state in zip(q, qd, qdd, strict=True)])
-        ratio = np.abs(torque) / effort
+    for u, *state in _within(trajectory, inside):
+        ratio = np.abs(_torques(model, *state)) / effort
         k, joint = np.unravel_index(np.argmax(ratio), ratio.shape)
         if ratio[k, joint] > worst.ratio:
             worst = LimitUse(
-                ratio=float(ratio[k, joint]),
-                joint=trajectory.joint_names[joint],
-                time=float(trajectory.t[k] + widths[k] * fraction),
+                ratio=float(ratio[k, joint]), joint=trajectory.joint_names[joint], time=float(trajectory.t[k] + u[k])
             )
     return worst
+
+
+def _extremes(trajectory: Trajectory) -> tuple[list[Array], list[Array], list[Array]]:
+    """Times in each piece where velocity may be largest, velocities there, and accelerations at the first two (both ends)."""
+    widths, (_, first, second, third) = trajectory.segments()
+    h = widths[:, None]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        vertex = np.where(third != 0, -second / (3 * third), 0.0)
+    vertex = np.clip(np.nan_to_num(vertex), 0.0, h)
+    at = [np.zeros_like(first), np.broadcast_to(h, first.shape), vertex]
+    velocity = [first + 2 * second * u + 3 * third * u**2 for u in at]
+    return at, velocity, [2 * second + 6 * third * u for u in at[:2]]
+
+
+def _within(trajectory: Trajectory, inside: int) -> Iterator[tuple[Array, Array, Array, Array]]:
+    """Time in the piece (k - 1,), q, qd and qdd (k - 1, n) at both ends of every piece and `inside` between."""
+    widths, (c0, c1, c2, c3) = trajectory.segments()
+    for fraction in np.linspace(0.0, 1.0, inside + 2):
+        u = (widths * fraction)[:, None]
+        yield u[:, 0], c0 + u * (c1 + u * (c2 + u * c3)), c1 + u * (2 * c2 + 3 * u * c3), 2 * c2 + 6 * u * c3
+
+
+def _torques(model: pin.Model, q: Array, qd: Array, qdd: Array) -> Array:
+    data = model.createData()
+    return np.array([pin.rnea(model, data, *state) for state in zip(q, qd, qdd, strict=True)])
 
 
 def _worst(values: list[Array], at: list[Array], starts: Array, limit: Array, names: tuple[str, ...]) -> LimitUse:

@@ -159,3 +159,168 @@ def test_pieces_that_stand_still_are_left_out():
     without = mp.retime(mp.JointPath.through([[0, 0], [1, 1], [2, 1]]), robot.limits)
     assert trajectory.duration == pytest.approx(without.duration, rel=1e-2)
     assert limit_use(trajectory, robot.limits)["acceleration"].ratio <= 1
+
+
+def jerk_limited(robot, **changes):
+    return robot.limits.with_changes(changes)
+
+
+@pytest.mark.parametrize("jerk", [1.0, 10.0, 1000.0])
+def test_jerk_alone_takes_the_textbook_time(jerk):
+    """Rest to rest over L under jerk j: four phases of (L / 2j)^(1/3), together (32 L / j)^(1/3)."""
+    limits = jerk_limited(mp.planar_arm([1.0, 1.0]), velocity=100.0, acceleration=1000.0, jerk=jerk)
+    trajectory = mp.retime(mp.JointPath.line([0.0, 0.0], [1.0, 0.3]), limits)
+    assert trajectory.duration == pytest.approx((32 / jerk) ** (1 / 3), rel=5e-3)
+    assert trajectory.duration >= (32 / jerk) ** (1 / 3) * (1 - 1e-9)
+
+
+def test_the_seven_phases_take_the_textbook_time():
+    """L / v + v / a + a / j."""
+    limits = jerk_limited(mp.planar_arm([1.0, 1.0]), velocity=1.0, acceleration=2.0, jerk=20.0)
+    trajectory = mp.retime(mp.JointPath.line([0.0, 0.0], [3.0, 0.3]), limits)
+    assert trajectory.duration == pytest.approx(3 + 0.5 + 0.1, rel=5e-3)
+
+
+@pytest.mark.parametrize("jerk", [5.0, 200.0, 7500.0])
+def test_jerk_holds_and_acceleration_is_continuous(panda, rng, jerk):
+    limits = jerk_limited(panda, jerk=jerk)
+    path = polynomial(panda.random_configuration(rng, size=5))
+    trajectory = mp.retime(path, limits)
+    t = trajectory.t
+    before, after = trajectory(np.nextafter(t[1:-1], 0), 2), trajectory(t[1:-1], 2)
+    assert np.abs(before - after).max() < 1e-9 * limits.acceleration.max() + 1e-10 * jerk
+    assert np.abs(trajectory(t[[0, -1]], 2)).max() < 1e-9 * limits.acceleration.max()
+    assert np.abs(trajectory(t, 3)).max() <= jerk * (1 + 1e-9)
+    assert mp.jerk_use(trajectory, limits).ratio <= 1
+    assert max(dense_ratios(trajectory, limits)) <= 1 + 1e-9
+    free = mp.retime(path, jerk_limited(panda, jerk=np.inf))
+    assert free.duration <= trajectory.duration
+    assert jerk < 1000 or trajectory.duration < 1.03 * free.duration
+    dense = path(np.linspace(0, 1, 40001))
+    for q in trajectory(np.linspace(0, trajectory.duration, 60)):
+        assert np.abs(dense - q).max(axis=1).min() < 2e-4
+
+
+@pytest.mark.parametrize("kind", ["csv", "json", "ros", "npz"])
+def test_files_keep_the_jerk_limit(planar, tmp_path, kind):
+    limits = jerk_limited(planar, jerk=30.0)
+    trajectory = mp.retime(mp.JointPath.line([0, 0, 0], [1.0, -0.4, 0.2]), limits)
+    file = tmp_path / f"motion.{kind}"
+    getattr(trajectory, f"to_{kind}")(file)
+    again = getattr(mp.Trajectory, f"from_{kind}")(file)
+    np.testing.assert_array_equal(again.qd, trajectory.qd)
+    assert mp.jerk_use(again, limits).ratio <= 1 + 1e-6
+
+
+def test_jumps_of_acceleration_are_infinite_jerk(planar):
+    limits = jerk_limited(planar, jerk=30.0)
+    trajectory = mp.retime(mp.JointPath.line([0, 0, 0], [1.0, -0.4, 0.2]), planar.limits)
+    assert mp.jerk_use(trajectory, limits).ratio == np.inf
+    assert mp.jerk_use(trajectory, planar.limits).ratio == 0
+
+
+def test_jerk_with_corners_stops_and_torque(panda):
+    limits = jerk_limited(panda, jerk=100.0, effort=panda.limits.effort * 0.8)
+    points = panda.neutral + np.array([[0.0] * 7, [0.5, 0.3, 0, 0.2, 0, 0, 0], [0.2, 0.6, 0.3, 0, 0, 0.4, 0]])
+    trajectory = mp.retime(mp.JointPath.through(points), limits, torque_model=panda.model)
+    assert mp.jerk_use(trajectory, limits).ratio <= 1
+    assert mp.torque_use(trajectory, panda.model, limits.effort, inside=40).ratio <= 1 + 1e-6
+
+
+@pytest.mark.parametrize("jerk", [np.inf, 60.0])
+@pytest.mark.parametrize(("start", "end"), [(0.4, 0.0), (0.0, 0.4), (0.3, 0.5)])
+def test_speeds_at_the_ends(panda, rng, start, end, jerk):
+    limits = jerk_limited(panda, jerk=jerk)
+    path = mp.JointPath(breaks=[0.0, 1.0], control=rng.uniform(-1, 1, (1, 4, 7)))
+    trajectory = mp.retime(path, limits, start_speed=start, end_speed=end)
+    np.testing.assert_allclose(np.linalg.norm(trajectory.qd[[0, -1]], axis=1), [start, end], rtol=1e-9)
+    for k, s, speed in ((0, 0.0, start), (-1, 1.0, end)):
+        tangent = path(s, 1) / np.linalg.norm(path(s, 1))
+        np.testing.assert_allclose(trajectory.qd[k], speed * tangent, atol=1e-4 * speed)
+    assert max(dense_ratios(trajectory, limits)) <= 1 + 1e-6
+    assert mp.jerk_use(trajectory, limits).ratio <= 1 + 1e-8
+    assert trajectory.duration < mp.retime(path, limits).duration
+
+
+def test_speeds_that_limits_do_not_allow():
+    robot = mp.planar_arm([1.0, 1.0]).with_limits(velocity=[1.0, 2.0], acceleration=2.0)
+    path = mp.JointPath.line([0.0, 0.0], [0.01, 0.0])
+    with pytest.raises(mp.InvalidInputError, match=r"start_speed: got 1.5; allowed: 0 to 1: the velocity limit of q0 .* s = 0"):
+        mp.retime(path, robot.limits, start_speed=1.5)
+    # v² / 2a = 0.01
+    with pytest.raises(mp.InvalidInputError, match=r"start_speed: got 0.5; allowed: 0 to 0.199.* slow down in time"):
+        mp.retime(path, robot.limits, start_speed=0.5)
+    with pytest.raises(mp.InvalidInputError, match=r"end_speed: got 0.5; allowed: 0 to 0.199.* cannot be reached"):
+        mp.retime(path, robot.limits, end_speed=0.5)
+    mp.retime(path, robot.limits, start_speed=0.195)
+    limits = jerk_limited(robot, jerk=1.0)
+    with pytest.raises(mp.InvalidInputError, match=r"start_speed: got 0.19.*within the jerk limits"):
+        mp.retime(path, limits, start_speed=0.19)
+
+
+def test_segments_hold_where_they_are_and_nowhere_else():
+    robot = mp.planar_arm([1.0, 1.0]).with_limits(velocity=1.0, acceleration=4.0)
+    path = mp.JointPath.line([0.0, 0.0], [4.0, 1.0])  # s = q0 / 4
+    slow = robot.limits.with_changes({"velocity": 0.3})
+    for segment in (mp.Segment(begin=0.2, end=0.4, velocity=0.3), mp.Segment(begin=0.2, end=0.4, limits=slow)):
+        trajectory = mp.retime(path, robot.limits, segments=[segment])
+        t = np.linspace(0, trajectory.duration, 20001)
+        s, speed = trajectory(t)[:, 0] / 4, trajectory(t, 1)[:, 0]
+        inside = (s >= 0.2 + 1e-9) & (s <= 0.4 - 1e-9)
+        assert 0.299 < speed[inside].max() <= 0.3 + 1e-9
+        assert speed[~inside].max() == pytest.approx(1.0, rel=1e-6)
+        # 0.8 rad at 0.3, and on both sides ramps of 0 to 1 and 1 to 0.3
+        left, right = 0.8 / 1 + 0.5 / 4 + 0.49 / 8, 2.4 / 1 + 0.5 / 4 + 0.49 / 8
+        assert trajectory.duration == pytest.approx(left + 0.8 / 0.3 + right, rel=3e-3)
+
+
+def test_segments_overlap_and_survive_pieces_left_out():
+    robot = mp.planar_arm([1.0, 1.0]).with_limits(velocity=1.0, acceleration=4.0)
+    still = np.array([[[0, 0], [2, 0]], [[2, 0], [2, 0]], [[2, 0], [4, 0]]], dtype=float)
+    path = mp.JointPath(breaks=[0, 0.4, 0.6, 1], control=still)
+    segments = [mp.Segment(begin=0.7, end=0.9, velocity=0.5), mp.Segment(begin=0.8, end=1.0, velocity=0.25, acceleration=0.5)]
+    trajectory = mp.retime(path, robot.limits, segments=segments)
+    t = np.linspace(0, trajectory.duration, 20001)
+    q, qd, qdd = (trajectory(t, k)[:, 0] for k in range(3))
+    assert qd[(q > 2.5001) & (q < 2.9999)].max() == pytest.approx(0.5, rel=1e-3)
+    assert qd[q > 3.0001].max() == pytest.approx(0.25, rel=1e-3)
+    assert np.abs(qdd[q > 3.0001]).max() <= 2 + 1e-6
+    assert qd.max() == pytest.approx(1.0, rel=1e-3)
+
+
+def test_the_tool_keeps_its_speed(planar):
+    path = polynomial([[0.1, 0.5, 0.3], [0.8, -0.5, 1.2], [1.2, 1.0, -0.3]])
+    segment = mp.Segment(begin=0.3, end=0.7, tool_speed=0.2)
+    trajectory = mp.retime(path, planar.limits, segments=[segment], robot=planar)
+    kinematics = planar.kinematics(mp.Task.position())
+    t = np.linspace(0, trajectory.duration, 4001)
+    speed = np.array([np.linalg.norm(kinematics.jacobian(q) @ v) for q, v in zip(trajectory(t), trajectory(t, 1), strict=True)])
+    fine = np.linspace(0, 1, 20001)
+    at = np.array([fine[np.abs(path(fine) - q).max(axis=1).argmin()] for q in trajectory(t[::20])])
+    inside = (at > 0.301) & (at < 0.699)
+    assert 0.19 < speed[::20][inside].max() <= 0.2 * (1 + 1e-4)
+    assert speed.max() > 0.4
+
+
+def test_wrong_speeds_and_segments(panda, planar):
+    path = mp.JointPath.line(panda.neutral, panda.neutral + 0.1)
+    for options, match in (
+        ({"start_speed": -1.0}, "start_speed: got -1.0; allowed: a finite number, at least 0"),
+        ({"end_speed": np.nan}, "end_speed"),
+        ({"segments": 3}, "segments: got 3; allowed: a list of Segment"),
+        ({"segments": [3]}, r"segments\[0\]"),
+        ({"segments": [mp.Segment(begin=0, end=1, limits=planar.limits)]}, r"segments\[0\].limits"),
+        ({"segments": [mp.Segment(begin=0, end=1, tool_speed=1.0)]}, "give robot="),
+        ({"robot": planar}, "robot"),
+    ):
+        with pytest.raises(mp.InvalidInputError, match=match):
+            mp.retime(path, panda.limits, **options)
+    for options, match in (
+        ({"begin": 0.5, "end": 0.5}, "segment.end"),
+        ({"begin": -0.1, "end": 0.5}, "segment.begin"),
+        ({"begin": 0.0, "end": 0.5, "velocity": 1.5}, "segment.velocity"),
+        ({"begin": 0.0, "end": 0.5, "acceleration": 0.0}, "segment.acceleration"),
+        ({"begin": 0.0, "end": 0.5, "tool_speed": 0.0}, "segment.tool_speed"),
+    ):
+        with pytest.raises(mp.InvalidInputError, match=match):
+            mp.Segment(**options)

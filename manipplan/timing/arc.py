@@ -1,0 +1,94 @@
+"""A path between two stops by its arc length l: q(l), unit tangents, curvature, and a grid along it."""
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.paths.joint import JointPath
+
+#: A grid point this near to a break, as a share of the mean distance of grid points, is left out in its favour.
+BESIDE = 0.1
+
+
+class ArcLength:
+    """The path from s = a to s = b as q(l), l its arc length: what toppra takes as a geometric path."""
+
+    def __init__(self, path: JointPath, a: float, b: float) -> None:
+        from scipy.interpolate import CubicSpline
+
+        self.path = path
+        nodes_along = max(1200, 12 * len(path.control))
+        # dense near the ends, where a path may start from q' = 0
+        s = a + (b - a) * (1 - np.cos(np.linspace(0.0, np.pi, nodes_along + 1))) / 2
+        nodes, weights = np.polynomial.legendre.leggauss(6)
+        half = np.diff(s) / 2
+        inside = (s[:-1] + s[1:])[:, None] / 2 + half[:, None] * nodes
+        length = np.concatenate([[0.0], np.cumsum(half * (np.linalg.norm(path(inside, 1), axis=2) @ weights))])
+        self.length = float(length[-1])
+        rises = np.concatenate([[True], np.diff(length) > 1e-14 * self.length])
+        rises[-1] = True
+        self._at = length[rises]
+        self._s = CubicSpline(self._at, s[rises])
+        self.ends = (a, b)
+        # directions are taken a little inside, since q' may vanish at the ends
+        margin = 1e-6 * (b - a)
+        self._inside = (a + margin, b - margin)
+
+    def s(self, length: Array) -> Array:
+        """Path parameter of lengths."""
+        return np.asarray(np.clip(self._s(length), *self.ends))
+
+    def q(self, length: Array) -> Array:
+        """Configurations (k, n) at lengths (k,)."""
+        return self.path(self.s(length))
+
+    def tangent(self, length: Array) -> Array:
+        """dq/dl, of length one."""
+        derivative = self.path(np.clip(self.s(length), *self._inside), 1)
+        norm = np.linalg.norm(derivative, axis=-1, keepdims=True)
+        return np.asarray(derivative / np.maximum(norm, 1e-300))
+
+    def curvature(self, length: Array) -> Array:
+        """d²q/dl² = (q'' - t (t·q'')) / ‖q'‖² with the unit tangent t."""
+        s = np.clip(self.s(length), *self._inside)
+        first, second = self.path(s, 1), self.path(s, 2)
+        norm = np.maximum(np.linalg.norm(first, axis=-1, keepdims=True), 1e-300)
+        tangent = first / norm
+        along = (tangent * second).sum(axis=-1, keepdims=True)
+        return np.asarray((second - along * tangent) / norm**2)
+
+    def lengths_of(self, s: Array) -> Array:
+        """Lengths at which the path parameter is s, for those strictly between the ends."""
+        s = s[(s > self.ends[0]) & (s < self.ends[1])]
+        even = np.linspace(0, self.length, 4001)
+        length = np.interp(s, self.s(even), even)
+        for _ in range(3):
+            length += (s - self.s(length)) * np.linalg.norm(self.path(s, 1), axis=-1)
+            length = np.clip(length, 0.0, self.length)
+        return np.asarray(length)
+
+    def grid(self, count: int, edges: Array) -> Array:
+        """Lengths from 0 to the end, about `count` + 1: evenly spaced, twice as dense where the path turns on average.
+
+        Each end of a polynomial piece is one, where the curvature may jump, and each of `edges` (path parameters), where
+        limits change.
+        """
+        points = self._even(count)
+        marks = self.lengths_of(np.union1d(self.path.breaks, edges))
+        if len(marks):  # points right beside one of these would be passed in less time than samples resolve
+            beside = np.abs(points[:, None] - marks).min(axis=1) < BESIDE * self.length / count
+            beside[[0, -1]] = False
+            points = np.union1d(points[~beside], marks)
+        points = points[np.concatenate([[True], np.diff(points) > 1e-7 * self.length])]
+        points[-1] = self.length
+        return np.asarray(points)
+
+    def _even(self, count: int) -> Array:
+        s = np.linspace(*self._inside, max(4000, 10 * count))
+        tangent = self.path(s, 1)
+        tangent /= np.maximum(np.linalg.norm(tangent, axis=1, keepdims=True), 1e-300)
+        turned = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(tangent, axis=0), axis=1))])
+        length = np.interp(s, self._s(self._at), self._at)
+        share = length / self.length + turned / max(turned[-1], 0.1)
+        points = np.asarray(np.interp(np.linspace(share[0], share[-1], count + 1), share, length), dtype=float)
+        points[0], points[-1] = 0.0, self.length
+        return points

@@ -1,0 +1,140 @@
+"""The fastest speed along a piece of path under limits of velocity, acceleration and torque, by toppra."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.errors import InvalidInputError, PlanningError
+from manipplan.timing.demands import Demands
+
+#: A given speed may be this much, relative, above what limits allow: digits of the user's own arithmetic.
+DIGITS = 1e-9
+
+
+def fastest_speeds(
+    demands: Demands, names: Sequence[str], given: Callable[[float], float], start: float = 0.0, end: float = 0.0
+) -> Array:
+    """Speed dl/dt [rad/s] at each grid point (k,), from `start` to `end` [rad/s].
+
+    Raises InvalidInputError when these speeds are beyond what limits allow, PlanningError when no speed is within them;
+    `given` turns a parameter of the path into the user's, for the message.
+    """
+    unit = demands.speed_unit
+    _check_end("start_speed", start, demands, names, given, 0)
+    _check_end("end_speed", end, demands, names, given, -1)
+    algorithm = _algorithm(demands)
+    first = min((start / unit) ** 2, demands.fastest[0])
+    last = min((end / unit) ** 2, demands.fastest[-1])
+    _, speed, _ = algorithm.compute_parameterization(np.sqrt(first), np.sqrt(last))
+    if speed is None or not np.isfinite(speed).all():
+        raise _failure(demands, names, given, start, end)
+    speed = np.asarray(np.maximum(speed, 0.0), dtype=float)
+    if (speed[1:-1] <= 0).any():
+        k = int(np.flatnonzero(speed[1:-1] <= 0)[0]) + 1
+        raise PlanningError(
+            f"the motion stands still inside the path, {_place(demands, k, given)}; {_binding(demands, names, k)}"
+        )
+    return speed * unit
+
+
+def _algorithm(demands: Demands) -> Any:
+    """toppra's algorithm with our rows."""
+    import toppra
+    from toppra.constraint import LinearConstraint
+    from toppra.constraint.linear_constraint import canlinear_colloc_to_interpolate
+    from toppra.interpolator import AbstractGeometricPath
+
+    count = demands.tangent.shape[1]
+    rows = demands.u.shape[1]
+
+    class Geometric(AbstractGeometricPath):  # type: ignore[misc]  # toppra has no stubs
+        dof = count
+        path_interval = np.array([0.0, 1.0])
+        waypoints = None
+
+        def __call__(self, _places: Any, _order: int = 0) -> Array:
+            raise NotImplementedError
+
+    class Speed(LinearConstraint):  # type: ignore[misc]
+        dof = count
+
+        def compute_constraint_params(self, *_: Any) -> tuple[Any, ...]:
+            bound = np.column_stack([np.zeros(len(demands.fastest)), np.minimum(demands.fastest, 1e12)])
+            return None, None, None, None, None, None, bound
+
+    class Rows(LinearConstraint):  # type: ignore[misc]
+        dof = count
+
+        def __init__(self) -> None:
+            super().__init__()
+            self.identical = True
+
+        def compute_constraint_params(self, _path: Any, points: Array, *_: Any) -> tuple[Any, ...]:
+            both = np.vstack([np.eye(rows), -np.eye(rows)])
+            return tuple(
+                canlinear_colloc_to_interpolate(
+                    demands.u, demands.x, demands.constant, both, np.ones(2 * rows), None, None, points, identical=True
+                )
+            )
+
+    return toppra.algorithm.TOPPRA([Speed(), Rows()], Geometric(), gridpoints=demands.at, solver_wrapper="seidel")
+
+
+def _place(demands: Demands, k: int, given: Callable[[float], float]) -> str:
+    return f"at s = {given(float(demands.curve.s(demands.length[k]))):.4f}"
+
+
+def _binding(demands: Demands, names: Sequence[str], k: int) -> str:
+    """Which joint leaves least room at grid point k, and by what."""
+    n = len(names)
+    row = int(np.argmax(np.abs(demands.constant[k]) + 1e-9 * np.abs(demands.x[k])))
+    kind = "acceleration" if row < n else "effort"
+    return f"the {kind} limit of {names[row % n]} leaves no room"
+
+
+def _check_end(
+    name: str, speed: float, demands: Demands, names: Sequence[str], given: Callable[[float], float], k: int
+) -> None:
+    most = float(np.sqrt(demands.fastest[k]) * demands.speed_unit)
+    if speed <= most * (1 + DIGITS):
+        return
+    ratio = np.abs(demands.tangent[k]) / demands.bounds.velocity[k]
+    joint = int(np.argmax(ratio))
+    by_joint = most * ratio[joint] / demands.curve.length > 1 - 1e-6
+    whose = f"the velocity limit of {names[joint]}" if by_joint else "the tool speed of a segment"
+    raise InvalidInputError(name, speed, f"0 to {most:.6g}: {whose} allows no more {_place(demands, k, given)}")
+
+
+def _failure(demands: Demands, names: Sequence[str], given: Callable[[float], float], start: float, end: float) -> Exception:
+    """Why there is no motion, as the error to raise."""
+    if end > 0 and (most := _most(demands, end, lambda speed: (start, speed))) is not None:
+        return InvalidInputError(
+            "end_speed", end, f"0 to {most:.6g}: more cannot be reached from start_speed = {start:g} within the limits"
+        )
+    if start > 0 and (most := _most(demands, start, lambda speed: (speed, 0.0))) is not None:
+        return InvalidInputError(
+            "start_speed", start, f"0 to {most:.6g}: from more the arm cannot slow down in time for what lies ahead"
+        )
+    ahead = _algorithm(demands).compute_controllable_sets(0.0, 0.0)
+    empty = np.flatnonzero(~np.isfinite(ahead).all(axis=1))
+    k = int(empty[-1]) if len(empty) else 0
+    return PlanningError(f"no motion is within the limits: {_binding(demands, names, k)} {_place(demands, k, given)}")
+
+
+def _most(demands: Demands, given: float, ends: Callable[[float], tuple[float, float]]) -> float | None:
+    """The largest speed below the one given that allows a motion, rounded down; None when even 0 does not."""
+    algorithm = _algorithm(demands)
+
+    def works(speed: float) -> bool:
+        _, found, _ = algorithm.compute_parameterization(*(each / demands.speed_unit for each in ends(speed)))
+        return found is not None and bool(np.isfinite(found).all())
+
+    if not works(0.0):
+        return None
+    low, high = 0.0, given
+    for _ in range(16):
+        middle = (low + high) / 2
+        low, high = (middle, high) if works(middle) else (low, middle)
+    return 0.999 * low
