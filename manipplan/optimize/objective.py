@@ -1,21 +1,12 @@
-"""The path objective g = ∫ ‖θ'‖ / μ^p ds of kth2012, and the energy that is minimised in its place.
-
-g does not change when a path is re-parametrised, so its Hessian is singular. The energy E = ∫ ‖θ'‖² / μ^(2p) ds is
-not: g² <= E, with equality when ‖θ'‖ / μ^p is constant, so both have the same minimum over all curves.
-"""
+"""The path objective g = ∫ ‖θ'‖ / μ^p ds of kth2012, measured on a fine rule, and the least index of a path."""
 
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 
 from manipplan.checks import Array
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.measures.indices import LogDet
 from manipplan.paths.joint import JointPath
-
-#: ρ in log sqrt(det(J Jᵀ + ρ² I)), which keeps the solved energy finite on a singular posture; g itself has none.
-REGULARISATION = 1e-5
 
 #: An index below this share of the path's largest counts as zero.
 SINGULAR = 1e-9
@@ -38,9 +29,9 @@ class PathCost:
     at: float
 
 
-def path_cost(path: JointPath, kinematics: Kinematics, power: float) -> PathCost:
-    """Measure g on a rule of at least 400 Gauss points, ten times finer than the solver's, and the least index."""
-    s, weights = path.quadrature()
+def path_cost(path: JointPath, kinematics: Kinematics, power: float, *, panels: int = 40) -> PathCost:
+    """Measure g on a rule of at least ten Gauss points a panel, ten times finer than the solver's, and the least index."""
+    s, weights = path.quadrature(panels=panels)
     speed = np.linalg.norm(path(s, 1), axis=1)
     index = kinematics.manipulability(path(s))
     least, at, largest = _least_index(path, kinematics)
@@ -71,35 +62,6 @@ def _least_index(path: JointPath, kinematics: Kinematics) -> tuple[float, float,
                 least, at = float(inside[j]), float(grid[j])
             low, high = grid[max(j - 1, 0)], grid[min(j + 1, 40)]
     return least, at, float(values.max())
-
-
-@dataclass(frozen=True, kw_only=True)
-class EnergyDensity:
-    """e(q, v) = ‖v‖² / m(q)^(2p) as CasADi Functions of (q, v): value, gradient (2n), Hessian (2n, 2n)."""
-
-    value: ca.Function
-    gradient: ca.Function
-    hessian: ca.Function
-
-
-def energy_density(kinematics: Kinematics, power: float) -> EnergyDensity:
-    """The density whose integral over s is the energy E."""
-    q = kinematics.symbolic.chain.q
-    v = ca.SX.sym("v", q.shape[0])
-    measure, posture = LogDet(regularisation=REGULARISATION), kinematics.symbolic.posture
-    log_index, slope, bend = measure.value(posture), measure.gradient(posture), measure.hessian(posture)
-    weight = ca.exp(-2 * power * log_index)
-    square = ca.sumsqr(v)
-    # by hand from w(q) = exp(-2p log m): w' = -2p w ∇log m, w'' = w (4p² ∇log m ∇log mᵀ - 2p ∇²log m)
-    gradient = ca.vertcat(-2 * power * weight * square * slope, 2 * weight * v)
-    qq = weight * square * (4 * power**2 * slope @ slope.T - 2 * power * bend)
-    qv = -4 * power * weight * slope @ v.T
-    hessian = ca.vertcat(ca.horzcat(qq, qv), ca.horzcat(qv.T, 2 * weight * ca.SX.eye(v.shape[0])))
-    return EnergyDensity(
-        value=ca.Function("energy", [q, v], [weight * square]),
-        gradient=ca.Function("energy_gradient", [q, v], [ca.densify(gradient)]),
-        hessian=ca.Function("energy_hessian", [q, v], [ca.densify(hessian)]),
-    )
 
 
 def constant_speed(path: JointPath, kinematics: Kinematics, power: float, count: int) -> Array:

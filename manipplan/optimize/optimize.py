@@ -12,9 +12,10 @@ from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
 from manipplan.interrupts import interruptible
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.task import Task
-from manipplan.optimize import clearance as near
-from manipplan.optimize.objective import PathCost, constant_speed, path_cost
-from manipplan.optimize.problem import ClearanceRow, PathProgram
+from manipplan.optimize.local import LocalSearch, Step
+from manipplan.optimize.objective import PathCost, path_cost
+from manipplan.optimize.polish import polished
+from manipplan.optimize.problem import PathProgram
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
@@ -24,25 +25,7 @@ from manipplan.status import Status
 
 log = logging.getLogger("manipplan")
 
-#: Rounds of solving and renewing clearance rows, from one first path.
-ROUNDS = 8
-#: Rounds end when one lowers g by less than this share.
-SMALL_GAIN = 1e-2
-#: Clearance rows are added at so many places a round, the deepest dips first.
-NEW_PLACES = 10
-#: More rows than this take longer than they are worth: the search ends with what it has.
-MOST_ROWS = 500
 SHIFTS = ("none", "within-limits")
-
-
-@dataclass(frozen=True, kw_only=True)
-class Step:
-    """One solve of the optimiser: from which first path, its g, its clearance [m] and IPOPT's word."""
-
-    first: str
-    g: float
-    clearance: float
-    solver: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,13 +56,6 @@ class PathResult:
     status: Status
 
 
-@dataclass(frozen=True, kw_only=True)
-class _Candidate:
-    path: JointPath
-    cost: PathCost
-    converged: bool
-
-
 @interruptible()
 def optimize_path(
     robot: Robot,
@@ -99,8 +75,9 @@ def optimize_path(
     """Find a path of `degree` from start to goal of low g = ∫ ‖q'‖ / m^power ds [kth2012, ch. 6].
 
     The energy ∫ ‖q'‖² / m^(2 power) ds is minimised by IPOPT with exact Hessians, from the straight line and from the
-    seed; over all curves it has the minima of g. g itself is reported on a finer rule. Joint limits hold on the whole
-    curve. With a scene, the path is free at every milliradian: either optimised, or the seed.
+    seed; over all curves it has the minima of g. From the best of these g itself is minimised, and reported on a finer
+    rule. Joint limits hold on the whole curve. With a scene, the path is free at every milliradian: either optimised, or
+    the seed.
 
     Args:
         robot: the arm.
@@ -234,20 +211,16 @@ def _optimize(
 ) -> PathResult:
     first_cost = path_cost(first, kinematics, power)
     history: list[Step] = []
-    found: list[_Candidate] = []
+    program = _program(kinematics, power, degree)
+    search = LocalSearch(program=program, start=start, goal=goal, model=model, clearance=clearance, history=history)
     is_line = len(first.control) == 1 and first.degree == 1
-    if degree == 1:
-        line = first if is_line else JointPath.line(start, goal)
-        if is_line or model is None or model.path_is_free(line, CHECK_STEP, clearance):
-            found.append(_Candidate(path=line, cost=path_cost(line, kinematics, power), converged=True))
-    else:
-        program = _program(kinematics, power, degree)
-        search = _Search(program=program, start=start, goal=goal, model=model, clearance=clearance, history=history)
-        found += search.unconstrained()
-        if not (found and is_line):  # from a straight seed the same solve would come again
-            found += search.from_safe_path(first)
+    found = search.line() if degree == 1 else search.unconstrained()
+    if degree > 1 and not (found and is_line):  # from a straight seed the same solve would come again
+        found += search.from_safe_path(first)
     safe = model is None or bool(found)
     best = min(found, key=lambda candidate: candidate.cost.g, default=None)
+    if best is not None and degree > 1:
+        best = polished(search, best)
     if best is not None and best.cost.g <= first_cost.g:
         path, cost = best.path, best.cost
         status = Status.OPTIMAL if best.converged else Status.STOPPED_EARLY
@@ -270,75 +243,6 @@ def _optimize(
         history=tuple(history),
         status=status,
     )
-
-
-@dataclass(frozen=True, kw_only=True)
-class _Search:
-    """Solves of one program between one start and goal; what it returns is inside the limits and free."""
-
-    program: PathProgram
-    start: Array
-    goal: Array
-    model: CollisionModel | None
-    clearance: float
-    history: list[Step]
-
-    def unconstrained(self) -> list[_Candidate]:
-        """The optimum as if nothing were in the way, from the straight line; used when it is free."""
-        guess = np.zeros((self.program.n, self.program.degree - 1))
-        candidate, _, _ = self._solve("straight", guess, [])
-        return [candidate] if candidate else []
-
-    def from_safe_path(self, first: JointPath) -> list[_Candidate]:
-        """From the fit to a free path: solve, look where the result comes near something, renew rows there, repeat."""
-        s = constant_speed(first, self.program.kinematics, self.program.power, near.PLACES + 1)
-        even = np.linspace(0.0, 1.0, len(s))
-        places: list[near.Place] = []
-        if self.model is not None:
-            places = near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR)
-        coefficients = self.program.fit(first, s)
-        found: list[_Candidate] = []
-        for _ in range(ROUNDS):
-            rows: list[ClearanceRow] = []
-            if self.model is not None:
-                path = self.program.path(self.start, self.goal, coefficients)
-                rows = near.rows_for(self.model, path, lambda at: first(np.interp(at, even, s)), places, self.clearance)
-            if len(rows) > MOST_ROWS:
-                break
-            candidate, coefficients, distances = self._solve("seed", coefficients, rows)
-            if candidate is not None:
-                found.append(candidate)
-                if len(found) > 1 and found[-2].cost.g - candidate.cost.g < SMALL_GAIN * candidate.cost.g:
-                    break
-            if candidate is not None and not places:
-                break
-            more = near.merged(places, near.around(near.dips(distances, self.clearance)[:NEW_PLACES]))
-            if candidate is None and len(more) == len(places):  # it touches something between the places looked at
-                more = near.merged(places, near.around(near.dips(distances, self.clearance + near.SPARE)[:NEW_PLACES]))
-            places = more
-        return found
-
-    @interruptible()
-    def _solve(self, name: str, guess: Array, rows: list[ClearanceRow]) -> tuple[_Candidate | None, Array, Array]:
-        """The candidate when the solution is inside the limits and free, its coefficients, and its distance profile."""
-        solution = self.program.solve(self.start, self.goal, guess, rows)
-        path = self.program.path(self.start, self.goal, solution.coefficients)
-        cost = path_cost(path, self.program.kinematics, self.program.power)
-        distances = np.full((near.PLACES + 1, 1), np.inf)
-        if self.model is not None:
-            distances = near.distance_profile(self.model, path(np.linspace(0.0, 1.0, near.PLACES + 1)))
-        least = float(distances.min(initial=np.inf))
-        self.history.append(Step(first=name, g=cost.g, clearance=least, solver=solution.status))
-        free = self.model is None or (least > self.clearance and self.model.path_is_free(path, CHECK_STEP, self.clearance))
-        if not (free and _inside_limits(self.program.kinematics.robot, path)):
-            return None, solution.coefficients, distances
-        converged = solution.status == "Solve_Succeeded"
-        return _Candidate(path=path, cost=cost, converged=converged), solution.coefficients, distances
-
-
-def _inside_limits(robot: Robot, path: JointPath) -> bool:
-    low, high = path.bounds()
-    return not (robot.limits.outside(low) > 1e-7).any() and not (robot.limits.outside(high) > 1e-7).any()
 
 
 def _program(kinematics: Kinematics, power: float, degree: int) -> PathProgram:

@@ -1,0 +1,143 @@
+"""Local optima between one start and goal: solve, look where the path comes near something, renew rows there, repeat."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.interrupts import interruptible
+from manipplan.optimize import clearance as near
+from manipplan.optimize.objective import PathCost, constant_speed, path_cost
+from manipplan.optimize.problem import ClearanceRow, PathProgram, Solution
+from manipplan.paths.joint import JointPath
+from manipplan.robots.collision import CollisionModel
+from manipplan.robots.robot import Robot
+from manipplan.seeds.ompl import CHECK_STEP
+
+#: Rounds of solving and renewing clearance rows, from one first path.
+ROUNDS = 8
+#: Rounds end when one lowers g by less than this share.
+SMALL_GAIN = 1e-2
+#: Clearance rows are added at so many places a round, the deepest dips first.
+NEW_PLACES = 10
+#: More rows than this take longer than they are worth: the search ends with what it has.
+MOST_ROWS = 500
+
+
+@dataclass(frozen=True, kw_only=True)
+class Step:
+    """One solve of the optimiser: from which first path, its g, its clearance [m] and IPOPT's word."""
+
+    first: str
+    g: float
+    clearance: float
+    solver: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Candidate:
+    """An optimised path that is inside the limits and free, with its coefficients and the places its rows were at."""
+
+    path: JointPath
+    coefficients: Array
+    cost: PathCost
+    places: tuple[near.Place, ...]
+    converged: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class LocalSearch:
+    """Solves of one program between one start and goal, written down in `history`."""
+
+    program: PathProgram
+    start: Array
+    goal: Array
+    model: CollisionModel | None
+    clearance: float
+    history: list[Step]
+
+    def line(self) -> list[Candidate]:
+        """The straight line, which is all there is of degree 1; none when it is not free."""
+        solution = Solution(coefficients=np.zeros((self.program.n, 0)), slack=0.0, status="Solve_Succeeded")
+        candidate, _ = self.judged("straight", solution, ())
+        self.history.clear()  # nothing was solved
+        return [candidate] if candidate else []
+
+    def unconstrained(self) -> list[Candidate]:
+        """The optimum as if nothing were in the way, from the straight line; used when it is free."""
+        guess = np.zeros((self.program.n, self.program.degree - 1))
+        candidate, distances = self.judged("straight", self.program.solve(self.start, self.goal, guess), ())
+        return [] if candidate is None else [self._watching(candidate, distances)]
+
+    def from_safe_path(self, first: JointPath) -> list[Candidate]:
+        """From the fit to a free path, with rows that hold the path on that side of everything it comes near."""
+        s = constant_speed(first, self.program.kinematics, self.program.power, near.PLACES + 1)
+        even = np.linspace(0.0, 1.0, len(s))
+        places: tuple[near.Place, ...] = ()
+        if self.model is not None:
+            places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
+        coefficients = self.program.fit(first, s)
+        found: list[Candidate] = []
+        for _ in range(ROUNDS):
+            path = self.program.path(self.start, self.goal, coefficients)
+            rows = self.rows(path, lambda at: first(np.interp(at, even, s)), places)
+            if rows is None:
+                break
+            solution = self.program.solve(self.start, self.goal, coefficients, rows)
+            candidate, distances = self.judged("seed", solution, places)
+            coefficients = solution.coefficients
+            if candidate is not None:
+                found.append(candidate)
+                if len(found) > 1 and found[-2].cost.g - candidate.cost.g < SMALL_GAIN * candidate.cost.g:
+                    break
+            if candidate is not None and not places:
+                found[-1] = self._watching(candidate, distances)
+                break
+            places = self.more_places(places, distances, touching=candidate is None)
+        return found
+
+    def rows(
+        self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]
+    ) -> list[ClearanceRow] | None:
+        """Clearance rows at the places of `path`; None when there are more than it is worth solving with."""
+        if self.model is None:
+            return []
+        rows = near.rows_for(self.model, path, safe, places, self.clearance)
+        return rows if len(rows) <= MOST_ROWS else None
+
+    def more_places(self, places: tuple[near.Place, ...], distances: Array, *, touching: bool) -> tuple[near.Place, ...]:
+        """The places and those where the distance profile (m, k) [m] of a path dips below the clearance.
+
+        Of a path that is `touching` something, though not where it was looked at, those where it is nearest to.
+        """
+        more = near.merged(places, near.around(near.dips(distances, self.clearance)[:NEW_PLACES]))
+        if touching and len(more) == len(places):
+            more = near.merged(places, near.around(near.dips(distances, self.clearance + near.SPARE)[:NEW_PLACES]))
+        return tuple(more)
+
+    @interruptible()
+    def judged(self, name: str, solution: Solution, places: tuple[near.Place, ...]) -> tuple[Candidate | None, Array]:
+        """The candidate when the solution is inside the limits and free, and its distance profile (m, k) [m]."""
+        path = self.program.path(self.start, self.goal, solution.coefficients)
+        cost = path_cost(path, self.program.kinematics, self.program.power)
+        distances = np.full((near.PLACES + 1, 1), np.inf)
+        if self.model is not None:
+            distances = near.distance_profile(self.model, path(np.linspace(0.0, 1.0, near.PLACES + 1)))
+        least = float(distances.min(initial=np.inf))
+        self.history.append(Step(first=name, g=cost.g, clearance=least, solver=solution.status))
+        free = self.model is None or (least > self.clearance and self.model.path_is_free(path, CHECK_STEP, self.clearance))
+        if not (free and _inside_limits(self.program.kinematics.robot, path)):
+            return None, distances
+        converged = solution.status == "Solve_Succeeded"
+        candidate = Candidate(path=path, coefficients=solution.coefficients, cost=cost, places=places, converged=converged)
+        return candidate, distances
+
+    def _watching(self, candidate: Candidate, distances: Array) -> Candidate:
+        """The candidate with places where it comes near something, though no row was needed to keep it away."""
+        return replace(candidate, places=tuple(near.dips(distances, self.clearance + near.NEAR)))
+
+
+def _inside_limits(robot: Robot, path: JointPath) -> bool:
+    low, high = path.bounds()
+    return not (robot.limits.outside(low) > 1e-7).any() and not (robot.limits.outside(high) > 1e-7).any()
