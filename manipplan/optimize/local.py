@@ -8,7 +8,7 @@ import numpy as np
 from manipplan.checks import Array
 from manipplan.interrupts import interruptible
 from manipplan.optimize import clearance as near
-from manipplan.optimize.objective import PathCost, constant_speed, path_cost
+from manipplan.optimize.objective import PathCost
 from manipplan.optimize.problem import ClearanceRow, PathProgram, Solution
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
@@ -72,7 +72,7 @@ class LocalSearch:
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """From the fit to a free path, with rows that hold the path on that side of everything it comes near."""
-        s = constant_speed(first, self.program.kinematics, self.program.power, near.PLACES + 1)
+        s = self.program.objective.constant_speed(first, near.PLACES + 1)
         even = np.linspace(0.0, 1.0, len(s))
         places: tuple[near.Place, ...] = ()
         if self.model is not None:
@@ -120,7 +120,7 @@ class LocalSearch:
     def judged(self, name: str, solution: Solution, places: tuple[near.Place, ...]) -> tuple[Candidate | None, Array]:
         """The candidate when the solution is inside the limits and free, and its distance profile (m, k) [m]."""
         path = self.program.path(self.start, self.goal, solution.coefficients)
-        cost = path_cost(path, self.program.kinematics, self.program.power)
+        cost = self.program.objective.cost(path)
         distances = np.full((near.PLACES + 1, 1), np.inf)
         if self.model is not None:
             distances = near.distance_profile(self.model, path(np.linspace(0.0, 1.0, near.PLACES + 1)))

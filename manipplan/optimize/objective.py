@@ -3,9 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from manipplan.checks import Array
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.optimize.metric import metric_matrix
 from manipplan.paths.joint import JointPath
 
 #: An index below this share of the path's largest counts as zero.
@@ -17,8 +19,8 @@ class PathCost:
     """g and the least index of one path.
 
     Attributes:
-        g: ∫ ‖q'‖ / m^p ds, (6.6) in kth2012; inf when the path meets a singularity.
-        length: ∫ ‖q'‖ ds [rad], (6.5).
+        g: ∫ ‖q'‖_W / m^p ds, (6.6) in kth2012; inf when the path meets a singularity.
+        length: ∫ ‖q'‖ ds [rad], (6.5), without W.
         min_manipulability: least index m, found by ever finer grids around its dips.
         at: the parameter s where it is least.
     """
@@ -29,8 +31,57 @@ class PathCost:
     at: float
 
 
-def path_cost(path: JointPath, kinematics: Kinematics, power: float, *, panels: int = 40) -> PathCost:
-    """Measure g on a rule of at least ten Gauss points a panel, ten times finer than the solver's, and the least index."""
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PathObjective:
+    """What is minimised: g = ∫ ‖q'‖_W / m^p ds.
+
+    Attributes:
+        kinematics: whose measure m is.
+        power: p > 0.
+        metric: W (n, n), symmetric and positive definite; None: the identity.
+    """
+
+    kinematics: Kinematics
+    power: float
+    metric: Array | None = None
+
+    def cost(self, path: JointPath, *, panels: int = 40) -> PathCost:
+        """g and the least index of a path, as `path_cost`."""
+        return path_cost(path, self.kinematics, self.power, metric=self.metric, panels=panels)
+
+    def constant_speed(self, path: JointPath, count: int) -> Array:
+        """Parameters s (count,) at which equal shares of g have been gained."""
+        s = np.linspace(0.0, 1.0, 1001)
+        with np.errstate(divide="ignore"):
+            density = speeds(path(s, 1), self.metric) / self.kinematics.manipulability(path(s)) ** self.power
+        density = np.minimum(density, 1e3 * np.median(density))
+        gained = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2)])
+        return np.interp(np.linspace(0.0, gained[-1], count), gained, s)
+
+
+def speeds(v: Array, metric: Array | None) -> Array:
+    """‖v‖_W = sqrt(vᵀ W v) of rows v (m, n), (m,); Euclidean for None."""
+    if metric is None:
+        return np.asarray(np.linalg.norm(v, axis=1))
+    return np.asarray(np.sqrt(np.einsum("mi,ij,mj->m", v, metric, v)))
+
+
+def path_cost(
+    path: JointPath, kinematics: Kinematics, power: float, *, metric: ArrayLike | None = None, panels: int = 40
+) -> PathCost:
+    """Measure g on a rule of at least ten Gauss points a panel, ten times finer than the solver's, and the least index.
+
+    Args:
+        path: the path.
+        kinematics: whose measure counts.
+        power: exponent of the measure.
+        metric: W in ‖q'‖_W, weights (n,) or a matrix (n, n); None: the identity.
+        panels: of ten Gauss points each.
+
+    Raises:
+        InvalidInputError: `metric` is no metric.
+    """
+    matrix = metric_matrix("metric", metric, path.n)
     s, weights = path.quadrature(panels=panels)
     speed = np.linalg.norm(path(s, 1), axis=1)
     index = kinematics.manipulability(path(s))
@@ -38,7 +89,7 @@ def path_cost(path: JointPath, kinematics: Kinematics, power: float, *, panels: 
     # a singularity, which Gauss points can pass by, makes the integral diverge for p >= 1
     singular = power >= 1 and least <= SINGULAR * largest
     with np.errstate(divide="ignore"):
-        g = np.inf if singular else float(weights @ (speed / index**power))
+        g = np.inf if singular else float(weights @ (speeds(path(s, 1), matrix) / index**power))
     return PathCost(g=g, length=float(weights @ speed), min_manipulability=least, at=at)
 
 
@@ -62,13 +113,3 @@ def _least_index(path: JointPath, kinematics: Kinematics) -> tuple[float, float,
                 least, at = float(inside[j]), float(grid[j])
             low, high = grid[max(j - 1, 0)], grid[min(j + 1, 40)]
     return least, at, float(values.max())
-
-
-def constant_speed(path: JointPath, kinematics: Kinematics, power: float, count: int) -> Array:
-    """Parameters s (count,) at which equal shares of g have been gained."""
-    s = np.linspace(0.0, 1.0, 1001)
-    with np.errstate(divide="ignore"):
-        density = np.linalg.norm(path(s, 1), axis=1) / kinematics.manipulability(path(s)) ** power
-    density = np.minimum(density, 1e3 * np.median(density))
-    gained = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2)])
-    return np.interp(np.linspace(0.0, gained[-1], count), gained, s)

@@ -2,7 +2,7 @@
 
 import itertools
 import logging
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,9 +11,13 @@ from manipplan.checks import Array, instance, number, whole_number
 from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
 from manipplan.interrupts import interruptible
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.indices import Yoshikawa
+from manipplan.measures.measure import Measure
+from manipplan.measures.names import MEASURES
 from manipplan.measures.task import Task
 from manipplan.optimize.local import LocalSearch, Step
-from manipplan.optimize.objective import PathCost, path_cost
+from manipplan.optimize.metric import metric_matrix
+from manipplan.optimize.objective import PathCost, PathObjective
 from manipplan.optimize.polish import polished
 from manipplan.optimize.problem import PathProgram
 from manipplan.paths.joint import JointPath
@@ -34,13 +38,14 @@ class PathResult:
 
     Attributes:
         path: the JointPath; the seed when `status` says so, None when there is none (NO_PATH, with throw=False).
-        g: ∫ ‖q'‖ / m^power ds on a fine rule: (6.6) in kth2012 with its exponent as a parameter.
+        g: ∫ ‖q'‖_W / m^power ds on a fine rule: (6.6) in kth2012 with its exponent as a parameter.
         length: of the path in joint space [rad].
-        min_manipulability: least index on a dense grid [task.unit], and `min_at`, the s where it is.
+        min_manipulability: least index on a dense grid [measure.unit(task)], and `min_at`, the s where it is.
         power, task: the objective's exponent and the task whose index it holds.
         seed, seed_cost: the collision-free first path (straight without a scene) and its cost, for comparison.
         history: every solve, in order.
         status: Status.
+        measure, metric: m, and W (n, n) or None for the identity.
     """
 
     path: JointPath | None
@@ -54,6 +59,8 @@ class PathResult:
     seed_cost: PathCost
     history: tuple[Step, ...]
     status: Status
+    measure: Measure = field(default_factory=Yoshikawa)
+    metric: Array | None = None
 
 
 @interruptible()
@@ -68,13 +75,15 @@ def optimize_path(
     initial: JointPath | None = None,
     shifts: str = "none",
     *,
+    measure: Measure | str | None = None,
+    metric: ArrayLike | None = None,
     clearance: float = 0.0,
     seed: int = 0,
     throw: bool = True,
 ) -> PathResult:
-    """Find a path of `degree` from start to goal of low g = ∫ ‖q'‖ / m^power ds [kth2012, ch. 6].
+    """Find a path of `degree` from start to goal of low g = ∫ ‖q'‖_W / m^power ds [kth2012, ch. 6].
 
-    The energy ∫ ‖q'‖² / m^(2 power) ds is minimised by IPOPT with exact Hessians, from the straight line and from the
+    The energy ∫ ‖q'‖_W² / m^(2 power) ds is minimised by IPOPT with exact Hessians, from the straight line and from the
     seed; over all curves it has the minima of g. From the best of these g itself is minimised, and reported on a finer
     rule. Joint limits hold on the whole curve. With a scene, the path is free at every milliradian: either optimised, or
     the seed.
@@ -89,6 +98,9 @@ def optimize_path(
         initial: first path from start to goal; with a scene it must be free. Default: straight, or by `seed_path`.
         shifts: "within-limits" tries goals 2π away in each revolute joint too, and returns the best; the goal's pose is
             the same. That is up to 3 to the power of n solves. Not together with a scene or `initial`.
+        measure: m, a name of `available_measures()` or a Measure that is at least zero and better when larger; default
+            Yoshikawa's index.
+        metric: W in ‖q'‖_W² = q'ᵀ W q', weights (n,) > 0 or a symmetric positive definite matrix (n, n); default identity.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         seed: for the planner of the first path.
         throw: raise PlanningError when no free path was found, or the path's index vanishes somewhere (g is infinite);
@@ -111,8 +123,10 @@ def optimize_path(
     if shifts != "none" and (scene is not None or initial is not None):
         raise InvalidInputError("shifts", shifts, "'none' together with a scene or an initial path")
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
-    kinematics = robot.kinematics(task)
+    kinematics = robot.kinematics(task, measure=measure)
     check_task(kinematics)
+    check_measure(kinematics)
+    objective = PathObjective(kinematics=kinematics, power=power, metric=metric_matrix("metric", metric, robot.n))
     goals = [q_goal] if shifts == "none" else _shifted_goals(robot, q_start, q_goal)
     model = None if scene is None else scene.collision_model(robot)
     if model is not None:
@@ -123,11 +137,11 @@ def optimize_path(
         try:
             first = _first_path(robot, q_start, each, scene, model, initial, clearance, seed)
         except PlanningError as error:
-            failed = _no_path(kinematics.task, power)
+            failed = _no_path(objective)
             if throw:
                 raise PlanningError(str(error), failed) from error
             return failed
-        results.append(_optimize(kinematics, q_start, each, degree, power, first, model, clearance))
+        results.append(_optimize(objective, q_start, each, degree, first, model, clearance))
     best = min(results, key=lambda result: result.g)
     if throw and not np.isfinite(best.g):
         raise PlanningError(f"the index vanishes on the path at s = {best.min_at:.3f}, so g is infinite", best)
@@ -143,7 +157,17 @@ def check_task(kinematics: Kinematics) -> None:
         )
 
 
-def _no_path(task: Task, power: float) -> PathResult:
+def check_measure(kinematics: Kinematics) -> None:
+    """Raise InvalidInputError for a measure that can be negative, or is better when smaller."""
+    measure = kinematics.measure
+    if not measure.grows:
+        usable = [name for name, kind in MEASURES.items() if kind.grows]
+        wanted = f"a measure that is at least zero and better when larger: {', '.join(usable)}, or one of your own"
+        raise InvalidInputError("measure", measure.name, wanted)
+    measure.check(kinematics.task.rows, kinematics.robot.n)
+
+
+def _no_path(objective: PathObjective) -> PathResult:
     nothing = PathCost(g=np.inf, length=np.inf, min_manipulability=0.0, at=0.0)
     return PathResult(
         path=None,
@@ -151,8 +175,10 @@ def _no_path(task: Task, power: float) -> PathResult:
         length=np.inf,
         min_manipulability=0.0,
         min_at=0.0,
-        power=power,
-        task=task,
+        power=objective.power,
+        task=objective.kinematics.task,
+        measure=objective.kinematics.measure,
+        metric=objective.metric,
         seed=None,
         seed_cost=nothing,
         history=(),
@@ -200,18 +226,17 @@ def _outside(robot: Robot, joint: int, value: float) -> bool:
 
 
 def _optimize(
-    kinematics: Kinematics,
+    objective: PathObjective,
     start: Array,
     goal: Array,
     degree: int,
-    power: float,
     first: JointPath,
     model: CollisionModel | None,
     clearance: float,
 ) -> PathResult:
-    first_cost = path_cost(first, kinematics, power)
+    first_cost = objective.cost(first)
     history: list[Step] = []
-    program = _program(kinematics, power, degree)
+    program = _program(objective, degree)
     search = LocalSearch(program=program, start=start, goal=goal, model=model, clearance=clearance, history=history)
     is_line = len(first.control) == 1 and first.degree == 1
     found = search.line() if degree == 1 else search.unconstrained()
@@ -236,8 +261,10 @@ def _optimize(
         length=cost.length,
         min_manipulability=cost.min_manipulability,
         min_at=cost.at,
-        power=power,
-        task=kinematics.task,
+        power=objective.power,
+        task=objective.kinematics.task,
+        measure=objective.kinematics.measure,
+        metric=objective.metric,
         seed=first,
         seed_cost=first_cost,
         history=tuple(history),
@@ -245,10 +272,12 @@ def _optimize(
     )
 
 
-def _program(kinematics: Kinematics, power: float, degree: int) -> PathProgram:
+def _program(objective: PathObjective, degree: int) -> PathProgram:
+    kinematics = objective.kinematics
+    metric = None if objective.metric is None else objective.metric.tobytes()
+    key = ("path program", kinematics.task, kinematics.measure, objective.power, metric, degree)
     cache = kinematics.robot.cache
-    key = ("path program", kinematics.task, power, degree)
     if key not in cache:
-        cache[key] = PathProgram(kinematics, power, degree)
+        cache[key] = PathProgram(objective, degree)
     program: PathProgram = cache[key]
     return program

@@ -1,7 +1,6 @@
 """The polish: after the energy optimum, g itself is minimised in the same basis, and only kept where it can be believed."""
 
 from manipplan.optimize.local import Candidate, LocalSearch
-from manipplan.optimize.objective import path_cost
 
 #: Solves at most; each after the first has rows where the one before came too near to something.
 ROUNDS = 3
@@ -25,7 +24,7 @@ def polished(search: LocalSearch, best: Candidate) -> Candidate:
         solution = program.polish(search.start, search.goal, best.coefficients, rows)
         candidate, distances = search.judged("polish", solution, places)
         if candidate is not None:
-            fine = path_cost(candidate.path, program.kinematics, program.power, panels=400)
+            fine = program.objective.cost(candidate.path, panels=400)
             agrees = abs(fine.g - candidate.cost.g) <= AGREEMENT * fine.g
             return candidate if agrees and candidate.cost.g < best.cost.g else best
         if best.cost.g - search.history[-1].g < SMALL_GAIN * best.cost.g:

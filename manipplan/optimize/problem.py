@@ -1,7 +1,7 @@
 """The nonlinear program: polynomial coefficients that minimise the energy, or g, within joint limits and clearance rows.
 
 Unknowns: coefficients x (n, k - 1) of a path of degree k, and one slack e >= 0 [m] a clearance row. Everything that
-changes between solves - ends, rows - is a parameter, so a program is built once for an arm, task, power and degree.
+changes between solves - ends, rows - is a parameter, so a program is built once for an objective and a degree.
 """
 
 from collections.abc import Sequence
@@ -15,6 +15,7 @@ from manipplan.checks import Array
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize import basis
 from manipplan.optimize.density import Density, energy_density, length_density
+from manipplan.optimize.objective import PathObjective
 from manipplan.paths.joint import JointPath
 from manipplan.robots.description import axis_of, is_prismatic
 
@@ -69,11 +70,11 @@ class _Objective:
 
 
 class PathProgram:
-    """The program for one arm, task, power and degree; see the module's text."""
+    """The program for one objective and degree; see the module's text."""
 
-    def __init__(self, kinematics: Kinematics, power: float, degree: int) -> None:
-        self.kinematics = kinematics
-        self.power = power
+    def __init__(self, objective: PathObjective, degree: int) -> None:
+        self.objective = objective
+        self.kinematics = kinematics = objective.kinematics
         self.degree = degree
         self.n = kinematics.robot.n
         self._solvers: dict[tuple[str, int], ca.Function] = {}
@@ -87,12 +88,12 @@ class PathProgram:
     @cached_property
     def _energy(self) -> "_Objective":
         s, weights = np.polynomial.legendre.leggauss(NODES)
-        return _Objective(density=energy_density(self.kinematics, self.power), s=(s + 1) / 2, weights=weights / 2)
+        return _Objective(density=energy_density(self.objective), s=(s + 1) / 2, weights=weights / 2)
 
     @cached_property
     def _length(self) -> "_Objective":
         s, weights = JointPath.line([0.0], [1.0]).quadrature(panels=POLISH_PANELS)
-        return _Objective(density=length_density(self.kinematics, self.power), s=s, weights=weights)
+        return _Objective(density=length_density(self.objective), s=s, weights=weights)
 
     def path(self, start: Array, goal: Array, coefficients: Array) -> JointPath:
         """The path of given coefficients (n, k - 1)."""

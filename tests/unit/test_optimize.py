@@ -1,12 +1,16 @@
 """The path optimiser: the thesis' planar problems, its building blocks, and what it promises among obstacles."""
 
+import itertools
+
 import casadi as ca
 import numpy as np
 import pytest
 
 import manipplan as mp
+from manipplan.measures.names import MEASURES
 from manipplan.optimize import basis
 from manipplan.optimize.density import energy_density, length_density
+from manipplan.optimize.objective import PathObjective
 from manipplan.optimize.problem import PathProgram, _row_functions
 from manipplan.paths.joint import bernstein
 
@@ -113,21 +117,72 @@ def test_a_polish_that_touches_something_is_rejected(demo_problem):
     assert result.g == min(step.g for step in result.history if step.clearance > 0)
 
 
-@pytest.mark.parametrize("name", ["planar", "panda", "tiago"])
+DENSITIES = [
+    *itertools.product(["planar", "panda", "tiago"], [None], [None, "weights"]),
+    *itertools.product(["planar"], ["inverse_condition", "isotropy", "joint_limit_penalised", "dynamic"], ["matrix"]),
+    *itertools.product(["panda"], ["smallest_singular_value", "frobenius", "isotropy"], ["weights"]),
+]
+
+
+@pytest.mark.parametrize(("name", "measure", "metric"), DENSITIES)
 @pytest.mark.parametrize("kind", [energy_density, length_density])
-def test_densities_have_exact_derivatives(name, kind, rng):
+def test_densities_have_exact_derivatives(name, measure, metric, kind, rng):
     robot = mp.planar_arm([1.0, 1.0, 1.0]) if name == "planar" else mp.load_robot(name)
-    density = kind(robot.kinematics(), 1.5)
     n = robot.n
+    W = {None: None, "weights": np.diag(np.arange(1.0, n + 1)), "matrix": np.eye(n) + 0.3}[metric]
+    density = kind(PathObjective(kinematics=robot.kinematics(measure=measure), power=1.5, metric=W))
     x, g0 = ca.SX.sym("x", 2 * n), 0.7
-    second, first = ca.hessian(density.value(x[:n], x[n:], g0), x)
-    automatic = ca.Function("automatic", [x], [first, second])
+    value = ca.Function("value", [x], [density.value(x[:n], x[n:], g0)])
+    eps = 1e-6
     for q in robot.random_configuration(rng, size=5):
-        v = rng.normal(size=n)
-        first, second = (np.asarray(each) for each in automatic(np.concatenate([q, v])))
-        gradient, hessian = (np.asarray(f(q, v, g0)) for f in (density.gradient, density.hessian))
-        np.testing.assert_allclose(gradient, first, rtol=1e-7, atol=1e-9 * np.abs(first).max())
-        np.testing.assert_allclose(hessian, second, rtol=1e-6, atol=1e-8 * np.abs(second).max())
+        at = np.concatenate([0.7 * q, rng.normal(size=n)])
+        gradient, hessian = (np.asarray(f(at[:n], at[n:], g0)) for f in (density.gradient, density.hessian))
+        steps = eps * np.eye(2 * n)
+        first = [float(value(at + step) - value(at - step)) / (2 * eps) for step in steps]
+        ahead, behind = (
+            [np.asarray(density.gradient((at + s)[:n], (at + s)[n:], g0)).ravel() for s in sign * steps] for sign in (1, -1)
+        )
+        np.testing.assert_allclose(gradient.ravel(), first, rtol=1e-5, atol=2e-6 * np.abs(first).max())
+        second = (np.array(ahead) - behind) / (2 * eps)
+        np.testing.assert_allclose(hessian, second, rtol=1e-4, atol=2e-5 * np.abs(second).max())
+
+
+def test_a_metric_is_a_change_of_joint_units(planar):
+    """With W = diag(w²) g is that of the Euclidean norm of w θ, here by a plain sum; equal weights only scale it."""
+    start, goal = [0, 1.5, -2], [np.pi, -2, 2]
+    plain = mp.optimize_path(planar, start, goal, power=2)
+    scaled = mp.optimize_path(planar, start, goal, power=2, metric=[9.0, 9.0, 9.0])
+    assert scaled.g == pytest.approx(3 * plain.g, rel=1e-7)
+    weights = np.array([9.0, 1.0, 0.25])
+    weighed = mp.optimize_path(planar, start, goal, power=2, metric=weights)
+    s = np.linspace(0, 1, 100_001)
+    v, index = weighed.path(s, 1), planar.kinematics().manipulability(weighed.path(s))
+    assert weighed.g == pytest.approx(np.trapezoid(np.sqrt((weights * v**2).sum(axis=1)) / index**2, s), rel=1e-7)
+    assert weighed.g < mp.path_cost(plain.path, planar.kinematics(), 2, metric=weights).g
+    assert plain.g < mp.path_cost(weighed.path, planar.kinematics(), 2).g
+    full = mp.optimize_path(planar, start, goal, power=2, metric=np.diag(weights))
+    assert full.g == weighed.g
+    np.testing.assert_array_equal(full.metric, np.diag(weights))
+
+
+@pytest.mark.parametrize("measure", [name for name, kind in MEASURES.items() if kind.grows and "transmission" not in name])
+def test_any_measure_that_grows_is_raised(planar, measure):
+    """Its g is below those of the straight line and of the path that is best for Yoshikawa's index."""
+    start, goal, *_ = THESIS["6.12"]
+    result = mp.optimize_path(planar, start, goal, power=1, measure=measure)
+    kinematics = planar.kinematics(measure=measure)
+    assert result.status.ok
+    assert result.measure.name == measure
+    assert result.g == pytest.approx(mp.path_cost(result.path, kinematics, 1).g)
+    usual = mp.optimize_path(planar, start, goal, power=1)
+    assert result.g <= mp.path_cost(usual.path, kinematics, 1).g * (1 + 1e-9)
+    assert result.g < result.seed_cost.g
+
+
+def test_a_measure_with_a_direction(planar):
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], measure=mp.VelocityTransmission(direction=[1.0, 0.0]))
+    assert result.status.ok
+    assert result.g < result.seed_cost.g
 
 
 def test_degree_one_is_the_straight_line(planar, demo_problem):
@@ -158,7 +213,7 @@ def test_a_full_turn_to_the_same_place_is_a_shift(planar):
 
 
 def test_no_small_change_of_the_solution_lowers_the_energy(planar, rng):
-    program = PathProgram(planar.kinematics(), 2.0, 5)
+    program = PathProgram(PathObjective(kinematics=planar.kinematics(), power=2.0), 5)
     start, goal = np.array([0.0, 1.5, -2]), np.array([np.pi, -2, 2])
 
     def energy(coefficients):
@@ -280,6 +335,18 @@ def test_an_initial_path_is_used(planar):
         ({"goal": [0, 1.5, np.nan]}, "goal.*finite"),
         ({"goal": [0.0, 1.5, -2.0]}, "goal.*differs from start"),
         ({"task": mp.Task.pose()}, "task.*at most 3 rows"),
+        ({"metric": [1.0, 1.0]}, "metric.*3 weights above zero.*positive definite"),
+        ({"metric": [1.0, 1.0, 0.0]}, "metric.*3 weights above zero"),
+        ({"metric": [[1, 2, 0], [2, 1, 0], [0, 0, 1]]}, "metric.*positive definite"),
+        ({"metric": [[1, 1, 0], [0, 1, 0], [0, 0, 1]]}, "metric.*symmetric"),
+        ({"metric": [1.0, np.nan, 1.0]}, "metric.*finite"),
+        ({"metric": "heavy"}, "metric.*real numbers"),
+        ({"measure": "log_det"}, "measure: got 'log_det'.*at least zero and better when larger: yoshikawa"),
+        ({"measure": "condition_number"}, "measure: got 'condition_number'.*better when larger"),
+        ({"measure": "force_transmission"}, "measure.*direction"),
+        ({"measure": mp.ForceTransmission(direction=[1, 0])}, "measure: got 'force_transmission'.*better when larger"),
+        ({"measure": mp.VelocityTransmission(direction=[1, 0, 0])}, "direction.*2 numbers"),
+        ({"measure": "yosikawa"}, "yoshikawa"),
         ({"initial": mp.JointPath.line([0, 0, 0], [1, 1, 1])}, "initial"),
     ],
 )
