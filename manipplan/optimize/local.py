@@ -21,8 +21,6 @@ ROUNDS = 8
 SMALL_GAIN = 1e-2
 #: Clearance rows are added at so many places a round, the deepest dips first.
 NEW_PLACES = 10
-#: More rows than this take longer than they are worth: the search ends with what it has.
-MOST_ROWS = 500
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -81,9 +79,11 @@ class LocalSearch:
         found: list[Candidate] = []
         for _ in range(ROUNDS):
             path = self.program.path(self.start, self.goal, coefficients)
-            rows = self.rows(path, lambda at: first(np.interp(at, even, s)), places)
-            if rows is None:
-                break
+            watched = places
+            if self.model is not None:
+                most = np.inf if found else self.clearance + near.FAR
+                watched = near.nearest(self.model, path, places, most=most)
+            rows = self.rows(path, lambda at: first(np.interp(at, even, s)), watched)
             solution = self.program.solve(self.start, self.goal, coefficients, rows)
             candidate, distances = self.judged("seed", solution, places)
             coefficients = solution.coefficients
@@ -97,24 +97,24 @@ class LocalSearch:
             places = self.more_places(places, distances, touching=candidate is None)
         return found
 
-    def rows(
-        self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]
-    ) -> list[ClearanceRow] | None:
-        """Clearance rows at the places of `path`; None when there are more than it is worth solving with."""
+    def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
+        """Clearance rows at the places of `path`, with planes of the path `safe` where it is not free."""
         if self.model is None:
             return []
-        rows = near.rows_for(self.model, path, safe, places, self.clearance)
-        return rows if len(rows) <= MOST_ROWS else None
+        return near.rows_for(self.model, path, safe, places, self.clearance)
 
     def more_places(self, places: tuple[near.Place, ...], distances: Array, *, touching: bool) -> tuple[near.Place, ...]:
         """The places and those where the distance profile (m, k) [m] of a path dips below the clearance.
 
         Of a path that is `touching` something, though not where it was looked at, those where it is nearest to.
         """
-        more = near.merged(places, near.around(near.dips(distances, self.clearance)[:NEW_PLACES]))
-        if touching and len(more) == len(places):
-            more = near.merged(places, near.around(near.dips(distances, self.clearance + near.SPARE)[:NEW_PLACES]))
-        return tuple(more)
+        for spare in (0.0, near.SPARE) if touching else (0.0,):
+            deepest = near.dips(distances, self.clearance + spare)[:NEW_PLACES]
+            for apart in (near.APART, near.CLOSE) if touching else (near.APART,):
+                more = near.merged(places, near.around(deepest), apart)
+                if len(more) > len(places):
+                    return tuple(more)
+        return places
 
     @interruptible()
     def judged(self, name: str, solution: Solution, places: tuple[near.Place, ...]) -> tuple[Candidate | None, Array]:

@@ -1,5 +1,6 @@
 """The polish: after the energy optimum, g itself is minimised in the same basis, and only kept where it can be believed."""
 
+from manipplan.optimize import clearance as near
 from manipplan.optimize.local import Candidate, LocalSearch
 
 #: Solves at most; each after the first has rows where the one before came too near to something.
@@ -17,10 +18,10 @@ def polished(search: LocalSearch, best: Candidate) -> Candidate:
     """
     program = search.program
     places = best.places
+    if search.model is not None:
+        places = near.nearest(search.model, best.path, places)
     for _ in range(ROUNDS):
         rows = search.rows(best.path, best.path, places)
-        if rows is None:
-            break
         solution = program.polish(search.start, search.goal, best.coefficients, rows)
         candidate, distances = search.judged("polish", solution, places)
         if candidate is not None:

@@ -119,7 +119,7 @@ class PathProgram:
     def _solve(
         self, kind: str, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow], size: float, g0: float
     ) -> Solution:
-        capacity = 0 if not rows else 32 * 4 ** int(np.ceil(np.log(max(len(rows) / 32, 1)) / np.log(4)))
+        capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
         solver = self._solver(kind, capacity)
         parameters = np.concatenate([start, goal, [1 / size, g0], self._row_parameters(rows, capacity).ravel(order="F")])
         limits = self.kinematics.robot.limits

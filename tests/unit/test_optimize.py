@@ -8,7 +8,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.measures.names import MEASURES
-from manipplan.optimize import basis
+from manipplan.optimize import basis, clearance
 from manipplan.optimize.density import energy_density, length_density
 from manipplan.optimize.objective import PathObjective
 from manipplan.optimize.problem import PathProgram, _row_functions
@@ -106,6 +106,37 @@ def test_the_polish_lowers_g_among_obstacles_too(planar):
     assert result.g == result.history[-1].g
     assert result.g < min(step.g for step in result.history if step.first != "polish" and step.clearance > 0)
     assert post.collision_model(planar).path_is_free(result.path, 1e-3)
+
+
+def test_a_dip_beside_a_row_gets_a_row_of_its_own(planar):
+    """A path that dipped 46 mm into this post right beside a row was solved again and again without another one."""
+    post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2, scene=post)
+    assert result.status is mp.Status.OPTIMAL
+    assert result.g < 0.8 * result.seed_cost.g
+
+
+def test_merged_places_come_closer_when_asked():
+    old = [(0.28, 3)]
+    assert clearance.merged(old, [(0.275, 3)]) == old
+    assert clearance.merged(old, [(0.275, 4)]) == [*old, (0.275, 4)]
+    assert clearance.merged(old, [(0.275, 3)], clearance.CLOSE) == [*old, (0.275, 3)]
+
+
+def test_only_the_nearest_places_get_rows(demo_problem):
+    """Where there are many, those whose pairs are nearest on the path, in their order."""
+    problem = demo_problem
+    model = problem.scene.collision_model(problem.robot)
+    path = mp.JointPath.line(problem.start, problem.goal)
+    places = [(s, pair) for s in np.linspace(0.1, 0.9, 9) for pair in range(0, len(model.pair_names), 12)]
+    assert len(places) > clearance.MOST_PLACES
+    distance = {place: model.distances(path(place[0]))[place[1]] for place in places}
+    kept = clearance.nearest(model, path, places)
+    assert len(kept) == clearance.MOST_PLACES
+    assert max(distance[place] for place in kept) <= min(distance[place] for place in places if place not in kept) + 1e-9
+    near = clearance.nearest(model, path, places, most=0.1)
+    assert set(near) == {place for place in kept if distance[place] <= 0.1}
+    assert clearance.nearest(model, path, places[:5], most=0.0) == tuple(places[:5])
 
 
 def test_a_polish_that_touches_something_is_rejected(demo_problem):
