@@ -39,7 +39,8 @@ from manipplan.measures.spectral import ConditionNumber, InverseCondition, Small
 from manipplan.measures.task import Task
 from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
 from manipplan.optimize.objective import PathCost, path_cost
-from manipplan.optimize.optimize import PathResult, optimize_path
+from manipplan.optimize.optimize import optimize_path
+from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath

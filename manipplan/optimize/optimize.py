@@ -1,8 +1,6 @@
 """optimize_path: the polynomial joint path of least g between two configurations, among obstacles."""
 
-import itertools
-import logging
-from dataclasses import dataclass, field
+from concurrent.futures import Executor
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,56 +9,19 @@ from manipplan.checks import Array, instance, number, whole_number
 from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
 from manipplan.interrupts import interruptible
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.measures.indices import Yoshikawa
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import MEASURES
 from manipplan.measures.task import Task
-from manipplan.optimize.local import LocalSearch, Step
+from manipplan.optimize.homotopy import Crew, best_and_rivals, seed_classes, shifted_goals
 from manipplan.optimize.metric import metric_matrix
-from manipplan.optimize.objective import PathCost, PathObjective
-from manipplan.optimize.polish import polished
-from manipplan.optimize.problem import PathProgram
+from manipplan.optimize.result import PathResult, no_path
+from manipplan.optimize.solve import PathProblem
 from manipplan.paths.joint import JointPath
-from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
-from manipplan.seeds.ompl import CHECK_STEP, check_apart, seed_path
-from manipplan.status import Status
-
-log = logging.getLogger("manipplan")
+from manipplan.seeds.ompl import CHECK_STEP, check_apart
 
 SHIFTS = ("none", "within-limits")
-
-
-@dataclass(frozen=True, kw_only=True)
-class PathResult:
-    """What `optimize_path` found.
-
-    Attributes:
-        path: the JointPath; the seed when `status` says so, None when there is none (NO_PATH, with throw=False).
-        g: ∫ ‖q'‖_W / m^power ds on a fine rule: (6.6) in kth2012 with its exponent as a parameter.
-        length: of the path in joint space [rad].
-        min_manipulability: least index on a dense grid [measure.unit(task)], and `min_at`, the s where it is.
-        power, task: the objective's exponent and the task whose index it holds.
-        seed, seed_cost: the collision-free first path (straight without a scene) and its cost, for comparison.
-        history: every solve, in order.
-        status: Status.
-        measure, metric: m, and W (n, n) or None for the identity.
-    """
-
-    path: JointPath | None
-    g: float
-    length: float
-    min_manipulability: float
-    min_at: float
-    power: float
-    task: Task
-    seed: JointPath | None
-    seed_cost: PathCost
-    history: tuple[Step, ...]
-    status: Status
-    measure: Measure = field(default_factory=Yoshikawa)
-    metric: Array | None = None
 
 
 @interruptible()
@@ -79,6 +40,9 @@ def optimize_path(
     metric: ArrayLike | None = None,
     clearance: float = 0.0,
     seed: int = 0,
+    seeds: int = 1,
+    time_limit: float = 10.0,
+    executor: Executor | None = None,
     throw: bool = True,
 ) -> PathResult:
     """Find a path of `degree` from start to goal of low g = ∫ ‖q'‖_W / m^power ds [kth2012, ch. 6].
@@ -97,14 +61,22 @@ def optimize_path(
         scene: obstacles; None: no collision is checked, not even of the arm with itself.
         initial: first path from start to goal; with a scene it must be free. Default: straight, or by `seed_path`.
         shifts: "within-limits" tries goals 2π away in each revolute joint too, and returns the best; the goal's pose is
-            the same. That is up to 3 to the power of n solves. Not together with a scene or `initial`.
+            the same. That is up to 3 to the power of n goals. Not together with `initial`.
         measure: m, a name of `available_measures()` or a Measure that is at least zero and better when larger; default
             Yoshikawa's index.
         metric: W in ‖q'‖_W² = q'ᵀ W q', weights (n,) > 0 or a symmetric positive definite matrix (n, n); default identity.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
-        seed: for the planner of the first path.
+        seed: for the planner of the first path, or for the random first paths.
+        seeds: how many first paths are looked for to each goal. With a scene by the planner with `seed`, `seed` + 1, ...;
+            those that a straight homotopy joins without touching anything are one class, whose best is solved. Without
+            a scene the straight line, and paths by way of random configurations.
+        time_limit: for the planner, each first path [s].
+        executor: where first paths and solves run side by side; the result does not depend on it. Default: one by one here.
         throw: raise PlanningError when no free path was found, or the path's index vanishes somewhere (g is infinite);
             False: return the result, whose status or g says so.
+
+    Returns:
+        The path of least g; its `rivals` are what came of the other classes and goals.
 
     Raises:
         InvalidInputError: an argument is not usable.
@@ -120,29 +92,50 @@ def optimize_path(
     clearance = number("clearance", clearance, least=0.0)
     if shifts not in SHIFTS:
         raise UnknownNameError("shifts", str(shifts), SHIFTS)
-    if shifts != "none" and (scene is not None or initial is not None):
-        raise InvalidInputError("shifts", shifts, "'none' together with a scene or an initial path")
+    if shifts != "none" and initial is not None:
+        raise InvalidInputError("shifts", shifts, "'none' together with an initial path")
+    seed, seeds = whole_number("seed", seed, least=0), whole_number("seeds", seeds, least=1)
+    if seeds > 1 and initial is not None:
+        raise InvalidInputError("seeds", seeds, "1 together with an initial path")
+    time_limit = number("time_limit", time_limit, above=0.0)
+    if executor is not None:
+        instance("executor", executor, Executor)
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
     kinematics = robot.kinematics(task, measure=measure)
     check_task(kinematics)
     check_measure(kinematics)
-    objective = PathObjective(kinematics=kinematics, power=power, metric=metric_matrix("metric", metric, robot.n))
-    goals = [q_goal] if shifts == "none" else _shifted_goals(robot, q_start, q_goal)
-    model = None if scene is None else scene.collision_model(robot)
+    problem = PathProblem(
+        robot=robot,
+        scene=scene,
+        task=kinematics.task,
+        measure=kinematics.measure,
+        power=power,
+        metric=metric_matrix("metric", metric, robot.n),
+        degree=degree,
+        clearance=clearance,
+        time_limit=time_limit,
+    )
+    goals = [q_goal] if shifts == "none" else shifted_goals(robot, q_start, q_goal)
+    model = problem.model()
     if model is not None:
         model.free_configuration("start", q_start, clearance)
         model.free_configuration("goal", q_goal, clearance)
-    results = []
     for each in goals:
+        check_apart(q_start, each)
+    numbers = [seed if scene is not None else 0, *(seed + k for k in range(1, seeds))]  # without a scene 0 is the line
+    crew = Crew(problem=problem, executor=executor)
+    if initial is not None:
+        _check_initial(problem, initial, q_start, q_goal)
+        firsts = [initial]
+    else:
         try:
-            first = _first_path(robot, q_start, each, scene, model, initial, clearance, seed)
+            firsts = seed_classes(crew, q_start, goals, numbers)
         except PlanningError as error:
-            failed = _no_path(objective)
+            failed = no_path(problem.objective())
             if throw:
                 raise PlanningError(str(error), failed) from error
             return failed
-        results.append(_optimize(objective, q_start, each, degree, first, model, clearance))
-    best = min(results, key=lambda result: result.g)
+    best = best_and_rivals(crew.solved(firsts))
     if throw and not np.isfinite(best.g):
         raise PlanningError(f"the index vanishes on the path at s = {best.min_at:.3f}, so g is infinite", best)
     return best
@@ -167,117 +160,12 @@ def check_measure(kinematics: Kinematics) -> None:
     measure.check(kinematics.task.rows, kinematics.robot.n)
 
 
-def _no_path(objective: PathObjective) -> PathResult:
-    nothing = PathCost(g=np.inf, length=np.inf, min_manipulability=0.0, at=0.0)
-    return PathResult(
-        path=None,
-        g=np.inf,
-        length=np.inf,
-        min_manipulability=0.0,
-        min_at=0.0,
-        power=objective.power,
-        task=objective.kinematics.task,
-        measure=objective.kinematics.measure,
-        metric=objective.metric,
-        seed=None,
-        seed_cost=nothing,
-        history=(),
-        status=Status.NO_PATH,
-    )
-
-
-def _first_path(
-    robot: Robot,
-    start: Array,
-    goal: Array,
-    scene: Scene | None,
-    model: CollisionModel | None,
-    initial: JointPath | None,
-    clearance: float,
-    seed: int,
-) -> JointPath:
-    check_apart(start, goal)
-    if initial is None:
-        if model is None:
-            return JointPath.line(start, goal)
-        return seed_path(robot, start, goal, scene, seed=seed, clearance=clearance)
+def _check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: Array) -> None:
+    robot, model = problem.robot, problem.model()
     if initial.n != robot.n or np.abs(initial.start - start).max() > 1e-9 or np.abs(initial.goal - goal).max() > 1e-9:
         raise InvalidInputError("initial", f"a path of {initial.n} joints", "a path from start to goal")
     low, high = initial.bounds()
     for q in (low, high):
         robot.configuration("initial", q, tolerance=1e-9)
-    if model is not None and not model.path_is_free(initial, CHECK_STEP, clearance):
+    if model is not None and not model.path_is_free(initial, CHECK_STEP, problem.clearance):
         raise InvalidInputError("initial", "a path in collision", "a path that is free with the demanded clearance")
-    return initial
-
-
-def _shifted_goals(robot: Robot, start: Array, goal: Array) -> list[Array]:
-    """The goal and all that differ from it by a turn in some revolute joints, inside the limits."""
-    turns = []
-    for joint, kind in enumerate(robot.joint_types):
-        options = (0,) if kind == "prismatic" else (-1, 0, 1)
-        turns.append([2 * np.pi * k for k in options if not _outside(robot, joint, goal[joint] + 2 * np.pi * k)])
-    goals = [goal + np.array(shift) for shift in itertools.product(*turns)]
-    return [each for each in goals if np.abs(each - start).max() > 1e-9]
-
-
-def _outside(robot: Robot, joint: int, value: float) -> bool:
-    return not robot.limits.lower[joint] <= value <= robot.limits.upper[joint]
-
-
-def _optimize(
-    objective: PathObjective,
-    start: Array,
-    goal: Array,
-    degree: int,
-    first: JointPath,
-    model: CollisionModel | None,
-    clearance: float,
-) -> PathResult:
-    first_cost = objective.cost(first)
-    history: list[Step] = []
-    program = _program(objective, degree)
-    search = LocalSearch(program=program, start=start, goal=goal, model=model, clearance=clearance, history=history)
-    is_line = len(first.control) == 1 and first.degree == 1
-    found = search.line() if degree == 1 else search.unconstrained()
-    if degree > 1 and not (found and is_line):  # from a straight seed the same solve would come again
-        found += search.from_safe_path(first)
-    safe = model is None or bool(found)
-    best = min(found, key=lambda candidate: candidate.cost.g, default=None)
-    if best is not None and degree > 1:
-        best = polished(search, best)
-    if best is not None and best.cost.g <= first_cost.g:
-        path, cost = best.path, best.cost
-        status = Status.OPTIMAL if best.converged else Status.STOPPED_EARLY
-    else:
-        path, cost = first, first_cost
-        status = Status.SEED_IS_BETTER if safe else Status.SEED_IS_SAFE
-    if not np.isfinite(cost.g):
-        status = Status.SINGULAR
-    log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
-    return PathResult(
-        path=path,
-        g=cost.g,
-        length=cost.length,
-        min_manipulability=cost.min_manipulability,
-        min_at=cost.at,
-        power=objective.power,
-        task=objective.kinematics.task,
-        measure=objective.kinematics.measure,
-        metric=objective.metric,
-        seed=first,
-        seed_cost=first_cost,
-        history=tuple(history),
-        status=status,
-    )
-
-
-def _program(objective: PathObjective, degree: int) -> PathProgram:
-    kinematics = objective.kinematics
-    metric = None if objective.metric is None else objective.metric.tobytes()
-    key = ("path program", kinematics.task, kinematics.measure, objective.power, metric, degree)
-    cache = kinematics.robot.cache
-    if key not in cache:
-        cache[key] = PathProgram(objective, degree)
-    program: PathProgram = cache[key]
-    return program

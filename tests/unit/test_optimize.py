@@ -1,6 +1,8 @@
 """The path optimiser: the thesis' planar problems, its building blocks, and what it promises among obstacles."""
 
 import itertools
+import multiprocessing
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 
 import casadi as ca
 import numpy as np
@@ -10,6 +12,7 @@ import manipplan as mp
 from manipplan.measures.names import MEASURES
 from manipplan.optimize import basis, clearance
 from manipplan.optimize.density import energy_density, length_density
+from manipplan.optimize.homotopy import same_class
 from manipplan.optimize.objective import PathObjective
 from manipplan.optimize.problem import PathProgram, _row_functions
 from manipplan.paths.joint import bernstein
@@ -281,6 +284,66 @@ def test_shifted_goals_find_a_better_turn(planar):
     np.testing.assert_allclose(turns, np.round(turns), atol=1e-12)
 
 
+def test_rivals_are_other_paths_best_first(planar):
+    start, goal, *_ = THESIS["6.10"]
+    best = mp.optimize_path(planar, start, goal, power=2, seeds=8)
+    costs = [each.g for each in (best, *best.rivals)]
+    assert len(costs) > 1
+    assert costs == sorted(costs)
+    assert best.g == pytest.approx(mp.optimize_path(planar, start, goal, power=2).g, rel=1e-6)
+    s = np.linspace(0, 1, 201)
+    for first, second in itertools.combinations((best, *best.rivals), 2):
+        apart = np.linalg.norm(first.path(s)[:, None] - second.path(s)[None], axis=2).min(axis=1).max()
+        assert apart > 1e-2, "one and the same path"
+    assert all(rival.rivals == () for rival in best.rivals)
+    again = mp.optimize_path(planar, start, goal, power=2, seeds=8)
+    assert [each.g for each in (again, *again.rivals)] == costs
+
+
+@pytest.fixture(scope="module")
+def around_a_post(planar):
+    """A post that the arm can pass on the inner or the outer side, or turn away from the long way round."""
+    post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+    options = {"power": 2, "scene": post, "seeds": 6, "shifts": "within-limits"}
+    bounded = planar.with_limits(lower=np.full(3, -np.pi), upper=np.full(3, 1.5 * np.pi))
+    return bounded, options, mp.optimize_path(bounded, [0, 1.5, -2], [np.pi, -2, 2], **options)
+
+
+def test_shifted_goals_and_several_classes_among_obstacles(around_a_post):
+    robot, options, best = around_a_post
+    every = (best, *best.rivals)
+    assert len({tuple(np.round(each.path.goal, 6)) for each in every}) > 1
+    turns = [(each.path.goal - np.array([np.pi, -2, 2])) / (2 * np.pi) for each in every]
+    np.testing.assert_allclose(turns, np.round(turns), atol=1e-12)
+    assert [each.g for each in every] == sorted(each.g for each in every)
+    model = options["scene"].collision_model(robot)
+    assert all(model.path_is_free(each.path, 1e-3) for each in every)
+    assert best.g <= mp.optimize_path(robot, [0, 1.5, -2], [np.pi, -2, 2], power=2, scene=options["scene"]).g
+
+
+@pytest.mark.parametrize("kind", [ThreadPoolExecutor, ProcessPoolExecutor])
+def test_an_executor_changes_nothing(around_a_post, kind):
+    robot, options, best = around_a_post
+    workers = {"mp_context": multiprocessing.get_context("spawn")} if kind is ProcessPoolExecutor else {}
+    with kind(2, **workers) as executor:
+        again = mp.optimize_path(robot, [0, 1.5, -2], [np.pi, -2, 2], executor=executor, **options)
+    assert len(again.rivals) == len(best.rivals)
+    for one, other in zip((best, *best.rivals), (again, *again.rivals), strict=True):
+        np.testing.assert_array_equal(one.path.control, other.path.control)
+
+
+def test_paths_on_two_sides_of_a_post_are_two_classes(planar):
+    model = mp.Scene([mp.Sphere(radius=0.05, position=(2.9, 0.0, 0.0), name="ball")]).collision_model(planar)
+    start, goal = np.array([-0.8, 0.0, 0.0]), np.array([0.8, 0.0, 0.0])
+    left = mp.JointPath.through([start, [-0.8, 1.2, 0.0], [0.8, 1.2, 0.0], goal])
+    wider = mp.JointPath.through([start, [-0.8, 1.4, 0.1], [0.8, 1.4, 0.1], goal])
+    right = mp.JointPath.through([start, [-0.8, -1.2, 0.0], [0.8, -1.2, 0.0], goal])
+    assert all(model.path_is_free(path, 1e-3) for path in (left, wider, right))
+    assert same_class(model, left, wider)
+    assert not same_class(model, left, right)
+    assert not same_class(model, left, mp.JointPath.line(start, [0.8, 0.0, 0.5]))
+
+
 def test_a_singular_start_is_told(planar):
     with pytest.raises(mp.PlanningError, match="index vanishes"):
         mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], degree=1)
@@ -366,6 +429,11 @@ def test_an_initial_path_is_used(planar):
         ({"goal": [0, 1.5, np.nan]}, "goal.*finite"),
         ({"goal": [0.0, 1.5, -2.0]}, "goal.*differs from start"),
         ({"task": mp.Task.pose()}, "task.*at most 3 rows"),
+        ({"seeds": 0}, "seeds: got 0.*at least 1"),
+        ({"seeds": 2, "initial": mp.JointPath.line([0.0, 1.5, -2.0], [np.pi, -2.0, 2.0])}, "seeds: got 2.*initial"),
+        ({"shifts": "within-limits", "initial": mp.JointPath.line([0.0, 1.5, -2.0], [np.pi, -2.0, 2.0])}, "shifts.*initial"),
+        ({"executor": 4}, "executor: got 4.*Executor"),
+        ({"time_limit": 0}, "time_limit"),
         ({"metric": [1.0, 1.0]}, "metric.*3 weights above zero.*positive definite"),
         ({"metric": [1.0, 1.0, 0.0]}, "metric.*3 weights above zero"),
         ({"metric": [[1, 2, 0], [2, 1, 0], [0, 0, 1]]}, "metric.*positive definite"),
