@@ -1,13 +1,14 @@
 """Local optima between one start and goal: solve, look where the path comes near something, renew rows there, repeat."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from manipplan.checks import Array
 from manipplan.interrupts import interruptible
 from manipplan.optimize import clearance as near
+from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.objective import PathCost
 from manipplan.optimize.problem import ClearanceRow, PathProgram, Solution
 from manipplan.paths.joint import JointPath
@@ -54,18 +55,19 @@ class LocalSearch:
     model: CollisionModel | None
     clearance: float
     history: list[Step]
+    ends: EndConditions = field(default_factory=EndConditions)
 
-    def line(self) -> list[Candidate]:
-        """The straight line, which is all there is of degree 1; none when it is not free."""
-        solution = Solution(coefficients=np.zeros((self.program.n, 0)), slack=0.0, status="Solve_Succeeded")
+    def only_one(self) -> list[Candidate]:
+        """The only path of this degree, such as the straight line of degree 1; none when it is not free."""
+        solution = Solution(coefficients=self._straight(), slack=0.0, status="Solve_Succeeded")
         candidate, _ = self.judged("straight", solution, ())
         self.history.clear()  # nothing was solved
         return [candidate] if candidate else []
 
     def unconstrained(self) -> list[Candidate]:
         """The optimum as if nothing were in the way, from the straight line; used when it is free."""
-        guess = np.zeros((self.program.n, self.program.degree - 1))
-        candidate, distances = self.judged("straight", self.program.solve(self.start, self.goal, guess), ())
+        solution = self.program.solve(self.start, self.goal, self._straight())
+        candidate, distances = self.judged("straight", solution, ())
         return [] if candidate is None else [self._watching(candidate, distances)]
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
@@ -75,7 +77,7 @@ class LocalSearch:
         places: tuple[near.Place, ...] = ()
         if self.model is not None:
             places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
-        coefficients = self.program.fit(first, s)
+        coefficients = self.ends.met(self.program.fit(first, s), self.start, self.goal)
         found: list[Candidate] = []
         for _ in range(ROUNDS):
             path = self.program.path(self.start, self.goal, coefficients)
@@ -132,6 +134,10 @@ class LocalSearch:
         converged = solution.status == "Solve_Succeeded"
         candidate = Candidate(path=path, coefficients=solution.coefficients, cost=cost, places=places, converged=converged)
         return candidate, distances
+
+    def _straight(self) -> Array:
+        """Coefficients (n, k - 1) of the path nearest to the straight line that meets the end conditions."""
+        return self.ends.met(np.zeros((self.program.n, self.program.degree - 1)), self.start, self.goal)
 
     def _watching(self, candidate: Candidate, distances: Array) -> Candidate:
         """The candidate with places where it comes near something, though no row was needed to keep it away."""

@@ -5,13 +5,14 @@ from concurrent.futures import Executor
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, instance, number, whole_number
+from manipplan.checks import Array, finite_array, instance, number, whole_number
 from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
 from manipplan.interrupts import interruptible
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import MEASURES
 from manipplan.measures.task import Task
+from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.homotopy import Crew, best_and_rivals, seed_classes, shifted_goals
 from manipplan.optimize.metric import metric_matrix
 from manipplan.optimize.result import PathResult, no_path
@@ -38,6 +39,10 @@ def optimize_path(
     *,
     measure: Measure | str | None = None,
     metric: ArrayLike | None = None,
+    start_slope: ArrayLike | None = None,
+    goal_slope: ArrayLike | None = None,
+    start_bend: ArrayLike | None = None,
+    goal_bend: ArrayLike | None = None,
     clearance: float = 0.0,
     seed: int = 0,
     seeds: int = 1,
@@ -65,6 +70,8 @@ def optimize_path(
         measure: m, a name of `available_measures()` or a Measure that is at least zero and better when larger; default
             Yoshikawa's index.
         metric: W in ‖q'‖_W² = q'ᵀ W q', weights (n,) > 0 or a symmetric positive definite matrix (n, n); default identity.
+        start_slope, goal_slope: q'(0) and q'(1), (n,) by s [rad or m]; default: free. Each needs one degree more, and so does
+            each of `start_bend`, `goal_bend`: q''(0), q''(1).
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         seed: for the planner of the first path, or for the random first paths.
         seeds: how many first paths are looked for to each goal. With a scene by the planner with `seed`, `seed` + 1, ...;
@@ -114,6 +121,12 @@ def optimize_path(
         degree=degree,
         clearance=clearance,
         time_limit=time_limit,
+        ends=EndConditions(
+            start_slope=_derivative("start_slope", start_slope, robot.n),
+            goal_slope=_derivative("goal_slope", goal_slope, robot.n),
+            start_bend=_derivative("start_bend", start_bend, robot.n),
+            goal_bend=_derivative("goal_bend", goal_bend, robot.n),
+        ),
     )
     goals = [q_goal] if shifts == "none" else shifted_goals(robot, q_start, q_goal)
     model = problem.model()
@@ -123,6 +136,7 @@ def optimize_path(
     for each in goals:
         check_apart(q_start, each)
     numbers = [seed if scene is not None else 0, *(seed + k for k in range(1, seeds))]  # without a scene 0 is the line
+    problem.ends.check_degree(degree)
     crew = Crew(problem=problem, executor=executor)
     if initial is not None:
         _check_initial(problem, initial, q_start, q_goal)
@@ -158,6 +172,10 @@ def check_measure(kinematics: Kinematics) -> None:
         wanted = f"a measure that is at least zero and better when larger: {', '.join(usable)}, or one of your own"
         raise InvalidInputError("measure", measure.name, wanted)
     measure.check(kinematics.task.rows, kinematics.robot.n)
+
+
+def _derivative(argument: str, value: ArrayLike | None, n: int) -> Array | None:
+    return None if value is None else finite_array(argument, value, (n,))
 
 
 def _check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: Array) -> None:

@@ -15,6 +15,7 @@ from manipplan.checks import Array
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize import basis
 from manipplan.optimize.density import Density, energy_density, length_density
+from manipplan.optimize.ends import free_directions
 from manipplan.optimize.objective import PathObjective
 from manipplan.paths.joint import JointPath
 from manipplan.robots.description import axis_of, is_prismatic
@@ -70,9 +71,9 @@ class _Objective:
 
 
 class PathProgram:
-    """The program for one objective and degree; see the module's text."""
+    """The program for one objective, degree and pattern of fixed end derivatives; see the module's text."""
 
-    def __init__(self, objective: PathObjective, degree: int) -> None:
+    def __init__(self, objective: PathObjective, degree: int, fixed: tuple[tuple[float, int], ...] = ()) -> None:
         self.objective = objective
         self.kinematics = kinematics = objective.kinematics
         self.degree = degree
@@ -82,7 +83,9 @@ class PathProgram:
         matrix = basis.subdivision(degree, LIMIT_PIECES)
         line = matrix @ np.linspace(0.0, 1.0, degree + 1)
         rows = matrix @ basis.to_bernstein(degree)
-        moving = np.abs(rows).max(axis=1, initial=0.0) > 1e-9
+        #: coefficients (n, k - 1) move along these directions (k - 1, f), which keep the fixed end derivatives
+        self.free = free_directions(fixed, degree)
+        moving = np.abs(rows @ self.free).max(axis=1, initial=0.0) > 1e-9
         self._limit_rows, self._limit_line = rows[moving], line[moving]
 
     @cached_property
@@ -107,7 +110,10 @@ class PathProgram:
         return np.asarray(np.linalg.lstsq(basis.bubbles(self.degree, even), rest, rcond=None)[0].T)
 
     def solve(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
-        """Minimise the energy from a guess (n, k - 1); rows that cannot hold come back with their slack."""
+        """Minimise the energy from a guess (n, k - 1), which has the fixed end derivatives.
+
+        Rows that cannot hold come back with their slack.
+        """
         size = self._integral(self._energy, start, goal, guess, 1.0)
         return self._solve("energy", start, goal, guess, rows, size, 1.0)
 
@@ -121,13 +127,16 @@ class PathProgram:
     ) -> Solution:
         capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
         solver = self._solver(kind, capacity)
-        parameters = np.concatenate([start, goal, [1 / size, g0], self._row_parameters(rows, capacity).ravel(order="F")])
+        unknowns = guess @ self.free
+        kept = guess - unknowns @ self.free.T
+        numbers = [start, goal, [1 / size, g0], kept.ravel(order="F")]
+        parameters = np.concatenate([*numbers, self._row_parameters(rows, capacity).ravel(order="F")])
         limits = self.kinematics.robot.limits
         joint_limits = np.tile(limits.lower, len(self._limit_line)), np.tile(limits.upper, len(self._limit_line))
         result = solver(
-            x0=np.concatenate([guess.ravel(order="F"), np.zeros(capacity)]),
+            x0=np.concatenate([unknowns.ravel(order="F"), np.zeros(capacity)]),
             p=parameters,
-            lbx=np.concatenate([np.full(guess.size, -np.inf), np.zeros(capacity)]),
+            lbx=np.concatenate([np.full(unknowns.size, -np.inf), np.zeros(capacity)]),
             ubx=np.inf,
             lbg=np.concatenate([joint_limits[0], np.zeros(capacity)]),
             ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
@@ -135,8 +144,8 @@ class PathProgram:
         status = str(solver.stats()["return_status"])
         x = np.asarray(result["x"]).ravel()
         return Solution(
-            coefficients=x[: guess.size].reshape(guess.shape, order="F"),
-            slack=float(x[guess.size : guess.size + len(rows)].max(initial=0.0)),
+            coefficients=kept + x[: unknowns.size].reshape(unknowns.shape, order="F") @ self.free.T,
+            slack=float(x[unknowns.size : unknowns.size + len(rows)].max(initial=0.0)),
             status=status,
         )
 
@@ -170,14 +179,16 @@ class PathProgram:
     def _build(self, objective: "_Objective", capacity: int) -> ca.Function:
         """IPOPT on the program with `capacity` clearance rows, with exact first and second derivatives."""
         n, bubbles = self.n, self.degree - 1
-        size = n * bubbles
+        free = ca.sparsify(ca.DM(self.free))
+        size = n * self.free.shape[1]
         z = ca.MX.sym("z", size + capacity)
-        x = ca.reshape(z[:size], n, bubbles)
         slack = z[size:]
         width = bubbles + 1 + 2 * (n + 1) + 8
-        p = ca.MX.sym("p", 2 * n + 2 + width * capacity)
+        fixed = 2 * n + 2 + n * bubbles
+        p = ca.MX.sym("p", fixed + width * capacity)
         start, goal, scale, g0 = p[:n], p[n : 2 * n], p[2 * n], p[2 * n + 1]
-        table = ca.reshape(p[2 * n + 2 :], width, capacity)
+        x = ca.reshape(p[2 * n + 2 : fixed], n, bubbles) + ca.reshape(z[:size], n, self.free.shape[1]) @ free.T
+        table = ca.reshape(p[fixed:], width, capacity)
         nodes = len(objective.s)
         values, slopes = basis.bubbles(self.degree, objective.s), basis.bubble_slopes(self.degree, objective.s)
 
@@ -190,10 +201,11 @@ class PathProgram:
         weights = scale * ca.DM(objective.weights).T
         f = ca.dot(value, weights) + SLACK_COST * ca.sum1(slack)
         weighed = gradient * ca.repmat(weights, 2 * n, 1)
-        grad_x = weighed[:n, :] @ ca.DM(values) + weighed[n:, :] @ ca.DM(slopes)
+        grad_x = weighed[:n, :] @ ca.DM(values @ self.free) + weighed[n:, :] @ ca.DM(slopes @ self.free)
         grad_f = ca.vertcat(ca.vec(grad_x), SLACK_COST * ca.MX.ones(capacity))
         maps = [
-            ca.vertcat(*(ca.kron(ca.DM(row[None, :]), ca.DM.eye(n)) for row in (values[i], slopes[i]))) for i in range(nodes)
+            ca.vertcat(*(ca.kron(ca.DM((row @ self.free)[None, :]), ca.DM.eye(n)) for row in (values[i], slopes[i])))
+            for i in range(nodes)
         ]
         stacked = ca.sparsify(ca.vertcat(*maps))
         blocks = ca.diagcat(*(w * h for w, h in zip(ca.horzsplit(weights), ca.horzsplit(hessian, 2 * n), strict=True)))
@@ -203,7 +215,7 @@ class PathProgram:
         rows = len(self._limit_line)
         points = start @ ca.DM.ones(1, rows) + (goal - start) @ ca.DM(self._limit_line).T + x @ ca.DM(self._limit_rows).T
         limits = ca.vec(points)
-        jac_limits = ca.kron(ca.sparsify(ca.DM(self._limit_rows)), ca.DM.eye(n))
+        jac_limits = ca.kron(ca.sparsify(ca.DM(self._limit_rows @ self.free)), ca.DM.eye(n))
 
         # clearance: one row function of q a column of the table
         g = limits
@@ -214,7 +226,7 @@ class PathProgram:
             q_rows = start @ ca.DM.ones(1, capacity) + (goal - start) @ at + x @ place
             distance, slope, bend = (f.map(capacity)(q_rows, table[bubbles + 1 :, :]) for f in self._rows)
             g = ca.vertcat(g, distance.T + slack)
-            chain = [ca.kron(column.T, ca.DM.eye(n)) for column in ca.horzsplit(place)]
+            chain = [ca.kron(column.T @ free, ca.DM.eye(n)) for column in ca.horzsplit(place)]
             jac_rows = [column.T @ link for column, link in zip(ca.horzsplit(slope), chain, strict=True)]
             jac_g = ca.vertcat(jac_g, ca.horzcat(ca.vertcat(*jac_rows), ca.DM.eye(capacity)))
             chained = ca.vertcat(*chain)

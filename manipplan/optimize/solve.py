@@ -1,13 +1,14 @@
 """One solve from a start to a goal: local optima, polish, and the choice between them and the seed."""
 
 import logging
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from manipplan.checks import Array
 from manipplan.measures.measure import Measure
 from manipplan.measures.task import Task
+from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.local import LocalSearch, Step
 from manipplan.optimize.objective import PathObjective
 from manipplan.optimize.polish import polished
@@ -32,6 +33,7 @@ class PathProblem:
         degree: of the polynomial.
         clearance: to keep [m].
         time_limit: of the planner [s].
+        ends: fixed derivatives at start and goal.
     """
 
     robot: Robot
@@ -43,6 +45,7 @@ class PathProblem:
     degree: int
     clearance: float
     time_limit: float
+    ends: EndConditions = field(default_factory=EndConditions)
 
     def objective(self) -> PathObjective:
         """The objective for this process' robot."""
@@ -59,23 +62,28 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
     objective, model, degree, clearance = problem.objective(), problem.model(), problem.degree, problem.clearance
     first_cost = objective.cost(first)
     history: list[Step] = []
-    program = _program(objective, degree)
-    search = LocalSearch(program=program, start=start, goal=goal, model=model, clearance=clearance, history=history)
+    program = _program(objective, degree, problem.ends.pattern)
+    search = LocalSearch(
+        program=program, start=start, goal=goal, model=model, clearance=clearance, history=history, ends=problem.ends
+    )
     is_line = len(first.control) == 1 and first.degree == 1
-    found = search.line() if degree == 1 else search.unconstrained() if straight or is_line else []
-    if degree > 1 and not (found and is_line):  # from a straight seed the same solve would come again
+    is_free = bool(program.free.size)
+    found = search.only_one() if not is_free else search.unconstrained() if straight or is_line else []
+    if is_free and not (found and is_line):  # from a straight seed the same solve would come again
         found += search.from_safe_path(first)
     safe = model is None or bool(found)
     best = min(found, key=lambda candidate: candidate.cost.g, default=None)
-    if best is not None and degree > 1:
+    if best is not None and is_free:
         best = polished(search, best)
-    if best is not None and best.cost.g <= first_cost.g:
+    fallback = problem.ends.met_by(first)
+    if best is not None and (best.cost.g <= first_cost.g or not fallback):
         path, cost = best.path, best.cost
         status = Status.OPTIMAL if best.converged else Status.STOPPED_EARLY
     else:
         path, cost = first, first_cost
         status = Status.SEED_IS_BETTER if safe else Status.SEED_IS_SAFE
-    if not np.isfinite(cost.g):
+        status = status if fallback else Status.ENDS_NOT_MET
+    if not np.isfinite(cost.g) and status is not Status.ENDS_NOT_MET:
         status = Status.SINGULAR
     log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
     return PathResult(
@@ -95,12 +103,12 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
     )
 
 
-def _program(objective: PathObjective, degree: int) -> PathProgram:
+def _program(objective: PathObjective, degree: int, fixed: tuple[tuple[float, int], ...]) -> PathProgram:
     kinematics = objective.kinematics
     metric = None if objective.metric is None else objective.metric.tobytes()
-    key = ("path program", kinematics.task, kinematics.measure, objective.power, metric, degree)
+    key = ("path program", kinematics.task, kinematics.measure, objective.power, metric, degree, fixed)
     cache = kinematics.robot.cache
     if key not in cache:
-        cache[key] = PathProgram(objective, degree)
+        cache[key] = PathProgram(objective, degree, fixed)
     program: PathProgram = cache[key]
     return program

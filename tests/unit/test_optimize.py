@@ -344,6 +344,51 @@ def test_paths_on_two_sides_of_a_post_are_two_classes(planar):
     assert not same_class(model, left, mp.JointPath.line(start, [0.8, 0.0, 0.5]))
 
 
+ENDS = [
+    ({"start_slope": [0.0, 0.0, 0.0]}, 2),
+    ({"start_slope": [3.0, -1.0, 2.0], "goal_slope": [3.0, 0.0, 5.0]}, 3),
+    ({"start_bend": [1.0, 0.0, -1.0]}, 2),
+    ({"start_slope": [0.0] * 3, "goal_slope": [0.0] * 3, "start_bend": [0.0] * 3, "goal_bend": [0.0] * 3}, 5),
+    ({"goal_slope": [1.0, 2.0, 3.0], "start_bend": [4.0, 0.0, 0.0], "goal_bend": [0.0, -3.0, 1.0]}, 4),
+]
+ORDERS = {"start_slope": (0.0, 1), "goal_slope": (1.0, 1), "start_bend": (0.0, 2), "goal_bend": (1.0, 2)}
+
+
+@pytest.mark.parametrize(("conditions", "least"), ENDS)
+def test_end_derivatives_are_met(planar, conditions, least):
+    start, goal = [0, 1.5, -2], [np.pi, -2, 2]
+    free = mp.optimize_path(planar, start, goal, degree=8, power=2)
+    costs = []
+    for degree in (least, least + 1, least + 3, 12):
+        result = mp.optimize_path(planar, start, goal, degree=degree, power=2, **conditions)
+        assert result.status is mp.Status.OPTIMAL
+        for name, value in conditions.items():
+            np.testing.assert_allclose(result.path(*ORDERS[name]), value, atol=1e-8)
+        np.testing.assert_allclose(result.path([0.0, 1.0]), [start, goal], atol=1e-12)
+        costs.append(result.g)
+    assert (np.diff(costs[1:]) < 1e-6).all()
+    assert free.g * (1 - 1e-4) < costs[-1] < 1.3 * free.g
+    with pytest.raises(mp.InvalidInputError, match=f"degree: got {least - 1}; allowed: at least {least}"):
+        mp.optimize_path(planar, start, goal, degree=least - 1, power=2, **conditions)
+
+
+def test_end_derivatives_among_obstacles_and_limits(planar):
+    post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+    rest = {"start_slope": np.zeros(3), "goal_slope": np.zeros(3)}
+    start, goal = [0, 1.5, -2], [np.pi, -2, 2]
+    result = mp.optimize_path(planar, start, goal, degree=9, power=2, scene=post, **rest)
+    assert result.status.ok
+    assert post.collision_model(planar).path_is_free(result.path, 1e-3)
+    np.testing.assert_allclose(result.path([0.0, 1.0], 1), 0, atol=1e-8)
+    # the only cubic of these ends runs through the post; the seed is free, but has other ends, and says so
+    cubic = mp.optimize_path(planar, start, goal, degree=3, power=2, scene=post, **rest)
+    assert cubic.status is mp.Status.ENDS_NOT_MET
+    assert post.collision_model(planar).path_is_free(cubic.path, 1e-3)
+    narrow = planar.with_limits(lower=[-0.1, -2.1, -2.1], upper=[np.pi + 0.1, 1.6, 2.1])
+    wild = mp.optimize_path(narrow, start, goal, degree=4, power=2, start_slope=[0, 30.0, 0], throw=False)
+    assert wild.status is mp.Status.ENDS_NOT_MET
+
+
 def test_a_singular_start_is_told(planar):
     with pytest.raises(mp.PlanningError, match="index vanishes"):
         mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], degree=1)
@@ -429,6 +474,9 @@ def test_an_initial_path_is_used(planar):
         ({"goal": [0, 1.5, np.nan]}, "goal.*finite"),
         ({"goal": [0.0, 1.5, -2.0]}, "goal.*differs from start"),
         ({"task": mp.Task.pose()}, "task.*at most 3 rows"),
+        ({"start_slope": [0.0, 1.0]}, r"start_slope.*shape \(3,\)"),
+        ({"goal_bend": [0.0, 1.0, np.inf]}, "goal_bend.*finite"),
+        ({"degree": 2, "start_slope": [0.0] * 3, "goal_slope": [0.0] * 3}, "degree: got 2; allowed: at least 3"),
         ({"seeds": 0}, "seeds: got 0.*at least 1"),
         ({"seeds": 2, "initial": mp.JointPath.line([0.0, 1.5, -2.0], [np.pi, -2.0, 2.0])}, "seeds: got 2.*initial"),
         ({"shifts": "within-limits", "initial": mp.JointPath.line([0.0, 1.5, -2.0], [np.pi, -2.0, 2.0])}, "shifts.*initial"),
