@@ -38,6 +38,7 @@ from manipplan.measures.names import available_measures
 from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
 from manipplan.measures.task import Task
 from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
+from manipplan.optimize.certificate import Certificate, LimitApproach
 from manipplan.optimize.objective import PathCost, path_cost
 from manipplan.optimize.optimize import optimize_path
 from manipplan.optimize.result import PathResult
@@ -74,6 +75,7 @@ __all__ = [
     "Box",
     "Capsule",
     "CartesianPath",
+    "Certificate",
     "Classical",
     "CompilerError",
     "CompilerWarning",
@@ -100,6 +102,7 @@ __all__ = [
     "JointPath",
     "Kinematics",
     "Layers",
+    "LimitApproach",
     "LimitUse",
     "LogDet",
     "LogDrive",

@@ -43,6 +43,7 @@ class Candidate:
     cost: PathCost
     places: tuple[near.Place, ...]
     converged: bool
+    solver: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -99,6 +100,16 @@ class LocalSearch:
             places = self.more_places(places, distances, touching=candidate is None)
         return found
 
+    def unconstrained_g(self, path: JointPath) -> float:
+        """g of the local optimum near a path with neither limits nor obstacles."""
+        one_piece = len(path.control) == 1  # which the fit gives back as it is
+        even = np.linspace(0.0, 1.0, near.PLACES + 1)
+        s = even if one_piece else self.program.objective.constant_speed(path, near.PLACES + 1)
+        guess = self.ends.met(self.program.fit(path, s), self.start, self.goal)
+        if self.program.free.size:
+            guess = self.program.unlimited(self.start, self.goal, guess).coefficients
+        return self.program.objective.cost(self.program.path(self.start, self.goal, guess)).g
+
     def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
         """Clearance rows at the places of `path`, with planes of the path `safe` where it is not free."""
         if self.model is None:
@@ -132,7 +143,14 @@ class LocalSearch:
         if not (free and _inside_limits(self.program.kinematics.robot, path)):
             return None, distances
         converged = solution.status == "Solve_Succeeded"
-        candidate = Candidate(path=path, coefficients=solution.coefficients, cost=cost, places=places, converged=converged)
+        candidate = Candidate(
+            path=path,
+            coefficients=solution.coefficients,
+            cost=cost,
+            places=places,
+            converged=converged,
+            solver=solution.status,
+        )
         return candidate, distances
 
     def _straight(self) -> Array:

@@ -122,8 +122,22 @@ class PathProgram:
         size = np.sqrt(self._integral(self._energy, start, goal, guess, 1.0))
         return self._solve("length", start, goal, guess, rows, size, size)
 
+    def unlimited(self, start: Array, goal: Array, guess: Array) -> Solution:
+        """Minimise g from a guess (n, k - 1) as if there were neither joint limits nor obstacles."""
+        size = np.sqrt(self._integral(self._energy, start, goal, guess, 1.0))
+        return self._solve("length", start, goal, guess, (), size, size, limited=False)
+
     def _solve(
-        self, kind: str, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow], size: float, g0: float
+        self,
+        kind: str,
+        start: Array,
+        goal: Array,
+        guess: Array,
+        rows: Sequence[ClearanceRow],
+        size: float,
+        g0: float,
+        *,
+        limited: bool = True,
     ) -> Solution:
         capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
         solver = self._solver(kind, capacity)
@@ -132,7 +146,8 @@ class PathProgram:
         numbers = [start, goal, [1 / size, g0], kept.ravel(order="F")]
         parameters = np.concatenate([*numbers, self._row_parameters(rows, capacity).ravel(order="F")])
         limits = self.kinematics.robot.limits
-        joint_limits = np.tile(limits.lower, len(self._limit_line)), np.tile(limits.upper, len(self._limit_line))
+        bounds = (limits.lower, limits.upper) if limited else (np.full(self.n, -np.inf), np.full(self.n, np.inf))
+        joint_limits = [np.tile(each, len(self._limit_line)) for each in bounds]
         result = solver(
             x0=np.concatenate([unknowns.ravel(order="F"), np.zeros(capacity)]),
             p=parameters,

@@ -8,6 +8,7 @@ from manipplan.checks import Array
 from manipplan.measures.indices import Yoshikawa
 from manipplan.measures.measure import Measure
 from manipplan.measures.task import Task
+from manipplan.optimize.certificate import Certificate
 from manipplan.optimize.local import Step
 from manipplan.optimize.objective import PathCost, PathObjective
 from manipplan.paths.joint import JointPath
@@ -29,6 +30,7 @@ class PathResult:
         status: Status.
         measure, metric: m, and W (n, n) or None for the identity.
         rivals: what came of other seed classes and shifted goals, best first; each another path than those before it.
+        certificate: its figures, each measured on the path; None where there is no path, and in the results of other jobs.
     """
 
     path: JointPath | None
@@ -45,6 +47,7 @@ class PathResult:
     measure: Measure = field(default_factory=Yoshikawa)
     metric: Array | None = None
     rivals: tuple["PathResult", ...] = ()
+    certificate: Certificate | None = None
 
 
 def no_path(objective: PathObjective) -> PathResult:

@@ -8,6 +8,7 @@ import numpy as np
 from manipplan.checks import Array
 from manipplan.measures.measure import Measure
 from manipplan.measures.task import Task
+from manipplan.optimize.certificate import Certificate
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.local import LocalSearch, Step
 from manipplan.optimize.objective import PathObjective
@@ -86,6 +87,9 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
     if not np.isfinite(cost.g) and status is not Status.ENDS_NOT_MET:
         status = Status.SINGULAR
     log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
+    solver = best.solver if best is not None and path is best.path and is_free else ""
+    unconstrained = search.unconstrained_g(path) if np.isfinite(cost.g) else np.nan
+    certificate = Certificate.of(path, objective, cost, model, status=status, solver=solver, unconstrained_g=unconstrained)
     return PathResult(
         path=path,
         g=cost.g,
@@ -100,6 +104,7 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
         seed_cost=first_cost,
         history=tuple(history),
         status=status,
+        certificate=certificate,
     )
 
 

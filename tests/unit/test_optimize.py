@@ -389,6 +389,60 @@ def test_end_derivatives_among_obstacles_and_limits(planar):
     assert wild.status is mp.Status.ENDS_NOT_MET
 
 
+def test_a_certificate_is_measured_on_the_path(planar):
+    start, goal, *_ = THESIS["6.12"]
+    narrow = planar.with_limits(lower=[-3.0, -1.2, -1.7], upper=[3.0, 0.6, 2.0])
+    result = mp.optimize_path(narrow, start, goal, power=2)
+    certificate = result.certificate
+    assert certificate.status is result.status
+    assert certificate.solver == "Solve_Succeeded"
+    assert certificate.g == result.g
+    assert certificate.unconstrained_g == pytest.approx(mp.optimize_path(planar, start, goal, power=2).g, rel=1e-6)
+    assert certificate.gap == pytest.approx(result.g / certificate.unconstrained_g - 1)
+    assert certificate.gap > 1e-3, "the limits bind"
+    q = result.path(np.linspace(0, 1, 20_001))
+    assert len(certificate.limits) == 6
+    for each in certificate.limits:
+        joint = narrow.joint_names.index(each.joint)
+        limit = getattr(narrow.limits, each.side)[joint]
+        assert each.distance == pytest.approx(np.abs(q[:, joint] - limit).min(), abs=1e-6)
+        assert abs(result.path(each.at)[joint] - limit) == pytest.approx(each.distance, abs=1e-5)
+    assert [each.distance for each in certificate.limits] == sorted(each.distance for each in certificate.limits)
+    assert certificate.limits[0].distance == pytest.approx(0, abs=1e-6)
+    assert (certificate.clearance, certificate.nearest_pair) == (np.inf, ())
+    text = str(certificate)
+    for part in ("Solve_Succeeded", "least index", "nothing is checked for collision", "limit        joint", "yoshikawa"):
+        assert part in text
+
+
+def test_without_constraints_that_bind_the_gap_is_zero(planar):
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2)
+    assert result.certificate.gap == pytest.approx(0, abs=1e-7)
+    line = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2, degree=1)
+    assert line.certificate.gap == pytest.approx(0, abs=1e-9)
+    assert line.certificate.solver == ""
+    arm = mp.planar_arm([1.0, 1.0])
+    singular = mp.optimize_path(arm, [0.0, -1.0], [0.5, np.sqrt(2.0)], throw=False).certificate
+    assert np.isnan(singular.gap)
+    assert "inf" in str(singular)
+
+
+def test_a_certificate_names_the_nearest_pair(planar):
+    post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+    start, goal = [0, 1.5, -2], [np.pi, -2, 2]
+    for degree in (6, 1):  # an optimised path, and the safe seed
+        result = mp.optimize_path(planar, start, goal, degree=degree, power=2, scene=post)
+        certificate, model = result.certificate, post.collision_model(planar)
+        every = [model.distances(q).min() for q in result.path(np.linspace(0, 1, 4001))]
+        assert certificate.clearance == pytest.approx(min(every), abs=1e-4)
+        assert model.distances(result.path(certificate.clearance_at)).min() == pytest.approx(certificate.clearance, abs=1e-6)
+        assert "post" in certificate.nearest_pair
+        assert degree == 1 or certificate.gap > 0
+        assert "mm at s" in str(certificate)
+    assert result.status is mp.Status.SEED_IS_SAFE
+    assert certificate.solver == ""
+
+
 def test_a_singular_start_is_told(planar):
     with pytest.raises(mp.PlanningError, match="index vanishes"):
         mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], degree=1)
