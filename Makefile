@@ -32,6 +32,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/random_steps.py
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py
+	$(BIN)/python benchmarks/planar_suite.py
 
 benchmark-peers: $(READY)
 	$(BIN)/python benchmarks/tracking.py

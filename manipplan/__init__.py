@@ -38,8 +38,10 @@ from manipplan.measures.names import available_measures
 from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
 from manipplan.measures.task import Task
 from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
+from manipplan.optimize.certificate import Certificate, LimitApproach
 from manipplan.optimize.objective import PathCost, path_cost
-from manipplan.optimize.optimize import PathResult, optimize_path
+from manipplan.optimize.optimize import optimize_path
+from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
@@ -75,6 +77,7 @@ __all__ = [
     "Box",
     "Capsule",
     "CartesianPath",
+    "Certificate",
     "Classical",
     "CompilerError",
     "CompilerWarning",
@@ -101,6 +104,7 @@ __all__ = [
     "JointPath",
     "Kinematics",
     "Layers",
+    "LimitApproach",
     "LimitUse",
     "LogDet",
     "LogDrive",

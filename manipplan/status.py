@@ -19,6 +19,10 @@ class Status(Enum):
         "seed: no optimised path of this degree stays clear of collisions, so the collision-free seed is returned; "
         "raise degree, lower clearance, or try another seed="
     )
+    ENDS_NOT_MET = (
+        "seed: no path of this degree with the end slopes and bends asked for is inside the limits and free, so the "
+        "collision-free seed, which does not have them, is returned; raise degree, or ask for gentler ones"
+    )
     SINGULAR = (
         "singular: every check passed, but the index vanishes somewhere on the path, so g is infinite; "
         "choose another start or goal if it is at an end, or another power or seed="

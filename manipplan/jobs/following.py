@@ -13,7 +13,7 @@ from manipplan.interrupts import interruptible
 from manipplan.jobs.result import Plan, checked, failed
 from manipplan.measures.task import Task
 from manipplan.optimize.objective import path_cost
-from manipplan.optimize.optimize import PathResult
+from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation, deviation_at, deviation_from
 from manipplan.paths.joint import JointPath

@@ -12,7 +12,7 @@ from manipplan.interrupts import interruptible
 from manipplan.jobs.result import Plan, checked, failed, silent
 from manipplan.measures.task import Task
 from manipplan.optimize.objective import path_cost
-from manipplan.optimize.optimize import PathResult
+from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot

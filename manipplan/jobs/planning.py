@@ -10,7 +10,8 @@ from manipplan.errors import PlanningError
 from manipplan.interrupts import interruptible
 from manipplan.jobs.result import Plan, checked, failed, silent
 from manipplan.measures.task import Task
-from manipplan.optimize.optimize import PathResult, check_task, optimize_path
+from manipplan.optimize.optimize import check_task, optimize_path
+from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene

@@ -6,7 +6,7 @@ from pathlib import Path
 from manipplan.checks import Array
 from manipplan.errors import PlanningError
 from manipplan.files import writable_folder, write_text
-from manipplan.optimize.optimize import PathResult
+from manipplan.optimize.result import PathResult
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
 from manipplan.paths.report import Report

@@ -20,8 +20,17 @@ PLACES = 160
 NEAR = 0.03
 #: Rows ask for this much more than the demanded clearance, for what happens between places [m].
 SPARE = 0.003
+#: Rows are made at so many places a solve at most, those where pairs are nearest.
+MOST_PLACES = 60
+#: Where there are more and no free path is known yet, only where pairs are nearer than this [m]: of the rows of a long search
+#: nine of ten are further off, and most of a solve's time is the factorisation of all of them.
+FAR = 0.1
 #: Distance in s of the places that are added on either side of a dip.
 REACH = 0.02
+#: New places nearer in s than this to one of the same pair are not added.
+APART = 0.4 * REACH
+#: The same once a path touches something between places that far apart.
+CLOSE = 0.05 * REACH
 #: Points of a body that are kept on their side of a plane: those nearest to it.
 POINTS = 2
 
@@ -47,13 +56,22 @@ def around(places: Iterable[Place]) -> list[Place]:
     return [(s + step, pair) for s, pair in places for step in (0.0, -REACH, REACH) if 0 < s + step < 1]
 
 
-def merged(old: Iterable[Place], new: Iterable[Place]) -> list[Place]:
-    """Old places and those of the new ones that are not right beside one of the same pair."""
+def merged(old: Iterable[Place], new: Iterable[Place], apart: float = APART) -> list[Place]:
+    """Old places and those of the new ones that are more than `apart` from each one of the same pair."""
     places = list(old)
     for s, pair in new:
-        if all(other != pair or abs(s - place) > 0.4 * REACH for place, other in places):
+        if all(other != pair or abs(s - place) > apart for place, other in places):
             places.append((s, pair))
     return places
+
+
+def nearest(model: CollisionModel, path: JointPath, places: Sequence[Place], *, most: float = np.inf) -> tuple[Place, ...]:
+    """All places, or where they are more than MOST_PLACES, the nearest of them on `path` that are not beyond `most` [m]."""
+    if len(places) <= MOST_PLACES:
+        return tuple(places)
+    distances = np.array([model.contact(path(s), pair).distance for s, pair in places])
+    chosen = np.argsort(distances, kind="stable")[:MOST_PLACES]
+    return tuple(places[k] for k in sorted(chosen) if distances[k] <= most)
 
 
 def rows_for(

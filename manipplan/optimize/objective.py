@@ -1,21 +1,14 @@
-"""The path objective g = ∫ ‖θ'‖ / μ^p ds of kth2012, and the energy that is minimised in its place.
-
-g does not change when a path is re-parametrised, so its Hessian is singular. The energy E = ∫ ‖θ'‖² / μ^(2p) ds is
-not: g² <= E, with equality when ‖θ'‖ / μ^p is constant, so both have the same minimum over all curves.
-"""
+"""The path objective g = ∫ ‖θ'‖ / μ^p ds of kth2012, measured on a fine rule, and the least index of a path."""
 
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
+from numpy.typing import ArrayLike
 
 from manipplan.checks import Array
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.measures.indices import LogDet
+from manipplan.optimize.metric import metric_matrix
 from manipplan.paths.joint import JointPath
-
-#: ρ in log sqrt(det(J Jᵀ + ρ² I)), which keeps the solved energy finite on a singular posture; g itself has none.
-REGULARISATION = 1e-5
 
 #: An index below this share of the path's largest counts as zero.
 SINGULAR = 1e-9
@@ -26,8 +19,8 @@ class PathCost:
     """g and the least index of one path.
 
     Attributes:
-        g: ∫ ‖q'‖ / m^p ds, (6.6) in kth2012; inf when the path meets a singularity.
-        length: ∫ ‖q'‖ ds [rad], (6.5).
+        g: ∫ ‖q'‖_W / m^p ds, (6.6) in kth2012; inf when the path meets a singularity.
+        length: ∫ ‖q'‖ ds [rad], (6.5), without W.
         min_manipulability: least index m, found by ever finer grids around its dips.
         at: the parameter s where it is least.
     """
@@ -38,16 +31,65 @@ class PathCost:
     at: float
 
 
-def path_cost(path: JointPath, kinematics: Kinematics, power: float) -> PathCost:
-    """Measure g on a rule of at least 400 Gauss points, ten times finer than the solver's, and the least index."""
-    s, weights = path.quadrature()
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PathObjective:
+    """What is minimised: g = ∫ ‖q'‖_W / m^p ds.
+
+    Attributes:
+        kinematics: whose measure m is.
+        power: p > 0.
+        metric: W (n, n), symmetric and positive definite; None: the identity.
+    """
+
+    kinematics: Kinematics
+    power: float
+    metric: Array | None = None
+
+    def cost(self, path: JointPath, *, panels: int = 40) -> PathCost:
+        """g and the least index of a path, as `path_cost`."""
+        return path_cost(path, self.kinematics, self.power, metric=self.metric, panels=panels)
+
+    def constant_speed(self, path: JointPath, count: int) -> Array:
+        """Parameters s (count,) at which equal shares of g have been gained."""
+        s = np.linspace(0.0, 1.0, 1001)
+        with np.errstate(divide="ignore"):
+            density = speeds(path(s, 1), self.metric) / self.kinematics.manipulability(path(s)) ** self.power
+        density = np.minimum(density, 1e3 * np.median(density))
+        gained = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2)])
+        return np.interp(np.linspace(0.0, gained[-1], count), gained, s)
+
+
+def speeds(v: Array, metric: Array | None) -> Array:
+    """‖v‖_W = sqrt(vᵀ W v) of rows v (m, n), (m,); Euclidean for None."""
+    if metric is None:
+        return np.asarray(np.linalg.norm(v, axis=1))
+    return np.asarray(np.sqrt(np.einsum("mi,ij,mj->m", v, metric, v)))
+
+
+def path_cost(
+    path: JointPath, kinematics: Kinematics, power: float, *, metric: ArrayLike | None = None, panels: int = 40
+) -> PathCost:
+    """Measure g on a rule of at least ten Gauss points a panel, ten times finer than the solver's, and the least index.
+
+    Args:
+        path: the path.
+        kinematics: whose measure counts.
+        power: exponent of the measure.
+        metric: W in ‖q'‖_W, weights (n,) or a matrix (n, n); None: the identity.
+        panels: of ten Gauss points each.
+
+    Raises:
+        InvalidInputError: `metric` is no metric.
+    """
+    matrix = metric_matrix("metric", metric, path.n)
+    s, weights = path.quadrature(panels=panels)
     speed = np.linalg.norm(path(s, 1), axis=1)
     index = kinematics.manipulability(path(s))
     least, at, largest = _least_index(path, kinematics)
     # a singularity, which Gauss points can pass by, makes the integral diverge for p >= 1
     singular = power >= 1 and least <= SINGULAR * largest
     with np.errstate(divide="ignore"):
-        g = np.inf if singular else float(weights @ (speed / index**power))
+        g = np.inf if singular else float(weights @ (speeds(path(s, 1), matrix) / index**power))
     return PathCost(g=g, length=float(weights @ speed), min_manipulability=least, at=at)
 
 
@@ -71,42 +113,3 @@ def _least_index(path: JointPath, kinematics: Kinematics) -> tuple[float, float,
                 least, at = float(inside[j]), float(grid[j])
             low, high = grid[max(j - 1, 0)], grid[min(j + 1, 40)]
     return least, at, float(values.max())
-
-
-@dataclass(frozen=True, kw_only=True)
-class EnergyDensity:
-    """e(q, v) = ‖v‖² / m(q)^(2p) as CasADi Functions of (q, v): value, gradient (2n), Hessian (2n, 2n)."""
-
-    value: ca.Function
-    gradient: ca.Function
-    hessian: ca.Function
-
-
-def energy_density(kinematics: Kinematics, power: float) -> EnergyDensity:
-    """The density whose integral over s is the energy E."""
-    q = kinematics.symbolic.chain.q
-    v = ca.SX.sym("v", q.shape[0])
-    measure, posture = LogDet(regularisation=REGULARISATION), kinematics.symbolic.posture
-    log_index, slope, bend = measure.value(posture), measure.gradient(posture), measure.hessian(posture)
-    weight = ca.exp(-2 * power * log_index)
-    square = ca.sumsqr(v)
-    # by hand from w(q) = exp(-2p log m): w' = -2p w ∇log m, w'' = w (4p² ∇log m ∇log mᵀ - 2p ∇²log m)
-    gradient = ca.vertcat(-2 * power * weight * square * slope, 2 * weight * v)
-    qq = weight * square * (4 * power**2 * slope @ slope.T - 2 * power * bend)
-    qv = -4 * power * weight * slope @ v.T
-    hessian = ca.vertcat(ca.horzcat(qq, qv), ca.horzcat(qv.T, 2 * weight * ca.SX.eye(v.shape[0])))
-    return EnergyDensity(
-        value=ca.Function("energy", [q, v], [weight * square]),
-        gradient=ca.Function("energy_gradient", [q, v], [ca.densify(gradient)]),
-        hessian=ca.Function("energy_hessian", [q, v], [ca.densify(hessian)]),
-    )
-
-
-def constant_speed(path: JointPath, kinematics: Kinematics, power: float, count: int) -> Array:
-    """Parameters s (count,) at which equal shares of g have been gained."""
-    s = np.linspace(0.0, 1.0, 1001)
-    with np.errstate(divide="ignore"):
-        density = np.linalg.norm(path(s, 1), axis=1) / kinematics.manipulability(path(s)) ** power
-    density = np.minimum(density, 1e3 * np.median(density))
-    gained = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2)])
-    return np.interp(np.linspace(0.0, gained[-1], count), gained, s)

@@ -1,11 +1,12 @@
-"""The nonlinear program: polynomial coefficients that minimise the energy within joint limits and clearance rows.
+"""The nonlinear program: polynomial coefficients that minimise the energy, or g, within joint limits and clearance rows.
 
 Unknowns: coefficients x (n, k - 1) of a path of degree k, and one slack e >= 0 [m] a clearance row. Everything that
-changes between solves - ends, rows - is a parameter, so a program is built once for an arm, task, power and degree.
+changes between solves - ends, rows - is a parameter, so a program is built once for an objective and a degree.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import casadi as ca
 import numpy as np
@@ -13,12 +14,16 @@ import numpy as np
 from manipplan.checks import Array
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize import basis
-from manipplan.optimize.objective import energy_density
+from manipplan.optimize.density import Density, energy_density, length_density
+from manipplan.optimize.ends import free_directions
+from manipplan.optimize.objective import PathObjective
 from manipplan.paths.joint import JointPath
 from manipplan.robots.description import axis_of, is_prismatic
 
 #: Gauss points of the energy.
 NODES = 40
+#: Panels of ten Gauss points each on which g is polished.
+POLISH_PANELS = 12
 #: The curve is cut into so many pieces, whose control points all obey the joint limits: so does the curve.
 LIMIT_PIECES = 6
 #: Cost of a slack of one metre, in units of the first energy: a path that can be clear is.
@@ -56,24 +61,42 @@ class Solution:
     status: str
 
 
-class PathProgram:
-    """The program for one arm, task, power and degree; see the module's text."""
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Objective:
+    """A density and the rule (m,), (m,) by which it is integrated over s."""
 
-    def __init__(self, kinematics: Kinematics, power: float, degree: int) -> None:
-        self.kinematics = kinematics
-        self.power = power
+    density: Density
+    s: Array
+    weights: Array
+
+
+class PathProgram:
+    """The program for one objective, degree and pattern of fixed end derivatives; see the module's text."""
+
+    def __init__(self, objective: PathObjective, degree: int, fixed: tuple[tuple[float, int], ...] = ()) -> None:
+        self.objective = objective
+        self.kinematics = kinematics = objective.kinematics
         self.degree = degree
         self.n = kinematics.robot.n
-        self._solvers: dict[int, ca.Function] = {}
-        s, weights = np.polynomial.legendre.leggauss(NODES)
-        self._s, self._weights = (s + 1) / 2, weights / 2
-        self._energy = energy_density(kinematics, power)
+        self._solvers: dict[tuple[str, int], ca.Function] = {}
         self._rows = _row_functions(kinematics)
         matrix = basis.subdivision(degree, LIMIT_PIECES)
         line = matrix @ np.linspace(0.0, 1.0, degree + 1)
         rows = matrix @ basis.to_bernstein(degree)
-        moving = np.abs(rows).max(axis=1, initial=0.0) > 1e-9
+        #: coefficients (n, k - 1) move along these directions (k - 1, f), which keep the fixed end derivatives
+        self.free = free_directions(fixed, degree)
+        moving = np.abs(rows @ self.free).max(axis=1, initial=0.0) > 1e-9
         self._limit_rows, self._limit_line = rows[moving], line[moving]
+
+    @cached_property
+    def _energy(self) -> "_Objective":
+        s, weights = np.polynomial.legendre.leggauss(NODES)
+        return _Objective(density=energy_density(self.objective), s=(s + 1) / 2, weights=weights / 2)
+
+    @cached_property
+    def _length(self) -> "_Objective":
+        s, weights = JointPath.line([0.0], [1.0]).quadrature(panels=POLISH_PANELS)
+        return _Objective(density=length_density(self.objective), s=s, weights=weights)
 
     def path(self, start: Array, goal: Array, coefficients: Array) -> JointPath:
         """The path of given coefficients (n, k - 1)."""
@@ -87,17 +110,48 @@ class PathProgram:
         return np.asarray(np.linalg.lstsq(basis.bubbles(self.degree, even), rest, rcond=None)[0].T)
 
     def solve(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
-        """Minimise the energy from a guess (n, k - 1); rows that cannot hold come back with their slack."""
-        capacity = 0 if not rows else 32 * 4 ** int(np.ceil(np.log(max(len(rows) / 32, 1)) / np.log(4)))
-        solver = self._solver(capacity)
-        scale = self._guess_energy(start, goal, guess)
-        parameters = np.concatenate([start, goal, [1 / scale], self._row_parameters(rows, capacity).ravel(order="F")])
+        """Minimise the energy from a guess (n, k - 1), which has the fixed end derivatives.
+
+        Rows that cannot hold come back with their slack.
+        """
+        size = self._integral(self._energy, start, goal, guess, 1.0)
+        return self._solve("energy", start, goal, guess, rows, size, 1.0)
+
+    def polish(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
+        """Minimise g itself from a guess (n, k - 1), with so little of the energy that its minimum is one point."""
+        size = np.sqrt(self._integral(self._energy, start, goal, guess, 1.0))
+        return self._solve("length", start, goal, guess, rows, size, size)
+
+    def unlimited(self, start: Array, goal: Array, guess: Array) -> Solution:
+        """Minimise g from a guess (n, k - 1) as if there were neither joint limits nor obstacles."""
+        size = np.sqrt(self._integral(self._energy, start, goal, guess, 1.0))
+        return self._solve("length", start, goal, guess, (), size, size, limited=False)
+
+    def _solve(
+        self,
+        kind: str,
+        start: Array,
+        goal: Array,
+        guess: Array,
+        rows: Sequence[ClearanceRow],
+        size: float,
+        g0: float,
+        *,
+        limited: bool = True,
+    ) -> Solution:
+        capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
+        solver = self._solver(kind, capacity)
+        unknowns = guess @ self.free
+        kept = guess - unknowns @ self.free.T
+        numbers = [start, goal, [1 / size, g0], kept.ravel(order="F")]
+        parameters = np.concatenate([*numbers, self._row_parameters(rows, capacity).ravel(order="F")])
         limits = self.kinematics.robot.limits
-        joint_limits = np.tile(limits.lower, len(self._limit_line)), np.tile(limits.upper, len(self._limit_line))
+        bounds = (limits.lower, limits.upper) if limited else (np.full(self.n, -np.inf), np.full(self.n, np.inf))
+        joint_limits = [np.tile(each, len(self._limit_line)) for each in bounds]
         result = solver(
-            x0=np.concatenate([guess.ravel(order="F"), np.zeros(capacity)]),
+            x0=np.concatenate([unknowns.ravel(order="F"), np.zeros(capacity)]),
             p=parameters,
-            lbx=np.concatenate([np.full(guess.size, -np.inf), np.zeros(capacity)]),
+            lbx=np.concatenate([np.full(unknowns.size, -np.inf), np.zeros(capacity)]),
             ubx=np.inf,
             lbg=np.concatenate([joint_limits[0], np.zeros(capacity)]),
             ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
@@ -105,16 +159,18 @@ class PathProgram:
         status = str(solver.stats()["return_status"])
         x = np.asarray(result["x"]).ravel()
         return Solution(
-            coefficients=x[: guess.size].reshape(guess.shape, order="F"),
-            slack=float(x[guess.size : guess.size + len(rows)].max(initial=0.0)),
+            coefficients=kept + x[: unknowns.size].reshape(unknowns.shape, order="F") @ self.free.T,
+            slack=float(x[unknowns.size : unknowns.size + len(rows)].max(initial=0.0)),
             status=status,
         )
 
-    def _guess_energy(self, start: Array, goal: Array, guess: Array) -> float:
-        q = start[:, None] + np.outer(goal - start, self._s) + guess @ basis.bubbles(self.degree, self._s).T
-        v = (goal - start)[:, None] + guess @ basis.bubble_slopes(self.degree, self._s).T
-        energy = float(np.asarray(self._energy.value(q, v)).ravel() @ self._weights)
-        return energy if np.isfinite(energy) and energy > 0 else 1.0
+    def _integral(self, objective: "_Objective", start: Array, goal: Array, guess: Array, g0: float) -> float:
+        """The objective at a guess; 1 where it is not a number above zero."""
+        s = objective.s
+        q = start[:, None] + np.outer(goal - start, s) + guess @ basis.bubbles(self.degree, s).T
+        v = (goal - start)[:, None] + guess @ basis.bubble_slopes(self.degree, s).T
+        value = float(np.asarray(objective.density.value(q, v, np.full((1, len(s)), g0))).ravel() @ objective.weights)
+        return value if np.isfinite(value) and value > 0 else 1.0
 
     def _row_parameters(self, rows: Sequence[ClearanceRow], capacity: int) -> Array:
         """One column a row; unused columns hold a row that is always met."""
@@ -129,37 +185,42 @@ class PathProgram:
             table[:, k] = [*place, *carrier, *other, *row.point, *row.normal, row.offset, row.distance]
         return table
 
-    def _solver(self, capacity: int) -> ca.Function:
-        if capacity not in self._solvers:
-            self._solvers[capacity] = self._build(capacity)
-        return self._solvers[capacity]
+    def _solver(self, kind: str, capacity: int) -> ca.Function:
+        key = (kind, capacity)
+        if key not in self._solvers:
+            self._solvers[key] = self._build(self._energy if kind == "energy" else self._length, capacity)
+        return self._solvers[key]
 
-    def _build(self, capacity: int) -> ca.Function:
+    def _build(self, objective: "_Objective", capacity: int) -> ca.Function:
         """IPOPT on the program with `capacity` clearance rows, with exact first and second derivatives."""
         n, bubbles = self.n, self.degree - 1
-        size = n * bubbles
+        free = ca.sparsify(ca.DM(self.free))
+        size = n * self.free.shape[1]
         z = ca.MX.sym("z", size + capacity)
-        x = ca.reshape(z[:size], n, bubbles)
         slack = z[size:]
         width = bubbles + 1 + 2 * (n + 1) + 8
-        p = ca.MX.sym("p", 2 * n + 1 + width * capacity)
-        start, goal, scale = p[:n], p[n : 2 * n], p[2 * n]
-        table = ca.reshape(p[2 * n + 1 :], width, capacity)
-        values, slopes = basis.bubbles(self.degree, self._s), basis.bubble_slopes(self.degree, self._s)
+        fixed = 2 * n + 2 + n * bubbles
+        p = ca.MX.sym("p", fixed + width * capacity)
+        start, goal, scale, g0 = p[:n], p[n : 2 * n], p[2 * n], p[2 * n + 1]
+        x = ca.reshape(p[2 * n + 2 : fixed], n, bubbles) + ca.reshape(z[:size], n, self.free.shape[1]) @ free.T
+        table = ca.reshape(p[fixed:], width, capacity)
+        nodes = len(objective.s)
+        values, slopes = basis.bubbles(self.degree, objective.s), basis.bubble_slopes(self.degree, objective.s)
 
-        # the energy: e(q_i, v_i) at the nodes, q = line + x φ, v = line' + x φ'
-        q = start @ ca.DM.ones(1, NODES) + (goal - start) @ ca.DM(self._s).T + x @ ca.DM(values).T
-        v = (goal - start) @ ca.DM.ones(1, NODES) + x @ ca.DM(slopes).T
-        energy = self._energy.value.map(NODES)(q, v)
-        gradient = self._energy.gradient.map(NODES)(q, v)
-        hessian = self._energy.hessian.map(NODES)(q, v)
-        weights = scale * ca.DM(self._weights).T
-        f = ca.dot(energy, weights) + SLACK_COST * ca.sum1(slack)
+        # the objective: e(q_i, v_i) at the nodes, q = line + x φ, v = line' + x φ'
+        q = start @ ca.DM.ones(1, nodes) + (goal - start) @ ca.DM(objective.s).T + x @ ca.DM(values).T
+        v = (goal - start) @ ca.DM.ones(1, nodes) + x @ ca.DM(slopes).T
+        sizes = ca.repmat(g0, 1, nodes)
+        density = objective.density
+        value, gradient, hessian = (f.map(nodes)(q, v, sizes) for f in (density.value, density.gradient, density.hessian))
+        weights = scale * ca.DM(objective.weights).T
+        f = ca.dot(value, weights) + SLACK_COST * ca.sum1(slack)
         weighed = gradient * ca.repmat(weights, 2 * n, 1)
-        grad_x = weighed[:n, :] @ ca.DM(values) + weighed[n:, :] @ ca.DM(slopes)
+        grad_x = weighed[:n, :] @ ca.DM(values @ self.free) + weighed[n:, :] @ ca.DM(slopes @ self.free)
         grad_f = ca.vertcat(ca.vec(grad_x), SLACK_COST * ca.MX.ones(capacity))
         maps = [
-            ca.vertcat(*(ca.kron(ca.DM(row[None, :]), ca.DM.eye(n)) for row in (values[i], slopes[i]))) for i in range(NODES)
+            ca.vertcat(*(ca.kron(ca.DM((row @ self.free)[None, :]), ca.DM.eye(n)) for row in (values[i], slopes[i])))
+            for i in range(nodes)
         ]
         stacked = ca.sparsify(ca.vertcat(*maps))
         blocks = ca.diagcat(*(w * h for w, h in zip(ca.horzsplit(weights), ca.horzsplit(hessian, 2 * n), strict=True)))
@@ -169,7 +230,7 @@ class PathProgram:
         rows = len(self._limit_line)
         points = start @ ca.DM.ones(1, rows) + (goal - start) @ ca.DM(self._limit_line).T + x @ ca.DM(self._limit_rows).T
         limits = ca.vec(points)
-        jac_limits = ca.kron(ca.sparsify(ca.DM(self._limit_rows)), ca.DM.eye(n))
+        jac_limits = ca.kron(ca.sparsify(ca.DM(self._limit_rows @ self.free)), ca.DM.eye(n))
 
         # clearance: one row function of q a column of the table
         g = limits
@@ -180,7 +241,7 @@ class PathProgram:
             q_rows = start @ ca.DM.ones(1, capacity) + (goal - start) @ at + x @ place
             distance, slope, bend = (f.map(capacity)(q_rows, table[bubbles + 1 :, :]) for f in self._rows)
             g = ca.vertcat(g, distance.T + slack)
-            chain = [ca.kron(column.T, ca.DM.eye(n)) for column in ca.horzsplit(place)]
+            chain = [ca.kron(column.T @ free, ca.DM.eye(n)) for column in ca.horzsplit(place)]
             jac_rows = [column.T @ link for column, link in zip(ca.horzsplit(slope), chain, strict=True)]
             jac_g = ca.vertcat(jac_g, ca.horzcat(ca.vertcat(*jac_rows), ca.DM.eye(capacity)))
             chained = ca.vertcat(*chain)

@@ -13,7 +13,7 @@ from manipplan.errors import FileFormatError
 from manipplan.files import write_text
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.objective import PathCost, path_cost
-from manipplan.optimize.optimize import PathResult
+from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.collision import CollisionModel

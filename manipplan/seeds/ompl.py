@@ -5,6 +5,7 @@ OMPL is used for feasibility: its own check of a motion is coarse, so what it re
 """
 
 import logging
+import threading
 import time
 
 import numpy as np
@@ -25,6 +26,8 @@ PLANNERS = ("RRTConnect", "RRTstar", "BITstar", "InformedRRTstar", "PRM", "KPIEC
 CHECK_STEP = 1e-3
 #: OMPL's own motion checks, tried in turn until the fine check agrees [rad or m].
 MOTION_STEPS = (0.02, 0.008, 0.003)
+#: OMPL's random numbers come from one seed a process, so that searches of several threads would not repeat.
+_ONE_AT_A_TIME = threading.Lock()
 
 
 def seed_path(
@@ -97,6 +100,13 @@ def _search(
     model: CollisionModel, start: Array, goal: Array, planner: str, seed: int, clearance: float, time_limit: float, step: float
 ) -> Array | None:
     """Waypoints (k, n) of OMPL's simplified path, or None when none was found."""
+    with _ONE_AT_A_TIME:
+        return _search_alone(model, start, goal, planner, seed, clearance, time_limit, step)
+
+
+def _search_alone(
+    model: CollisionModel, start: Array, goal: Array, planner: str, seed: int, clearance: float, time_limit: float, step: float
+) -> Array | None:
     from ompl import base, geometric, util
 
     util.setLogLevel(util.LogLevel.LOG_NONE)

@@ -1,11 +1,19 @@
 """The path optimiser: the thesis' planar problems, its building blocks, and what it promises among obstacles."""
 
+import itertools
+import multiprocessing
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+
 import casadi as ca
 import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.optimize import basis
+from manipplan.measures.names import MEASURES
+from manipplan.optimize import basis, clearance
+from manipplan.optimize.density import energy_density, length_density
+from manipplan.optimize.homotopy import same_class
+from manipplan.optimize.objective import PathObjective
 from manipplan.optimize.problem import PathProgram, _row_functions
 from manipplan.paths.joint import bernstein
 
@@ -13,7 +21,22 @@ THESIS = {  # start, goal, g of the straight line for p = 2 (Tables 6.1 and 6.2)
     "6.10": ((0.0, -3.0, -2.0), (np.pi, 0.1, 1.4), 2.7218, 3.7288),
     "6.12": ((0.0, -1.1, -1.6), (np.pi / 2, 0.5, 1.5), 3.9420, 2.9307),
 }
-TABLE_6_2 = {2: 1.1371, 3: 1.1185, 4: 1.1143, 5: 1.1114, 6: 1.1114}
+TABLES = {  # degree: g for p = 2, as printed in Tables 6.1 and 6.2
+    "6.10": {2: 2.4600, 3: 2.3168, 4: 2.2542, 5: 2.2376, 6: 2.2361},
+    "6.12": {2: 1.1371, 3: 1.1185, 4: 1.1143, 5: 1.1114, 6: 1.1114},
+}
+BEST_OF_60 = {  # (path, p, degree): best of 60 random starts of BFGS on g itself, by benchmarks/planar_suite.py
+    ("6.10", 1, 2): 3.650752,
+    ("6.10", 1, 4): 3.521593,
+    ("6.10", 1, 8): 3.513078,
+    ("6.10", 2, 3): 2.316832,
+    ("6.10", 2, 5): 2.223079,
+    ("6.12", 1, 3): 2.174214,
+    ("6.12", 1, 5): 2.171373,
+    ("6.12", 2, 2): 1.137127,
+    ("6.12", 2, 4): 1.111175,
+    ("6.12", 2, 7): 1.110667,
+}
 
 
 def g_by_hand(robot, path, power):
@@ -48,25 +71,152 @@ def test_the_thesis_comparison_of_section_6_3(planar):
     assert result.min_manipulability > 2 * result.seed_cost.min_manipulability
 
 
-@pytest.mark.parametrize("degree", TABLE_6_2)
-def test_table_6_2_is_met_within_half_a_percent(planar, degree):
-    """The energy is minimised, not g itself, so a path of low degree may cost a little more than the printed optimum."""
-    start, goal, *_ = THESIS["6.12"]
-    assert mp.optimize_path(planar, start, goal, degree=degree, power=2).g < 1.005 * TABLE_6_2[degree]
+@pytest.mark.parametrize(("problem", "degree"), [(problem, degree) for problem in TABLES for degree in TABLES[problem]])
+def test_no_value_of_the_thesis_is_lower(planar, problem, degree):
+    start, goal, *_ = THESIS[problem]
+    assert round(mp.optimize_path(planar, start, goal, degree=degree, power=2).g, 4) <= TABLES[problem][degree]
+
+
+@pytest.mark.parametrize("case", BEST_OF_60)
+def test_g_is_the_best_of_sixty_random_starts(planar, case):
+    problem, power, degree = case
+    start, goal, *_ = THESIS[problem]
+    assert mp.optimize_path(planar, start, goal, degree=degree, power=power).g < BEST_OF_60[case] * (1 + 1e-6)
 
 
 @pytest.mark.parametrize("power", [0.5, 1, 2])
-def test_higher_degrees_never_have_more_energy(planar, power):
+def test_higher_degrees_never_have_a_higher_g(planar, power):
     start, goal, *_ = THESIS["6.12"]
-    kinematics = planar.kinematics()
+    costs = [mp.optimize_path(planar, start, goal, degree=k, power=power).g for k in (1, 2, 3, 5, 8)]
+    assert (np.diff(costs) < 1e-6 * costs[-1]).all()
+    assert costs[-1] < 0.95 * costs[0]
 
-    def energy(path):
-        s, weights = path.quadrature()
-        return weights @ ((path(s, 1) ** 2).sum(axis=1) / kinematics.manipulability(path(s)) ** (2 * power))
 
-    energies = [energy(mp.optimize_path(planar, start, goal, degree=k, power=power).path) for k in (1, 2, 3, 5, 8)]
-    assert (np.diff(energies) < 1e-6).all()
-    assert energies[-1] < 0.95 * energies[0]
+def test_no_small_change_of_the_solution_lowers_g(planar, rng):
+    result = mp.optimize_path(planar, [0.0, 1.5, -2], [np.pi, -2, 2], degree=5, power=2)
+    for size in (1e-3, 1e-2):
+        for _ in range(20):
+            control = result.path.control.copy()
+            control[:, 1:-1] += size * rng.normal(size=control[:, 1:-1].shape)
+            changed = mp.JointPath(breaks=result.path.breaks, control=control)
+            assert mp.path_cost(changed, planar.kinematics(), 2).g > result.g - 1e-9
+
+
+def test_the_polish_lowers_g_among_obstacles_too(planar):
+    post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.0, 0.0), name="post")])
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2, scene=post)
+    assert result.history[-1].first == "polish"
+    assert result.g == result.history[-1].g
+    assert result.g < min(step.g for step in result.history if step.first != "polish" and step.clearance > 0)
+    assert post.collision_model(planar).path_is_free(result.path, 1e-3)
+
+
+def test_a_dip_beside_a_row_gets_a_row_of_its_own(planar):
+    """A path that dipped 46 mm into this post right beside a row was solved again and again without another one."""
+    post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2, scene=post)
+    assert result.status is mp.Status.OPTIMAL
+    assert result.g < 0.8 * result.seed_cost.g
+
+
+def test_merged_places_come_closer_when_asked():
+    old = [(0.28, 3)]
+    assert clearance.merged(old, [(0.275, 3)]) == old
+    assert clearance.merged(old, [(0.275, 4)]) == [*old, (0.275, 4)]
+    assert clearance.merged(old, [(0.275, 3)], clearance.CLOSE) == [*old, (0.275, 3)]
+
+
+def test_only_the_nearest_places_get_rows(demo_problem):
+    """Where there are many, those whose pairs are nearest on the path, in their order."""
+    problem = demo_problem
+    model = problem.scene.collision_model(problem.robot)
+    path = mp.JointPath.line(problem.start, problem.goal)
+    places = [(s, pair) for s in np.linspace(0.1, 0.9, 9) for pair in range(0, len(model.pair_names), 12)]
+    assert len(places) > clearance.MOST_PLACES
+    distance = {place: model.distances(path(place[0]))[place[1]] for place in places}
+    kept = clearance.nearest(model, path, places)
+    assert len(kept) == clearance.MOST_PLACES
+    assert max(distance[place] for place in kept) <= min(distance[place] for place in places if place not in kept) + 1e-9
+    near = clearance.nearest(model, path, places, most=0.1)
+    assert set(near) == {place for place in kept if distance[place] <= 0.1}
+    assert clearance.nearest(model, path, places[:5], most=0.0) == tuple(places[:5])
+
+
+def test_a_polish_that_touches_something_is_rejected(demo_problem):
+    """The demo's polished path would gain less than a thousandth, and only by touching a box."""
+    problem = demo_problem
+    result = mp.optimize_path(problem.robot, problem.start, problem.goal, scene=problem.scene)
+    assert result.history[-1].first == "polish"
+    assert result.history[-1].clearance < 0
+    assert result.g == min(step.g for step in result.history if step.clearance > 0)
+
+
+DENSITIES = [
+    *itertools.product(["planar", "panda", "tiago"], [None], [None, "weights"]),
+    *itertools.product(["planar"], ["inverse_condition", "isotropy", "joint_limit_penalised", "dynamic"], ["matrix"]),
+    *itertools.product(["panda"], ["smallest_singular_value", "frobenius", "isotropy"], ["weights"]),
+]
+
+
+@pytest.mark.parametrize(("name", "measure", "metric"), DENSITIES)
+@pytest.mark.parametrize("kind", [energy_density, length_density])
+def test_densities_have_exact_derivatives(name, measure, metric, kind, rng):
+    robot = mp.planar_arm([1.0, 1.0, 1.0]) if name == "planar" else mp.load_robot(name)
+    n = robot.n
+    W = {None: None, "weights": np.diag(np.arange(1.0, n + 1)), "matrix": np.eye(n) + 0.3}[metric]
+    density = kind(PathObjective(kinematics=robot.kinematics(measure=measure), power=1.5, metric=W))
+    x, g0 = ca.SX.sym("x", 2 * n), 0.7
+    value = ca.Function("value", [x], [density.value(x[:n], x[n:], g0)])
+    eps = 1e-6
+    for q in robot.random_configuration(rng, size=5):
+        at = np.concatenate([0.7 * q, rng.normal(size=n)])
+        gradient, hessian = (np.asarray(f(at[:n], at[n:], g0)) for f in (density.gradient, density.hessian))
+        steps = eps * np.eye(2 * n)
+        first = [float(value(at + step) - value(at - step)) / (2 * eps) for step in steps]
+        ahead, behind = (
+            [np.asarray(density.gradient((at + s)[:n], (at + s)[n:], g0)).ravel() for s in sign * steps] for sign in (1, -1)
+        )
+        np.testing.assert_allclose(gradient.ravel(), first, rtol=1e-5, atol=2e-6 * np.abs(first).max())
+        second = (np.array(ahead) - behind) / (2 * eps)
+        np.testing.assert_allclose(hessian, second, rtol=1e-4, atol=2e-5 * np.abs(second).max())
+
+
+def test_a_metric_is_a_change_of_joint_units(planar):
+    """With W = diag(w²) g is that of the Euclidean norm of w θ, here by a plain sum; equal weights only scale it."""
+    start, goal = [0, 1.5, -2], [np.pi, -2, 2]
+    plain = mp.optimize_path(planar, start, goal, power=2)
+    scaled = mp.optimize_path(planar, start, goal, power=2, metric=[9.0, 9.0, 9.0])
+    assert scaled.g == pytest.approx(3 * plain.g, rel=1e-7)
+    weights = np.array([9.0, 1.0, 0.25])
+    weighed = mp.optimize_path(planar, start, goal, power=2, metric=weights)
+    s = np.linspace(0, 1, 100_001)
+    v, index = weighed.path(s, 1), planar.kinematics().manipulability(weighed.path(s))
+    assert weighed.g == pytest.approx(np.trapezoid(np.sqrt((weights * v**2).sum(axis=1)) / index**2, s), rel=1e-7)
+    assert weighed.g < mp.path_cost(plain.path, planar.kinematics(), 2, metric=weights).g
+    assert plain.g < mp.path_cost(weighed.path, planar.kinematics(), 2).g
+    full = mp.optimize_path(planar, start, goal, power=2, metric=np.diag(weights))
+    assert full.g == weighed.g
+    np.testing.assert_array_equal(full.metric, np.diag(weights))
+
+
+@pytest.mark.parametrize("measure", [name for name, kind in MEASURES.items() if kind.grows and "transmission" not in name])
+def test_any_measure_that_grows_is_raised(planar, measure):
+    """Its g is below those of the straight line and of the path that is best for Yoshikawa's index."""
+    start, goal, *_ = THESIS["6.12"]
+    result = mp.optimize_path(planar, start, goal, power=1, measure=measure)
+    kinematics = planar.kinematics(measure=measure)
+    assert result.status.ok
+    assert result.measure.name == measure
+    assert result.g == pytest.approx(mp.path_cost(result.path, kinematics, 1).g)
+    usual = mp.optimize_path(planar, start, goal, power=1)
+    assert result.g <= mp.path_cost(usual.path, kinematics, 1).g * (1 + 1e-9)
+    assert result.g < result.seed_cost.g
+
+
+def test_a_measure_with_a_direction(planar):
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], measure=mp.VelocityTransmission(direction=[1.0, 0.0]))
+    assert result.status.ok
+    assert result.g < result.seed_cost.g
 
 
 def test_degree_one_is_the_straight_line(planar, demo_problem):
@@ -97,7 +247,7 @@ def test_a_full_turn_to_the_same_place_is_a_shift(planar):
 
 
 def test_no_small_change_of_the_solution_lowers_the_energy(planar, rng):
-    program = PathProgram(planar.kinematics(), 2.0, 5)
+    program = PathProgram(PathObjective(kinematics=planar.kinematics(), power=2.0), 5)
     start, goal = np.array([0.0, 1.5, -2]), np.array([np.pi, -2, 2])
 
     def energy(coefficients):
@@ -132,6 +282,165 @@ def test_shifted_goals_find_a_better_turn(planar):
     assert shifted.g < 0.9 * plain.g
     turns = (shifted.path.goal - np.array(goal)) / (2 * np.pi)
     np.testing.assert_allclose(turns, np.round(turns), atol=1e-12)
+
+
+def test_rivals_are_other_paths_best_first(planar):
+    start, goal, *_ = THESIS["6.10"]
+    best = mp.optimize_path(planar, start, goal, power=2, seeds=8)
+    costs = [each.g for each in (best, *best.rivals)]
+    assert len(costs) > 1
+    assert costs == sorted(costs)
+    assert best.g == pytest.approx(mp.optimize_path(planar, start, goal, power=2).g, rel=1e-6)
+    s = np.linspace(0, 1, 201)
+    for first, second in itertools.combinations((best, *best.rivals), 2):
+        apart = np.linalg.norm(first.path(s)[:, None] - second.path(s)[None], axis=2).min(axis=1).max()
+        assert apart > 1e-2, "one and the same path"
+    assert all(rival.rivals == () for rival in best.rivals)
+    again = mp.optimize_path(planar, start, goal, power=2, seeds=8)
+    assert [each.g for each in (again, *again.rivals)] == costs
+
+
+@pytest.fixture(scope="module")
+def around_a_post(planar):
+    """A post that the arm can pass on the inner or the outer side, or turn away from the long way round."""
+    post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+    options = {"power": 2, "scene": post, "seeds": 6, "shifts": "within-limits"}
+    bounded = planar.with_limits(lower=np.full(3, -np.pi), upper=np.full(3, 1.5 * np.pi))
+    return bounded, options, mp.optimize_path(bounded, [0, 1.5, -2], [np.pi, -2, 2], **options)
+
+
+def test_shifted_goals_and_several_classes_among_obstacles(around_a_post):
+    robot, options, best = around_a_post
+    every = (best, *best.rivals)
+    assert len({tuple(np.round(each.path.goal, 6)) for each in every}) > 1
+    turns = [(each.path.goal - np.array([np.pi, -2, 2])) / (2 * np.pi) for each in every]
+    np.testing.assert_allclose(turns, np.round(turns), atol=1e-12)
+    assert [each.g for each in every] == sorted(each.g for each in every)
+    model = options["scene"].collision_model(robot)
+    assert all(model.path_is_free(each.path, 1e-3) for each in every)
+    assert best.g <= mp.optimize_path(robot, [0, 1.5, -2], [np.pi, -2, 2], power=2, scene=options["scene"]).g
+
+
+@pytest.mark.parametrize("kind", [ThreadPoolExecutor, ProcessPoolExecutor])
+def test_an_executor_changes_nothing(around_a_post, kind):
+    robot, options, best = around_a_post
+    workers = {"mp_context": multiprocessing.get_context("spawn")} if kind is ProcessPoolExecutor else {}
+    with kind(2, **workers) as executor:
+        again = mp.optimize_path(robot, [0, 1.5, -2], [np.pi, -2, 2], executor=executor, **options)
+    assert len(again.rivals) == len(best.rivals)
+    for one, other in zip((best, *best.rivals), (again, *again.rivals), strict=True):
+        np.testing.assert_array_equal(one.path.control, other.path.control)
+
+
+def test_paths_on_two_sides_of_a_post_are_two_classes(planar):
+    model = mp.Scene([mp.Sphere(radius=0.05, position=(2.9, 0.0, 0.0), name="ball")]).collision_model(planar)
+    start, goal = np.array([-0.8, 0.0, 0.0]), np.array([0.8, 0.0, 0.0])
+    left = mp.JointPath.through([start, [-0.8, 1.2, 0.0], [0.8, 1.2, 0.0], goal])
+    wider = mp.JointPath.through([start, [-0.8, 1.4, 0.1], [0.8, 1.4, 0.1], goal])
+    right = mp.JointPath.through([start, [-0.8, -1.2, 0.0], [0.8, -1.2, 0.0], goal])
+    assert all(model.path_is_free(path, 1e-3) for path in (left, wider, right))
+    assert same_class(model, left, wider)
+    assert not same_class(model, left, right)
+    assert not same_class(model, left, mp.JointPath.line(start, [0.8, 0.0, 0.5]))
+
+
+ENDS = [
+    ({"start_slope": [0.0, 0.0, 0.0]}, 2),
+    ({"start_slope": [3.0, -1.0, 2.0], "goal_slope": [3.0, 0.0, 5.0]}, 3),
+    ({"start_bend": [1.0, 0.0, -1.0]}, 2),
+    ({"start_slope": [0.0] * 3, "goal_slope": [0.0] * 3, "start_bend": [0.0] * 3, "goal_bend": [0.0] * 3}, 5),
+    ({"goal_slope": [1.0, 2.0, 3.0], "start_bend": [4.0, 0.0, 0.0], "goal_bend": [0.0, -3.0, 1.0]}, 4),
+]
+ORDERS = {"start_slope": (0.0, 1), "goal_slope": (1.0, 1), "start_bend": (0.0, 2), "goal_bend": (1.0, 2)}
+
+
+@pytest.mark.parametrize(("conditions", "least"), ENDS)
+def test_end_derivatives_are_met(planar, conditions, least):
+    start, goal = [0, 1.5, -2], [np.pi, -2, 2]
+    free = mp.optimize_path(planar, start, goal, degree=8, power=2)
+    costs = []
+    for degree in (least, least + 1, least + 3, 12):
+        result = mp.optimize_path(planar, start, goal, degree=degree, power=2, **conditions)
+        assert result.status is mp.Status.OPTIMAL
+        for name, value in conditions.items():
+            np.testing.assert_allclose(result.path(*ORDERS[name]), value, atol=1e-8)
+        np.testing.assert_allclose(result.path([0.0, 1.0]), [start, goal], atol=1e-12)
+        costs.append(result.g)
+    assert (np.diff(costs[1:]) < 1e-6).all()
+    assert free.g * (1 - 1e-4) < costs[-1] < 1.3 * free.g
+    with pytest.raises(mp.InvalidInputError, match=f"degree: got {least - 1}; allowed: at least {least}"):
+        mp.optimize_path(planar, start, goal, degree=least - 1, power=2, **conditions)
+
+
+def test_end_derivatives_among_obstacles_and_limits(planar):
+    post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+    rest = {"start_slope": np.zeros(3), "goal_slope": np.zeros(3)}
+    start, goal = [0, 1.5, -2], [np.pi, -2, 2]
+    result = mp.optimize_path(planar, start, goal, degree=9, power=2, scene=post, **rest)
+    assert result.status.ok
+    assert post.collision_model(planar).path_is_free(result.path, 1e-3)
+    np.testing.assert_allclose(result.path([0.0, 1.0], 1), 0, atol=1e-8)
+    # the only cubic of these ends runs through the post; the seed is free, but has other ends, and says so
+    cubic = mp.optimize_path(planar, start, goal, degree=3, power=2, scene=post, **rest)
+    assert cubic.status is mp.Status.ENDS_NOT_MET
+    assert post.collision_model(planar).path_is_free(cubic.path, 1e-3)
+    narrow = planar.with_limits(lower=[-0.1, -2.1, -2.1], upper=[np.pi + 0.1, 1.6, 2.1])
+    wild = mp.optimize_path(narrow, start, goal, degree=4, power=2, start_slope=[0, 30.0, 0], throw=False)
+    assert wild.status is mp.Status.ENDS_NOT_MET
+
+
+def test_a_certificate_is_measured_on_the_path(planar):
+    start, goal, *_ = THESIS["6.12"]
+    narrow = planar.with_limits(lower=[-3.0, -1.2, -1.7], upper=[3.0, 0.6, 2.0])
+    result = mp.optimize_path(narrow, start, goal, power=2)
+    certificate = result.certificate
+    assert certificate.status is result.status
+    assert certificate.solver == "Solve_Succeeded"
+    assert certificate.g == result.g
+    assert certificate.unconstrained_g == pytest.approx(mp.optimize_path(planar, start, goal, power=2).g, rel=1e-6)
+    assert certificate.gap == pytest.approx(result.g / certificate.unconstrained_g - 1)
+    assert certificate.gap > 1e-3, "the limits bind"
+    q = result.path(np.linspace(0, 1, 20_001))
+    assert len(certificate.limits) == 6
+    for each in certificate.limits:
+        joint = narrow.joint_names.index(each.joint)
+        limit = getattr(narrow.limits, each.side)[joint]
+        assert each.distance == pytest.approx(np.abs(q[:, joint] - limit).min(), abs=1e-6)
+        assert abs(result.path(each.at)[joint] - limit) == pytest.approx(each.distance, abs=1e-5)
+    assert [each.distance for each in certificate.limits] == sorted(each.distance for each in certificate.limits)
+    assert certificate.limits[0].distance == pytest.approx(0, abs=1e-6)
+    assert (certificate.clearance, certificate.nearest_pair) == (np.inf, ())
+    text = str(certificate)
+    for part in ("Solve_Succeeded", "least index", "nothing is checked for collision", "limit        joint", "yoshikawa"):
+        assert part in text
+
+
+def test_without_constraints_that_bind_the_gap_is_zero(planar):
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2)
+    assert result.certificate.gap == pytest.approx(0, abs=1e-7)
+    line = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2, degree=1)
+    assert line.certificate.gap == pytest.approx(0, abs=1e-9)
+    assert line.certificate.solver == ""
+    arm = mp.planar_arm([1.0, 1.0])
+    singular = mp.optimize_path(arm, [0.0, -1.0], [0.5, np.sqrt(2.0)], throw=False).certificate
+    assert np.isnan(singular.gap)
+    assert "inf" in str(singular)
+
+
+def test_a_certificate_names_the_nearest_pair(planar):
+    post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+    start, goal = [0, 1.5, -2], [np.pi, -2, 2]
+    for degree in (6, 1):  # an optimised path, and the safe seed
+        result = mp.optimize_path(planar, start, goal, degree=degree, power=2, scene=post)
+        certificate, model = result.certificate, post.collision_model(planar)
+        every = [model.distances(q).min() for q in result.path(np.linspace(0, 1, 4001))]
+        assert certificate.clearance == pytest.approx(min(every), abs=1e-4)
+        assert model.distances(result.path(certificate.clearance_at)).min() == pytest.approx(certificate.clearance, abs=1e-6)
+        assert "post" in certificate.nearest_pair
+        assert degree == 1 or certificate.gap > 0
+        assert "mm at s" in str(certificate)
+    assert result.status is mp.Status.SEED_IS_SAFE
+    assert certificate.solver == ""
 
 
 def test_a_singular_start_is_told(planar):
@@ -201,7 +510,7 @@ def test_a_row_is_the_distance_that_coal_measures(demo_problem, rng):
 def test_an_initial_path_is_used(planar):
     detour = mp.JointPath.through([[0, 1.5, -2], [1.0, 1.0, 1.0], [np.pi, -2, 2]])
     result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2, initial=detour)
-    assert {step.first for step in result.history} == {"straight", "seed"}
+    assert {step.first for step in result.history} == {"straight", "seed", "polish"}
     assert result.g <= result.seed_cost.g
 
 
@@ -219,6 +528,26 @@ def test_an_initial_path_is_used(planar):
         ({"goal": [0, 1.5, np.nan]}, "goal.*finite"),
         ({"goal": [0.0, 1.5, -2.0]}, "goal.*differs from start"),
         ({"task": mp.Task.pose()}, "task.*at most 3 rows"),
+        ({"start_slope": [0.0, 1.0]}, r"start_slope.*shape \(3,\)"),
+        ({"goal_bend": [0.0, 1.0, np.inf]}, "goal_bend.*finite"),
+        ({"degree": 2, "start_slope": [0.0] * 3, "goal_slope": [0.0] * 3}, "degree: got 2; allowed: at least 3"),
+        ({"seeds": 0}, "seeds: got 0.*at least 1"),
+        ({"seeds": 2, "initial": mp.JointPath.line([0.0, 1.5, -2.0], [np.pi, -2.0, 2.0])}, "seeds: got 2.*initial"),
+        ({"shifts": "within-limits", "initial": mp.JointPath.line([0.0, 1.5, -2.0], [np.pi, -2.0, 2.0])}, "shifts.*initial"),
+        ({"executor": 4}, "executor: got 4.*Executor"),
+        ({"time_limit": 0}, "time_limit"),
+        ({"metric": [1.0, 1.0]}, "metric.*3 weights above zero.*positive definite"),
+        ({"metric": [1.0, 1.0, 0.0]}, "metric.*3 weights above zero"),
+        ({"metric": [[1, 2, 0], [2, 1, 0], [0, 0, 1]]}, "metric.*positive definite"),
+        ({"metric": [[1, 1, 0], [0, 1, 0], [0, 0, 1]]}, "metric.*symmetric"),
+        ({"metric": [1.0, np.nan, 1.0]}, "metric.*finite"),
+        ({"metric": "heavy"}, "metric.*real numbers"),
+        ({"measure": "log_det"}, "measure: got 'log_det'.*at least zero and better when larger: yoshikawa"),
+        ({"measure": "condition_number"}, "measure: got 'condition_number'.*better when larger"),
+        ({"measure": "force_transmission"}, "measure.*direction"),
+        ({"measure": mp.ForceTransmission(direction=[1, 0])}, "measure: got 'force_transmission'.*better when larger"),
+        ({"measure": mp.VelocityTransmission(direction=[1, 0, 0])}, "direction.*2 numbers"),
+        ({"measure": "yosikawa"}, "yoshikawa"),
         ({"initial": mp.JointPath.line([0, 0, 0], [1, 1, 1])}, "initial"),
     ],
 )

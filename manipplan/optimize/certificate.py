@@ -1,0 +1,154 @@
+"""Certificate: what an optimised path reaches, measured on the path and not taken from the solver."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.optimize.objective import PathCost, PathObjective
+from manipplan.paths.joint import JointPath
+from manipplan.robots.collision import CollisionModel
+from manipplan.robots.robot import Robot
+from manipplan.status import Status
+
+#: Places along the path at which all distances are measured; around the least one they are measured closer.
+PLACES = 400
+
+
+@dataclass(frozen=True, kw_only=True)
+class LimitApproach:
+    """How near a path comes to one position limit of a joint.
+
+    Attributes:
+        joint: its name.
+        side: "lower" or "upper".
+        distance: left to the limit [rad or m], over the whole curve; below zero beyond it.
+        at: the s where it is nearest, on a grid of 2001.
+        unit: "rad" or "m".
+    """
+
+    joint: str
+    side: str
+    distance: float
+    at: float
+    unit: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Certificate:
+    """The figures of one path.
+
+    Attributes:
+        status: how it came about.
+        solver: IPOPT's word on the solve it is from; "" for a seed and for a path that left nothing to solve.
+        g: ∫ ‖q'‖_W / m^power ds on the fine rule.
+        unconstrained_g: of the local optimum that is reached from this path with neither limits nor obstacles, in the same
+            degree and with the same end conditions; `gap` is how far g is above it, as a share. nan when g is infinite.
+        power, measure, unit: exponent, name of the measure and its unit.
+        min_manipulability, min_at: the least index, and the s where it is.
+        clearance, clearance_at, nearest_pair: least distance [m] of all checked pairs at PLACES places and, around the least,
+            closer; inf, nan and () where nothing is checked.
+        limits: every finite position limit of every joint, nearest first.
+    """
+
+    status: Status
+    solver: str
+    g: float
+    unconstrained_g: float
+    power: float
+    measure: str
+    unit: str
+    min_manipulability: float
+    min_at: float
+    clearance: float
+    clearance_at: float
+    nearest_pair: tuple[str, ...]
+    limits: tuple[LimitApproach, ...]
+
+    @property
+    def gap(self) -> float:
+        """g over the unconstrained optimum nearby, minus 1: what limits and obstacles, or a seed that was kept, cost."""
+        return self.g / self.unconstrained_g - 1
+
+    @classmethod
+    def of(
+        cls,
+        path: JointPath,
+        objective: PathObjective,
+        cost: PathCost,
+        model: CollisionModel | None,
+        *,
+        status: Status,
+        solver: str,
+        unconstrained_g: float,
+    ) -> "Certificate":
+        """Measure a path whose cost is known."""
+        kinematics = objective.kinematics
+        clearance, clearance_at, pair = _clearance(path, model)
+        return cls(
+            status=status,
+            solver=solver,
+            g=cost.g,
+            unconstrained_g=unconstrained_g,
+            power=objective.power,
+            measure=kinematics.measure.name,
+            unit=kinematics.measure.unit(kinematics.task),
+            min_manipulability=cost.min_manipulability,
+            min_at=cost.at,
+            clearance=clearance,
+            clearance_at=clearance_at,
+            nearest_pair=pair,
+            limits=limit_approaches(path, kinematics.robot),
+        )
+
+    def __str__(self) -> str:
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        lines = [
+            f"status       {self.status.value}",
+            f"solver       {self.solver or 'nothing was solved for this path'}",
+            f"g            {self.g:.6g}, exponent {self.power:g}; without limits and obstacles nearby "
+            f"{self.unconstrained_g:.6g} ({100 * self.gap:+.3g} %)",
+            f"least index  {self.min_manipulability:.4g}{unit} at s = {self.min_at:.3f} ({self.measure})",
+        ]
+        if self.nearest_pair:
+            pair = " and ".join(self.nearest_pair)
+            lines.append(f"clearance    {1e3 * self.clearance:.1f} mm at s = {self.clearance_at:.3f}, {pair}")
+        else:
+            lines.append("clearance    nothing is checked for collision")
+        lines += [
+            f"limit        {each.joint}: {each.distance:.4g} {each.unit} to its {each.side} limit at s = {each.at:.3f}"
+            for each in self.limits
+        ]
+        return "\n".join(lines if self.limits else [*lines, "limit        no joint has a position limit"])
+
+
+def limit_approaches(path: JointPath, robot: Robot) -> tuple[LimitApproach, ...]:
+    """How near the whole curve comes to every finite position limit, nearest first."""
+    low, high = path.bounds()
+    s = np.linspace(0.0, 1.0, 2001)
+    q = path(s)
+    found = []
+    for joint, name in enumerate(robot.joint_names):
+        unit = "m" if robot.joint_types[joint] == "prismatic" else "rad"
+        for side, distance, at in (
+            ("lower", low[joint] - robot.limits.lower[joint], q[:, joint].argmin()),
+            ("upper", robot.limits.upper[joint] - high[joint], q[:, joint].argmax()),
+        ):
+            if np.isfinite(distance):
+                found.append(LimitApproach(joint=name, side=side, distance=float(distance), at=float(s[at]), unit=unit))
+    return tuple(sorted(found, key=lambda each: each.distance))
+
+
+def _clearance(path: JointPath, model: CollisionModel | None) -> tuple[float, float, tuple[str, ...]]:
+    """Least distance of all pairs, the s where it is, and which pair."""
+    if model is None or not model.pair_names:
+        return np.inf, np.nan, ()
+    s = np.linspace(0.0, 1.0, PLACES + 1)
+    least, at, pair = np.inf, 0.0, 0
+    for _ in range(3):  # 400 places, then 40 around the least, then 40 around that
+        distances: Array = np.array([model.distances(q) for q in path(s)])
+        k, nearest = divmod(int(distances.argmin()), distances.shape[1])
+        if distances[k, nearest] < least:
+            least, at, pair = float(distances[k, nearest]), float(s[k]), nearest
+        s = np.linspace(s[max(k - 1, 0)], s[min(k + 1, len(s) - 1)], 41)
+    return least, at, tuple(model.pair_names[pair])

@@ -1,0 +1,107 @@
+"""What is integrated along a path: the energy that is minimised first, and the length that is g itself.
+
+g = ∫ h ds with h = ‖q'‖_W / m^p does not change when a path is re-parametrised, so its Hessian is singular. The energy
+E = ∫ h² ds is not: g² <= E, with equality where h is constant, so both have the same minimum over all curves; over the
+polynomials of one degree, which not every re-parametrisation leads back to, the minima differ by a little.
+"""
+
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.indices import LogDet, Yoshikawa
+from manipplan.optimize.objective import PathObjective
+
+#: ρ in log sqrt(det(J Jᵀ + ρ² I)), which keeps the solved energy finite on a singular posture; g itself has none.
+REGULARISATION = 1e-5
+#: The same of any other measure, as a share of its usual value: log sqrt(m² + δ²).
+MEASURE_REGULARISATION = 1e-6
+#: Speeds [rad] are rounded off below this, so that ‖q'‖ has derivatives where a path stands still.
+STANDSTILL = 1e-9
+#: Share κ of the speed's variance in the polished objective ∫ h + κ h² / g₀ ds. It picks one of the re-parametrisations
+#: of a curve, and moves g by less than κ times that variance.
+CONSTANCY = 1e-6
+
+
+@dataclass(frozen=True, kw_only=True)
+class Density:
+    """A density e(q, v, g₀) as CasADi Functions of (q, v, g₀): value, gradient (2n), Hessian (2n, 2n) in (q, v).
+
+    g₀ is about the path's g; the energy does not depend on it.
+    """
+
+    value: ca.Function
+    gradient: ca.Function
+    hessian: ca.Function
+
+
+def energy_density(objective: PathObjective) -> Density:
+    """h² = ‖v‖_W² / m^(2p), whose integral over s is the energy E."""
+    power, metric = objective.power, _metric(objective)
+    q, v, log_index, slope, bend = _symbols(objective.kinematics)
+    weight = ca.exp(-2 * power * log_index)
+    square = ca.bilin(metric, v, v)
+    # by hand from w(q) = exp(-2p log m): w' = -2p w ∇log m, w'' = w (4p² ∇log m ∇log mᵀ - 2p ∇²log m)
+    gradient = ca.vertcat(-2 * power * weight * square * slope, 2 * weight * metric @ v)
+    qq = weight * square * (4 * power**2 * slope @ slope.T - 2 * power * bend)
+    qv = -4 * power * weight * slope @ (metric @ v).T
+    hessian = _blocks(qq, qv, 2 * weight * metric)
+    return _density(q, v, ca.SX.sym("g0"), weight * square, gradient, hessian)
+
+
+def length_density(objective: PathObjective) -> Density:
+    """h + κ h² / g₀ with h = ‖v‖_W / m^p: its integral is g and a little of the energy."""
+    power, metric = objective.power, _metric(objective)
+    q, v, log_index, slope, bend = _symbols(objective.kinematics)
+    g0 = ca.SX.sym("g0")
+    weight = ca.exp(-power * log_index)
+    speed = ca.sqrt(ca.bilin(metric, v, v) + STANDSTILL**2)
+    along = metric @ v / speed
+    h = weight * speed
+    dh = ca.vertcat(-power * h * slope, weight * along)
+    qq = h * (power**2 * slope @ slope.T - power * bend)
+    qv = -power * weight * slope @ along.T
+    ddh = _blocks(qq, qv, weight / speed * (metric - along @ along.T))
+    first, second = 1 + 2 * CONSTANCY * h / g0, 2 * CONSTANCY / g0
+    return _density(q, v, g0, h + CONSTANCY * h**2 / g0, first * dh, first * ddh + second * dh @ dh.T)
+
+
+def _metric(objective: PathObjective) -> ca.SX:
+    n = objective.kinematics.robot.n
+    return ca.SX.eye(n) if objective.metric is None else ca.sparsify(ca.SX(ca.DM(objective.metric)))
+
+
+def _symbols(kinematics: Kinematics) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX, ca.SX]:
+    """q, v, and the measure's regularised logarithm with gradient and Hessian in q."""
+    posture, measure = kinematics.symbolic.posture, kinematics.measure
+    q = kinematics.symbolic.chain.q
+    v = ca.SX.sym("v", q.shape[0])
+    if isinstance(measure, Yoshikawa):
+        regular = LogDet(regularisation=REGULARISATION)
+        return q, v, regular.value(posture), regular.gradient(posture), regular.hessian(posture)
+    value, slope, bend = measure.value(posture), measure.gradient(posture), measure.hessian(posture)
+    # log sqrt(m² + δ²), which is log m but for the least values
+    square = value**2 + (MEASURE_REGULARISATION * _usual(kinematics)) ** 2
+    share = value / square
+    log_bend = share * bend + (1 / square - 2 * share**2) * slope @ slope.T
+    return q, v, ca.log(square) / 2, share * slope, log_bend
+
+
+def _usual(kinematics: Kinematics) -> float:
+    """A usual value of the measure: the median over some random configurations, always the same."""
+    q = kinematics.robot.random_configuration(np.random.default_rng(0), size=200)
+    return float(np.median(kinematics.manipulability(q)))
+
+
+def _blocks(qq: ca.SX, qv: ca.SX, vv: ca.SX) -> ca.SX:
+    return ca.vertcat(ca.horzcat(qq, qv), ca.horzcat(qv.T, vv))
+
+
+def _density(q: ca.SX, v: ca.SX, g0: ca.SX, value: ca.SX, gradient: ca.SX, hessian: ca.SX) -> Density:
+    return Density(
+        value=ca.Function("density", [q, v, g0], [value]),
+        gradient=ca.Function("density_gradient", [q, v, g0], [ca.densify(gradient)]),
+        hessian=ca.Function("density_hessian", [q, v, g0], [ca.densify(hessian)]),
+    )

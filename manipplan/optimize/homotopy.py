@@ -1,0 +1,164 @@
+"""Ways around: goals a turn away, seeds of several homotopy classes, their solves side by side, the best and its rivals.
+
+Two free paths are taken for one class when the straight homotopy (1 - t) a(s) + t b(s) between them stays free on a grid. That
+errs to the safe side: paths of one class may be told apart, and are then both solved; a thin obstacle may slip through.
+"""
+
+import itertools
+import pickle
+import threading
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.errors import PlanningError
+from manipplan.optimize.result import PathResult
+from manipplan.optimize.solve import PathProblem, solved
+from manipplan.paths.joint import JointPath
+from manipplan.robots.collision import CollisionModel
+from manipplan.robots.robot import Robot
+from manipplan.seeds.ompl import seed_path
+
+#: Places along two paths, and stages between them, at which their homotopy is looked at.
+PLACES, STAGES = 80, 9
+#: Two results are the same path when no joint differs more than this between points of equal share of length [rad or m].
+SAME = 1e-2
+
+T = TypeVar("T")
+_own = threading.local()
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Crew:
+    """Does the work of one problem, here or over an executor, whose workers each have a robot of their own."""
+
+    problem: PathProblem
+    executor: Executor | None = None
+
+    def seeds(self, start: Array, tasks: Sequence[tuple[Array, int]]) -> list[JointPath | str]:
+        """A free first path for each goal (n,) and seed, or why there is none."""
+        return self._each(_seed, [(start, goal, seed) for goal, seed in tasks])
+
+    def solved(self, firsts: Sequence[JointPath]) -> list[PathResult]:
+        """The optimiser's result from each first path; from the first one to each goal also that from the straight line."""
+        tasks = []
+        for k, first in enumerate(firsts):
+            known = any(np.array_equal(first.goal, other.goal) for other in firsts[:k])
+            tasks.append((first, not known))
+        return self._each(_solve, tasks)
+
+    def _each(self, work: Callable[..., T], tasks: Sequence[tuple[object, ...]]) -> list[T]:
+        if self.executor is None:
+            return [work(self.problem, *task) for task in tasks]
+        packed = pickle.dumps(self.problem)
+        futures = [self.executor.submit(_at_worker, work, packed, task) for task in tasks]
+        return [future.result() for future in futures]
+
+
+def seed_classes(crew: Crew, start: Array, goals: Sequence[Array], seeds: Iterable[int]) -> list[JointPath]:
+    """First paths to solve from: to each goal one of each class, of least g.
+
+    Raises PlanningError when there is none to any goal.
+    """
+    tasks = list(itertools.product(goals, seeds))
+    found = crew.seeds(start, tasks)
+    paths = [path for path in found if isinstance(path, JointPath)]
+    if not paths:
+        raise PlanningError(str(found[0]))
+    model = crew.problem.model()
+    if model is None or len(paths) == 1:
+        return paths
+    objective = crew.problem.objective()
+    chosen: list[JointPath] = []
+    for path in sorted(paths, key=lambda each: objective.cost(each).g):
+        if not any(same_class(model, path, other, crew.problem.clearance) for other in chosen):
+            chosen.append(path)
+    return chosen
+
+
+def same_class(model: CollisionModel, first: JointPath, second: JointPath, clearance: float = 0.0) -> bool:
+    """Whether the straight homotopy between two paths of the same ends is free of collision on a grid."""
+    if np.abs(first.goal - second.goal).max() > 1e-9:
+        return False
+    a, b = _even(first), _even(second)
+    return not any(
+        model.in_collision((1 - t) * q + t * r, clearance=clearance)
+        for t in np.linspace(0.0, 1.0, STAGES + 2)[1:-1]
+        for q, r in zip(a, b, strict=True)
+    )
+
+
+def best_and_rivals(results: Sequence[PathResult]) -> PathResult:
+    """The result of least g, with the others as its rivals, best first, each path once."""
+    kept: list[PathResult] = []
+    for result in sorted(results, key=lambda each: each.g):
+        if not any(_same(result.path, other.path) for other in kept):
+            kept.append(result)
+    return replace(kept[0], rivals=tuple(kept[1:]))
+
+
+def shifted_goals(robot: Robot, start: Array, goal: Array) -> list[Array]:
+    """The goal and all that differ from it by a turn in some revolute joints, inside the limits."""
+    turns = []
+    for joint, kind in enumerate(robot.joint_types):
+        options = (0,) if kind == "prismatic" else (-1, 0, 1)
+        turns.append([2 * np.pi * k for k in options if not _outside(robot, joint, goal[joint] + 2 * np.pi * k)])
+    goals = [goal + np.array(shift) for shift in itertools.product(*turns)]
+    return [each for each in goals if np.abs(each - start).max() > 1e-9]
+
+
+def _outside(robot: Robot, joint: int, value: float) -> bool:
+    return not robot.limits.lower[joint] <= value <= robot.limits.upper[joint]
+
+
+def _same(first: JointPath | None, second: JointPath | None) -> bool:
+    if first is None or second is None:
+        return first is second
+    return bool(np.abs(_even(first) - _even(second)).max() < SAME)
+
+
+def _even(path: JointPath) -> Array:
+    """Configurations (PLACES, n) at equal shares of the path's length."""
+    s = np.linspace(0.0, 1.0, 1001)
+    gained = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path(s), axis=0), axis=1))])
+    return path(np.interp(np.linspace(0.0, gained[-1], PLACES), gained, s))
+
+
+def _seed(problem: PathProblem, start: Array, goal: Array, seed: int) -> JointPath | str:
+    if problem.scene is None:
+        return _random_path(problem.robot, start, goal, seed)
+    try:
+        return seed_path(
+            problem.robot,
+            start,
+            goal,
+            problem.scene,
+            seed=seed,
+            clearance=problem.clearance,
+            time_limit=problem.time_limit,
+        )
+    except PlanningError as error:
+        return str(error)
+
+
+def _random_path(robot: Robot, start: Array, goal: Array, seed: int) -> JointPath:
+    """The straight line for seed 0, else by way of a random configuration no further than half a turn from its middle."""
+    if seed == 0:
+        return JointPath.line(start, goal)
+    via = (start + goal) / 2 + np.random.default_rng(seed).uniform(-np.pi, np.pi, robot.n)
+    return JointPath.through(np.stack([start, np.clip(via, robot.limits.lower, robot.limits.upper), goal]))
+
+
+def _solve(problem: PathProblem, first: JointPath, straight: bool) -> PathResult:
+    return solved(problem, first.start, first.goal, first, straight=straight)
+
+
+def _at_worker(work: Callable[..., T], packed: bytes, task: tuple[object, ...]) -> T:
+    """Run in a worker's thread: its problem is unpacked once, with what was built for it, and kept for the next task."""
+    if getattr(_own, "packed", None) != packed:
+        _own.problem, _own.packed = pickle.loads(packed), packed
+    return work(_own.problem, *task)

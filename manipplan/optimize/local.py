@@ -1,0 +1,167 @@
+"""Local optima between one start and goal: solve, look where the path comes near something, renew rows there, repeat."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.interrupts import interruptible
+from manipplan.optimize import clearance as near
+from manipplan.optimize.ends import EndConditions
+from manipplan.optimize.objective import PathCost
+from manipplan.optimize.problem import ClearanceRow, PathProgram, Solution
+from manipplan.paths.joint import JointPath
+from manipplan.robots.collision import CollisionModel
+from manipplan.robots.robot import Robot
+from manipplan.seeds.ompl import CHECK_STEP
+
+#: Rounds of solving and renewing clearance rows, from one first path.
+ROUNDS = 8
+#: Rounds end when one lowers g by less than this share.
+SMALL_GAIN = 1e-2
+#: Clearance rows are added at so many places a round, the deepest dips first.
+NEW_PLACES = 10
+
+
+@dataclass(frozen=True, kw_only=True)
+class Step:
+    """One solve of the optimiser: from which first path, its g, its clearance [m] and IPOPT's word."""
+
+    first: str
+    g: float
+    clearance: float
+    solver: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Candidate:
+    """An optimised path that is inside the limits and free, with its coefficients and the places its rows were at."""
+
+    path: JointPath
+    coefficients: Array
+    cost: PathCost
+    places: tuple[near.Place, ...]
+    converged: bool
+    solver: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class LocalSearch:
+    """Solves of one program between one start and goal, written down in `history`."""
+
+    program: PathProgram
+    start: Array
+    goal: Array
+    model: CollisionModel | None
+    clearance: float
+    history: list[Step]
+    ends: EndConditions = field(default_factory=EndConditions)
+
+    def only_one(self) -> list[Candidate]:
+        """The only path of this degree, such as the straight line of degree 1; none when it is not free."""
+        solution = Solution(coefficients=self._straight(), slack=0.0, status="Solve_Succeeded")
+        candidate, _ = self.judged("straight", solution, ())
+        self.history.clear()  # nothing was solved
+        return [candidate] if candidate else []
+
+    def unconstrained(self) -> list[Candidate]:
+        """The optimum as if nothing were in the way, from the straight line; used when it is free."""
+        solution = self.program.solve(self.start, self.goal, self._straight())
+        candidate, distances = self.judged("straight", solution, ())
+        return [] if candidate is None else [self._watching(candidate, distances)]
+
+    def from_safe_path(self, first: JointPath) -> list[Candidate]:
+        """From the fit to a free path, with rows that hold the path on that side of everything it comes near."""
+        s = self.program.objective.constant_speed(first, near.PLACES + 1)
+        even = np.linspace(0.0, 1.0, len(s))
+        places: tuple[near.Place, ...] = ()
+        if self.model is not None:
+            places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
+        coefficients = self.ends.met(self.program.fit(first, s), self.start, self.goal)
+        found: list[Candidate] = []
+        for _ in range(ROUNDS):
+            path = self.program.path(self.start, self.goal, coefficients)
+            watched = places
+            if self.model is not None:
+                most = np.inf if found else self.clearance + near.FAR
+                watched = near.nearest(self.model, path, places, most=most)
+            rows = self.rows(path, lambda at: first(np.interp(at, even, s)), watched)
+            solution = self.program.solve(self.start, self.goal, coefficients, rows)
+            candidate, distances = self.judged("seed", solution, places)
+            coefficients = solution.coefficients
+            if candidate is not None:
+                found.append(candidate)
+                if len(found) > 1 and found[-2].cost.g - candidate.cost.g < SMALL_GAIN * candidate.cost.g:
+                    break
+            if candidate is not None and not places:
+                found[-1] = self._watching(candidate, distances)
+                break
+            places = self.more_places(places, distances, touching=candidate is None)
+        return found
+
+    def unconstrained_g(self, path: JointPath) -> float:
+        """g of the local optimum near a path with neither limits nor obstacles."""
+        one_piece = len(path.control) == 1  # which the fit gives back as it is
+        even = np.linspace(0.0, 1.0, near.PLACES + 1)
+        s = even if one_piece else self.program.objective.constant_speed(path, near.PLACES + 1)
+        guess = self.ends.met(self.program.fit(path, s), self.start, self.goal)
+        if self.program.free.size:
+            guess = self.program.unlimited(self.start, self.goal, guess).coefficients
+        return self.program.objective.cost(self.program.path(self.start, self.goal, guess)).g
+
+    def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
+        """Clearance rows at the places of `path`, with planes of the path `safe` where it is not free."""
+        if self.model is None:
+            return []
+        return near.rows_for(self.model, path, safe, places, self.clearance)
+
+    def more_places(self, places: tuple[near.Place, ...], distances: Array, *, touching: bool) -> tuple[near.Place, ...]:
+        """The places and those where the distance profile (m, k) [m] of a path dips below the clearance.
+
+        Of a path that is `touching` something, though not where it was looked at, those where it is nearest to.
+        """
+        for spare in (0.0, near.SPARE) if touching else (0.0,):
+            deepest = near.dips(distances, self.clearance + spare)[:NEW_PLACES]
+            for apart in (near.APART, near.CLOSE) if touching else (near.APART,):
+                more = near.merged(places, near.around(deepest), apart)
+                if len(more) > len(places):
+                    return tuple(more)
+        return places
+
+    @interruptible()
+    def judged(self, name: str, solution: Solution, places: tuple[near.Place, ...]) -> tuple[Candidate | None, Array]:
+        """The candidate when the solution is inside the limits and free, and its distance profile (m, k) [m]."""
+        path = self.program.path(self.start, self.goal, solution.coefficients)
+        cost = self.program.objective.cost(path)
+        distances = np.full((near.PLACES + 1, 1), np.inf)
+        if self.model is not None:
+            distances = near.distance_profile(self.model, path(np.linspace(0.0, 1.0, near.PLACES + 1)))
+        least = float(distances.min(initial=np.inf))
+        self.history.append(Step(first=name, g=cost.g, clearance=least, solver=solution.status))
+        free = self.model is None or (least > self.clearance and self.model.path_is_free(path, CHECK_STEP, self.clearance))
+        if not (free and _inside_limits(self.program.kinematics.robot, path)):
+            return None, distances
+        converged = solution.status == "Solve_Succeeded"
+        candidate = Candidate(
+            path=path,
+            coefficients=solution.coefficients,
+            cost=cost,
+            places=places,
+            converged=converged,
+            solver=solution.status,
+        )
+        return candidate, distances
+
+    def _straight(self) -> Array:
+        """Coefficients (n, k - 1) of the path nearest to the straight line that meets the end conditions."""
+        return self.ends.met(np.zeros((self.program.n, self.program.degree - 1)), self.start, self.goal)
+
+    def _watching(self, candidate: Candidate, distances: Array) -> Candidate:
+        """The candidate with places where it comes near something, though no row was needed to keep it away."""
+        return replace(candidate, places=tuple(near.dips(distances, self.clearance + near.NEAR)))
+
+
+def _inside_limits(robot: Robot, path: JointPath) -> bool:
+    low, high = path.bounds()
+    return not (robot.limits.outside(low) > 1e-7).any() and not (robot.limits.outside(high) > 1e-7).any()

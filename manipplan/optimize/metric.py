@@ -1,0 +1,32 @@
+"""The metric W of joint space: what a change of one joint costs beside that of another."""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array, number_array
+from manipplan.errors import InvalidInputError
+
+#: The least eigenvalue of W has to be above this share of the largest.
+DEFINITE = 1e-12
+
+
+def metric_matrix(argument: str, value: ArrayLike | None, n: int) -> Array | None:
+    """`value`, weights (n,) > 0 or a symmetric positive definite matrix (n, n), as a read-only matrix; None stays None.
+
+    Raises InvalidInputError for anything else.
+    """
+    if value is None:
+        return None
+    wanted = f"{n} weights above zero, one a joint, or a symmetric positive definite matrix ({n}, {n}), all finite"
+    matrix = number_array(argument, value)
+    if matrix.shape == (n,):
+        matrix = np.diag(matrix)
+    if matrix.shape != (n, n) or not np.isfinite(matrix).all():
+        raise InvalidInputError(argument, value, wanted)
+    eigenvalues = np.linalg.eigvalsh((matrix + matrix.T) / 2)
+    lopsided = np.abs(matrix - matrix.T).max() > 1e-9 * np.abs(matrix).max()
+    if lopsided or eigenvalues[0] <= DEFINITE * eigenvalues[-1]:
+        raise InvalidInputError(argument, value, wanted)
+    matrix = (matrix + matrix.T) / 2
+    matrix.flags.writeable = False
+    return matrix

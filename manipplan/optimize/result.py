@@ -1,0 +1,70 @@
+"""PathResult: what the path optimiser returns."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.measures.indices import Yoshikawa
+from manipplan.measures.measure import Measure
+from manipplan.measures.task import Task
+from manipplan.optimize.certificate import Certificate
+from manipplan.optimize.local import Step
+from manipplan.optimize.objective import PathCost, PathObjective
+from manipplan.paths.joint import JointPath
+from manipplan.status import Status
+
+
+@dataclass(frozen=True, kw_only=True)
+class PathResult:
+    """What `optimize_path` found.
+
+    Attributes:
+        path: the JointPath; the seed when `status` says so, None when there is none (NO_PATH, with throw=False).
+        g: ∫ ‖q'‖_W / m^power ds on a fine rule: (6.6) in kth2012 with its exponent as a parameter.
+        length: of the path in joint space [rad].
+        min_manipulability: least index on a dense grid [measure.unit(task)], and `min_at`, the s where it is.
+        power, task: the objective's exponent and the task whose index it holds.
+        seed, seed_cost: the collision-free first path (straight without a scene) and its cost, for comparison.
+        history: every solve, in order.
+        status: Status.
+        measure, metric: m, and W (n, n) or None for the identity.
+        rivals: what came of other seed classes and shifted goals, best first; each another path than those before it.
+        certificate: its figures, each measured on the path; None where there is no path, and in the results of other jobs.
+    """
+
+    path: JointPath | None
+    g: float
+    length: float
+    min_manipulability: float
+    min_at: float
+    power: float
+    task: Task
+    seed: JointPath | None
+    seed_cost: PathCost
+    history: tuple[Step, ...]
+    status: Status
+    measure: Measure = field(default_factory=Yoshikawa)
+    metric: Array | None = None
+    rivals: tuple["PathResult", ...] = ()
+    certificate: Certificate | None = None
+
+
+def no_path(objective: PathObjective) -> PathResult:
+    """The result when there is no free seed."""
+    nothing = PathCost(g=np.inf, length=np.inf, min_manipulability=0.0, at=0.0)
+    return PathResult(
+        path=None,
+        g=np.inf,
+        length=np.inf,
+        min_manipulability=0.0,
+        min_at=0.0,
+        power=objective.power,
+        task=objective.kinematics.task,
+        measure=objective.kinematics.measure,
+        metric=objective.metric,
+        seed=None,
+        seed_cost=nothing,
+        history=(),
+        status=Status.NO_PATH,
+    )

@@ -1,0 +1,119 @@
+"""One solve from a start to a goal: local optima, polish, and the choice between them and the seed."""
+
+import logging
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.measures.measure import Measure
+from manipplan.measures.task import Task
+from manipplan.optimize.certificate import Certificate
+from manipplan.optimize.ends import EndConditions
+from manipplan.optimize.local import LocalSearch, Step
+from manipplan.optimize.objective import PathObjective
+from manipplan.optimize.polish import polished
+from manipplan.optimize.problem import PathProgram
+from manipplan.optimize.result import PathResult
+from manipplan.paths.joint import JointPath
+from manipplan.robots.collision import CollisionModel
+from manipplan.robots.robot import Robot
+from manipplan.robots.scene import Scene
+from manipplan.status import Status
+
+log = logging.getLogger("manipplan")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PathProblem:
+    """What is asked of the optimiser but for start and goal; it can be pickled and sent to another process.
+
+    Attributes:
+        robot, scene: the arm and its obstacles; None: nothing is checked for collision.
+        task, measure, power, metric: of the objective.
+        degree: of the polynomial.
+        clearance: to keep [m].
+        time_limit: of the planner [s].
+        ends: fixed derivatives at start and goal.
+    """
+
+    robot: Robot
+    scene: Scene | None
+    task: Task
+    measure: Measure
+    power: float
+    metric: Array | None
+    degree: int
+    clearance: float
+    time_limit: float
+    ends: EndConditions = field(default_factory=EndConditions)
+
+    def objective(self) -> PathObjective:
+        """The objective for this process' robot."""
+        kinematics = self.robot.kinematics(self.task, measure=self.measure)
+        return PathObjective(kinematics=kinematics, power=self.power, metric=self.metric)
+
+    def model(self) -> CollisionModel | None:
+        """The collision model; None without a scene."""
+        return None if self.scene is None else self.scene.collision_model(self.robot)
+
+
+def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *, straight: bool = True) -> PathResult:
+    """The best path near `first`, which is free and inside the limits, and with `straight` near the straight line."""
+    objective, model, degree, clearance = problem.objective(), problem.model(), problem.degree, problem.clearance
+    first_cost = objective.cost(first)
+    history: list[Step] = []
+    program = _program(objective, degree, problem.ends.pattern)
+    search = LocalSearch(
+        program=program, start=start, goal=goal, model=model, clearance=clearance, history=history, ends=problem.ends
+    )
+    is_line = len(first.control) == 1 and first.degree == 1
+    is_free = bool(program.free.size)
+    found = search.only_one() if not is_free else search.unconstrained() if straight or is_line else []
+    if is_free and not (found and is_line):  # from a straight seed the same solve would come again
+        found += search.from_safe_path(first)
+    safe = model is None or bool(found)
+    best = min(found, key=lambda candidate: candidate.cost.g, default=None)
+    if best is not None and is_free:
+        best = polished(search, best)
+    fallback = problem.ends.met_by(first)
+    if best is not None and (best.cost.g <= first_cost.g or not fallback):
+        path, cost = best.path, best.cost
+        status = Status.OPTIMAL if best.converged else Status.STOPPED_EARLY
+    else:
+        path, cost = first, first_cost
+        status = Status.SEED_IS_BETTER if safe else Status.SEED_IS_SAFE
+        status = status if fallback else Status.ENDS_NOT_MET
+    if not np.isfinite(cost.g) and status is not Status.ENDS_NOT_MET:
+        status = Status.SINGULAR
+    log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
+    solver = best.solver if best is not None and path is best.path and is_free else ""
+    unconstrained = search.unconstrained_g(path) if np.isfinite(cost.g) else np.nan
+    certificate = Certificate.of(path, objective, cost, model, status=status, solver=solver, unconstrained_g=unconstrained)
+    return PathResult(
+        path=path,
+        g=cost.g,
+        length=cost.length,
+        min_manipulability=cost.min_manipulability,
+        min_at=cost.at,
+        power=objective.power,
+        task=objective.kinematics.task,
+        measure=objective.kinematics.measure,
+        metric=objective.metric,
+        seed=first,
+        seed_cost=first_cost,
+        history=tuple(history),
+        status=status,
+        certificate=certificate,
+    )
+
+
+def _program(objective: PathObjective, degree: int, fixed: tuple[tuple[float, int], ...]) -> PathProgram:
+    kinematics = objective.kinematics
+    metric = None if objective.metric is None else objective.metric.tobytes()
+    key = ("path program", kinematics.task, kinematics.measure, objective.power, metric, degree, fixed)
+    cache = kinematics.robot.cache
+    if key not in cache:
+        cache[key] = PathProgram(objective, degree, fixed)
+    program: PathProgram = cache[key]
+    return program
