@@ -12,12 +12,13 @@ from manipplan.errors import InvalidInputError, PlanningError
 from manipplan.interrupts import interruptible
 from manipplan.jobs.result import Plan, checked, failed
 from manipplan.measures.task import Task
-from manipplan.optimize.objective import path_cost
-from manipplan.optimize.result import PathResult
+from manipplan.optimize.objective import PathObjective
+from manipplan.optimize.result import PathResult, measured
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation, deviation_at, deviation_from
 from manipplan.paths.joint import JointPath
 from manipplan.progress import Progress, silent
+from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.search.bottleneck import max_min_search
@@ -121,7 +122,8 @@ def follow(
     inner = tolerance.scaled(AT_POSITIONS) if tolerance is not None else None
     refined = refine(layers, found, tolerance=inner, progress=lambda share, text: tell(0.6 + 0.3 * share, text))
     tell(0.9, "joining the positions")
-    joints, result, axis = _joined(path, layers, found, refined, tolerance)
+    world = scene.collision_model(robot)
+    joints, result, axis = _joined(path, layers, found, refined, tolerance, world)
     draft = replace(draft, status=Status.FOLLOWED, refinement=refined, path=joints, result=result)
     tell(0.95, "timing the motion")
     try:
@@ -134,8 +136,7 @@ def follow(
     pose, s = robot.kinematics(result.task).pose, np.linspace(0.0, 1.0, TIMES)
     deviation = deviation_from(path, pose(motion), axis)
     draft = replace(draft, deviation=deviation)
-    collision = scene.collision_model(robot)
-    made = checked(draft, trajectory, result, collision, joints.goal, clearance=clearance, torque=torque, throw=throw)
+    made = checked(draft, trajectory, result, world, joints.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
     allowed = _allowed(tolerance)
     excess = _excess(deviation, allowed, "time") or _excess(deviation_at(path, s, pose(joints(s)), axis), allowed, "path")
     if excess and made.report is not None and made.status is Status.FOLLOWED:
@@ -146,7 +147,12 @@ def follow(
 
 
 def _joined(
-    path: CartesianPath, layers: Layers, found: SearchResult, refined: Refinement, tolerance: Tolerance | None
+    path: CartesianPath,
+    layers: Layers,
+    found: SearchResult,
+    refined: Refinement,
+    tolerance: Tolerance | None,
+    model: CollisionModel,
 ) -> tuple[JointPath, PathResult, Array | None]:
     """The joint path through the refined positions, its figures beside those of the path that the search found, and the
     tool's axis whose direction alone counts.
@@ -170,20 +176,8 @@ def _joined(
         if layers.closed:
             s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
         paths.append(joint_path(solver, rows, path, s, q, closed=layers.closed, allowed=allowed, tube=inside))
-    cost, seed_cost = (path_cost(each, kinematics, 1.0) for each in paths)
-    result = PathResult(
-        path=paths[0],
-        g=cost.g,
-        length=cost.length,
-        min_manipulability=cost.min_manipulability,
-        min_at=cost.at,
-        power=1.0,
-        task=kinematics.task,
-        seed=paths[1],
-        seed_cost=seed_cost,
-        history=(),
-        status=Status.FOLLOWED,
-    )
+    objective = PathObjective(kinematics=kinematics, power=1.0)
+    result = measured(paths[0], objective, seed=paths[1], model=model, status=Status.FOLLOWED)
     return paths[0], result, solver.axis
 
 

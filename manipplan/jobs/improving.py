@@ -11,8 +11,8 @@ from manipplan.errors import InvalidInputError
 from manipplan.interrupts import interruptible
 from manipplan.jobs.result import Plan, checked, failed, silent
 from manipplan.measures.task import Task
-from manipplan.optimize.objective import path_cost
-from manipplan.optimize.result import PathResult
+from manipplan.optimize.objective import PathObjective, path_cost
+from manipplan.optimize.result import measured
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
@@ -97,27 +97,14 @@ def improve(
         tracking.manipulability.mean() > kinematics.manipulability(seed(u)).mean()
     )
     status = Status.IMPROVED if higher else Status.NOT_BETTER
-    if not higher:
-        path, cost = seed, recorded_cost
-    result = PathResult(
-        path=path,
-        g=cost.g,
-        length=cost.length,
-        min_manipulability=cost.min_manipulability,
-        min_at=cost.at,
-        power=1.0,
-        task=controller.task,
-        seed=seed,
-        seed_cost=recorded_cost,
-        history=(),
-        status=status,
-    )
-    draft = Plan(robot=robot, scene=scene, status=status, path=path, result=result, tracking=tracking)
+    objective = PathObjective(kinematics=kinematics, power=1.0)
+    result = measured(path if higher else seed, objective, seed=seed, model=model, status=status)
+    draft = Plan(robot=robot, scene=scene, status=status, path=result.path, result=result, tracking=tracking)
     if higher and not tracking.status.ok:
         return failed(replace(draft, status=Status.NOT_FOLLOWED), throw, f"{tracking.status.value}: {tracking.message}")
     say("checking the result")
     trajectory = tracking.trajectory() if higher else motion
-    return checked(draft, trajectory, result, model, trajectory.q[-1], clearance=0.0, torque=False, throw=throw)
+    return checked(draft, trajectory, result, model, trajectory.q[-1], clearance=0.0, torque=False, jerk=False, throw=throw)
 
 
 def _timed(robot: Robot, recorded: Trajectory | JointPath | str | Path, duration: float | None) -> Trajectory:

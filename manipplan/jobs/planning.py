@@ -90,7 +90,7 @@ def plan(
     except PlanningError as error:
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     say("checking the result")
-    return checked(draft, trajectory, result, model, path.goal, clearance=clearance, torque=torque, throw=throw)
+    return checked(draft, trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
 
 
 def _optimised(

@@ -79,10 +79,11 @@ def checked(
     *,
     clearance: float,
     torque: bool,
+    jerk: bool,
     throw: bool,
 ) -> Plan:
     """The plan with its report; one that failed where the report did not pass."""
-    report = Report.of(trajectory, result, model, goal, clearance=clearance, torque=torque)
+    report = Report.of(trajectory, result, model, goal, clearance=clearance, torque=torque, jerk=jerk)
     finished = replace(draft, trajectory=trajectory, report=report)
     if report.passed:
         return finished
