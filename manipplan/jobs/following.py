@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, instance, number
-from manipplan.errors import InvalidInputError, PlanningError
+from manipplan.errors import PlanningError
 from manipplan.interrupts import interruptible
 from manipplan.jobs.result import Plan, checked, failed
 from manipplan.measures.task import Task
@@ -17,7 +17,7 @@ from manipplan.optimize.result import PathResult, measured
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation, deviation_at, deviation_from
 from manipplan.paths.joint import JointPath
-from manipplan.progress import Progress, silent
+from manipplan.progress import Progress, part, teller
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
@@ -95,12 +95,10 @@ def follow(
         instance("tolerance", tolerance, Tolerance)
     for name, value in (("torque", torque), ("throw", throw)):
         instance(name, value, bool)
-    if progress is not None and not callable(progress):
-        raise InvalidInputError("progress", progress, "a function of (share, text), or None")
+    tell = teller(progress)
     epsilon = checked_epsilon(epsilon, robot.endless)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
-    tell = progress or silent
     layers = sample_layers(
         robot,
         path,
@@ -112,15 +110,15 @@ def follow(
         closed=closed,
         executor=executor,
         seed=seed,
-        progress=lambda share, text: tell(0.5 * share, text),
+        progress=part(tell, 0.0, 0.5),
     )
     draft = Plan(robot=robot, scene=scene, status=Status.NOT_CONNECTED)
-    found = max_min_search(layers, epsilon, throw=False, progress=lambda share, text: tell(0.5 + 0.1 * share, text))
+    found = max_min_search(layers, epsilon, throw=False, progress=part(tell, 0.5, 0.6))
     draft = replace(draft, search=found)
     if not found.connected:
         return failed(draft, throw, found.message)
     inner = tolerance.scaled(AT_POSITIONS) if tolerance is not None else None
-    refined = refine(layers, found, tolerance=inner, progress=lambda share, text: tell(0.6 + 0.3 * share, text))
+    refined = refine(layers, found, tolerance=inner, progress=part(tell, 0.6, 0.9))
     tell(0.9, "joining the positions")
     world = scene.collision_model(robot)
     joints, result, axis = _joined(path, layers, found, refined, tolerance, world)

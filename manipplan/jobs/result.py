@@ -91,10 +91,6 @@ def checked(
     return failed(replace(finished, status=Status.CHECK_FAILED, report=report), throw, str(report))
 
 
-def silent(_: str) -> None:
-    """Tell nobody."""
-
-
 def failed(plan: Plan, throw: bool, message: str) -> Plan:
     """The plan with its message, returned or raised."""
     without = replace(plan, message=message)
