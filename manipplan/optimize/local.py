@@ -59,7 +59,7 @@ class LocalSearch:
     ends: EndConditions = field(default_factory=EndConditions)
 
     def only_one(self) -> list[Candidate]:
-        """The only path of this degree, such as the straight line of degree 1; none when it is not free."""
+        """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
         solution = Solution(coefficients=self._straight(), slack=0.0, status="Solve_Succeeded")
         candidate, _ = self.judged("straight", solution, ())
         self.history.clear()  # nothing was solved
@@ -78,10 +78,10 @@ class LocalSearch:
         places: tuple[near.Place, ...] = ()
         if self.model is not None:
             places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
-        coefficients = self.ends.met(self.program.fit(first, s), self.start, self.goal)
+        coefficients = self.ends.met(self.program.basis, self.program.basis.fit(first, s), self.start, self.goal)
         found: list[Candidate] = []
         for _ in range(ROUNDS):
-            path = self.program.path(self.start, self.goal, coefficients)
+            path = self.program.basis.path(self.start, self.goal, coefficients)
             watched = places
             if self.model is not None:
                 most = np.inf if found else self.clearance + near.FAR
@@ -102,13 +102,14 @@ class LocalSearch:
 
     def unconstrained_g(self, path: JointPath) -> float:
         """g of the local optimum near a path with neither limits nor obstacles."""
-        one_piece = len(path.control) == 1  # which the fit gives back as it is
+        basis = self.program.basis
+        same_breaks = np.isin(path.breaks, basis.breaks).all()  # which the fit gives back as it is
         even = np.linspace(0.0, 1.0, near.PLACES + 1)
-        s = even if one_piece else self.program.objective.constant_speed(path, near.PLACES + 1)
-        guess = self.ends.met(self.program.fit(path, s), self.start, self.goal)
+        s = even if same_breaks else self.program.objective.constant_speed(path, near.PLACES + 1)
+        guess = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
         if self.program.free.size:
             guess = self.program.unlimited(self.start, self.goal, guess).coefficients
-        return self.program.objective.cost(self.program.path(self.start, self.goal, guess)).g
+        return self.program.objective.cost(basis.path(self.start, self.goal, guess)).g
 
     def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
         """Clearance rows at the places of `path`, with planes of the path `safe` where it is not free."""
@@ -132,7 +133,7 @@ class LocalSearch:
     @interruptible()
     def judged(self, name: str, solution: Solution, places: tuple[near.Place, ...]) -> tuple[Candidate | None, Array]:
         """The candidate when the solution is inside the limits and free, and its distance profile (m, k) [m]."""
-        path = self.program.path(self.start, self.goal, solution.coefficients)
+        path = self.program.basis.path(self.start, self.goal, solution.coefficients)
         cost = self.program.objective.cost(path)
         distances = np.full((near.PLACES + 1, 1), np.inf)
         if self.model is not None:
@@ -154,8 +155,8 @@ class LocalSearch:
         return candidate, distances
 
     def _straight(self) -> Array:
-        """Coefficients (n, k - 1) of the path nearest to the straight line that meets the end conditions."""
-        return self.ends.met(np.zeros((self.program.n, self.program.degree - 1)), self.start, self.goal)
+        """Coefficients (n, size) of the path nearest to the straight line that meets the end conditions."""
+        return self.ends.met(self.program.basis, np.zeros((self.program.n, self.program.basis.size)), self.start, self.goal)
 
     def _watching(self, candidate: Candidate, distances: Array) -> Candidate:
         """The candidate with places where it comes near something, though no row was needed to keep it away."""

@@ -8,6 +8,7 @@ import numpy as np
 from manipplan.checks import Array
 from manipplan.measures.measure import Measure
 from manipplan.measures.task import Task
+from manipplan.optimize.basis import named_basis
 from manipplan.optimize.certificate import Certificate
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.local import LocalSearch, Step
@@ -31,7 +32,7 @@ class PathProblem:
     Attributes:
         robot, scene: the arm and its obstacles; None: nothing is checked for collision.
         task, measure, power, metric: of the objective.
-        degree: of the polynomial.
+        basis, degree, pieces: a name of BASES, the degree of its pieces, and how many there are.
         clearance: to keep [m].
         time_limit: of the planner [s].
         ends: fixed derivatives at start and goal.
@@ -43,7 +44,9 @@ class PathProblem:
     measure: Measure
     power: float
     metric: Array | None
+    basis: str
     degree: int
+    pieces: int
     clearance: float
     time_limit: float
     ends: EndConditions = field(default_factory=EndConditions)
@@ -60,10 +63,10 @@ class PathProblem:
 
 def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *, straight: bool = True) -> PathResult:
     """The best path near `first`, which is free and inside the limits, and with `straight` near the straight line."""
-    objective, model, degree, clearance = problem.objective(), problem.model(), problem.degree, problem.clearance
+    objective, model, clearance = problem.objective(), problem.model(), problem.clearance
     first_cost = objective.cost(first)
     history: list[Step] = []
-    program = _program(objective, degree, problem.ends.pattern)
+    program = _program(problem, objective)
     search = LocalSearch(
         program=program, start=start, goal=goal, model=model, clearance=clearance, history=history, ends=problem.ends
     )
@@ -108,12 +111,13 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
     )
 
 
-def _program(objective: PathObjective, degree: int, fixed: tuple[tuple[float, int], ...]) -> PathProgram:
-    kinematics = objective.kinematics
+def _program(problem: PathProblem, objective: PathObjective) -> PathProgram:
+    kinematics, fixed = objective.kinematics, problem.ends.pattern
+    basis = (problem.basis, problem.degree, problem.pieces)
     metric = None if objective.metric is None else objective.metric.tobytes()
-    key = ("path program", kinematics.task, kinematics.measure, objective.power, metric, degree, fixed)
+    key = ("path program", kinematics.task, kinematics.measure, objective.power, metric, basis, fixed)
     cache = kinematics.robot.cache
     if key not in cache:
-        cache[key] = PathProgram(objective, degree, fixed)
+        cache[key] = PathProgram(objective, named_basis(*basis), fixed)
     program: PathProgram = cache[key]
     return program
