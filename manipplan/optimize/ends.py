@@ -12,8 +12,8 @@ from manipplan.paths.joint import JointPath
 
 #: A path has an end derivative when no joint is off by more than this share of it, or of the way.
 TOLERANCE = 1e-6
-#: Slopes of integrated Legendre polynomials, 1/3 and less in square, come out orthogonal to this.
-ORTHOGONAL = 1e-12
+#: Slopes of integrated Legendre polynomials come out orthogonal to this.
+ORTHOGONAL = 1e-10
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -49,14 +49,14 @@ class EndConditions:
         return not len(rows) or (basis.size > 0 and int(np.linalg.matrix_rank(rows)) == len(rows))
 
     def met(self, basis: Basis, coefficients: Array, start: Array, goal: Array) -> Array:
-        """The coefficients (n, size) nearest to the given ones whose path meets the conditions."""
-        rows = end_rows(self.pattern, basis)
+        """The coefficients (n, size) of the path that meets the conditions and whose slopes are nearest to those given."""
         line = {1: goal - start, 2: np.zeros_like(start)}
         wanted = [value - line[order] for _, order, value in self._all() if value is not None]
         if not wanted:
             return coefficients
+        rows, across = end_rows(self.pattern, basis), orthonormal(basis)
         missing = np.column_stack(wanted) - coefficients @ rows.T
-        return np.asarray(coefficients + np.linalg.lstsq(rows, missing.T, rcond=None)[0].T)
+        return np.asarray(coefficients + (across @ np.linalg.lstsq(rows @ across, missing.T, rcond=None)[0]).T)
 
     def met_by(self, path: JointPath) -> bool:
         """Whether a path has these derivatives at its ends."""
@@ -83,16 +83,19 @@ def end_rows(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Array:
 
 
 def free_directions(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Array:
-    """Directions (size, f) of a joint's coefficients that keep the conditions, and whose slopes ∫ φ' φ' ds are orthogonal.
+    """Directions (size, f) of a joint's coefficients that keep the conditions, and whose slopes are orthogonal.
 
-    IPOPT adds multiples of the identity to the Hessian: by orthogonal slopes these mean the same in every basis. A polish
-    in monomials of degree 6 as they are did not converge in 100 steps; along these directions it took 14.
+    IPOPT adds multiples of the identity to the Hessian, which so mean the same in every basis: a polish in monomials of degree 6
+    as they are did not converge in 100 steps, along these directions it took 14.
     """
-    rows = end_rows(pattern, basis)
-    free = np.eye(basis.size) if not len(rows) else np.linalg.svd(rows)[2][len(rows) :].T
+    across = orthonormal(basis)
+    if pattern:
+        return np.asarray(across @ np.linalg.svd(end_rows(pattern, basis) @ across)[2][len(pattern) :].T)
+    are_orthogonal = np.allclose(across, np.diag(np.diag(across)), rtol=0, atol=ORTHOGONAL)  # Legendre
+    return np.eye(basis.size) if are_orthogonal else across
+
+
+def orthonormal(basis: Basis) -> Array:
+    """The matrix (size, size) of coefficients whose functions ψ have ∫ ψ_i' ψ_j' ds = 1 for i = j, else 0."""
     s, weights = basis.gauss(basis.degree)
-    slopes = np.sqrt(weights)[:, None] * (basis.values(s, 1) @ free)
-    products = slopes.T @ slopes
-    if np.allclose(products, np.diag(np.diag(products)), rtol=0, atol=ORTHOGONAL):
-        return np.asarray(free)  # Legendre polynomials
-    return np.asarray(free @ np.linalg.inv(np.linalg.qr(slopes).R))
+    return np.asarray(np.linalg.inv(np.linalg.qr(np.sqrt(weights)[:, None] * basis.values(s, 1)).R))
