@@ -19,6 +19,9 @@ from manipplan.seeds.ompl import seed_path
 from manipplan.status import Status
 from manipplan.timing.retime import check_timing_limits, retime
 
+#: Pieces of the B-spline that is tried when polynomials of one piece fail.
+SPLINE_PIECES = 8
+
 
 @interruptible()
 def plan(
@@ -40,7 +43,7 @@ def plan(
     """From start to goal: a collision-free path far from singularities, timed, and checked again when finished.
 
     A seed is found by OMPL and improved by the path optimiser; where no polynomial of `degree`, or of three degrees
-    more, stays clear, the seed itself is timed and the status says so.
+    more, stays clear, by a cubic B-spline; where that does not either, the seed itself is timed and the status says so.
 
     Args:
         robot: the arm.
@@ -97,10 +100,21 @@ def _optimised(
     robot: Robot, first: JointPath, degree: int, power: float, task: Task | None, scene: Scene, clearance: float
 ) -> PathResult:
     results = []
-    for each in (degree, min(degree + 3, 20)):
+    for each, basis, pieces in ((degree, "legendre", 1), (min(degree + 3, 20), "legendre", 1), (3, "bspline", SPLINE_PIECES)):
         results.append(
             optimize_path(
-                robot, first.start, first.goal, each, power, task, scene, initial=first, clearance=clearance, throw=False
+                robot,
+                first.start,
+                first.goal,
+                each,
+                power,
+                task,
+                scene,
+                initial=first,
+                basis=basis,
+                pieces=pieces,
+                clearance=clearance,
+                throw=False,
             )
         )
         if results[-1].status.ok:

@@ -171,7 +171,9 @@ def named_basis(name: str, degree: int, pieces: int = 1) -> Basis:
     if name in SERIES:
         return Series(degree=degree, breaks=breaks, functions=SERIES[name](degree))
     if degree < SPLINES.get(name, 1):
-        raise InvalidInputError("degree", degree, f"at least {SPLINES[name]} with basis {name!r}, whose pieces join in one slope")
+        raise InvalidInputError(
+            "degree", degree, f"at least {SPLINES[name]} with basis {name!r}, whose pieces join in one slope"
+        )
     return Spline(degree=degree, breaks=breaks, continuity=1 if name == "composite" else degree - 1)
 
 

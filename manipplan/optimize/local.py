@@ -22,6 +22,8 @@ ROUNDS = 8
 SMALL_GAIN = 1e-2
 #: Clearance rows are added at so many places a round, the deepest dips first.
 NEW_PLACES = 10
+#: Steps from one free path to the next, and how far one may go, at first and least: see `PathProgram.solve`.
+STEPS, REACH, LEAST_REACH = 20, 0.3, 0.02
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,12 +75,11 @@ class LocalSearch:
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """From the fit to a free path, with rows that hold the path on that side of everything it comes near."""
-        s = self.program.objective.constant_speed(first, near.PLACES + 1)
+        s, coefficients = self._followed(first)
         even = np.linspace(0.0, 1.0, len(s))
         places: tuple[near.Place, ...] = ()
         if self.model is not None:
             places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
-        coefficients = self.ends.met(self.program.basis, self.program.basis.fit(first, s), self.start, self.goal)
         found: list[Candidate] = []
         for _ in range(ROUNDS):
             path = self.program.basis.path(self.start, self.goal, coefficients)
@@ -98,6 +99,38 @@ class LocalSearch:
                 found[-1] = self._watching(candidate, distances)
                 break
             places = self.more_places(places, distances, touching=candidate is None)
+        return found
+
+    def by_steps(self, first: JointPath) -> list[Candidate]:
+        """From the fit to a free path by steps that are short enough to stay free: for a basis that can follow that path.
+
+        Where low degrees have no free path nearby and have to jump, many pieces have too much freedom for it. After a free
+        step the next may go twice as far; after another one it starts again from the free path, half as far.
+        """
+        assert self.model is not None
+        s, coefficients = self._followed(first)
+        even, far = np.linspace(0.0, 1.0, len(s)), self.clearance + near.FAR
+        places = tuple(near.dips(near.distance_profile(self.model, first(s)), far))
+        reach = REACH
+        found: list[Candidate] = []
+        for _ in range(STEPS):
+            path = self.program.basis.path(self.start, self.goal, coefficients)
+            rows = self.rows(path, lambda at: first(np.interp(at, even, s)), near.nearest(self.model, path, places))
+            solution = self.program.solve(self.start, self.goal, coefficients, rows, reach=reach)
+            candidate, distances = self.judged("steps", solution, places)
+            if candidate is None:
+                more = self.more_places(places, distances, touching=True)
+                if found and reach == LEAST_REACH and len(more) == len(places):
+                    break
+                places, reach = more, max(reach / 2, LEAST_REACH)
+                coefficients = coefficients if found else solution.coefficients
+                continue
+            found.append(candidate)
+            small = len(found) > 1 and found[-2].cost.g - candidate.cost.g < SMALL_GAIN * candidate.cost.g
+            if small and reach >= REACH:
+                break
+            coefficients, reach = candidate.coefficients, 2 * reach
+            places = tuple(near.merged(places, near.dips(distances, far)))
         return found
 
     def unconstrained_g(self, path: JointPath) -> float:
@@ -157,6 +190,12 @@ class LocalSearch:
     def _straight(self) -> Array:
         """Coefficients (n, size) of the path nearest to the straight line that meets the end conditions."""
         return self.ends.met(self.program.basis, np.zeros((self.program.n, self.program.basis.size)), self.start, self.goal)
+
+    def _followed(self, path: JointPath) -> tuple[Array, Array]:
+        """Places s (m,) at equal shares of a path's g, and the coefficients (n, size) of the fit to it there."""
+        s = self.program.objective.constant_speed(path, near.PLACES + 1)
+        basis = self.program.basis
+        return s, self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
 
     def _watching(self, candidate: Candidate, distances: Array) -> Candidate:
         """The candidate with places where it comes near something, though no row was needed to keep it away."""

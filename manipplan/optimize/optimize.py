@@ -71,7 +71,7 @@ def optimize_path(
         shifts: "within-limits" tries goals 2π away in each revolute joint too, and returns the best; the goal's pose is
             the same. That is up to 3 to the power of n goals. Not together with `initial`.
         basis: in which the path is sought. "legendre", "bernstein", "chebyshev" and "monomial" are one polynomial: the same
-            optimum, by different numbers (monomials are badly conditioned from degree 10 on). "bspline" joins `pieces`
+            optimum, by different numbers (monomials only up to about degree 14). "bspline" joins `pieces`
             with degree - 1 continuous derivatives, "composite" with one: for ways around many corners.
         pieces: of equal width in s, 1 to 64; more than 1 only with "bspline" and "composite".
         measure: m, a name of `available_measures()` or a Measure that is at least zero and better when larger; default

@@ -98,13 +98,16 @@ class PathProgram:
         s, weights = line.quadrature(panels=POLISH_PANELS)
         return _Objective(density=length_density(self.objective), s=s, weights=weights)
 
-    def solve(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
+    def solve(
+        self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = (), *, reach: float = np.inf
+    ) -> Solution:
         """Minimise the energy from a guess (n, size), which has the fixed end derivatives.
 
-        Rows that cannot hold come back with their slack.
+        Rows that cannot hold come back with their slack. No unknown moves further than `reach` from the guess: in a basis of
+        several pieces, by which each moves a joint's slope, in the mean square over s [rad or m].
         """
         size = self._integral(self._energy, start, goal, guess, 1.0)
-        return self._solve("energy", start, goal, guess, rows, size, 1.0)
+        return self._solve("energy", start, goal, guess, rows, size, 1.0, reach=reach)
 
     def polish(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
         """Minimise g itself from a guess (n, size), with so little of the energy that its minimum is one point."""
@@ -127,6 +130,7 @@ class PathProgram:
         g0: float,
         *,
         limited: bool = True,
+        reach: float = np.inf,
     ) -> Solution:
         capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
         solver = self._solver(kind, capacity)
@@ -140,8 +144,8 @@ class PathProgram:
         result = solver(
             x0=np.concatenate([unknowns.ravel(order="F"), np.zeros(capacity)]),
             p=parameters,
-            lbx=np.concatenate([np.full(unknowns.size, -np.inf), np.zeros(capacity)]),
-            ubx=np.inf,
+            lbx=np.concatenate([unknowns.ravel(order="F") - reach, np.zeros(capacity)]),
+            ubx=np.concatenate([unknowns.ravel(order="F") + reach, np.full(capacity, np.inf)]),
             lbg=np.concatenate([joint_limits[0], np.zeros(capacity)]),
             ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
         )

@@ -74,7 +74,8 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
     is_free = bool(program.free.size)
     found = search.only_one() if not is_free else search.unconstrained() if straight or is_line else []
     if is_free and not (found and is_line):  # from a straight seed the same solve would come again
-        found += search.from_safe_path(first)
+        by_steps = model is not None and len(program.basis.breaks) > 2
+        found += search.by_steps(first) if by_steps else search.from_safe_path(first)
     safe = model is None or bool(found)
     best = min(found, key=lambda candidate: candidate.cost.g, default=None)
     if best is not None and is_free:
