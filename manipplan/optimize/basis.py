@@ -79,7 +79,8 @@ class Basis(ABC):
         """
         pieces = len(self.breaks) - 1
         cut = subdivision(self.degree, -(-parts // pieces))
-        return (self.line @ cut.T).ravel(), (cut @ self.control).reshape(-1, self.size)
+        line = (self.line @ cut.T).ravel()
+        return line, (cut @ self.control).reshape(len(line), self.size)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -152,7 +153,7 @@ SERIES: dict[str, Callable[[int], tuple[Function, ...]]] = {
 SPLINES = {"bspline": 1, "composite": 2}
 BASES = (*SERIES, "bernstein", *SPLINES)
 #: Pieces at most.
-MOST_PIECES = 64
+MOST_PIECES = 32
 
 
 def named_basis(name: str, degree: int, pieces: int = 1) -> Basis:

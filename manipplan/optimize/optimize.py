@@ -73,7 +73,7 @@ def optimize_path(
         basis: in which the path is sought. "legendre", "bernstein", "chebyshev" and "monomial" are one polynomial: the same
             optimum, by different numbers (monomials only up to about degree 14). "bspline" joins `pieces`
             with degree - 1 continuous derivatives, "composite" with one: for ways around many corners.
-        pieces: of equal width in s, 1 to 64; more than 1 only with "bspline" and "composite".
+        pieces: of equal width in s, 1 to 32; more than 1 only with "bspline" and "composite".
         measure: m, a name of `available_measures()` or a Measure that is at least zero and better when larger; default
             Yoshikawa's index.
         metric: W in ‖q'‖_W² = q'ᵀ W q', weights (n,) > 0 or a symmetric positive definite matrix (n, n); default identity.
