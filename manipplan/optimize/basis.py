@@ -11,6 +11,7 @@ from functools import cached_property
 
 import numpy as np
 from numpy.polynomial import Chebyshev, Legendre, Polynomial
+from numpy.polynomial.legendre import legvander
 
 from manipplan.checks import Array, whole_number
 from manipplan.errors import InvalidInputError, UnknownNameError
@@ -99,6 +100,16 @@ class Series(Basis):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class IntegratedLegendre(Series):
+    """The same with φ_j' = P_j(2s - 1) to the last digit: the rounds among obstacles enlarge what is rounded."""
+
+    def values(self, s: Array, order: int = 0) -> Array:
+        if order == 1:
+            return np.asarray(legvander(2 * s - 1, max(self.degree - 1, 1)), dtype=float)[:, 1 : self.degree]
+        return super().values(s, order)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Spline(Basis):
     """Clamped B-splines [deboor1978]; with continuity C¹ their coefficients are Bernstein points of the pieces.
 
@@ -129,7 +140,13 @@ class Spline(Basis):
 
 def _legendre(degree: int) -> tuple[Function, ...]:
     """Integrals of the Legendre polynomials P_1 .. P_{k-1}: the slopes are orthogonal, so the energy is well conditioned."""
-    return tuple(Legendre.basis(j, domain=[0, 1]).integ(lbnd=0) for j in range(1, degree))
+    functions = []
+    for j in range(1, degree):
+        # ∫ P_j(ξ) dξ = (P_{j+1} - P_{j-1}) / (2j + 1); ds = dξ / 2
+        series = np.zeros(j + 2)
+        series[j + 1], series[j - 1] = 1.0, -1.0
+        functions.append(Legendre(series / (2 * (2 * j + 1)), domain=[0, 1]))
+    return tuple(functions)
 
 
 def _chebyshev(degree: int) -> tuple[Function, ...]:
@@ -170,7 +187,8 @@ def named_basis(name: str, degree: int, pieces: int = 1) -> Basis:
         raise InvalidInputError("pieces", pieces, f"1 with basis {name!r}; {' and '.join(SPLINES)} can have more")
     breaks = np.linspace(0.0, 1.0, pieces + 1)
     if name in SERIES:
-        return Series(degree=degree, breaks=breaks, functions=SERIES[name](degree))
+        kind = IntegratedLegendre if name == "legendre" else Series
+        return kind(degree=degree, breaks=breaks, functions=SERIES[name](degree))
     if degree < SPLINES.get(name, 1):
         raise InvalidInputError(
             "degree", degree, f"at least {SPLINES[name]} with basis {name!r}, whose pieces join in one slope"
