@@ -43,7 +43,7 @@ class Certificate:
         solver: IPOPT's word on the solve it is from; "" for a seed and for a path that left nothing to solve.
         g: ∫ ‖q'‖_W / m^power ds on the fine rule.
         unconstrained_g: of the local optimum that is reached from this path with neither limits nor obstacles, in the same
-            degree and with the same end conditions; `gap` is how far g is above it, as a share. nan when g is infinite, and for
+            basis and with the same end conditions; `gap` is how far g is above it, as a share. nan when g is infinite, and for
             a path that was not made by the path optimiser.
         power, measure, unit: exponent, name of the measure and its unit.
         min_manipulability, min_at: the least index, and the s where it is.

@@ -22,6 +22,8 @@ ROUNDS = 8
 SMALL_GAIN = 1e-2
 #: Clearance rows are added at so many places a round, the deepest dips first.
 NEW_PLACES = 10
+#: Steps from one free path to the next, and how far one may go, at first and least: see `PathProgram.solve`.
+STEPS, REACH, LEAST_REACH = 20, 0.3, 0.02
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,7 +61,7 @@ class LocalSearch:
     ends: EndConditions = field(default_factory=EndConditions)
 
     def only_one(self) -> list[Candidate]:
-        """The only path of this degree, such as the straight line of degree 1; none when it is not free."""
+        """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
         solution = Solution(coefficients=self._straight(), slack=0.0, status="Solve_Succeeded")
         candidate, _ = self.judged("straight", solution, ())
         self.history.clear()  # nothing was solved
@@ -73,15 +75,14 @@ class LocalSearch:
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """From the fit to a free path, with rows that hold the path on that side of everything it comes near."""
-        s = self.program.objective.constant_speed(first, near.PLACES + 1)
+        s, coefficients = self._followed(first)
         even = np.linspace(0.0, 1.0, len(s))
         places: tuple[near.Place, ...] = ()
         if self.model is not None:
             places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
-        coefficients = self.ends.met(self.program.fit(first, s), self.start, self.goal)
         found: list[Candidate] = []
         for _ in range(ROUNDS):
-            path = self.program.path(self.start, self.goal, coefficients)
+            path = self.program.basis.path(self.start, self.goal, coefficients)
             watched = places
             if self.model is not None:
                 most = np.inf if found else self.clearance + near.FAR
@@ -100,15 +101,48 @@ class LocalSearch:
             places = self.more_places(places, distances, touching=candidate is None)
         return found
 
+    def by_steps(self, first: JointPath) -> list[Candidate]:
+        """From the fit to a free path by steps that are short enough to stay free: for a basis that can follow that path.
+
+        Where low degrees have no free path nearby and have to jump, many pieces have too much freedom for it. After a free
+        step the next may go twice as far; after another one it starts again from the free path, half as far.
+        """
+        assert self.model is not None
+        s, coefficients = self._followed(first)
+        even, far = np.linspace(0.0, 1.0, len(s)), self.clearance + near.FAR
+        places = tuple(near.dips(near.distance_profile(self.model, first(s)), far))
+        reach = REACH
+        found: list[Candidate] = []
+        for _ in range(STEPS):
+            path = self.program.basis.path(self.start, self.goal, coefficients)
+            rows = self.rows(path, lambda at: first(np.interp(at, even, s)), near.nearest(self.model, path, places))
+            solution = self.program.solve(self.start, self.goal, coefficients, rows, reach=reach)
+            candidate, distances = self.judged("steps", solution, places)
+            if candidate is None:
+                more = self.more_places(places, distances, touching=True)
+                if found and reach == LEAST_REACH and len(more) == len(places):
+                    break
+                places, reach = more, max(reach / 2, LEAST_REACH)
+                coefficients = coefficients if found else solution.coefficients
+                continue
+            found.append(candidate)
+            small = len(found) > 1 and found[-2].cost.g - candidate.cost.g < SMALL_GAIN * candidate.cost.g
+            if small and reach >= REACH:
+                break
+            coefficients, reach = candidate.coefficients, 2 * reach
+            places = tuple(near.merged(places, near.dips(distances, far)))
+        return found
+
     def unconstrained_g(self, path: JointPath) -> float:
         """g of the local optimum near a path with neither limits nor obstacles."""
-        one_piece = len(path.control) == 1  # which the fit gives back as it is
+        basis = self.program.basis
+        same_breaks = np.isin(path.breaks, basis.breaks).all()  # which the fit gives back as it is
         even = np.linspace(0.0, 1.0, near.PLACES + 1)
-        s = even if one_piece else self.program.objective.constant_speed(path, near.PLACES + 1)
-        guess = self.ends.met(self.program.fit(path, s), self.start, self.goal)
+        s = even if same_breaks else self.program.objective.constant_speed(path, near.PLACES + 1)
+        guess = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
         if self.program.free.size:
             guess = self.program.unlimited(self.start, self.goal, guess).coefficients
-        return self.program.objective.cost(self.program.path(self.start, self.goal, guess)).g
+        return self.program.objective.cost(basis.path(self.start, self.goal, guess)).g
 
     def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
         """Clearance rows at the places of `path`, with planes of the path `safe` where it is not free."""
@@ -132,7 +166,7 @@ class LocalSearch:
     @interruptible()
     def judged(self, name: str, solution: Solution, places: tuple[near.Place, ...]) -> tuple[Candidate | None, Array]:
         """The candidate when the solution is inside the limits and free, and its distance profile (m, k) [m]."""
-        path = self.program.path(self.start, self.goal, solution.coefficients)
+        path = self.program.basis.path(self.start, self.goal, solution.coefficients)
         cost = self.program.objective.cost(path)
         distances = np.full((near.PLACES + 1, 1), np.inf)
         if self.model is not None:
@@ -154,8 +188,14 @@ class LocalSearch:
         return candidate, distances
 
     def _straight(self) -> Array:
-        """Coefficients (n, k - 1) of the path nearest to the straight line that meets the end conditions."""
-        return self.ends.met(np.zeros((self.program.n, self.program.degree - 1)), self.start, self.goal)
+        """Coefficients (n, size) of the path nearest to the straight line that meets the end conditions."""
+        return self.ends.met(self.program.basis, np.zeros((self.program.n, self.program.basis.size)), self.start, self.goal)
+
+    def _followed(self, path: JointPath) -> tuple[Array, Array]:
+        """Places s (m,) at equal shares of a path's g, and the coefficients (n, size) of the fit to it there."""
+        s = self.program.objective.constant_speed(path, near.PLACES + 1)
+        basis = self.program.basis
+        return s, self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
 
     def _watching(self, candidate: Candidate, distances: Array) -> Candidate:
         """The candidate with places where it comes near something, though no row was needed to keep it away."""

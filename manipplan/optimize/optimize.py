@@ -1,4 +1,4 @@
-"""optimize_path: the polynomial joint path of least g between two configurations, among obstacles."""
+"""optimize_path: the joint path of least g between two configurations, among obstacles."""
 
 from concurrent.futures import Executor
 
@@ -12,6 +12,7 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import MEASURES
 from manipplan.measures.task import Task
+from manipplan.optimize.basis import named_basis
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.homotopy import Crew, best_and_rivals, seed_classes, shifted_goals
 from manipplan.optimize.metric import metric_matrix
@@ -40,6 +41,8 @@ def optimize_path(
     initial: JointPath | None = None,
     shifts: str = "none",
     *,
+    basis: str = "legendre",
+    pieces: int = 1,
     measure: Measure | str | None = None,
     metric: ArrayLike | None = None,
     start_slope: ArrayLike | None = None,
@@ -64,13 +67,17 @@ def optimize_path(
     Args:
         robot: the arm.
         start, goal: (n,) inside the limits [rad or m].
-        degree: of the polynomial, 1 to 20; 1 is the straight line.
+        degree: of the polynomial, or of each of its pieces, 1 to 20; 1 in one piece is the straight line.
         power: exponent p of the index, above 0 and at most 100.
         task: whose index counts; default `robot.default_task`.
         scene: obstacles; None: no collision is checked, not even of the arm with itself.
         initial: first path from start to goal; with a scene it must be free. Default: straight, or by `seed_path`.
         shifts: "within-limits" tries goals 2π away in each revolute joint too, and returns the best; the goal's pose is
             the same. That is up to 3 to the power of n goals. Not together with `initial`.
+        basis: in which the path is sought. "legendre", "bernstein", "chebyshev" and "monomial" are one polynomial: the same
+            optimum, by different numbers (monomials only up to about degree 14). "bspline" joins `pieces`
+            with degree - 1 continuous derivatives, "composite" with one: for ways around many corners.
+        pieces: of equal width in s, 1 to 32; more than 1 only with "bspline" and "composite".
         measure: m, a name of `available_measures()` or a Measure that is at least zero and better when larger; default
             Yoshikawa's index.
         metric: W in ‖q'‖_W² = q'ᵀ W q', weights (n,) > 0 or a symmetric positive definite matrix (n, n); default identity.
@@ -100,6 +107,7 @@ def optimize_path(
     if initial is not None:
         instance("initial", initial, JointPath)
     degree = whole_number("degree", degree, least=1, most=MOST_DEGREE)
+    named_basis(basis, degree, pieces)
     power = number("power", power, above=0.0, most=100.0)
     clearance = number("clearance", clearance, least=0.0)
     if shifts not in SHIFTS:
@@ -124,7 +132,9 @@ def optimize_path(
         measure=kinematics.measure,
         power=power,
         metric=metric_matrix("metric", metric, robot.n),
+        basis=basis,
         degree=degree,
+        pieces=int(pieces),
         clearance=clearance,
         time_limit=time_limit,
         ends=EndConditions(
@@ -144,7 +154,7 @@ def optimize_path(
     for each in goals:
         check_apart(q_start, each)
     numbers = [seed if scene is not None else 0, *(seed + k for k in range(1, seeds))]  # without a scene 0 is the line
-    problem.ends.check_degree(degree)
+    problem.ends.check_degree(lambda k: named_basis(basis, k, pieces), degree)
     crew = Crew(problem=problem, executor=executor, tell=tell)
     if initial is not None:
         _check_initial(problem, initial, q_start, q_goal)

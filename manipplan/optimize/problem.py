@@ -1,7 +1,7 @@
-"""The nonlinear program: polynomial coefficients that minimise the energy, or g, within joint limits and clearance rows.
+"""The nonlinear program: coefficients in a basis that minimise the energy, or g, within joint limits and clearance rows.
 
-Unknowns: coefficients x (n, k - 1) of a path of degree k, and one slack e >= 0 [m] a clearance row. Everything that
-changes between solves - ends, rows - is a parameter, so a program is built once for an objective and a degree.
+Unknowns: coefficients x (n, size) of a path, and one slack e >= 0 [m] a clearance row. Everything that
+changes between solves - ends, rows - is a parameter, so a program is built once for an objective and a basis.
 """
 
 from collections.abc import Sequence
@@ -13,19 +13,19 @@ import numpy as np
 
 from manipplan.checks import Array
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.optimize import basis
+from manipplan.optimize.basis import Basis
 from manipplan.optimize.density import Density, energy_density, length_density
 from manipplan.optimize.ends import free_directions
 from manipplan.optimize.objective import PathObjective
 from manipplan.paths.joint import JointPath
 from manipplan.robots.description import axis_of, is_prismatic
 
-#: Gauss points of the energy.
-NODES = 40
+#: Gauss points of the energy on the whole path, and at least on each piece.
+NODES, PIECE_NODES = 40, 8
 #: Panels of ten Gauss points each on which g is polished.
 POLISH_PANELS = 12
-#: The curve is cut into so many pieces, whose control points all obey the joint limits: so does the curve.
-LIMIT_PIECES = 6
+#: The curve is cut into at least so many parts, whose control points all obey the joint limits: so does the curve.
+LIMIT_PARTS = 6
 #: Cost of a slack of one metre, in units of the first energy: a path that can be clear is.
 SLACK_COST = 1e3
 
@@ -54,7 +54,7 @@ class ClearanceRow:
 
 @dataclass(frozen=True, kw_only=True)
 class Solution:
-    """What one solve gave: coefficients (n, k - 1), the largest slack [m] and IPOPT's word."""
+    """What one solve gave: coefficients (n, size), the largest slack [m] and IPOPT's word."""
 
     coefficients: Array
     slack: float
@@ -71,59 +71,51 @@ class _Objective:
 
 
 class PathProgram:
-    """The program for one objective, degree and pattern of fixed end derivatives; see the module's text."""
+    """The program for one objective, basis and pattern of fixed end derivatives; see the module's text."""
 
-    def __init__(self, objective: PathObjective, degree: int, fixed: tuple[tuple[float, int], ...] = ()) -> None:
+    def __init__(self, objective: PathObjective, basis: Basis, fixed: tuple[tuple[float, int], ...] = ()) -> None:
         self.objective = objective
         self.kinematics = kinematics = objective.kinematics
-        self.degree = degree
+        self.basis = basis
         self.n = kinematics.robot.n
         self._solvers: dict[tuple[str, int], ca.Function] = {}
         self._rows = _row_functions(kinematics)
-        matrix = basis.subdivision(degree, LIMIT_PIECES)
-        line = matrix @ np.linspace(0.0, 1.0, degree + 1)
-        rows = matrix @ basis.to_bernstein(degree)
-        #: coefficients (n, k - 1) move along these directions (k - 1, f), which keep the fixed end derivatives
-        self.free = free_directions(fixed, degree)
+        line, rows = basis.hull(LIMIT_PARTS)
+        #: coefficients (n, size) move along these directions (size, f), which keep the fixed end derivatives
+        self.free = free_directions(fixed, basis)
+        self._along = np.linalg.pinv(self.free).T
         moving = np.abs(rows @ self.free).max(axis=1, initial=0.0) > 1e-9
         self._limit_rows, self._limit_line = rows[moving], line[moving]
 
     @cached_property
     def _energy(self) -> "_Objective":
-        s, weights = np.polynomial.legendre.leggauss(NODES)
-        return _Objective(density=energy_density(self.objective), s=(s + 1) / 2, weights=weights / 2)
+        s, weights = self.basis.gauss(max(-(-NODES // (len(self.basis.breaks) - 1)), PIECE_NODES))
+        return _Objective(density=energy_density(self.objective), s=s, weights=weights)
 
     @cached_property
     def _length(self) -> "_Objective":
-        s, weights = JointPath.line([0.0], [1.0]).quadrature(panels=POLISH_PANELS)
+        line = JointPath(breaks=self.basis.breaks, control=self.basis.line[..., None])
+        s, weights = line.quadrature(panels=POLISH_PANELS)
         return _Objective(density=length_density(self.objective), s=s, weights=weights)
 
-    def path(self, start: Array, goal: Array, coefficients: Array) -> JointPath:
-        """The path of given coefficients (n, k - 1)."""
-        control = basis.control_points(self.degree, start, goal, coefficients)
-        return JointPath(breaks=np.array([0.0, 1.0]), control=control[None])
+    def solve(
+        self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = (), *, reach: float = np.inf
+    ) -> Solution:
+        """Minimise the energy from a guess (n, size), which has the fixed end derivatives.
 
-    def fit(self, path: JointPath, s: Array) -> Array:
-        """Coefficients (n, k - 1) of the least-squares fit to `path` sampled at s (m,), taken as equally spaced."""
-        even = np.linspace(0.0, 1.0, len(s))
-        rest = path(s) - (path.start + even[:, None] * (path.goal - path.start))
-        return np.asarray(np.linalg.lstsq(basis.bubbles(self.degree, even), rest, rcond=None)[0].T)
-
-    def solve(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
-        """Minimise the energy from a guess (n, k - 1), which has the fixed end derivatives.
-
-        Rows that cannot hold come back with their slack.
+        Rows that cannot hold come back with their slack. No unknown moves further than `reach` from the guess: in a basis of
+        several pieces, by which each moves a joint's slope, in the mean square over s [rad or m].
         """
         size = self._integral(self._energy, start, goal, guess, 1.0)
-        return self._solve("energy", start, goal, guess, rows, size, 1.0)
+        return self._solve("energy", start, goal, guess, rows, size, 1.0, reach=reach)
 
     def polish(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
-        """Minimise g itself from a guess (n, k - 1), with so little of the energy that its minimum is one point."""
+        """Minimise g itself from a guess (n, size), with so little of the energy that its minimum is one point."""
         size = np.sqrt(self._integral(self._energy, start, goal, guess, 1.0))
         return self._solve("length", start, goal, guess, rows, size, size)
 
     def unlimited(self, start: Array, goal: Array, guess: Array) -> Solution:
-        """Minimise g from a guess (n, k - 1) as if there were neither joint limits nor obstacles."""
+        """Minimise g from a guess (n, size) as if there were neither joint limits nor obstacles."""
         size = np.sqrt(self._integral(self._energy, start, goal, guess, 1.0))
         return self._solve("length", start, goal, guess, (), size, size, limited=False)
 
@@ -138,10 +130,11 @@ class PathProgram:
         g0: float,
         *,
         limited: bool = True,
+        reach: float = np.inf,
     ) -> Solution:
         capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
         solver = self._solver(kind, capacity)
-        unknowns = guess @ self.free
+        unknowns = guess @ self._along
         kept = guess - unknowns @ self.free.T
         numbers = [start, goal, [1 / size, g0], kept.ravel(order="F")]
         parameters = np.concatenate([*numbers, self._row_parameters(rows, capacity).ravel(order="F")])
@@ -151,8 +144,8 @@ class PathProgram:
         result = solver(
             x0=np.concatenate([unknowns.ravel(order="F"), np.zeros(capacity)]),
             p=parameters,
-            lbx=np.concatenate([np.full(unknowns.size, -np.inf), np.zeros(capacity)]),
-            ubx=np.inf,
+            lbx=np.concatenate([unknowns.ravel(order="F") - reach, np.zeros(capacity)]),
+            ubx=np.concatenate([unknowns.ravel(order="F") + reach, np.full(capacity, np.inf)]),
             lbg=np.concatenate([joint_limits[0], np.zeros(capacity)]),
             ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
         )
@@ -167,21 +160,21 @@ class PathProgram:
     def _integral(self, objective: "_Objective", start: Array, goal: Array, guess: Array, g0: float) -> float:
         """The objective at a guess; 1 where it is not a number above zero."""
         s = objective.s
-        q = start[:, None] + np.outer(goal - start, s) + guess @ basis.bubbles(self.degree, s).T
-        v = (goal - start)[:, None] + guess @ basis.bubble_slopes(self.degree, s).T
+        q = start[:, None] + np.outer(goal - start, s) + guess @ self.basis.values(s).T
+        v = (goal - start)[:, None] + guess @ self.basis.values(s, 1).T
         value = float(np.asarray(objective.density.value(q, v, np.full((1, len(s)), g0))).ravel() @ objective.weights)
         return value if np.isfinite(value) and value > 0 else 1.0
 
     def _row_parameters(self, rows: Sequence[ClearanceRow], capacity: int) -> Array:
         """One column a row; unused columns hold a row that is always met."""
         joints = self.n + 1
-        bubbles = self.degree - 1
+        bubbles = self.basis.size
         table = np.zeros((bubbles + 1 + 2 * joints + 8, capacity))
         table[bubbles + 1, :] = table[bubbles + 1 + joints, :] = 1.0
         table[-2, :] = -1.0  # offset -1 m and no normal: 0 >= -1
         for k, row in enumerate(rows):
             carrier, other = np.eye(joints)[row.joint], np.eye(joints)[row.other]
-            place = [*basis.bubbles(self.degree, np.array([row.s]))[0], row.s]
+            place = [*self.basis.values(np.array([row.s]))[0], row.s]
             table[:, k] = [*place, *carrier, *other, *row.point, *row.normal, row.offset, row.distance]
         return table
 
@@ -193,7 +186,7 @@ class PathProgram:
 
     def _build(self, objective: "_Objective", capacity: int) -> ca.Function:
         """IPOPT on the program with `capacity` clearance rows, with exact first and second derivatives."""
-        n, bubbles = self.n, self.degree - 1
+        n, bubbles = self.n, self.basis.size
         free = ca.sparsify(ca.DM(self.free))
         size = n * self.free.shape[1]
         z = ca.MX.sym("z", size + capacity)
@@ -205,7 +198,7 @@ class PathProgram:
         x = ca.reshape(p[2 * n + 2 : fixed], n, bubbles) + ca.reshape(z[:size], n, self.free.shape[1]) @ free.T
         table = ca.reshape(p[fixed:], width, capacity)
         nodes = len(objective.s)
-        values, slopes = basis.bubbles(self.degree, objective.s), basis.bubble_slopes(self.degree, objective.s)
+        values, slopes = self.basis.values(objective.s), self.basis.values(objective.s, 1)
 
         # the objective: e(q_i, v_i) at the nodes, q = line + x φ, v = line' + x φ'
         q = start @ ca.DM.ones(1, nodes) + (goal - start) @ ca.DM(objective.s).T + x @ ca.DM(values).T

@@ -8,6 +8,7 @@ import numpy as np
 from manipplan.checks import Array
 from manipplan.measures.measure import Measure
 from manipplan.measures.task import Task
+from manipplan.optimize.basis import named_basis
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.local import LocalSearch, Step
 from manipplan.optimize.objective import PathObjective
@@ -30,7 +31,7 @@ class PathProblem:
     Attributes:
         robot, scene: the arm and its obstacles; None: nothing is checked for collision.
         task, measure, power, metric: of the objective.
-        degree: of the polynomial.
+        basis, degree, pieces: a name of BASES, the degree of its pieces, and how many there are.
         clearance: to keep [m].
         time_limit: of the planner [s].
         ends: fixed derivatives at start and goal.
@@ -42,7 +43,9 @@ class PathProblem:
     measure: Measure
     power: float
     metric: Array | None
+    basis: str
     degree: int
+    pieces: int
     clearance: float
     time_limit: float
     ends: EndConditions = field(default_factory=EndConditions)
@@ -59,10 +62,10 @@ class PathProblem:
 
 def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *, straight: bool = True) -> PathResult:
     """The best path near `first`, which is free and inside the limits, and with `straight` near the straight line."""
-    objective, model, degree, clearance = problem.objective(), problem.model(), problem.degree, problem.clearance
+    objective, model, clearance = problem.objective(), problem.model(), problem.clearance
     first_cost = objective.cost(first)
     history: list[Step] = []
-    program = _program(objective, degree, problem.ends.pattern)
+    program = _program(problem, objective)
     search = LocalSearch(
         program=program, start=start, goal=goal, model=model, clearance=clearance, history=history, ends=problem.ends
     )
@@ -70,7 +73,8 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
     is_free = bool(program.free.size)
     found = search.only_one() if not is_free else search.unconstrained() if straight or is_line else []
     if is_free and not (found and is_line):  # from a straight seed the same solve would come again
-        found += search.from_safe_path(first)
+        by_steps = model is not None and len(program.basis.breaks) > 2
+        found += search.by_steps(first) if by_steps else search.from_safe_path(first)
     safe = model is None or bool(found)
     best = min(found, key=lambda candidate: candidate.cost.g, default=None)
     if best is not None and is_free:
@@ -100,12 +104,13 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
     )
 
 
-def _program(objective: PathObjective, degree: int, fixed: tuple[tuple[float, int], ...]) -> PathProgram:
-    kinematics = objective.kinematics
+def _program(problem: PathProblem, objective: PathObjective) -> PathProgram:
+    kinematics, fixed = objective.kinematics, problem.ends.pattern
+    basis = (problem.basis, problem.degree, problem.pieces)
     metric = None if objective.metric is None else objective.metric.tobytes()
-    key = ("path program", kinematics.task, kinematics.measure, objective.power, metric, degree, fixed)
+    key = ("path program", kinematics.task, kinematics.measure, objective.power, metric, basis, fixed)
     cache = kinematics.robot.cache
     if key not in cache:
-        cache[key] = PathProgram(objective, degree, fixed)
+        cache[key] = PathProgram(objective, named_basis(*basis), fixed)
     program: PathProgram = cache[key]
     return program
