@@ -124,12 +124,18 @@ def native_flags(source: str) -> tuple[str, ...]:
 
 def compiled(function: ca.Function, subject: str) -> ca.Function:
     """The same function as machine code; raises CompilerError as `shared_library`, or when it cannot be loaded."""
-    generator = ca.CodeGenerator(function.name(), {"casadi_real": "double"})
-    generator.add(function)
+    return compiled_together([function], subject)[0]
+
+
+def compiled_together(functions: Sequence[ca.Function], subject: str) -> tuple[ca.Function, ...]:
+    """Several functions as one library of machine code; raises as `compiled`."""
+    generator = ca.CodeGenerator(functions[0].name(), {"casadi_real": "double"})
+    for function in functions:
+        generator.add(function)
     source = generator.dump()
     file = shared_library(source, flags=(*native_flags(source), "-lm"), subject=subject)
     try:
-        return ca.external(function.name(), str(file))
+        return tuple(ca.external(function.name(), str(file)) for function in functions)
     except RuntimeError as error:
         raise CompilerError(subject, f"{file} cannot be loaded: {error}") from error
 
@@ -212,6 +218,19 @@ def _digest(file: Path) -> str:
 def wants_machine_code(compiled: bool | str) -> bool:
     """Whether the option `compiled` (True, False or "auto") asks for a compiler on this machine."""
     return compiled is True or (compiled == "auto" and find_compiler() is not None)
+
+
+def as_asked(functions: Sequence[ca.Function], compiled: bool | str, subject: str) -> tuple[ca.Function, ...]:
+    """The functions as machine code where `compiled` (True, False or "auto") asks for it, else as they are.
+
+    Raises CompilerError when `compiled` is True and there is no compiler, or it fails.
+    """
+    if wants_machine_code(compiled):
+        try:
+            return compiled_together(functions, subject)
+        except CompilerError as error:
+            do_without(error, compiled)
+    return tuple(functions)
 
 
 def do_without(error: CompilerError, compiled: bool | str) -> None:

@@ -10,8 +10,11 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from manipplan.kinematics.compile import as_asked
+from manipplan.kinematics.derivatives import Factor, log_gradient, log_hessian
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.measures.indices import LogDet, Yoshikawa
+from manipplan.kinematics.view import steady
+from manipplan.measures.indices import Yoshikawa
 from manipplan.optimize.objective import PathObjective
 
 #: ρ in log sqrt(det(J Jᵀ + ρ² I)), which keeps the solved energy finite on a singular posture; g itself has none.
@@ -48,7 +51,7 @@ def energy_density(objective: PathObjective) -> Density:
     qq = weight * square * (4 * power**2 * slope @ slope.T - 2 * power * bend)
     qv = -4 * power * weight * slope @ (metric @ v).T
     hessian = _blocks(qq, qv, 2 * weight * metric)
-    return _density(q, v, ca.SX.sym("g0"), weight * square, gradient, hessian)
+    return _density(objective, "energy", (q, v, ca.SX.sym("g0")), weight * square, gradient, hessian)
 
 
 def length_density(objective: PathObjective) -> Density:
@@ -65,7 +68,8 @@ def length_density(objective: PathObjective) -> Density:
     qv = -power * weight * slope @ along.T
     ddh = _blocks(qq, qv, weight / speed * (metric - along @ along.T))
     first, second = 1 + 2 * CONSTANCY * h / g0, 2 * CONSTANCY / g0
-    return _density(q, v, g0, h + CONSTANCY * h**2 / g0, first * dh, first * ddh + second * dh @ dh.T)
+    gradient, hessian = first * dh, first * ddh + second * dh @ dh.T
+    return _density(objective, "length", (q, v, g0), h + CONSTANCY * h**2 / g0, gradient, hessian)
 
 
 def _metric(objective: PathObjective) -> ca.SX:
@@ -79,8 +83,9 @@ def _symbols(kinematics: Kinematics) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX, ca.SX]
     q = kinematics.symbolic.chain.q
     v = ca.SX.sym("v", q.shape[0])
     if isinstance(measure, Yoshikawa):
-        regular = LogDet(regularisation=REGULARISATION)
-        return q, v, regular.value(posture), regular.gradient(posture), regular.hessian(posture)
+        jacobian, motion = steady(kinematics.symbolic.chain, kinematics.task)
+        factor = Factor.of(jacobian, REGULARISATION)
+        return q, v, ca.log(factor.index), log_gradient(factor, motion), log_hessian(factor, motion)
     value, slope, bend = measure.value(posture), measure.gradient(posture), measure.hessian(posture)
     # log sqrt(m² + δ²), which is log m but for the least values
     square = value**2 + (MEASURE_REGULARISATION * _usual(kinematics)) ** 2
@@ -99,9 +104,16 @@ def _blocks(qq: ca.SX, qv: ca.SX, vv: ca.SX) -> ca.SX:
     return ca.vertcat(ca.horzcat(qq, qv), ca.horzcat(qv.T, vv))
 
 
-def _density(q: ca.SX, v: ca.SX, g0: ca.SX, value: ca.SX, gradient: ca.SX, hessian: ca.SX) -> Density:
-    return Density(
-        value=ca.Function("density", [q, v, g0], [value]),
-        gradient=ca.Function("density_gradient", [q, v, g0], [ca.densify(gradient)]),
-        hessian=ca.Function("density_hessian", [q, v, g0], [ca.densify(hessian)]),
-    )
+def _density(
+    objective: PathObjective, name: str, at: tuple[ca.SX, ca.SX, ca.SX], value: ca.SX, gradient: ca.SX, hessian: ca.SX
+) -> Density:
+    """In machine code as `objective.kinematics.compiled` says."""
+    functions = [
+        ca.Function(f"path_{name}", at, [value]),
+        ca.Function(f"path_{name}_gradient", at, [ca.densify(gradient)]),
+        ca.Function(f"path_{name}_hessian", at, [ca.densify(hessian)]),
+    ]
+    kinematics = objective.kinematics
+    subject = f"the {name} of paths of {kinematics.robot.name}"
+    made = as_asked(functions, kinematics.compiled, subject)
+    return Density(value=made[0], gradient=made[1], hessian=made[2])

@@ -258,6 +258,8 @@ class PathProgram:
             "hess_lag": ca.Function("hess_lag", [z, p, lam_f, lam], [ca.triu(full)]),
             "print_time": False,
             "error_on_fail": False,
+            "no_nlp_grad": True,
+            "calc_lam_p": False,
             "ipopt": {
                 "print_level": 0,
                 "sb": "yes",
