@@ -30,9 +30,9 @@ CONSTANCY = 1e-6
 
 @dataclass(frozen=True, kw_only=True)
 class Density:
-    """A density e(q, v, g₀) as CasADi Functions of (q, v, g₀): value, gradient (2n), Hessian (2n, 2n) in (q, v).
+    """A density e(q, v, g₀, p) as CasADi Functions of (q, v, [g₀, p]): value, gradient (2n), Hessian (2n, 2n) in (q, v).
 
-    g₀ is about the path's g; the energy does not depend on it.
+    g₀ is about the path's g, on which the energy does not depend; p is the exponent, so that machine code is made once for all.
     """
 
     value: ca.Function
@@ -42,7 +42,7 @@ class Density:
 
 def energy_density(objective: PathObjective) -> Density:
     """h² = ‖v‖_W² / m^(2p), whose integral over s is the energy E."""
-    power, metric = objective.power, _metric(objective)
+    metric, g0, power = _metric(objective), ca.SX.sym("g0"), ca.SX.sym("p")
     q, v, log_index, slope, bend = _symbols(objective.kinematics)
     weight = ca.exp(-2 * power * log_index)
     square = ca.bilin(metric, v, v)
@@ -51,14 +51,13 @@ def energy_density(objective: PathObjective) -> Density:
     qq = weight * square * (4 * power**2 * slope @ slope.T - 2 * power * bend)
     qv = -4 * power * weight * slope @ (metric @ v).T
     hessian = _blocks(qq, qv, 2 * weight * metric)
-    return _density(objective, "energy", (q, v, ca.SX.sym("g0")), weight * square, gradient, hessian)
+    return _density(objective, "energy", (q, v, ca.vertcat(g0, power)), weight * square, gradient, hessian)
 
 
 def length_density(objective: PathObjective) -> Density:
     """h + κ h² / g₀ with h = ‖v‖_W / m^p: its integral is g and a little of the energy."""
-    power, metric = objective.power, _metric(objective)
+    metric, g0, power = _metric(objective), ca.SX.sym("g0"), ca.SX.sym("p")
     q, v, log_index, slope, bend = _symbols(objective.kinematics)
-    g0 = ca.SX.sym("g0")
     weight = ca.exp(-power * log_index)
     speed = ca.sqrt(ca.bilin(metric, v, v) + STANDSTILL**2)
     along = metric @ v / speed
@@ -69,7 +68,7 @@ def length_density(objective: PathObjective) -> Density:
     ddh = _blocks(qq, qv, weight / speed * (metric - along @ along.T))
     first, second = 1 + 2 * CONSTANCY * h / g0, 2 * CONSTANCY / g0
     gradient, hessian = first * dh, first * ddh + second * dh @ dh.T
-    return _density(objective, "length", (q, v, g0), h + CONSTANCY * h**2 / g0, gradient, hessian)
+    return _density(objective, "length", (q, v, ca.vertcat(g0, power)), h + CONSTANCY * h**2 / g0, gradient, hessian)
 
 
 def _metric(objective: PathObjective) -> ca.SX:

@@ -83,14 +83,14 @@ def path_cost(
     """
     matrix = metric_matrix("metric", metric, path.n)
     s, weights = path.quadrature(panels=panels)
-    speed = np.linalg.norm(path(s, 1), axis=1)
+    v = path(s, 1)
     index = kinematics.manipulability(path(s))
     least, at, largest = _least_index(path, kinematics)
     # a singularity, which Gauss points can pass by, makes the integral diverge for p >= 1
     singular = power >= 1 and least <= SINGULAR * largest
     with np.errstate(divide="ignore"):
-        g = np.inf if singular else float(weights @ (speeds(path(s, 1), matrix) / index**power))
-    return PathCost(g=g, length=float(weights @ speed), min_manipulability=least, at=at)
+        g = np.inf if singular else float(weights @ (speeds(v, matrix) / index**power))
+    return PathCost(g=g, length=float(weights @ speeds(v, None)), min_manipulability=least, at=at)
 
 
 def _least_index(path: JointPath, kinematics: Kinematics) -> tuple[float, float, float]:
@@ -103,13 +103,14 @@ def _least_index(path: JointPath, kinematics: Kinematics) -> tuple[float, float,
     padded = np.concatenate([[np.inf], values, [np.inf]])
     dips = np.flatnonzero((values <= padded[:-2]) & (values <= padded[2:]))
     least, at = np.inf, 0.0
-    for k in dips[np.argsort(values[dips])[:5]]:
-        low, high = s[max(k - 1, 0)], s[min(k + 1, 2000)]
-        for _ in range(8):
-            grid = np.linspace(low, high, 41)
-            inside = kinematics.manipulability(path(grid))
-            j = int(inside.argmin())
-            if inside[j] < least:
-                least, at = float(inside[j]), float(grid[j])
-            low, high = grid[max(j - 1, 0)], grid[min(j + 1, 40)]
+    deepest = dips[np.argsort(values[dips])[:5]]
+    low, high = s[np.maximum(deepest - 1, 0)], s[np.minimum(deepest + 1, 2000)]
+    for _ in range(8):
+        grid = np.linspace(low, high, 41)  # a column a dip
+        inside = kinematics.manipulability(path(grid))
+        lowest, dip = inside.argmin(axis=0), np.arange(len(deepest))
+        column = int(inside[lowest, dip].argmin())
+        if inside[lowest[column], column] < least:
+            least, at = float(inside[lowest[column], column]), float(grid[lowest[column], column])
+        low, high = grid[np.maximum(lowest - 1, 0), dip], grid[np.minimum(lowest + 1, 40), dip]
     return least, at, float(values.max())

@@ -48,6 +48,7 @@ def optimize_path(
     seeds: int = 1,
     time_limit: float = 10.0,
     executor: Executor | None = None,
+    compiled: bool | str = "auto",
     throw: bool = True,
 ) -> PathResult:
     """Find a path of `degree` from start to goal of low g = ∫ ‖q'‖_W / m^power ds [kth2012, ch. 6].
@@ -79,6 +80,9 @@ def optimize_path(
             a scene the straight line, and paths by way of random configurations.
         time_limit: for the planner, each first path [s].
         executor: where first paths and solves run side by side; the result does not depend on it. Default: one by one here.
+        compiled: True: objective, clearance rows and index as machine code, made once for a robot, task, measure and metric
+            (a few seconds, told on stderr) and kept in the user's cache folder. False: CasADi's
+            virtual machine. "auto": machine code where there is a compiler. Paths are the same to rounding.
         throw: raise PlanningError when no free path was found, or the path's index vanishes somewhere (g is infinite);
             False: return the result, whose status or g says so.
 
@@ -87,6 +91,7 @@ def optimize_path(
 
     Raises:
         InvalidInputError: an argument is not usable.
+        CompilerError: `compiled` is True and there is no compiler, or it fails.
         PlanningError: with `throw`, no free seed was found, or every path found meets a singularity.
     """
     instance("robot", robot, Robot)
@@ -108,7 +113,7 @@ def optimize_path(
     if executor is not None:
         instance("executor", executor, Executor)
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
-    kinematics = robot.kinematics(task, measure=measure)
+    kinematics = robot.kinematics(task, measure=measure, compiled=compiled)
     check_task(kinematics)
     check_measure(kinematics)
     problem = PathProblem(
@@ -127,6 +132,7 @@ def optimize_path(
             start_bend=_derivative("start_bend", start_bend, robot.n),
             goal_bend=_derivative("goal_bend", goal_bend, robot.n),
         ),
+        compiled=compiled,
     )
     goals = [q_goal] if shifts == "none" else shifted_goals(robot, q_start, q_goal)
     model = problem.model()

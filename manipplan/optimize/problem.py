@@ -12,6 +12,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.checks import Array
+from manipplan.kinematics.compile import as_asked
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize import basis
 from manipplan.optimize.density import Density, energy_density, length_density
@@ -78,8 +79,7 @@ class PathProgram:
         self.kinematics = kinematics = objective.kinematics
         self.degree = degree
         self.n = kinematics.robot.n
-        self._solvers: dict[tuple[str, int], ca.Function] = {}
-        self._rows = _row_functions(kinematics)
+        self._solvers: dict[tuple[str, int, bool], ca.Function] = {}
         matrix = basis.subdivision(degree, LIMIT_PIECES)
         line = matrix @ np.linspace(0.0, 1.0, degree + 1)
         rows = matrix @ basis.to_bernstein(degree)
@@ -87,6 +87,10 @@ class PathProgram:
         self.free = free_directions(fixed, degree)
         moving = np.abs(rows @ self.free).max(axis=1, initial=0.0) > 1e-9
         self._limit_rows, self._limit_line = rows[moving], line[moving]
+
+    @cached_property
+    def _rows(self) -> tuple[ca.Function, ...]:
+        return _row_functions(self.kinematics)
 
     @cached_property
     def _energy(self) -> "_Objective":
@@ -140,14 +144,15 @@ class PathProgram:
         limited: bool = True,
     ) -> Solution:
         capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
-        solver = self._solver(kind, capacity)
+        limits = self.kinematics.robot.limits
+        limited = limited and bool(np.isfinite([limits.lower, limits.upper]).any())
+        solver = self._solver(kind, capacity, limited)
         unknowns = guess @ self.free
         kept = guess - unknowns @ self.free.T
         numbers = [start, goal, [1 / size, g0], kept.ravel(order="F")]
         parameters = np.concatenate([*numbers, self._row_parameters(rows, capacity).ravel(order="F")])
-        limits = self.kinematics.robot.limits
-        bounds = (limits.lower, limits.upper) if limited else (np.full(self.n, -np.inf), np.full(self.n, np.inf))
-        joint_limits = [np.tile(each, len(self._limit_line)) for each in bounds]
+        count = len(self._limit_line) if limited else 0
+        joint_limits = [np.tile(each, count) for each in (limits.lower, limits.upper)]
         result = solver(
             x0=np.concatenate([unknowns.ravel(order="F"), np.zeros(capacity)]),
             p=parameters,
@@ -169,7 +174,7 @@ class PathProgram:
         s = objective.s
         q = start[:, None] + np.outer(goal - start, s) + guess @ basis.bubbles(self.degree, s).T
         v = (goal - start)[:, None] + guess @ basis.bubble_slopes(self.degree, s).T
-        value = float(np.asarray(objective.density.value(q, v, np.full((1, len(s)), g0))).ravel() @ objective.weights)
+        value = float(np.asarray(objective.density.value(q, v, np.array([[g0], [self.objective.power]]))).ravel() @ objective.weights)
         return value if np.isfinite(value) and value > 0 else 1.0
 
     def _row_parameters(self, rows: Sequence[ClearanceRow], capacity: int) -> Array:
@@ -185,13 +190,13 @@ class PathProgram:
             table[:, k] = [*place, *carrier, *other, *row.point, *row.normal, row.offset, row.distance]
         return table
 
-    def _solver(self, kind: str, capacity: int) -> ca.Function:
-        key = (kind, capacity)
+    def _solver(self, kind: str, capacity: int, limited: bool) -> ca.Function:
+        key = (kind, capacity, limited)
         if key not in self._solvers:
-            self._solvers[key] = self._build(self._energy if kind == "energy" else self._length, capacity)
+            self._solvers[key] = self._build(self._energy if kind == "energy" else self._length, capacity, limited)
         return self._solvers[key]
 
-    def _build(self, objective: "_Objective", capacity: int) -> ca.Function:
+    def _build(self, objective: "_Objective", capacity: int, limited: bool) -> ca.Function:
         """IPOPT on the program with `capacity` clearance rows, with exact first and second derivatives."""
         n, bubbles = self.n, self.degree - 1
         free = ca.sparsify(ca.DM(self.free))
@@ -210,9 +215,9 @@ class PathProgram:
         # the objective: e(q_i, v_i) at the nodes, q = line + x φ, v = line' + x φ'
         q = start @ ca.DM.ones(1, nodes) + (goal - start) @ ca.DM(objective.s).T + x @ ca.DM(values).T
         v = (goal - start) @ ca.DM.ones(1, nodes) + x @ ca.DM(slopes).T
-        sizes = ca.repmat(g0, 1, nodes)
+        numbers = ca.repmat(ca.vertcat(g0, self.objective.power), 1, nodes)
         density = objective.density
-        value, gradient, hessian = (f.map(nodes)(q, v, sizes) for f in (density.value, density.gradient, density.hessian))
+        value, gradient, hessian = (f.map(nodes)(q, v, numbers) for f in (density.value, density.gradient, density.hessian))
         weights = scale * ca.DM(objective.weights).T
         f = ca.dot(value, weights) + SLACK_COST * ca.sum1(slack)
         weighed = gradient * ca.repmat(weights, 2 * n, 1)
@@ -227,10 +232,11 @@ class PathProgram:
         hess_x = stacked.T @ blocks @ stacked
 
         # joint limits: control points of the pieces, linear in x
-        rows = len(self._limit_line)
-        points = start @ ca.DM.ones(1, rows) + (goal - start) @ ca.DM(self._limit_line).T + x @ ca.DM(self._limit_rows).T
+        rows = len(self._limit_line) if limited else 0
+        line, matrix = self._limit_line[:rows], self._limit_rows[:rows]
+        points = start @ ca.DM.ones(1, rows) + (goal - start) @ ca.DM(line).T + x @ ca.DM(matrix).T
         limits = ca.vec(points)
-        jac_limits = ca.kron(ca.sparsify(ca.DM(self._limit_rows @ self.free)), ca.DM.eye(n))
+        jac_limits = ca.kron(ca.sparsify(ca.DM(matrix @ self.free)), ca.DM.eye(n))
 
         # clearance: one row function of q a column of the table
         g = limits
@@ -258,8 +264,8 @@ class PathProgram:
             "hess_lag": ca.Function("hess_lag", [z, p, lam_f, lam], [ca.triu(full)]),
             "print_time": False,
             "error_on_fail": False,
-            "no_nlp_grad": True,
             "calc_lam_p": False,
+            "no_nlp_grad": True,
             "ipopt": {
                 "print_level": 0,
                 "sb": "yes",
@@ -268,13 +274,16 @@ class PathProgram:
                 "constr_viol_tol": 1e-9,
                 "bound_relax_factor": 0.0,
                 "acceptable_iter": 0,
+                # most of a small solve is the search for an order and a scaling that this matrix does not need
+                "mumps_permuting_scaling": 0,
+                "mumps_scaling": 0,
             },
         }
         return ca.nlpsol("path", "ipopt", {"x": z, "p": p, "f": f, "g": g}, options)
 
 
-def _row_functions(kinematics: Kinematics) -> tuple[ca.Function, ca.Function, ca.Function]:
-    """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q, a Function each.
+def _row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
+    """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q, a Function each, compiled as asked.
 
     The second argument is a column of the row table: which joint carries the point, which the plane (one-hot), point,
     normal, offset, distance to keep. Only joints between the two move the point against the plane: sign σ_i is 1 where
@@ -311,8 +320,9 @@ def _row_functions(kinematics: Kinematics) -> tuple[ca.Function, ca.Function, ca
             )
             hessian[i, j] = hessian[j, i] = bend
     column = ca.vertcat(carrier, other, point, normal, offset, keep)
-    return (
-        ca.Function("row", [q, column], [distance]),
-        ca.Function("row_gradient", [q, column], [ca.densify(gradient)]),
-        ca.Function("row_hessian", [q, column], [ca.densify(hessian)]),
-    )
+    functions = [
+        ca.Function("path_row", [q, column], [distance]),
+        ca.Function("path_row_gradient", [q, column], [ca.densify(gradient)]),
+        ca.Function("path_row_hessian", [q, column], [ca.densify(hessian)]),
+    ]
+    return as_asked(functions, kinematics.compiled, f"clearance rows of paths of {kinematics.robot.name}")
