@@ -23,8 +23,10 @@ from manipplan.robots.description import axis_of, is_prismatic
 
 #: Gauss points of the energy.
 NODES = 40
-#: Panels of ten Gauss points each on which g is polished.
-POLISH_PANELS = 12
+#: Panels of ten Gauss points each on which g is polished: the next where these do not see how narrow a dip of the index is.
+POLISH_PANELS = (12, 48, 192)
+#: A rule sees all of a path when it agrees with g to this share.
+AGREEMENT = 1e-7
 #: The curve is cut into so many pieces, whose control points all obey the joint limits: so does the curve.
 LIMIT_PIECES = 6
 #: Cost of a slack of one metre, in units of the first energy: a path that can be clear is.
@@ -64,11 +66,12 @@ class Solution:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Objective:
-    """A density and the rule (m,), (m,) by which it is integrated over s."""
+    """A density, the rule (m,), (m,) by which it is integrated over s, and how many steps IPOPT may take."""
 
     density: Density
     s: Array
     weights: Array
+    steps: int
 
 
 class PathProgram:
@@ -79,7 +82,8 @@ class PathProgram:
         self.kinematics = kinematics = objective.kinematics
         self.degree = degree
         self.n = kinematics.robot.n
-        self._solvers: dict[tuple[str, int, bool], ca.Function] = {}
+        self._solvers: dict[tuple[int, int, bool], ca.Function] = {}
+        self._lengths: dict[int, _Objective] = {}
         matrix = basis.subdivision(degree, LIMIT_PIECES)
         line = matrix @ np.linspace(0.0, 1.0, degree + 1)
         rows = matrix @ basis.to_bernstein(degree)
@@ -95,12 +99,17 @@ class PathProgram:
     @cached_property
     def _energy(self) -> "_Objective":
         s, weights = np.polynomial.legendre.leggauss(NODES)
-        return _Objective(density=energy_density(self.objective), s=(s + 1) / 2, weights=weights / 2)
+        return _Objective(density=energy_density(self.objective), s=(s + 1) / 2, weights=weights / 2, steps=100)
 
     @cached_property
-    def _length(self) -> "_Objective":
-        s, weights = JointPath.line([0.0], [1.0]).quadrature(panels=POLISH_PANELS)
-        return _Objective(density=length_density(self.objective), s=s, weights=weights)
+    def _length_density(self) -> Density:
+        return length_density(self.objective)
+
+    def _length(self, panels: int) -> "_Objective":
+        if panels not in self._lengths:
+            s, weights = JointPath.line([0.0], [1.0]).quadrature(panels=panels)
+            self._lengths[panels] = _Objective(density=self._length_density, s=s, weights=weights, steps=300)
+        return self._lengths[panels]
 
     def path(self, start: Array, goal: Array, coefficients: Array) -> JointPath:
         """The path of given coefficients (n, k - 1)."""
@@ -119,21 +128,30 @@ class PathProgram:
         Rows that cannot hold come back with their slack.
         """
         size = self._integral(self._energy, start, goal, guess, 1.0)
-        return self._solve("energy", start, goal, guess, rows, size, 1.0)
+        return self._solve(0, start, goal, guess, rows, size, 1.0)
 
-    def polish(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
-        """Minimise g itself from a guess (n, k - 1), with so little of the energy that its minimum is one point."""
-        size = np.sqrt(self._integral(self._energy, start, goal, guess, 1.0))
-        return self._solve("length", start, goal, guess, rows, size, size)
+    def polish(
+        self,
+        start: Array,
+        goal: Array,
+        guess: Array,
+        rows: Sequence[ClearanceRow] = (),
+        *,
+        panels: int = POLISH_PANELS[0],
+        limited: bool = True,
+    ) -> Solution:
+        """Minimise g itself from a guess (n, k - 1), with so little of the energy that its minimum is one point.
 
-    def unlimited(self, start: Array, goal: Array, guess: Array) -> Solution:
-        """Minimise g from a guess (n, k - 1) as if there were neither joint limits nor obstacles."""
+        Args:
+            panels: of ten Gauss points each, on which g is integrated.
+            limited: False: as if there were no joint limits.
+        """
         size = np.sqrt(self._integral(self._energy, start, goal, guess, 1.0))
-        return self._solve("length", start, goal, guess, (), size, size, limited=False)
+        return self._solve(panels, start, goal, guess, rows, size, size, limited=limited)
 
     def _solve(
         self,
-        kind: str,
+        panels: int,
         start: Array,
         goal: Array,
         guess: Array,
@@ -143,10 +161,11 @@ class PathProgram:
         *,
         limited: bool = True,
     ) -> Solution:
+        """Minimise g on so many panels, or the energy for 0."""
         capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
         limits = self.kinematics.robot.limits
         limited = limited and bool(np.isfinite([limits.lower, limits.upper]).any())
-        solver = self._solver(kind, capacity, limited)
+        solver = self._solver(panels, capacity, limited)
         unknowns = guess @ self.free
         kept = guess - unknowns @ self.free.T
         numbers = [start, goal, [1 / size, g0], kept.ravel(order="F")]
@@ -174,7 +193,9 @@ class PathProgram:
         s = objective.s
         q = start[:, None] + np.outer(goal - start, s) + guess @ basis.bubbles(self.degree, s).T
         v = (goal - start)[:, None] + guess @ basis.bubble_slopes(self.degree, s).T
-        value = float(np.asarray(objective.density.value(q, v, np.array([[g0], [self.objective.power]]))).ravel() @ objective.weights)
+        value = float(
+            np.asarray(objective.density.value(q, v, np.array([[g0], [self.objective.power]]))).ravel() @ objective.weights
+        )
         return value if np.isfinite(value) and value > 0 else 1.0
 
     def _row_parameters(self, rows: Sequence[ClearanceRow], capacity: int) -> Array:
@@ -190,10 +211,10 @@ class PathProgram:
             table[:, k] = [*place, *carrier, *other, *row.point, *row.normal, row.offset, row.distance]
         return table
 
-    def _solver(self, kind: str, capacity: int, limited: bool) -> ca.Function:
-        key = (kind, capacity, limited)
+    def _solver(self, panels: int, capacity: int, limited: bool) -> ca.Function:
+        key = (panels, capacity, limited)
         if key not in self._solvers:
-            self._solvers[key] = self._build(self._energy if kind == "energy" else self._length, capacity, limited)
+            self._solvers[key] = self._build(self._length(panels) if panels else self._energy, capacity, limited)
         return self._solvers[key]
 
     def _build(self, objective: "_Objective", capacity: int, limited: bool) -> ca.Function:
@@ -269,7 +290,7 @@ class PathProgram:
             "ipopt": {
                 "print_level": 0,
                 "sb": "yes",
-                "max_iter": 100,
+                "max_iter": objective.steps,
                 "tol": 1e-9,
                 "constr_viol_tol": 1e-9,
                 "bound_relax_factor": 0.0,
