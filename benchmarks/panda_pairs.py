@@ -215,11 +215,12 @@ def lines_of(power, statuses, times, rows, beside):
 def main() -> None:
     robot = mp.load_robot("panda")
     lines = ["| figure | value |", "|---|---|"]
+    machine = f"Python {platform.python_version()}, {platform.machine()}, two shared cores"
     for power in PAIRS:
         lines += lines_of(power, *run(robot, power))
     lines += [
         "",
-        f"Processor time of one core. Python {platform.python_version()}, {platform.machine()}, two shared cores; command: `make benchmark`.",
+        f"Processor time of one core. {machine}; command: `make benchmark`.",
     ]
     OUT.write_text("\n".join(lines) + "\n")
     print("\n".join(lines))

@@ -13,8 +13,8 @@ SMALL_GAIN = 1e-3
 def polished(search: LocalSearch, best: Candidate) -> Candidate:
     """The candidate of least g near `best`, by Newton steps on g [(6.6) in kth2012]; `best` itself when none is better.
 
-    One that is not free, leaves the limits, or whose g is not lower when it is measured to ten digits is rejected. Where the rule
-    it was solved on passes by a dip of the index, a finer one is taken.
+    One that is not free, leaves the limits, or whose g is not lower when it is measured to ten digits is rejected. Where the
+    rule it was solved on passes by a dip of the index, a finer one is taken.
     """
     for panels in POLISH_PANELS:
         candidate, done = _on_panels(search, best, panels)
