@@ -54,8 +54,8 @@ def optimize_path(
     """Find a path of `degree` from start to goal of low g = ∫ ‖q'‖_W / m^power ds [kth2012, ch. 6].
 
     The energy ∫ ‖q'‖_W² / m^(2 power) ds is minimised by IPOPT with exact Hessians, from the straight line and from the
-    seed; over all curves it has the minima of g. From the best of these g itself is minimised, and reported on a finer
-    rule. Joint limits hold on the whole curve. With a scene, the path is free at every milliradian: either optimised, or
+    seed; over all curves it has the minima of g. From the best of these g itself is minimised, and reported to ten
+    digits. Joint limits hold on the whole curve. With a scene, the path is free at every milliradian: either optimised, or
     the seed.
 
     Args:
@@ -81,8 +81,8 @@ def optimize_path(
         time_limit: for the planner, each first path [s].
         executor: where first paths and solves run side by side; the result does not depend on it. Default: one by one here.
         compiled: True: objective, clearance rows and index as machine code, made once for a robot, task, measure and metric
-            (a few seconds, told on stderr) and kept in the user's cache folder. False: CasADi's
-            virtual machine. "auto": machine code where there is a compiler. Paths are the same to rounding.
+            (some seconds) and kept in the user's cache folder. False: CasADi's virtual machine. "auto": machine code where
+            there is a compiler. Both give the same path to rounding, but where rounding decides between two local optima.
         throw: raise PlanningError when no free path was found, or the path's index vanishes somewhere (g is infinite);
             False: return the result, whose status or g says so.
 
