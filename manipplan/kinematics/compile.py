@@ -35,6 +35,9 @@ NATIVE = ("-O2", "-fno-fast-math", "-march=native", "-fno-math-errno", "-fno-tra
 #: From so many characters on, -O1 is chosen: it compiles three times faster for code that runs a tenth slower.
 LONG = 200_000
 
+#: Functions of so many instructions are compiled in a few seconds; a user who did not ask for it waits no longer.
+SOON_DONE = 60_000
+
 
 @dataclass(frozen=True, kw_only=True)
 class Compiler:
@@ -223,9 +226,11 @@ def wants_machine_code(compiled: bool | str) -> bool:
 def as_asked(functions: Sequence[ca.Function], compiled: bool | str, subject: str) -> tuple[ca.Function, ...]:
     """The functions as machine code where `compiled` (True, False or "auto") asks for it, else as they are.
 
-    Raises CompilerError when `compiled` is True and there is no compiler, or it fails.
+    "auto" leaves those of more than SOON_DONE instructions as they are. Raises CompilerError when `compiled` is True and there is
+    no compiler, or it fails.
     """
-    if wants_machine_code(compiled):
+    soon = sum(function.n_instructions() for function in functions) <= SOON_DONE
+    if compiled is True or (soon and wants_machine_code(compiled)):
         try:
             return compiled_together(functions, subject)
         except CompilerError as error:
