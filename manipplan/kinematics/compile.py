@@ -226,8 +226,8 @@ def wants_machine_code(compiled: bool | str) -> bool:
 def as_asked(functions: Sequence[ca.Function], compiled: bool | str, subject: str) -> tuple[ca.Function, ...]:
     """The functions as machine code where `compiled` (True, False or "auto") asks for it, else as they are.
 
-    "auto" leaves those of more than SOON_DONE instructions as they are. Raises CompilerError when `compiled` is True and there is
-    no compiler, or it fails.
+    "auto" leaves those of more than SOON_DONE instructions as they are. Raises CompilerError when `compiled` is True and
+    there is no compiler, or it fails.
     """
     soon = sum(function.n_instructions() for function in functions) <= SOON_DONE
     if compiled is True or (soon and wants_machine_code(compiled)):

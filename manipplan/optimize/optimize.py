@@ -82,7 +82,8 @@ def optimize_path(
         executor: where first paths and solves run side by side; the result does not depend on it. Default: one by one here.
         compiled: True: objective, clearance rows and index as machine code, made once for a robot, task, measure and metric
             (some seconds) and kept in the user's cache folder. False: CasADi's virtual machine. "auto": machine code where
-            there is a compiler, but for measures whose Hessian would take it long (singular values, dynamic). Both give the same path to rounding, but where rounding decides between two local optima.
+            there is a compiler, but for measures whose Hessian it would work on for long (singular values, dynamic). The
+            path is the same to rounding, but where rounding decides between two local optima.
         throw: raise PlanningError when no free path was found, or the path's index vanishes somewhere (g is infinite);
             False: return the result, whose status or g says so.
 
