@@ -27,6 +27,7 @@ docs: $(READY)
 
 benchmark: $(READY)
 	$(BIN)/python benchmarks/panda_boxes.py
+	$(BIN)/python benchmarks/panda_pairs.py
 	$(BIN)/python benchmarks/kinematics.py
 	$(BIN)/python benchmarks/import_time.py
 	$(BIN)/python benchmarks/random_steps.py

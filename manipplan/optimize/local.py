@@ -10,7 +10,7 @@ from manipplan.interrupts import interruptible
 from manipplan.optimize import clearance as near
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.objective import PathCost
-from manipplan.optimize.problem import ClearanceRow, PathProgram, Solution
+from manipplan.optimize.problem import AGREEMENT, POLISH_PANELS, ClearanceRow, PathProgram, Solution
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
@@ -140,9 +140,19 @@ class LocalSearch:
         even = np.linspace(0.0, 1.0, near.PLACES + 1)
         s = even if same_breaks else self.program.objective.constant_speed(path, near.PLACES + 1)
         guess = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
-        if self.program.free.size:
-            guess = self.program.unlimited(self.start, self.goal, guess).coefficients
-        return self.program.objective.cost(basis.path(self.start, self.goal, guess)).g
+        objective = self.program.objective
+        if not self.program.free.size:
+            return objective.cost(basis.path(self.start, self.goal, guess)).g
+        least = np.inf
+        for panels in POLISH_PANELS:
+            solution = self.program.polish(self.start, self.goal, guess, panels=panels, limited=False)
+            found = basis.path(self.start, self.goal, solution.coefficients)
+            g = objective.cost(found).g
+            if g < least:
+                least, guess = g, solution.coefficients
+            if objective.agree(found, g, panels, AGREEMENT):
+                break
+        return least
 
     def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
         """Clearance rows at the places of `path`, with planes of the path `safe` where it is not free."""

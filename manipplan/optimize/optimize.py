@@ -54,14 +54,15 @@ def optimize_path(
     seeds: int = 1,
     time_limit: float = 10.0,
     executor: Executor | None = None,
+    compiled: bool | str = "auto",
     throw: bool = True,
     progress: Progress | None = None,
 ) -> PathResult:
     """Find a path of `degree` from start to goal of low g = ∫ ‖q'‖_W / m^power ds [kth2012, ch. 6].
 
     The energy ∫ ‖q'‖_W² / m^(2 power) ds is minimised by IPOPT with exact Hessians, from the straight line and from the
-    seed; over all curves it has the minima of g. From the best of these g itself is minimised, and reported on a finer
-    rule. Joint limits hold on the whole curve. With a scene, the path is free at every milliradian: either optimised, or
+    seed; over all curves it has the minima of g. From the best of these g itself is minimised, and reported to ten
+    digits. Joint limits hold on the whole curve. With a scene, the path is free at every milliradian: either optimised, or
     the seed.
 
     Args:
@@ -90,6 +91,10 @@ def optimize_path(
             a scene the straight line, and paths by way of random configurations.
         time_limit: for the planner, each first path [s].
         executor: where first paths and solves run side by side; the result does not depend on it. Default: one by one here.
+        compiled: True: objective, clearance rows and index as machine code, made once for a robot, task, measure and metric
+            (some seconds) and kept in the user's cache folder. False: CasADi's virtual machine. "auto": machine code where
+            there is a compiler, but for measures whose Hessian it would work on for long (singular values, dynamic). The
+            path is the same to rounding, but where rounding decides between two local optima.
         throw: raise PlanningError when no free path was found, or the path's index vanishes somewhere (g is infinite);
             False: return the result, whose status or g says so.
         progress: called with the share done in [0, 1] and a text.
@@ -99,6 +104,7 @@ def optimize_path(
 
     Raises:
         InvalidInputError: an argument is not usable.
+        CompilerError: `compiled` is True and there is no compiler, or it fails.
         PlanningError: with `throw`, no free seed was found, or every path found meets a singularity.
     """
     instance("robot", robot, Robot)
@@ -122,7 +128,7 @@ def optimize_path(
         instance("executor", executor, Executor)
     tell = teller(progress)
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
-    kinematics = robot.kinematics(task, measure=measure)
+    kinematics = robot.kinematics(task, measure=measure, compiled=compiled)
     check_task(kinematics)
     check_measure(kinematics)
     problem = PathProblem(
@@ -143,6 +149,7 @@ def optimize_path(
             start_bend=_derivative("start_bend", start_bend, robot.n),
             goal_bend=_derivative("goal_bend", goal_bend, robot.n),
         ),
+        compiled=compiled,
     )
     goals = [q_goal] if shifts == "none" else shifted_goals(robot, q_start, q_goal)
     if scene is not None:

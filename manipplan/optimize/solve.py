@@ -35,6 +35,7 @@ class PathProblem:
         clearance: to keep [m].
         time_limit: of the planner [s].
         ends: fixed derivatives at start and goal.
+        compiled: as in `Robot.kinematics`.
     """
 
     robot: Robot
@@ -49,10 +50,11 @@ class PathProblem:
     clearance: float
     time_limit: float
     ends: EndConditions = field(default_factory=EndConditions)
+    compiled: bool | str = "auto"
 
     def objective(self) -> PathObjective:
         """The objective for this process' robot."""
-        kinematics = self.robot.kinematics(self.task, measure=self.measure)
+        kinematics = self.robot.kinematics(self.task, measure=self.measure, compiled=self.compiled)
         return PathObjective(kinematics=kinematics, power=self.power, metric=self.metric)
 
     def model(self) -> CollisionModel | None:
@@ -108,7 +110,7 @@ def _program(problem: PathProblem, objective: PathObjective) -> PathProgram:
     kinematics, fixed = objective.kinematics, problem.ends.pattern
     basis = (problem.basis, problem.degree, problem.pieces)
     metric = None if objective.metric is None else objective.metric.tobytes()
-    key = ("path program", kinematics.task, kinematics.measure, objective.power, metric, basis, fixed)
+    key = ("path program", kinematics.task, kinematics.measure, kinematics.compiled, objective.power, metric, basis, fixed)
     cache = kinematics.robot.cache
     if key not in cache:
         cache[key] = PathProgram(objective, named_basis(*basis), fixed)
