@@ -18,6 +18,7 @@ from manipplan.optimize.metric import metric_matrix
 from manipplan.optimize.result import PathResult, no_path
 from manipplan.optimize.solve import PathProblem
 from manipplan.paths.joint import JointPath
+from manipplan.robots.continuous import path_clearance
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.seeds.ompl import CHECK_STEP, check_apart
@@ -54,8 +55,8 @@ def optimize_path(
 
     The energy ∫ ‖q'‖_W² / m^(2 power) ds is minimised by IPOPT with exact Hessians, from the straight line and from the
     seed; over all curves it has the minima of g. From the best of these g itself is minimised, and reported on a finer
-    rule. Joint limits hold on the whole curve. With a scene, the path is free at every milliradian: either optimised, or
-    the seed.
+    rule. Joint limits hold on the whole curve. With a scene, the path is free: an optimised one is proven
+    to be on the whole curve, the seed at least at every milliradian; its certificate tells.
 
     Args:
         robot: the arm.
@@ -185,5 +186,15 @@ def _check_initial(problem: PathProblem, initial: JointPath, start: Array, goal:
     low, high = initial.bounds()
     for q in (low, high):
         robot.configuration("initial", q, tolerance=1e-9)
-    if model is not None and not model.path_is_free(initial, CHECK_STEP, problem.clearance):
+    if model is None:
+        return
+    proof = path_clearance(model, initial, clearance=problem.clearance, tolerance=None)
+    if proof.refuted:
+        first, second = proof.pair
+        apart = f"{proof.upper:.4g} m apart" if proof.upper > 0 else f"overlapping by {-proof.upper:.4g} m"
+        wanted = f"free with a clearance of {problem.clearance:g} m"
+        raise InvalidInputError(
+            "initial", f"a path with {first} and {second} {apart} at s = {proof.at:.4f}", f"a path {wanted}"
+        )
+    if not (proof.proven or model.path_is_free(initial, CHECK_STEP, problem.clearance)):
         raise InvalidInputError("initial", "a path in collision", "a path that is free with the demanded clearance")

@@ -23,14 +23,14 @@ def polished(search: LocalSearch, best: Candidate) -> Candidate:
     for _ in range(ROUNDS):
         rows = search.rows(best.path, best.path, places)
         solution = program.polish(search.start, search.goal, best.coefficients, rows)
-        candidate, distances = search.judged("polish", solution, places)
+        candidate, distances, touched = search.judged("polish", solution, places)
         if candidate is not None:
             fine = program.objective.cost(candidate.path, panels=400)
             agrees = abs(fine.g - candidate.cost.g) <= AGREEMENT * fine.g
             return candidate if agrees and candidate.cost.g < best.cost.g else best
         if best.cost.g - search.history[-1].g < SMALL_GAIN * best.cost.g:
             break
-        more = search.more_places(places, distances, touching=True)
+        more = search.more_places(places, distances, touched, touching=True)
         if len(more) == len(places):
             break
         places = more

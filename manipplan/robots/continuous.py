@@ -6,9 +6,9 @@ joint j moves the point by at most
 
     D_j = δ_j (ρ_j + Σ_{i > j} D_i)   for a revolute joint,   D_j = δ_j   for a prismatic one,
 
-with ρ_j the largest distance of the body's points from axis j at q: those joints that have turned before have moved the point by
-no more than the sum. The distance of the pair falls by at most as much. On an interval of the curve δ_j comes from the control
-points of that interval, whose hull holds it.
+with ρ_j the largest distance of the body's points from axis j at q: those joints that have turned before have moved the point
+by no more than the sum. The distance of the pair falls by at most as much. On an interval of the curve δ_j comes from the
+control points of that interval, whose hull holds it.
 """
 
 from dataclasses import dataclass
@@ -106,9 +106,10 @@ class Reach:
         carrier = np.array([item.parentJoint for item in objects])
         pairs = np.array([(pair.first, pair.second) for pair in model.geometry.collisionPairs])
         carriers = carrier[pairs]
-        #: (p,) of each pair: the body that is further from the base, its joint, and the joint of the other; joints from 0, the world
-        self.body: Index = pairs[np.arange(len(pairs)), carriers.argmax(axis=1)]
+        #: (b,) the joint that carries each body; 0: the world
         self.joint = carrier
+        #: (p,) of each pair the body further from the base, and the joint of the other
+        self.body: Index = pairs[np.arange(len(pairs)), carriers.argmax(axis=1)]
         self.below: Index = carriers.min(axis=1)
         self.points = np.empty((len(objects), MOST_POINTS, 3))
         self.radii = np.zeros(len(objects))
@@ -146,7 +147,7 @@ class Reach:
         return np.asarray(moved[where, self.below[pairs]])
 
     def _chain(self, q: Array) -> tuple[Array, Array, Array]:
-        """Rotations (m, n + 1, 3, 3), origins and axes (m, n + 1, 3) of the joints' frames in the world, that of the world first."""
+        """Rotations (m, n + 1, 3, 3), origins and axes (m, n + 1, 3) of the world's frame and the joints', in the world."""
         m, n = q.shape
         rotations, origins, axes = np.empty((m, n + 1, 3, 3)), np.zeros((m, n + 1, 3)), np.zeros((m, n + 1, 3))
         rotations[:, 0] = np.eye(3)
@@ -282,7 +283,7 @@ def _few_points(item: pin.GeometryObject) -> tuple[Array, float]:
     points, radius = core_of(item.geometry)
     place = item.placement
     if len(points) > MOST_POINTS:
-        around = enclose(np.repeat(points[:, None], 3, axis=1))
+        around = enclose(np.repeat(points[:, None], 3, axis=1), refine=False)
         points, radius = core_of(around.shape)
         place = place * around.placement
     return points @ place.rotation.T + place.translation, radius

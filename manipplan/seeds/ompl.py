@@ -1,12 +1,13 @@
-"""Seed paths among obstacles by OMPL: found, simplified, rounded, and checked again at 1 mrad.
+"""Seed paths among obstacles by OMPL: found, simplified, rounded, and proven to be free.
 
-OMPL is used for feasibility: its own check of a motion is coarse, so what it returns is only believed after
-`CollisionModel` has seen it at every milliradian.
+OMPL is used for feasibility: its own check of a motion is coarse, so what it returns is only believed after the whole curve
+was proven free, or, where it comes too near to something for that, checked at every milliradian.
 """
 
 import logging
 import threading
 import time
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +17,7 @@ from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.smooth import rounded
 from manipplan.robots.collision import CollisionModel
+from manipplan.robots.continuous import path_clearance
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 
@@ -24,6 +26,8 @@ log = logging.getLogger("manipplan")
 PLANNERS = ("RRTConnect", "RRTstar", "BITstar", "InformedRRTstar", "PRM", "KPIECE1")
 #: No joint moves more than this between two checks of a finished path [rad or m].
 CHECK_STEP = 1e-3
+#: With an end nearer to something than this beyond the clearance [m] no proof is tried: its own tolerances take as much.
+PROVABLE = 1e-4
 #: OMPL's own motion checks, tried in turn until the fine check agrees [rad or m].
 MOTION_STEPS = (0.02, 0.008, 0.003)
 #: OMPL's random numbers come from one seed a process, so that searches of several threads would not repeat.
@@ -53,7 +57,8 @@ def seed_path(
         time_limit: for the search [s].
 
     Returns:
-        A JointPath that is free at every milliradian.
+        A JointPath that is proven free on the whole curve; where none was found that can be, such as from a start that nearly
+        touches something, one that is free at every milliradian. `scene.path_clearance` tells.
 
     Raises:
         InvalidInputError: start or goal of wrong length, outside the limits, or in collision.
@@ -70,23 +75,47 @@ def seed_path(
     q_goal = model.free_configuration("goal", goal, clearance)
     check_apart(q_start, q_goal)
     line = JointPath.line(q_start, q_goal)
-    if model.path_is_free(line, CHECK_STEP, clearance):
+    accept = _acceptance(model, (q_start, q_goal), clearance)
+    if accept(line):
         return line
+    checked = None
     began = time.monotonic()
     for step in MOTION_STEPS:
         left = time_limit - (time.monotonic() - began)
         waypoints = _search(model, q_start, q_goal, planner, seed, clearance, left, step) if left > 0 else None
         if waypoints is None:
             break
-        waypoints = _shortened(model, waypoints, clearance)
+        waypoints = _shortened(waypoints, accept)
         sharp = JointPath.through(waypoints)
-        if model.path_is_free(sharp, CHECK_STEP, clearance):
-            smooth = rounded(waypoints, lambda path: model.path_is_free(path, CHECK_STEP, clearance))
-            return smooth if model.path_is_free(smooth, CHECK_STEP, clearance) else sharp
-        log.info("the simplified path touches something between OMPL's checks %g rad apart; checking finer", step)
+        if accept(sharp):
+            smooth = rounded(waypoints, accept)
+            return smooth if accept(smooth) else sharp
+        if checked is None and _is_free(model, sharp, clearance):
+            checked = sharp
+        log.info("the simplified path is not proven free with OMPL's checks %g rad apart; checking finer", step)
+    if checked is not None:
+        log.info("no path was proven free in time: this one is free at every milliradian")
+        return checked
     raise PlanningError(
         f"no path from start to goal was found by {planner} in {time_limit:g} s; "
         "allow more time (time_limit), less clearance, or check that the goal can be reached"
+    )
+
+
+def _acceptance(model: CollisionModel, ends: tuple[Array, Array], clearance: float) -> Callable[[JointPath], bool]:
+    """What a seed has to be: proven free; free at every milliradian where an end is so near to something that none can be."""
+    for q in ends:
+        if model.distances(q).min(initial=np.inf) <= clearance + PROVABLE:
+            log.info("start or goal is too near to something for a proof: the seed is checked at every milliradian")
+            return lambda path: _is_free(model, path, clearance)
+    return lambda path: path_clearance(model, path, clearance=clearance, tolerance=None).proven
+
+
+def _is_free(model: CollisionModel, path: JointPath, clearance: float) -> bool:
+    """Whether the path is free at every milliradian, and was not met touching something in between."""
+    return (
+        model.path_is_free(path, CHECK_STEP, clearance)
+        and not path_clearance(model, path, clearance=clearance, tolerance=None).refuted
     )
 
 
@@ -150,8 +179,8 @@ def _state(space: object, q: Array) -> object:
     return state
 
 
-def _shortened(model: CollisionModel, waypoints: Array, clearance: float) -> Array:
-    """The waypoints without those that a free straight motion can skip, and without repeats."""
+def _shortened(waypoints: Array, accept: Callable[[JointPath], bool]) -> Array:
+    """The waypoints without those that an accepted straight motion can skip, and without repeats."""
     points = [waypoints[0]]
     for point in waypoints[1:]:
         if np.abs(point - points[-1]).max() > 1e-9:
@@ -159,7 +188,7 @@ def _shortened(model: CollisionModel, waypoints: Array, clearance: float) -> Arr
     k = 0
     while k + 2 < len(points):
         for far in range(len(points) - 1, k + 1, -1):
-            if model.path_is_free(JointPath.line(points[k], points[far]), CHECK_STEP, clearance):
+            if accept(JointPath.line(points[k], points[far])):
                 del points[k + 1 : far]
                 break
         k += 1
