@@ -103,6 +103,8 @@ def _optimised(
                 robot, first.start, first.goal, each, power, task, scene, initial=first, clearance=clearance, throw=False
             )
         )
+        if results[-1].status is Status.INTERRUPTED:
+            raise KeyboardInterrupt
         if results[-1].status.ok:
             break
     return min(results, key=lambda result: (not result.status.ok, result.g))

@@ -22,6 +22,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
 from manipplan.seeds.ompl import seed_path
+from manipplan.status import Status
 
 #: Places along two paths, and stages between them, at which their homotopy is looked at.
 PLACES, STAGES = 80, 9
@@ -49,7 +50,14 @@ class Crew:
         for k, first in enumerate(firsts):
             known = any(np.array_equal(first.goal, other.goal) for other in firsts[:k])
             tasks.append((first, not known))
-        return self._each(_solve, tasks)
+        results: list[PathResult] = []
+        if self.executor is not None:
+            return self._each(_solve, tasks)
+        for task in tasks:
+            results.append(_solve(self.problem, *task))
+            if results[-1].status is Status.INTERRUPTED:
+                break
+        return results
 
     def _each(self, work: Callable[..., T], tasks: Sequence[tuple[object, ...]]) -> list[T]:
         if self.executor is None:
@@ -98,7 +106,10 @@ def best_and_rivals(results: Sequence[PathResult]) -> PathResult:
     for result in sorted(results, key=lambda each: each.g):
         if not any(_same(result.path, other.path) for other in kept):
             kept.append(result)
-    return replace(kept[0], rivals=tuple(kept[1:]))
+    best = replace(kept[0], rivals=tuple(kept[1:]))
+    if any(result.status is Status.INTERRUPTED for result in results):
+        best = replace(best, status=Status.INTERRUPTED)
+    return best
 
 
 def shifted_goals(robot: Robot, start: Array, goal: Array) -> list[Array]:

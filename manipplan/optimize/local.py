@@ -48,7 +48,7 @@ class Candidate:
 
 @dataclass(frozen=True, kw_only=True)
 class LocalSearch:
-    """Solves of one program between one start and goal, written down in `history`."""
+    """Solves of one program between one start and goal, written down in `history`, and the candidates in `accepted`."""
 
     program: PathProgram
     start: Array
@@ -57,6 +57,7 @@ class LocalSearch:
     clearance: float
     history: list[Step]
     ends: EndConditions = field(default_factory=EndConditions)
+    accepted: list[Candidate] = field(default_factory=list)
 
     def only_one(self) -> list[Candidate]:
         """The only path of this degree, such as the straight line of degree 1; none when it is not free."""
@@ -161,6 +162,7 @@ class LocalSearch:
             converged=converged,
             solver=solution.status,
         )
+        self.accepted.append(candidate)
         return candidate, distances, ()
 
     def _straight(self) -> Array:

@@ -12,6 +12,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.checks import Array
+from manipplan.interrupts import interruptible
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize import basis
 from manipplan.optimize.density import Density, energy_density, length_density
@@ -127,6 +128,7 @@ class PathProgram:
         size = np.sqrt(self._integral(self._energy, start, goal, guess, 1.0))
         return self._solve("length", start, goal, guess, (), size, size, limited=False)
 
+    @interruptible()
     def _solve(
         self,
         kind: str,
