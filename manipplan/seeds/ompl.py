@@ -29,8 +29,9 @@ from manipplan.seeds.objective import index_objective
 
 log = logging.getLogger("manipplan")
 
-#: They stop at the first path they find.
-FEASIBLE = ("RRTConnect", "RRT", "KPIECE1", "BKPIECE1", "LBKPIECE1", "PRM")
+#: They stop at the first path they find. PRM and PRM* are not among them: they look for paths in a thread of their own, which
+#: waits for Python's lock while the search waits for it; and no two runs would be alike.
+FEASIBLE = ("RRTConnect", "RRT", "KPIECE1", "BKPIECE1", "LBKPIECE1")
 #: They go on to lower the cost until `checks` or `time_limit` is used up.
 OPTIMISING = ("RRTstar", "InformedRRTstar", "SORRTstar", "BITstar")
 PLANNERS = FEASIBLE + OPTIMISING
@@ -70,7 +71,7 @@ def seed_path(
         scene: obstacles; None: the arm is only checked against itself.
         planner: one of PLANNERS.
         seed: the same seed gives the same path, also in another process and on a slower machine, as long as `time_limit` is not
-            what ends the search. PRM is an exception: it looks for a path in a thread of its own.
+            what ends the search.
         objective: what the optimising planners (RRTstar, InformedRRTstar, SORRTstar, BITstar) lower: "length", or "index":
             g = ∫ ‖q'‖ / m^power ds, as `optimize_path` does. With "index" the straight line is returned only when none found
             has a lower g, and the path is only made simpler where that lowers g.

@@ -19,10 +19,10 @@ POST = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0),
 
 
 def test_the_cost_of_a_motion_is_that_of_its_straight_path(planar, ur5, rng):
-    for robot, power in ((planar, 2.0), (ur5, 1.0)):
+    for robot, power, middle in ((planar, 2.0, [0.0, 1.2, 1.0]), (ur5, 1.0, [0.0, -1.2, 1.5, -1.0, -1.2, 0.0])):
         kinematics = robot.kinematics()
         for _ in range(5):
-            first, second = robot.random_configuration(rng, size=2) / 3 + 0.4
+            first, second = middle + 0.5 * rng.uniform(-1, 1, (2, robot.n))
             expected = mp.path_cost(mp.JointPath.line(first, second), kinematics, power, panels=400).g
             assert motion_cost(kinematics, power, first, second) == pytest.approx(expected, rel=2e-3)
     assert motion_cost(kinematics, 1.0, first, first) == 0.0
@@ -54,7 +54,7 @@ def test_ompl_asks_the_objective_and_adds_its_costs(planar):
 def test_an_index_aware_search_finds_a_lower_g(planar, planner):
     g = {}
     for objective in ("length", "index"):
-        path = mp.seed_path(planar, START, GOAL, planner=planner, objective=objective, power=2, checks=8000, time_limit=30.0)
+        path = mp.seed_path(planar, START, GOAL, planner=planner, objective=objective, power=2, checks=20_000, time_limit=30.0)
         g[objective] = mp.path_cost(path, planar.kinematics(), 2).g
     least = mp.optimize_path(planar, START, GOAL, degree=10, power=2, seeds=4).g
     assert 0.999 * least < g["index"] < min(0.5 * g["length"], 1.4 * least)
@@ -66,7 +66,7 @@ def test_among_obstacles_the_gain_survives_what_makes_a_path_simpler(planar):
         each: mp.path_cost(mp.seed_path(planar, START, GOAL, objective=each, **options), planar.kinematics(), 2).g
         for each in ("length", "index")
     }
-    assert g["index"] < 0.6 * g["length"]
+    assert g["index"] < 0.8 * g["length"]
 
 
 REPEAT = """
@@ -83,7 +83,7 @@ print(json.dumps(found))
 
 
 def test_another_process_finds_the_same_paths():
-    planners = [planner for planner in PLANNERS if planner != "PRM"]
+    planners = list(PLANNERS)
     runs = [
         subprocess.Popen([sys.executable, "-c", REPEAT, *planners], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         for _ in range(2)
@@ -123,7 +123,7 @@ def test_too_few_checks_are_told(planar):
         ({"objective": "index"}, "planner: got 'RRTConnect'; allowed: one that optimises.*BITstar"),
         ({"checks": 0}, "checks: got 0"),
         ({"power": 0.0}, "power: got 0.0"),
-        ({"clearance": 0.5}, "start: .*0.5 m"),
+        ({"clearance": 3.0}, "(start|goal): .* apart, the clearance asked for is 3 m"),
         ({"start": [np.nan, 0, 0]}, "start.*finite"),
     ],
 )
