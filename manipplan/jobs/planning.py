@@ -105,12 +105,16 @@ def plan(
         result = instance("result", error.result, PathResult)  # without a path, or with a singular one
         if result.path is None or result.seed is None:
             return failed(draft, throw, str(error))
+    if result.status is Status.INTERRUPTED:
+        raise KeyboardInterrupt
     first = instance("seed", result.seed, JointPath)
     for each, basis, pieces in ((min(degree + 3, MOST_DEGREE), "legendre", 1), (3, "bspline", SPLINE_PIECES)):
         if result.status.ok:
             break
         tell(0.6, f"{basis} of degree {each}")
         more = optimise(first.start, first.goal, each, basis=basis, pieces=pieces, initial=first, throw=False)
+        if more.status is Status.INTERRUPTED:
+            raise KeyboardInterrupt
         result = min(result, more, key=lambda tried: (not tried.status.ok, tried.g))
     path = instance("path", result.path, JointPath)
     draft = replace(draft, path=path, result=result, status=result.status)

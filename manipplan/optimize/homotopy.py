@@ -24,6 +24,7 @@ from manipplan.progress import Progress, part, silent
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
 from manipplan.seeds.ompl import seed_path
+from manipplan.status import Status
 
 #: Places along two paths, and stages between them, at which their homotopy is looked at.
 PLACES, STAGES = 80, 9
@@ -69,6 +70,8 @@ class Crew:
         for k, result in enumerate(made):
             tell(k / len(made), text if len(made) == 1 else f"{text}: {k} of {len(made)}")
             results.append(result())
+            if isinstance(results[-1], PathResult) and results[-1].status is Status.INTERRUPTED:
+                break
         return results
 
 
@@ -111,7 +114,10 @@ def best_and_rivals(results: Sequence[PathResult]) -> PathResult:
     for result in sorted(results, key=lambda each: each.g):
         if not any(_same(result.path, other.path) for other in kept):
             kept.append(result)
-    return replace(kept[0], rivals=tuple(kept[1:]))
+    best = replace(kept[0], rivals=tuple(kept[1:]))
+    if any(result.status is Status.INTERRUPTED for result in results):
+        best = replace(best, status=Status.INTERRUPTED)
+    return best
 
 
 def shifted_goals(robot: Robot, start: Array, goal: Array) -> list[Array]:

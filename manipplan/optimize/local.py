@@ -13,8 +13,8 @@ from manipplan.optimize.objective import PathCost
 from manipplan.optimize.problem import AGREEMENT, POLISH_PANELS, ClearanceRow, PathProgram, Solution
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
+from manipplan.robots.continuous import path_clearance
 from manipplan.robots.robot import Robot
-from manipplan.seeds.ompl import CHECK_STEP
 
 #: Rounds of solving and renewing clearance rows, from one first path.
 ROUNDS = 8
@@ -38,7 +38,7 @@ class Step:
 
 @dataclass(frozen=True, kw_only=True)
 class Candidate:
-    """An optimised path that is inside the limits and free, with its coefficients and the places its rows were at."""
+    """An optimised path that is inside the limits and proven free, with its coefficients and the places its rows were at."""
 
     path: JointPath
     coefficients: Array
@@ -50,7 +50,7 @@ class Candidate:
 
 @dataclass(frozen=True, kw_only=True)
 class LocalSearch:
-    """Solves of one program between one start and goal, written down in `history`."""
+    """Solves of one program between one start and goal, written down in `history`, and the candidates in `accepted`."""
 
     program: PathProgram
     start: Array
@@ -59,18 +59,19 @@ class LocalSearch:
     clearance: float
     history: list[Step]
     ends: EndConditions = field(default_factory=EndConditions)
+    accepted: list[Candidate] = field(default_factory=list)
 
     def only_one(self) -> list[Candidate]:
         """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
         solution = Solution(coefficients=self._straight(), slack=0.0, status="Solve_Succeeded")
-        candidate, _ = self.judged("straight", solution, ())
+        candidate, *_ = self.judged("straight", solution, ())
         self.history.clear()  # nothing was solved
         return [candidate] if candidate else []
 
     def unconstrained(self) -> list[Candidate]:
         """The optimum as if nothing were in the way, from the straight line; used when it is free."""
         solution = self.program.solve(self.start, self.goal, self._straight())
-        candidate, distances = self.judged("straight", solution, ())
+        candidate, distances, _ = self.judged("straight", solution, ())
         return [] if candidate is None else [self._watching(candidate, distances)]
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
@@ -89,7 +90,7 @@ class LocalSearch:
                 watched = near.nearest(self.model, path, places, most=most)
             rows = self.rows(path, lambda at: first(np.interp(at, even, s)), watched)
             solution = self.program.solve(self.start, self.goal, coefficients, rows)
-            candidate, distances = self.judged("seed", solution, places)
+            candidate, distances, touched = self.judged("seed", solution, places)
             coefficients = solution.coefficients
             if candidate is not None:
                 found.append(candidate)
@@ -98,7 +99,7 @@ class LocalSearch:
             if candidate is not None and not places:
                 found[-1] = self._watching(candidate, distances)
                 break
-            places = self.more_places(places, distances, touching=candidate is None)
+            places = self.more_places(places, distances, touched, touching=candidate is None)
         return found
 
     def by_steps(self, first: JointPath) -> list[Candidate]:
@@ -117,9 +118,9 @@ class LocalSearch:
             path = self.program.basis.path(self.start, self.goal, coefficients)
             rows = self.rows(path, lambda at: first(np.interp(at, even, s)), near.nearest(self.model, path, places))
             solution = self.program.solve(self.start, self.goal, coefficients, rows, reach=reach)
-            candidate, distances = self.judged("steps", solution, places)
+            candidate, distances, touched = self.judged("steps", solution, places)
             if candidate is None:
-                more = self.more_places(places, distances, touching=True)
+                more = self.more_places(places, distances, touched, touching=True)
                 if found and reach == LEAST_REACH and len(more) == len(places):
                     break
                 places, reach = more, max(reach / 2, LEAST_REACH)
@@ -160,13 +161,15 @@ class LocalSearch:
             return []
         return near.rows_for(self.model, path, safe, places, self.clearance)
 
-    def more_places(self, places: tuple[near.Place, ...], distances: Array, *, touching: bool) -> tuple[near.Place, ...]:
-        """The places and those where the distance profile (m, k) [m] of a path dips below the clearance.
+    def more_places(
+        self, places: tuple[near.Place, ...], distances: Array, touched: tuple[near.Place, ...], *, touching: bool
+    ) -> tuple[near.Place, ...]:
+        """The places, where the path `touched` something, and where its distance profile (m, k) [m] dips below the clearance.
 
         Of a path that is `touching` something, though not where it was looked at, those where it is nearest to.
         """
         for spare in (0.0, near.SPARE) if touching else (0.0,):
-            deepest = near.dips(distances, self.clearance + spare)[:NEW_PLACES]
+            deepest = [*touched, *near.dips(distances, self.clearance + spare)][:NEW_PLACES]
             for apart in (near.APART, near.CLOSE) if touching else (near.APART,):
                 more = near.merged(places, near.around(deepest), apart)
                 if len(more) > len(places):
@@ -174,8 +177,13 @@ class LocalSearch:
         return places
 
     @interruptible()
-    def judged(self, name: str, solution: Solution, places: tuple[near.Place, ...]) -> tuple[Candidate | None, Array]:
-        """The candidate when the solution is inside the limits and free, and its distance profile (m, k) [m]."""
+    def judged(
+        self, name: str, solution: Solution, places: tuple[near.Place, ...]
+    ) -> tuple[Candidate | None, Array, tuple[near.Place, ...]]:
+        """The candidate when the solution is inside the limits and proven free, and its distance profile (m, k) [m].
+
+        Third the place where the proof failed, of a path that is free where the profile was taken.
+        """
         path = self.program.basis.path(self.start, self.goal, solution.coefficients)
         cost = self.program.objective.cost(path)
         distances = np.full((near.PLACES + 1, 1), np.inf)
@@ -183,9 +191,12 @@ class LocalSearch:
             distances = near.distance_profile(self.model, path(np.linspace(0.0, 1.0, near.PLACES + 1)))
         least = float(distances.min(initial=np.inf))
         self.history.append(Step(first=name, g=cost.g, clearance=least, solver=solution.status))
-        free = self.model is None or (least > self.clearance and self.model.path_is_free(path, CHECK_STEP, self.clearance))
-        if not (free and _inside_limits(self.program.kinematics.robot, path)):
-            return None, distances
+        if least <= self.clearance or not _inside_limits(self.program.kinematics.robot, path):
+            return None, distances, ()
+        if self.model is not None:
+            proof = path_clearance(self.model, path, clearance=self.clearance, tolerance=None)
+            if not proof.proven:
+                return None, distances, ((proof.at, proof.index),)
         converged = solution.status == "Solve_Succeeded"
         candidate = Candidate(
             path=path,
@@ -195,7 +206,8 @@ class LocalSearch:
             converged=converged,
             solver=solution.status,
         )
-        return candidate, distances
+        self.accepted.append(candidate)
+        return candidate, distances, ()
 
     def _straight(self) -> Array:
         """Coefficients (n, size) of the path nearest to the straight line that meets the end conditions."""

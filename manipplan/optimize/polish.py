@@ -34,12 +34,12 @@ def _on_panels(search: LocalSearch, best: Candidate, panels: int) -> tuple[Candi
     for _ in range(ROUNDS):
         rows = search.rows(best.path, best.path, places)
         solution = program.polish(search.start, search.goal, best.coefficients, rows, panels=panels)
-        candidate, distances = search.judged("polish", solution, places)
+        candidate, distances, touched = search.judged("polish", solution, places)
         if candidate is not None:
             return candidate, program.objective.agree(candidate.path, candidate.cost.g, panels, AGREEMENT)
         if best.cost.g - search.history[-1].g < SMALL_GAIN * best.cost.g:
             break
-        more = search.more_places(places, distances, touching=True)
+        more = search.more_places(places, distances, touched, touching=True)
         if len(more) == len(places):
             break
         places = more

@@ -12,6 +12,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.checks import Array
+from manipplan.interrupts import interruptible
 from manipplan.kinematics.compile import as_asked
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.basis import Basis
@@ -142,6 +143,7 @@ class PathProgram:
         size = np.sqrt(self._integral(self._energy, start, goal, guess, 1.0))
         return self._solve(panels, start, goal, guess, rows, size, size, limited=limited)
 
+    @interruptible()
     def _solve(
         self,
         panels: int,

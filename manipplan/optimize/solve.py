@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from manipplan.checks import Array
+from manipplan.interrupts import interruptible
 from manipplan.measures.measure import Measure
 from manipplan.measures.task import Task
 from manipplan.optimize.basis import named_basis
@@ -73,14 +74,20 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
     )
     is_line = len(first.control) == 1 and first.degree == 1
     is_free = bool(program.free.size)
-    found = search.only_one() if not is_free else search.unconstrained() if straight or is_line else []
-    if is_free and not (found and is_line):  # from a straight seed the same solve would come again
-        by_steps = model is not None and len(program.basis.breaks) > 2
-        found += search.by_steps(first) if by_steps else search.from_safe_path(first)
-    safe = model is None or bool(found)
-    best = min(found, key=lambda candidate: candidate.cost.g, default=None)
-    if best is not None and is_free:
-        best = polished(search, best)
+    interrupted = False
+    try:
+        with interruptible():
+            found = search.only_one() if not is_free else search.unconstrained() if straight or is_line else []
+            if is_free and not (found and is_line):  # from a straight seed the same solve would come again
+                by_steps = model is not None and len(program.basis.breaks) > 2
+                found += search.by_steps(first) if by_steps else search.from_safe_path(first)
+            best = min(found, key=lambda candidate: candidate.cost.g, default=None)
+            if best is not None and is_free:
+                best = polished(search, best)
+    except KeyboardInterrupt:
+        interrupted = True
+        best = min(search.accepted, key=lambda candidate: candidate.cost.g, default=None)
+    safe = model is None or best is not None
     fallback = problem.ends.met_by(first)
     if best is not None and (best.cost.g <= first_cost.g or not fallback):
         path, cost = best.path, best.cost
@@ -91,9 +98,11 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
         status = status if fallback else Status.ENDS_NOT_MET
     if not np.isfinite(cost.g) and status is not Status.ENDS_NOT_MET:
         status = Status.SINGULAR
+    if interrupted:
+        status = Status.INTERRUPTED
     log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
     solver = best.solver if best is not None and path is best.path and is_free else ""
-    unconstrained = search.unconstrained_g(path) if np.isfinite(cost.g) else np.nan
+    unconstrained = search.unconstrained_g(path) if np.isfinite(cost.g) and not interrupted else np.nan
     return measured(
         path,
         objective,
