@@ -51,7 +51,7 @@ def load() -> list[dict]:
 
 
 def judged(robot: mp.Robot, scene: mp.Scene, path: mp.JointPath | None, pair: dict) -> dict:
-    """Of a path: g, least index, length, and whether it is free at every milliradian, inside the limits and where it should be."""
+    """Of a path: g, least index, length, and whether it is free at every milliradian, inside the limits and at its ends."""
     if path is None:
         return {"g": np.inf, "found": False, "free": False, "touches": False, "within": False}
     model, kinematics = scene.collision_model(robot), robot.kinematics()
@@ -130,7 +130,7 @@ def bit_star(robot: mp.Robot, scene: mp.Scene, pair: dict, seconds: float, on_g:
     planner = geometric.BITstar(information)
     planner.setProblemDefinition(problem)
     planner.setup()
-    planner.solve(seconds)
+    planner.solve(float(seconds))
     if not problem.hasExactSolution():
         return None
     path = problem.getSolutionPath()
@@ -141,10 +141,13 @@ def bit_star(robot: mp.Robot, scene: mp.Scene, pair: dict, seconds: float, on_g:
 
 def of_spline(knots: np.ndarray, control: np.ndarray) -> mp.JointPath:
     """The JointPath of a clamped B-spline (knots, control points (k, n))."""
-    pieces = BPoly.from_power_basis(PPoly.from_spline(BSpline(knots, control, len(knots) - len(control) - 1)))
-    real = np.diff(pieces.x) > 0
-    places = np.r_[pieces.x[:-1][real], pieces.x[-1]]
-    return mp.JointPath(breaks=(places - places[0]) / (places[-1] - places[0]), control=pieces.c.transpose(1, 0, 2)[real])
+    degree = len(knots) - len(control) - 1
+    joints = [BPoly.from_power_basis(PPoly.from_spline(BSpline(knots, each, degree))) for each in control.T]
+    breaks = joints[0].x
+    real = np.diff(breaks) > 0  # clamped: the knots at the ends stand there several times
+    places = np.r_[breaks[:-1][real], breaks[-1]]
+    pieces = np.stack([each.c.T[real] for each in joints], axis=-1)
+    return mp.JointPath(breaks=(places - places[0]) / (places[-1] - places[0]), control=pieces)
 
 
 def of_waypoints(points: np.ndarray) -> mp.JointPath | None:
@@ -234,7 +237,9 @@ def share(rows: list[dict]) -> list[str]:
             if not ok:
                 others[row["status"]] = others.get(row["status"], 0) + 1
         ratio = np.array([row["ours"]["g"] / row["OMPL"]["g"] if np.isfinite(row["OMPL"]["g"]) else np.nan for row in some])
-        ratio[[not np.isfinite(row["OMPL"]["g"]) and np.isfinite(row["ours"]["g"]) for row in some]] = 0.0  # the seed is singular
+        ratio[[not np.isfinite(row["OMPL"]["g"]) and np.isfinite(row["ours"]["g"]) for row in some]] = (
+            0.0  # the seed is singular
+        )
         ratio[[not np.isfinite(row["ours"]["g"]) for row in some]] = 1.0  # ours is the seed
         seconds = np.array([each["time"] for each in mine])
         said = ", ".join(f"{count} {status}" for status, count in others.items()) or "none"

@@ -53,9 +53,7 @@ def scene(name: str, size: float) -> mp.Scene:
                 box("stack", (0.3, -0.5, -0.03), (0.45, -0.3, 0.35)),
             ]
         )
-    boards = [
-        box(f"board{k}", (FRONT, -HALF_WIDTH, z - THICK), (BACK, HALF_WIDTH, z)) for k, z in enumerate(BOARDS)
-    ]
+    boards = [box(f"board{k}", (FRONT, -HALF_WIDTH, z - THICK), (BACK, HALF_WIDTH, z)) for k, z in enumerate(BOARDS)]
     sides = [
         box(f"side{k}", (FRONT, y - THICK / 2, BOARDS[0]), (BACK, y + THICK / 2, BOARDS[-1] - THICK))
         for k, y in enumerate((-HALF_WIDTH, 0.0, HALF_WIDTH))
@@ -75,7 +73,7 @@ def place(name: str, size: float, tool: np.ndarray) -> np.ndarray:
     return np.where(inside, 2 * row + column, -1)
 
 
-def aspect(robot: mp.Robot, q: np.ndarray) -> tuple[int, ...]:
+def aspect(q: np.ndarray) -> tuple[int, ...]:
     """Which aspect of a UR5 q (6,) lies in; configurations of the same aspect have the same numbers.
 
     det J has three factors: sin q3 (elbow), sin q5 (wrist) and the distance of the wrist's centre from the plane of the
@@ -91,7 +89,9 @@ def aspect(robot: mp.Robot, q: np.ndarray) -> tuple[int, ...]:
     return (int(q[2] // np.pi), int(q[4] // np.pi), int(shoulder > 0), round(phase / (2 * np.pi)))
 
 
-def draws(robot: mp.Robot, name: str, size: float, rng: np.random.Generator, *, inside: bool) -> Iterator[tuple[np.ndarray, int]]:
+def draws(
+    robot: mp.Robot, name: str, size: float, rng: np.random.Generator, *, inside: bool
+) -> Iterator[tuple[np.ndarray, int]]:
     """Free configurations (n,) and the place the tool is in; with `inside` only those where it is in one."""
     model, kinematics = scene(name, size).collision_model(robot), robot.kinematics(mp.Task.pose())
     low, high = np.maximum(robot.limits.lower, -np.pi), np.minimum(robot.limits.upper, np.pi)
@@ -101,7 +101,12 @@ def draws(robot: mp.Robot, name: str, size: float, rng: np.random.Generator, *, 
         for each, where in zip(q, places, strict=True):
             wanted = where >= 0 if inside else where < 0
             in_limits = (robot.limits.outside(each) <= 0).all()  # rounding can leave them
-            if wanted and in_limits and not model.in_collision(each, clearance=CLEARANCE) and model.distances(each).min() > CLEARANCE:
+            if (
+                wanted
+                and in_limits
+                and not model.in_collision(each, clearance=CLEARANCE)
+                and model.distances(each).min() > CLEARANCE
+            ):
                 yield each, int(where)
 
 
@@ -114,7 +119,7 @@ def pairs(arm: str, name: str, count: int, rng: np.random.Generator) -> Iterator
         start, first = next(inside)
         to_other = name != "shelf" or k % 2
         goal, second = next(inside if to_other else outside)
-        while (name == "shelf" and first == second) or (arm == "ur5" and aspect(robot, start) != aspect(robot, goal)):
+        while (name == "shelf" and first == second) or (arm == "ur5" and aspect(start) != aspect(goal)):
             goal, second = next(inside if to_other else outside)
         if name == "shelf" and rng.random() < 0.5:
             start, goal = goal, start
@@ -130,10 +135,10 @@ def pairs(arm: str, name: str, count: int, rng: np.random.Generator) -> Iterator
 
 def main() -> None:
     lines = [
-        f"# Start-goal pairs made by benchmarks/pairs/make.py from the random seed {SEED}; joint angles in rad, from base to tool.",
+        f"# Start-goal pairs of benchmarks/pairs/make.py, random seed {SEED}; joint angles in rad, from base to tool.",
         f"# Start and goal are free with {CLEARANCE:g} m of clearance; a path between them is found within {TIME_LIMIT:g} s.",
-        "# UR5: start and goal lie in one aspect (the signs of the factors of det J: shoulder, elbow, wrist). Between aspects every",
-        "# path crosses a singularity, and g is infinite for all.",
+        "# UR5: start and goal lie in one aspect (the signs of the factors of det J: shoulder, elbow, wrist). Between",
+        "# aspects every path crosses a singularity, and g is infinite for all.",
         "arm,scene,start,goal",
     ]
     for row, (name, arm) in enumerate(itertools.product(SCENES, PAIRS)):

@@ -7,6 +7,7 @@ continuously between waypoints; velocities are smoothed, as in the default profi
 The result has waypoints (k, m, n), time and cpu (k,) [s] and said (k,).
 """
 
+import json
 import sys
 import time
 from pathlib import Path
@@ -47,21 +48,27 @@ def write_plugins(folder):
     """The two files that world.srdf names: which of the wheel's libraries hold the plugins for kinematics and collision."""
     libraries = Path(tesseract_robotics.__file__).parents[1] / "tesseract_robotics.libs"
 
-    def library(name):
-        (found,) = libraries.glob(f"lib{name}-*.so")
-        return f"  search_paths: ['{libraries}']\n  search_libraries: ['{found.name.removeprefix('lib').removesuffix('.so')}']\n"
+    def plugins(library, **kinds):
+        (found,) = libraries.glob(f"lib{library}-*.so")
+        return {"search_paths": [str(libraries)], "search_libraries": [found.stem.removeprefix("lib")], **kinds}
 
-    ends = "config: {base_link: base, tip_link: tool}"
-    (folder / "kinematics.yaml").write_text(
-        "kinematic_plugins:\n"
-        + library("tesseract_kinematics_kdl_factories")
-        + f"  fwd_kin_plugins: {{arm: {{default: KDLFwdKinChain, plugins: {{KDLFwdKinChain: {{class: KDLFwdKinChainFactory, {ends}}}}}}}}}\n"
-        + f"  inv_kin_plugins: {{arm: {{default: KDLInvKinChainLMA, plugins: {{KDLInvKinChainLMA: {{class: KDLInvKinChainLMAFactory, {ends}}}}}}}}}\n"
+    def only(name, **config):
+        return {"default": name, "plugins": {name: {"class": f"{name}Factory"} | config}}
+
+    ends = {"config": {"base_link": "base", "tip_link": "tool"}}
+    kinematics = plugins(
+        "tesseract_kinematics_kdl_factories",
+        fwd_kin_plugins={"arm": only("KDLFwdKinChain", **ends)},
+        inv_kin_plugins={"arm": only("KDLInvKinChainLMA", **ends)},
     )
-    lines = ["contact_manager_plugins:\n", library("tesseract_collision_bullet_factories")]
-    for kind, name in (("discrete", "BulletDiscreteBVHManager"), ("continuous", "BulletCastBVHManager")):
-        lines.append(f"  {kind}_plugins: {{default: {name}, plugins: {{{name}: {{class: {name}Factory}}}}}}\n")
-    (folder / "contact_managers.yaml").write_text("".join(lines))
+    contact = plugins(
+        "tesseract_collision_bullet_factories",
+        discrete_plugins=only("BulletDiscreteBVHManager"),
+        continuous_plugins=only("BulletCastBVHManager"),
+    )
+    # JSON is YAML
+    (folder / "kinematics.yaml").write_text(json.dumps({"kinematic_plugins": kinematics}))
+    (folder / "contact_managers.yaml").write_text(json.dumps({"contact_manager_plugins": contact}))
 
 
 def profiles_of(problem):
