@@ -217,6 +217,14 @@ def run(options) -> list[dict]:
     return rows
 
 
+def over_seed(row: dict) -> float:
+    """Our g over that of OMPL's simplified path: 0 where only that crosses a singularity, 1 where both do."""
+    mine, seed = row["ours"]["g"], row["OMPL"]["g"]
+    if np.isfinite(seed):
+        return mine / seed
+    return 0.0 if np.isfinite(mine) else 1.0
+
+
 def share(rows: list[dict]) -> list[str]:
     """Lines of the first table, one a scene and one for all."""
     lines = [
@@ -236,11 +244,7 @@ def share(rows: list[dict]) -> list[str]:
         for row, ok in zip(some, good, strict=True):
             if not ok:
                 others[row["status"]] = others.get(row["status"], 0) + 1
-        ratio = np.array([row["ours"]["g"] / row["OMPL"]["g"] if np.isfinite(row["OMPL"]["g"]) else np.nan for row in some])
-        ratio[[not np.isfinite(row["OMPL"]["g"]) and np.isfinite(row["ours"]["g"]) for row in some]] = (
-            0.0  # the seed is singular
-        )
-        ratio[[not np.isfinite(row["ours"]["g"]) for row in some]] = 1.0  # ours is the seed
+        ratio = [over_seed(row) for row in some]
         seconds = np.array([each["time"] for each in mine])
         said = ", ".join(f"{count} {status}" for status, count in others.items()) or "none"
         lines.append(
