@@ -109,7 +109,7 @@ def plan(
         raise KeyboardInterrupt
     first = instance("seed", result.seed, JointPath)
     for each, basis, pieces in ((min(degree + 3, MOST_DEGREE), "legendre", 1), (3, "bspline", SPLINE_PIECES)):
-        if result.status.ok:
+        if result.status.ok or result.status is Status.SINGULAR:  # another degree crosses the same singularity
             break
         tell(0.6, f"{basis} of degree {each}")
         more = optimise(first.start, first.goal, each, basis=basis, pieces=pieces, initial=first, throw=False)

@@ -25,6 +25,7 @@ from manipplan.robots.collision import CollisionModel
 from manipplan.robots.continuous import path_clearance
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
+from manipplan.seeds.aspect import Aspect
 from manipplan.seeds.objective import index_objective
 
 log = logging.getLogger("manipplan")
@@ -59,6 +60,7 @@ def seed_path(
     objective: str = "length",
     task: Task | None = None,
     power: float = 1.0,
+    same_aspect: bool = False,
     checks: int = 50_000,
     clearance: float = 0.0,
     time_limit: float = 10.0,
@@ -76,6 +78,8 @@ def seed_path(
             g = ∫ ‖q'‖ / m^power ds, as `optimize_path` does. With "index" the straight line is returned only when none found
             has a lower g, and the path is only made simpler where that lowers g.
         task, power: whose index counts and its exponent, with objective "index"; default `robot.default_task`.
+        same_aspect: only a path on which det J keeps its sign, so that it crosses no singularity of `task`. For arms with as
+            many joints as the task has rows, between configurations of one sign.
         checks: the optimising planners end their search after so many checked configurations, of about 60 µs each.
         clearance: distance [m] to keep from every obstacle and between the arm's own links.
         time_limit: for all of it [s].
@@ -86,7 +90,7 @@ def seed_path(
 
     Raises:
         InvalidInputError: start or goal of wrong length, outside the limits, or in collision; objective "index" with a planner
-            that does not optimise.
+            that does not optimise; `same_aspect` where start and goal have none in common.
         PlanningError: no free path was found in time, or with so many checks.
     """
     if planner not in PLANNERS:
@@ -105,6 +109,11 @@ def seed_path(
     q_start = model.free_configuration("start", start, clearance)
     q_goal = model.free_configuration("goal", goal, clearance)
     check_apart(q_start, q_goal)
+    kinematics = robot.kinematics(task)
+    aspect = Aspect.shared(kinematics, q_start, q_goal) if same_aspect else None
+    if same_aspect and aspect is None:
+        wanted = f"False: det J of the task {kinematics.task.name} has no sign, or not the same one at start and goal"
+        raise InvalidInputError("same_aspect", True, wanted)
     search = _Search(
         model=model,
         start=q_start,
@@ -112,13 +121,15 @@ def seed_path(
         planner=planner,
         seed=seed,
         clearance=clearance,
-        kinematics=robot.kinematics(task) if objective == "index" else None,
+        kinematics=kinematics if objective == "index" else None,
         power=power,
+        aspect=aspect,
         checks=checks if planner in OPTIMISING else None,
         deadline=time.monotonic() + time_limit,
     )
     line = JointPath.line(q_start, q_goal)
-    accept = _acceptance(model, (q_start, q_goal), clearance)
+    free = _acceptance(model, (q_start, q_goal), clearance)
+    accept = free if aspect is None else lambda path: aspect.holds(path) and free(path)
     line_is_free = accept(line)
     if line_is_free and objective == "length":
         return line
@@ -132,8 +143,9 @@ def seed_path(
         found = _finished(waypoints, search.in_time(accept), accept, cost)
         if found is not None:
             return line if line_is_free and cost(line) <= cost(found) else found
-        if checked is None and _is_free(model, JointPath.through(waypoints), clearance):
-            checked = JointPath.through(waypoints)
+        sharp = JointPath.through(waypoints)
+        if checked is None and _is_free(model, sharp, clearance) and (aspect is None or aspect.holds(sharp)):
+            checked = sharp
         log.info("the path is not proven free with OMPL's checks %g rad apart; checking finer", step)
     if line_is_free:
         return line
@@ -193,6 +205,7 @@ class _Search:
 
     Attributes:
         kinematics: whose index counts; None: length counts.
+        aspect: that is not to be left; None: free.
         checks: of configurations, after which an optimising planner ends; None: the first path ends the search.
         deadline: of the search, by time.monotonic() [s].
     """
@@ -205,6 +218,7 @@ class _Search:
     clearance: float
     kinematics: Kinematics | None
     power: float
+    aspect: Aspect | None
     checks: int | None
     deadline: float
 
@@ -247,8 +261,11 @@ class _Search:
         def is_valid(state: Any) -> bool:
             nonlocal done
             done += 1
+            q = np.array(state[0:n])
             # past the deadline nothing is valid: a motion of many checks ends at once
-            return time.monotonic() < late and not self.model.in_collision(np.array(state[0:n]), clearance=clearance)
+            if time.monotonic() >= late or self.model.in_collision(q, clearance=clearance):
+                return False
+            return self.aspect is None or self.aspect.has(q)
 
         def is_over() -> bool:
             return time.monotonic() >= self.deadline or (self.checks is not None and done >= self.checks)

@@ -1,12 +1,15 @@
 """Seeds: an objective that OMPL really asks, repeatable searches, time limits, recorded motions, and interrupts."""
 
+import csv
 import json
 import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import numpy as np
+import pinocchio as pin
 import pytest
 
 import manipplan as mp
@@ -244,3 +247,44 @@ def test_an_interrupt_of_the_planner_is_raised(planar, monkeypatch):
     monkeypatch.setattr(CollisionModel, "in_collision", interrupt)
     with pytest.raises(KeyboardInterrupt):
         mp.optimize_path(planar, START, GOAL, scene=POST)
+
+
+#: Pairs of the UR5 in one aspect, among them some around whose table the shortest ways cross a singularity.
+SUITE = Path(__file__).parents[2] / "benchmarks" / "pairs"
+
+
+def det_signs(robot, path):
+    """Signs of det J at every milliradian, by Pinocchio alone."""
+    data = robot.model.createData()
+    frame = robot.model.getFrameId(robot.tool, pin.FrameType.BODY)
+    signs = set()
+    for q in path(path.fine_samples(1e-3)):
+        pin.computeJointJacobians(robot.model, data, q)
+        pin.updateFramePlacements(robot.model, data)
+        signs.add(np.sign(np.linalg.det(pin.getFrameJacobian(robot.model, data, frame, pin.LOCAL_WORLD_ALIGNED))))
+    return signs
+
+
+def test_a_seed_that_keeps_its_aspect_crosses_no_singularity(ur5):
+    lines = [line for line in (SUITE / "pairs.csv").read_text().splitlines() if not line.startswith("#")]
+    rows = [row for row in csv.DictReader(lines) if row["arm"] == "ur5" and row["scene"] == "table"]
+    scene = mp.Scene.from_yaml(SUITE / "table_ur5.yaml")
+    crossing = 0
+    for row in rows[4:8]:
+        start, goal = (np.array(row[end].split(), dtype=float) for end in ("start", "goal"))
+        free = mp.seed_path(ur5, start, goal, scene, time_limit=30.0)
+        kept = mp.seed_path(ur5, start, goal, scene, same_aspect=True, time_limit=30.0)
+        crossing += len(det_signs(ur5, free)) > 1
+        assert len(det_signs(ur5, kept)) == 1
+        assert not scene.in_collision(ur5, kept(kept.fine_samples(1e-3))).any()
+        assert np.isfinite(mp.path_cost(kept, ur5.kinematics(), 1.0).g)
+    assert crossing >= 2
+
+
+def test_an_aspect_needs_a_square_jacobian_and_one_sign(ur5, panda):
+    with pytest.raises(mp.InvalidInputError, match="same_aspect: got True; allowed: False: det J of the task pose has no sign"):
+        mp.seed_path(panda, panda.neutral, panda.neutral + 0.2, same_aspect=True)
+    q = np.array([0.0, -1.2, 1.5, -1.0, -1.2, 0.0])
+    flipped = q * [1, 1, 1, 1, -1, 1]  # on the other side of the wrist's singularity
+    with pytest.raises(mp.InvalidInputError, match="not the same one at start and goal"):
+        mp.seed_path(ur5, q, flipped, same_aspect=True)
