@@ -10,7 +10,8 @@ from manipplan.interrupts import interruptible
 from manipplan.optimize import clearance as near
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.objective import PathCost
-from manipplan.optimize.problem import AGREEMENT, POLISH_PANELS, ClearanceRow, PathProgram, Solution
+from manipplan.optimize.problem import AGREEMENT, POLISH_PANELS, PathProgram, Solution
+from manipplan.optimize.rows import ClearanceRow
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.continuous import path_clearance
