@@ -64,7 +64,7 @@ class LocalSearch:
 
     def only_one(self) -> list[Candidate]:
         """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
-        solution = Solution(coefficients=self._straight(), slack=0.0, status="Solve_Succeeded")
+        solution = Solution(coefficients=self._straight(), status="Solve_Succeeded")
         candidate, *_ = self.judged("straight", solution, ())
         self.history.clear()  # nothing was solved
         return [candidate] if candidate else []

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import casadi as ca
+import numpy as np
 
 from manipplan.checks import Array
 from manipplan.kinematics.compile import as_asked
@@ -31,13 +32,27 @@ class ClearanceRow:
     offset: float
     distance: float
 
+    def column(self, n: int) -> Array:
+        """The row of a robot of n joints as numbers, (column_height(n),): what `row_functions` take."""
+        carrier, other = np.eye(n + 1)[[self.joint, self.other]]
+        return np.array([*carrier, *other, *self.point, *self.normal, self.offset, self.distance])
+
+
+def column_height(n: int) -> int:
+    """Numbers of a column: two joints one-hot, point, normal, offset and distance."""
+    return 2 * (n + 1) + 8
+
+
+def met_column(n: int) -> Array:
+    """The column of a row that is always met: no normal and offset -1 m, so 0 >= -1."""
+    return ClearanceRow(s=0.0, joint=0, point=np.zeros(3), other=0, normal=np.zeros(3), offset=-1.0, distance=0.0).column(n)
+
 
 def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
     """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q, a Function each, compiled as asked.
 
-    The second argument is a column of the row table: which joint carries the point, which the plane (one-hot), point,
-    normal, offset, distance to keep. Only joints between the two move the point against the plane: sign σ_i is 1 where
-    joint i carries the point alone, -1 where it carries the plane alone. Then with c_i the velocity of the point as
+    The second argument is a `ClearanceRow.column`. Only joints between the two move the point against the plane: sign σ_i is
+    1 where joint i carries the point alone, -1 where it carries the plane alone. Then with c_i the velocity of the point as
     carried by joint i, ∂_i d = σ_i n · c_i, and for i <= j ∂_i ∂_j d = n · (z_i x c_j), or n · (z_j x c_i) for the plane.
     """
     chain, model = kinematics.symbolic.chain, kinematics.robot.model
