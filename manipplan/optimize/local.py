@@ -10,7 +10,8 @@ from manipplan.interrupts import interruptible
 from manipplan.optimize import clearance as near
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.objective import PathCost
-from manipplan.optimize.problem import AGREEMENT, POLISH_PANELS, ClearanceRow, PathProgram, Solution
+from manipplan.optimize.problem import AGREEMENT, POLISH_PANELS, PathProgram, Solution
+from manipplan.optimize.rows import ClearanceRow
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.continuous import path_clearance
@@ -63,7 +64,7 @@ class LocalSearch:
 
     def only_one(self) -> list[Candidate]:
         """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
-        solution = Solution(coefficients=self._straight(), slack=0.0, status="Solve_Succeeded")
+        solution = Solution(coefficients=self._straight(), status="Solve_Succeeded")
         candidate, *_ = self.judged("straight", solution, ())
         self.history.clear()  # nothing was solved
         return [candidate] if candidate else []

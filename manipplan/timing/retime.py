@@ -19,6 +19,7 @@ from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.timing.arc import ArcLength
+from manipplan.timing.barrier import fastest_motion
 from manipplan.timing.demands import Demands, demands
 from manipplan.timing.jerk import JerkProblem
 from manipplan.timing.profile import Profile, constant_steps
@@ -200,7 +201,7 @@ def _smooth_piece(task: _Task, a: float, b: float, grid: int, start: float, end:
     points = first_grid(curve, grid, edges, (start == 0, end == 0))
     asked = demands(curve, points, task.limits, task.torque_model, task.tool)
     fastest_speeds(asked, task.names, task.course.given, start, end)  # raises where nothing is within the limits
-    motion = _jerk_problem(task, asked, np.ones(len(points) - 1), start, end).solved()
+    motion = fastest_motion(_jerk_problem(task, asked, np.ones(len(points) - 1), start, end))
     if motion is None:
         raise _jerk_error(start, end)
     profile = SmoothProfile.of(asked, motion)
@@ -215,7 +216,7 @@ def _smooth_piece(task: _Task, a: float, b: float, grid: int, start: float, end:
     best: _Piece | None = None
     ideal = np.inf
     for k in range(1 + (ROUNDS_MOVING if moving else ROUNDS_SMOOTH)):
-        motion = _jerk_problem(task, asked.eased(velocity, rows) if k else asked, jerk, start, end).solved(guess)
+        motion = fastest_motion(_jerk_problem(task, asked.eased(velocity, rows) if k else asked, jerk, start, end), guess)
         if motion is None:
             break
         profile = SmoothProfile.of(asked, motion)

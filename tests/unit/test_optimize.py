@@ -14,7 +14,8 @@ from manipplan.optimize import basis, clearance
 from manipplan.optimize.density import energy_density, length_density
 from manipplan.optimize.homotopy import same_class
 from manipplan.optimize.objective import PathObjective
-from manipplan.optimize.problem import PathProgram, _row_functions
+from manipplan.optimize.problem import PathProgram
+from manipplan.optimize.rows import row_functions
 
 THESIS = {  # start, goal, g of the straight line for p = 2 (Tables 6.1 and 6.2) and p = 1 (ERRATA): [kth2012]
     "6.10": ((0.0, -3.0, -2.0), (np.pi, 0.1, 1.4), 2.7218, 3.7288),
@@ -464,7 +465,7 @@ def test_subdivision_gives_the_same_curve(rng, degree):
 @pytest.mark.parametrize("name", ["panda", "tiago", "kinova"])
 def test_clearance_rows_have_exact_derivatives(name, rng):
     robot = mp.load_robot(name)
-    value, gradient, hessian = _row_functions(robot.kinematics(compiled=False))
+    value, gradient, hessian = row_functions(robot.kinematics(compiled=False))
     n = robot.n
     q, column = ca.SX.sym("q", n), ca.SX.sym("column", value.size1_in(1))
     second, first = ca.hessian(value(q, column), q)

@@ -12,7 +12,7 @@ from manipplan.kinematics.compile import find_compiler
 from manipplan.kinematics.view import steady
 from manipplan.optimize.density import REGULARISATION, energy_density, length_density
 from manipplan.optimize.objective import PathObjective
-from manipplan.optimize.problem import _row_functions
+from manipplan.optimize.rows import row_functions
 
 START, GOAL = [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0]
 
@@ -52,7 +52,7 @@ def test_machine_code_equals_the_virtual_machine(density, name, rng):
 
 
 def test_rows_in_machine_code_equal_the_virtual_machine(panda, rng):
-    fast, slow = (_row_functions(panda.kinematics(compiled=compiled)) for compiled in (True, False))
+    fast, slow = (row_functions(panda.kinematics(compiled=compiled)) for compiled in (True, False))
     for _ in range(10):
         column = np.concatenate([np.eye(8)[rng.integers(8)], np.eye(8)[rng.integers(8)], rng.normal(size=8)])
         q = panda.random_configuration(rng)
