@@ -121,7 +121,7 @@ def follow(
     refined = refine(layers, found, tolerance=inner, progress=part(tell, 0.6, 0.9))
     tell(0.9, "joining the positions")
     world = scene.collision_model(robot)
-    joints, result, axis = _joined(path, layers, found, refined, tolerance, world)
+    joints, result, axis = _joined(path, layers, found, refined, tolerance, world, clearance)
     draft = replace(draft, status=Status.FOLLOWED, refinement=refined, path=joints, result=result)
     tell(0.95, "timing the motion")
     try:
@@ -151,6 +151,7 @@ def _joined(
     refined: Refinement,
     tolerance: Tolerance | None,
     model: CollisionModel,
+    clearance: float,
 ) -> tuple[JointPath, PathResult, Array | None]:
     """The joint path through the refined positions, its figures beside those of the path that the search found, and the
     tool's axis whose direction alone counts.
@@ -175,7 +176,7 @@ def _joined(
             s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
         paths.append(joint_path(solver, rows, path, s, q, closed=layers.closed, allowed=allowed, tube=inside))
     objective = PathObjective(kinematics=kinematics, power=1.0)
-    result = measured(paths[0], objective, seed=paths[1], model=model, status=Status.FOLLOWED)
+    result = measured(paths[0], objective, seed=paths[1], model=model, clearance=clearance, status=Status.FOLLOWED)
     return paths[0], result, solver.axis
 
 

@@ -98,7 +98,7 @@ def improve(
     )
     status = Status.IMPROVED if higher else Status.NOT_BETTER
     objective = PathObjective(kinematics=kinematics, power=1.0)
-    result = measured(path if higher else seed, objective, seed=seed, model=model, status=status)
+    result = measured(path if higher else seed, objective, seed=seed, model=model, clearance=0.0, status=status)
     draft = Plan(robot=robot, scene=scene, status=status, path=result.path, result=result, tracking=tracking)
     if higher and not tracking.status.ok:
         return failed(replace(draft, status=Status.NOT_FOLLOWED), throw, f"{tracking.status.value}: {tracking.message}")

@@ -84,13 +84,14 @@ class Certificate:
         cost: PathCost,
         model: CollisionModel | None,
         *,
+        clearance: float,
         status: Status,
         solver: str,
         unconstrained_g: float,
     ) -> "Certificate":
-        """Measure a path whose cost is known."""
+        """Measure a path whose cost is known, and that should keep `clearance` [m]."""
         kinematics = objective.kinematics
-        clearance, clearance_at, pair = _clearance(path, model)
+        least, clearance_at, pair = _clearance(path, model)
         return cls(
             status=status,
             solver=solver,
@@ -101,10 +102,10 @@ class Certificate:
             unit=kinematics.measure.unit(kinematics.task),
             min_manipulability=cost.min_manipulability,
             min_at=cost.at,
-            clearance=clearance,
+            clearance=least,
             clearance_at=clearance_at,
             nearest_pair=pair,
-            proven_clearance=np.inf if model is None else path_clearance(model, path).lower,
+            proven_clearance=np.inf if model is None else path_clearance(model, path, clearance=clearance).lower,
             limits=limit_approaches(path, kinematics.robot),
         )
 

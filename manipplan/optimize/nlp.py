@@ -17,6 +17,10 @@ from manipplan.optimize.rows import column_height
 SLACK_COST = 1e3
 
 
+#: With clearance rows, which are made anew after each solve, it may take no more than this.
+STEPS_WITH_ROWS = 100
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Integral:
     """A density, the rule (m,), (m,) by which it is integrated over s, IPOPT's tolerance, and how many steps it may take."""
@@ -113,7 +117,7 @@ def ipopt_solver(
         "ipopt": {
             "print_level": 0,
             "sb": "yes",
-            "max_iter": integral.steps,
+            "max_iter": min(integral.steps, STEPS_WITH_ROWS) if capacity else integral.steps,
             "tol": integral.tolerance,
             "mu_strategy": "adaptive",
             "constr_viol_tol": 1e-9,

@@ -108,9 +108,8 @@ class PathProgram:
         """Minimise g itself from a guess (n, size), with so little of the energy that its minimum is one point.
 
         Args:
-            start, goal, guess, rows: as in `solve`.
+            start, goal, guess, rows, limited: as in `solve`.
             panels: of ten Gauss points each, on which g is integrated.
-            limited: False: as if there were no joint limits.
         """
         size = np.sqrt(self._energy_of(start, goal, guess))
         return self._solve(self._length(panels), start, goal, guess, rows, size, size, limited=limited)

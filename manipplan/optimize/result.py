@@ -57,6 +57,7 @@ def measured(
     *,
     seed: JointPath,
     model: CollisionModel | None,
+    clearance: float,
     status: Status,
     solver: str = "",
     unconstrained_g: float = np.nan,
@@ -64,7 +65,9 @@ def measured(
 ) -> PathResult:
     """The result for a path that came from `seed`, with every figure measured on the path."""
     cost, seed_cost = objective.cost(path), objective.cost(seed)
-    certificate = Certificate.of(path, objective, cost, model, status=status, solver=solver, unconstrained_g=unconstrained_g)
+    certificate = Certificate.of(
+        path, objective, cost, model, clearance=clearance, status=status, solver=solver, unconstrained_g=unconstrained_g
+    )
     return PathResult(
         path=path,
         g=cost.g,

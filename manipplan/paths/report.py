@@ -108,6 +108,7 @@ class Report:
         if distances.size:
             nearest = int(distances.argmin()) % distances.shape[1]
             least, pair = float(distances.min()), model.pair_names[nearest]
+        proof = path_clearance(model, path, clearance=clearance)
         free = model.path_is_free(path, CHECK_STEP, max(clearance - TOLERANCE, 0.0))
         goal_error = float(np.abs(trajectory.q[-1] - goal).max())
         kept = use["position"].ratio <= TOLERANCE and all(
@@ -131,9 +132,9 @@ class Report:
             seed_min_manipulability=result.seed_cost.min_manipulability,
             straight_min_manipulability=straight.min_manipulability,
             index_note=_index_note(cost, result, straight),
-            clearance=least,
+            clearance=min(least, proof.upper),
             nearest_pair=pair,
-            proven_clearance=path_clearance(model, path).lower,
+            proven_clearance=proof.lower,
             collision_free=free,
             limits=use,
             goal_error=goal_error,

@@ -81,8 +81,8 @@ def path_clearance(
         model: the robot among its obstacles.
         path: of the robot's joints.
         clearance: the demanded one [m].
-        tolerance: the bound is made this tight, `upper` - `lower` [m], 1e-4 or more; None: only until it is proven or refuted
-            that the path keeps `clearance`.
+        tolerance: the bound is made this tight, `upper` - `lower` [m], 1e-4 or more, and tighter where that proves that the
+            path keeps `clearance`; None: only until that is proven or refuted.
 
     Raises:
         InvalidInputError: the path is not of this robot's joints, or a number is not usable.
@@ -209,6 +209,14 @@ class _Search:
         """Whether no more has to be known."""
         return self.tolerance is None and self.upper <= self.clearance
 
+    @property
+    def _target(self) -> float:
+        """A bound that has to be no higher: the clearance, and with a tolerance one so near to what was measured."""
+        if self.tolerance is None:
+            return self.clearance
+        tight = self.upper - self.tolerance
+        return max(tight, self.clearance) if self.upper > self.clearance else tight
+
     def _runs(self, control: Array, breaks: Array) -> tuple[Index, Index, Array]:
         """Pieces and pairs that are still open, with their bounds, after runs of pieces were looked at as a whole."""
         count = len(self.model.pair_names)
@@ -238,8 +246,7 @@ class _Search:
         least = int(distances.argmin())
         if distances[least] < self.upper:
             self.upper, self.nearest = float(distances[least]), (float(middles[rows[least]]), int(pairs[least]))
-        target = self.clearance if self.tolerance is None else self.upper - self.tolerance
-        cut = (bounds <= target) & (change.max(axis=1) > NARROW)[rows]
+        cut = (bounds <= self._target) & (change.max(axis=1) > NARROW)[rows]
         if self.decided or self.checks + 2 * int(cut.sum()) > MOST_CHECKS:
             cut[:] = False
         self._close(bounds[~cut], middles, rows[~cut], pairs[~cut])
