@@ -6,6 +6,7 @@
 ``PlanarArm(lengths).robot()`` is the same arm for everything else in manipplan.
 """
 
+from manipplan.planar.arcs import Arc, critical_arcs, reachable_radii, workspace_boundary
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.ellipsoids import force_ellipse, matrix_ellipsoid, velocity_ellipse
 from manipplan.planar.index import (
@@ -20,15 +21,7 @@ from manipplan.planar.index import (
     squared_manipulability_hessian,
 )
 from manipplan.planar.inverse import PostureFamily, pose_postures, position_family, two_link_postures
-from manipplan.planar.limited_workspace import (
-    Arc,
-    critical_arcs,
-    is_dexterous,
-    is_reachable,
-    reachable_orientations,
-    reachable_radii,
-    workspace_boundary,
-)
+from manipplan.planar.orientations import is_dexterous, is_reachable, reachable_orientations
 from manipplan.planar.postures import PostureSet, optimal_radius, stationary_kind, stationary_postures
 from manipplan.planar.proportions import Proportions, manipulability_bound, optimal_lengths
 from manipplan.planar.singular import singular_distance, singular_postures, singular_radii

@@ -7,11 +7,12 @@ triangles: 4 M_12² = H_1 = 4 l_1² u - (l_1² + u - R²)², 4 M_23² = H_2 = 4 
     16 u² μ² = E + 2 s A B sqrt(H),   E = 4 u² (H_1 + H_2) + A² H_2 + B² H_1,
 
 and dμ²/du = 0 reads N_1 sqrt(H) + s N_2 = 0 with N_1 = u E' - 2 E and N_2 = 2 u (A B)' H + u A B H' - 4 A B H. Its
-square N_1² H - N_2² is a polynomial of degree 12 in u with rational coefficients. Where the curve of postures turns back in u,
-H = 0, the same polynomial vanishes just where μ is stationary along the curve. Hence its real roots, counted by Sturm's theorem,
-are all there is; only u = 0, where l_2 = l_3 fold the tool onto the second joint and θ_2 is free, stands alone.
+square N_1² H - N_2² is a polynomial of degree 12 in u with rational coefficients. Where the curve of postures turns back
+in u, H = 0, the same polynomial vanishes just where μ is stationary along the curve. Hence its real roots, counted by Sturm's
+theorem, are all there is; only u = 0, where l_2 = l_3 fold the tool onto the second joint and θ_2 is free, stands alone.
 """
 
+import math
 from fractions import Fraction
 
 import numpy as np
@@ -72,7 +73,7 @@ def snapped(lengths: list[Fraction], radius: Fraction) -> Fraction:
 
 def _root_of(h: Polynomial, u: Fraction) -> float:
     """sqrt(H(u)); zero where a root u, known to 2⁻¹²⁰, makes H slightly negative."""
-    return float(max(evaluate(h, u), Fraction(0))) ** 0.5
+    return math.sqrt(max(evaluate(h, u), Fraction(0)))
 
 
 def _signs(n1: Polynomial, n2: Polynomial, u: Fraction) -> tuple[int, ...]:

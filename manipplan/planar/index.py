@@ -30,7 +30,7 @@ def squared_manipulability(arm: PlanarArm, q: ArrayLike) -> Array:
 def squared_manipulability_gradient(arm: PlanarArm, q: ArrayLike) -> Array:
     """∇μ² by the angles, (..., n) [m⁴], at q (..., n); its first entry is zero."""
     minor, first = _slopes(arm.levers(q))
-    return np.einsum("...ij,...ijk->...k", minor, first)
+    return np.asarray(np.einsum("...ij,...ijk->...k", minor, first))
 
 
 def squared_manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
@@ -38,12 +38,13 @@ def squared_manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
     r = arm.levers(q)
     minor, first = _slopes(r)
     second = _bends(minor, arm.n)
-    return np.einsum("...ijk,...ijl->...kl", first, first) + np.einsum("...ij,...ijkl->...kl", minor, second)
+    outer = np.einsum("...ijk,...ijl->...kl", first, first)
+    return np.asarray(outer + np.einsum("...ij,...ijkl->...kl", minor, second))
 
 
 def manipulability(arm: PlanarArm, q: ArrayLike) -> Array:
     """The manipulability measure μ = sqrt(det(J Jᵀ)), (...,) [m²], at q (..., n); (2.19) in kth2012."""
-    return np.sqrt(squared_manipulability(arm, q))
+    return np.asarray(np.sqrt(squared_manipulability(arm, q)))
 
 
 def manipulability_gradient(arm: PlanarArm, q: ArrayLike) -> Array:
@@ -51,7 +52,7 @@ def manipulability_gradient(arm: PlanarArm, q: ArrayLike) -> Array:
 
     Raises InvalidInputError at a singular posture: μ has a kink there. `squared_manipulability_gradient` exists everywhere.
     """
-    return squared_manipulability_gradient(arm, q) / (2 * _regular(arm, q)[..., None])
+    return np.asarray(squared_manipulability_gradient(arm, q) / (2 * _regular(arm, q)[..., None]))
 
 
 def manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
@@ -68,7 +69,7 @@ def frobenius_norm(arm: PlanarArm, q: ArrayLike) -> Array:
     (4.2) in kth2012, whose innermost sum has to begin at m = p + 1, not at i + 1. As its terms do not depend on i, each
     comes p times: tr(J Jᵀ)/2 = Σ_p p l_p²/2 + Σ_(p<m) p l_p l_m cos(θ_(p+1) + ... + θ_m).
     """
-    return np.sqrt(np.maximum(_half_trace(arm, q), 0.0))
+    return np.asarray(np.sqrt(np.maximum(_half_trace(arm, q), 0.0)))
 
 
 def inverse_condition(arm: PlanarArm, q: ArrayLike) -> Array:
@@ -80,7 +81,7 @@ def inverse_condition(arm: PlanarArm, q: ArrayLike) -> Array:
     half = _half_trace(arm, q)
     square = squared_manipulability(arm, q)
     largest = half + np.sqrt(np.maximum(half**2 - square, 0.0))  # (4.38)
-    return np.sqrt(square) / largest
+    return np.asarray(np.sqrt(square) / largest)
 
 
 def _half_trace(arm: PlanarArm, q: ArrayLike) -> Array:

@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.checks import Array, configurations, number
 from manipplan.errors import InvalidInputError
+from manipplan.planar.arcs import reachable_radii
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.fixed_radius import fixed_radius_postures
 from manipplan.planar.index import inverse_condition, manipulability, squared_manipulability_hessian
-from manipplan.planar.limited_workspace import reachable_radii
 from manipplan.planar.limits import AngleLimits
 from manipplan.planar.trigonometric import TrigonometricPolynomial, squared_manipulability_series
 from manipplan.planar.zeros import torus_zeros
@@ -99,8 +99,8 @@ def stationary_postures(
         _check(arm, 3)
         bent, held = _at_radius(arm, limits, number("radius", radius, least=0.0))
         complete, bound = True, 0.0
-    q = np.column_stack([np.zeros(len(bent)), bent])
-    q = np.where(limits.contain(np.zeros(arm.n)) | (np.arange(arm.n) > 0), q, np.clip(0.0, limits.lower[0], limits.upper[0]))
+    first = float(np.clip(0.0, limits.lower[0], limits.upper[0]))
+    q = np.column_stack([np.full(len(bent), first), bent])
     q, on_limit = limits.placed(q), np.column_stack([np.zeros(len(held), dtype=bool), held])
     allowed = np.isfinite(q).all(axis=1)
     q, on_limit = q[allowed], on_limit[allowed]

@@ -1,7 +1,8 @@
-"""Real roots of a polynomial with rational coefficients, each counted by Sturm's theorem: in exact arithmetic, none is missed."""
+"""Real roots of a polynomial with rational coefficients: counted by Sturm's theorem, in exact arithmetic, so none is missed."""
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import pairwise
 from math import gcd
 
 #: Roots are enclosed this narrowly: narrow enough for a square root to keep 64-bit accuracy.
@@ -129,7 +130,7 @@ def _value(p: list[int], x: Fraction) -> int:
 
 def _changes(chain: list[list[int]], x: Fraction) -> int:
     signs = [value > 0 for value in (_value(p, x) for p in chain) if value]
-    return sum(a != b for a, b in zip(signs, signs[1:], strict=False))
+    return sum(a != b for a, b in pairwise(signs))
 
 
 def _refined(p: list[int], a: Fraction, b: Fraction) -> Fraction:

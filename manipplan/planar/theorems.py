@@ -1,9 +1,9 @@
 """Theorems 4.1, 4.2, 4.4 and proposition 4.3 of kth2012 as checks that run: identities of polynomials, by CasADi.
 
-With c_p = cos φ_p, s_p = sin φ_p as free symbols everything here is a polynomial, and ∂/∂θ_k is the derivation that sends c_p to -s_p
-and s_p to c_p for p >= k. A polynomial is zero when all its derivatives vanish at the origin. CasADi differentiates exactly and
-the coefficients are small whole numbers, so that this decides the identity for all link lengths and all angles: no sampling, no
-tolerance. Steps are stated in the symbols of `index`; J Jᵀ = ((a, b), (b, d)).
+With c_p = cos φ_p, s_p = sin φ_p as free symbols everything here is a polynomial, and ∂/∂θ_1 is the derivation that sends every
+c_p to -s_p and s_p to c_p. A polynomial is zero when all its derivatives vanish at the origin. CasADi differentiates exactly,
+and the coefficients are small whole numbers, so that this decides the identity for all link lengths and all angles: no
+sampling, no tolerance. Steps are stated in the symbols of `index`; J Jᵀ = ((a, b), (b, d)).
 """
 
 from dataclasses import dataclass

@@ -108,9 +108,8 @@ class _System:
             cosine[starts[i] : starts[i + 1], i] = f.cosine
             sine[starts[i] : starts[i + 1], i] = f.sine
         frequencies, same = np.unique(frequencies, axis=0, return_inverse=True)
-        merged = np.zeros((2, len(frequencies), len(system)))
-        np.add.at(merged, (slice(None), same.ravel()), np.stack([cosine, sine]))
-        cosine, sine = merged
+        merge = np.equal.outer(np.arange(len(frequencies)), same.ravel()).astype(np.float64)
+        cosine, sine = merge @ cosine, merge @ sine
         size, k = np.hypot(cosine, sine), np.abs(frequencies)
         phase = 1 + k.sum(axis=1)  # the argument k · x is rounded, too
         return cls(

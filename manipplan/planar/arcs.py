@@ -1,4 +1,4 @@
-"""The workspace under angle limits: exact for two and three links, its boundary made of circular arcs."""
+"""The boundary of the workspace under angle limits: circular arcs."""
 
 import itertools
 from dataclasses import dataclass
@@ -9,13 +9,11 @@ from numpy.typing import ArrayLike
 from manipplan.checks import Array
 from manipplan.errors import InvalidInputError
 from manipplan.planar.arm import PlanarArm
-from manipplan.planar.inverse import position_family, two_link_postures, two_links, wrapped
 from manipplan.planar.limits import AngleLimits
+from manipplan.planar.orientations import Interval, check_few_links, is_reachable
 
 #: How far beside an arc it is asked whether a place is reachable, as a share of the arm's length.
 BESIDE = 1e-6
-
-Interval = tuple[float, float]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -65,52 +63,14 @@ def reachable_radii(arm: PlanarArm, lower: ArrayLike | None = None, upper: Array
     return min(radii), max(radii)
 
 
-def reachable_orientations(
-    arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = None, upper: ArrayLike | None = None
-) -> tuple[Interval, ...]:
-    """The angles φ [rad] that a three-link arm's tool can have at `position` (2,) [m] under angle limits.
-
-    Disjoint closed intervals, their begins in [-π, π), that do not overlap on the circle; ((-π, π),) is every orientation.
-    For each elbow the set of φ changes only where a joint meets a limit or the elbow is straight: angles in closed form.
-    Raises InvalidInputError for an arm without three links, or limits of a wrong shape or order.
-    """
-    limits = AngleLimits.of(lower, upper, arm.n)
-    family = position_family(arm, position)
-    marks = wrapped(np.array(_marks(arm, family.position, limits)))
-    pieces: list[Interval] = []
-    for begin, end in family.orientations:
-        inside = begin + np.mod(marks - begin, 2 * np.pi)
-        cuts = np.unique(np.concatenate([[begin, end], inside[inside < end]]))
-        for low, high in itertools.pairwise(cuts.tolist() if len(cuts) > 1 else [begin, end]):
-            if limits.contain(family(0.5 * (low + high))).any():
-                pieces.append((low, high))
-        pieces += [(cut, cut) for cut in cuts.tolist() if limits.contain(family(cut)).any()]
-    return _joined(pieces)
-
-
-def is_reachable(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> bool:
-    """Whether the tool can come to `position` (2,) [m] under angle limits; two or three links.
-
-    Raises InvalidInputError for more links, or limits of a wrong shape or order.
-    """
-    _few_links(arm)
-    if arm.n == 2:
-        return bool(AngleLimits.of(lower, upper, 2).contain(two_link_postures(arm, position)).any())
-    return bool(reachable_orientations(arm, position, lower, upper))
-
-
-def is_dexterous(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> bool:
-    """Whether a three-link arm's tool can have every orientation at `position` (2,) [m] under angle limits."""
-    return any(end - begin >= 2 * np.pi for begin, end in reachable_orientations(arm, position, lower, upper))
-
-
 def workspace_boundary(arm: PlanarArm, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> tuple[Arc, ...]:
     """The boundary of the reachable workspace under angle limits, in arcs; two or three links.
 
     The critical arcs are cut where they cross each other; a piece belongs to the boundary when one of the places `BESIDE` it
-    cannot be reached. Pieces shorter than 4 `BESIDE` are left out or joined to their neighbours. Raises InvalidInputError for more links, or limits of a wrong shape or order.
+    cannot be reached. Pieces shorter than 4 `BESIDE` are left out or joined to their neighbours. Raises InvalidInputError for
+    more links, or limits of a wrong shape or order.
     """
-    _few_links(arm)
+    check_few_links(arm)
     arcs = _different(critical_arcs(arm, lower, upper), float(arm.lengths.sum()))
     aside = BESIDE * float(arm.lengths.sum())
     kept: list[Arc] = []
@@ -179,45 +139,6 @@ def _closes(arm: PlanarArm, limits: AngleLimits) -> bool:
     return bool(2 * lengths.max() <= lengths.sum())
 
 
-def _marks(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[float]:
-    """Orientations at which a joint is on a limit, or the third joint is at or opposite the base."""
-    l1, l2, l3 = (float(length) for length in arm.lengths)
-    direction = float(np.arctan2(target[1], target[0]))
-    marks = [direction, direction + np.pi]
-    for joint in np.flatnonzero(limits.bounded):
-        for end in (float(limits.lower[joint]), float(limits.upper[joint])):
-            c, s = np.cos(end), np.sin(end)
-            if joint == 0:
-                rows = two_links(l2, l3, target - l1 * np.array([c, s]))
-                marks += rows.sum(axis=1).tolist()
-            elif joint == 1:  # links 1 and 2 as one rigid part
-                part = float(np.hypot(l1 + l2 * c, l2 * s))
-                marks += two_links(part, l3, target).sum(axis=1).tolist()
-            else:
-                part, offset = np.hypot(l2 + l3 * c, l3 * s), np.arctan2(l3 * s, l2 + l3 * c)
-                rows = two_links(l1, float(part), target)
-                marks += (rows.sum(axis=1) - offset + end).tolist()
-    return marks
-
-
-def _joined(pieces: list[Interval]) -> tuple[Interval, ...]:
-    """The union on the circle, of intervals that touch."""
-    turn = 2 * np.pi
-    rows: list[list[float]] = []
-    shifted = sorted((float(wrapped(low)), float(wrapped(low)) + high - low) for low, high in pieces)
-    for low, high in shifted:
-        if rows and low <= rows[-1][1] + 1e-9:
-            rows[-1][1] = max(rows[-1][1], high)
-        else:
-            rows.append([low, high])
-    while len(rows) > 1 and rows[0][0] + turn <= rows[-1][1] + 1e-9:
-        rows[-1][1] = max(rows[-1][1], rows[0][1] + turn)
-        rows.pop(0)
-    if len(rows) == 1 and rows[0][1] - rows[0][0] >= turn - 1e-9:
-        return ((-np.pi, np.pi),)
-    return tuple((low, high) for low, high in rows)
-
-
 def _crossings(arc: Arc, other: Arc) -> list[float]:
     """Angles inside `arc` at which the other's circle crosses it; of one circle, the other's ends."""
     offset = other.centre - arc.centre
@@ -261,8 +182,3 @@ def _merged(pieces: list[Arc], gap: float) -> tuple[Arc, ...]:
         else:
             kept.append(piece)
     return tuple(kept)
-
-
-def _few_links(arm: PlanarArm) -> None:
-    if not isinstance(arm, PlanarArm) or arm.n > 3:
-        raise InvalidInputError("arm", arm, "a PlanarArm with two or three links")
