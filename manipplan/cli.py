@@ -5,6 +5,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Literal
 
 import tyro
 from rich.console import Console
@@ -19,6 +20,7 @@ from manipplan.jobs.following import follow as follow_job
 from manipplan.jobs.planning import plan as plan_job
 from manipplan.measures.task import Task
 from manipplan.paths.cartesian import CartesianPath
+from manipplan.progress import part
 from manipplan.robots.catalog import available_robots, load_robot
 from manipplan.robots.scene import Scene
 from manipplan.tracking.relaxation import Tolerance
@@ -32,8 +34,8 @@ def demo(out: Path = Path("demo"), seed: int = 0) -> None:
         seed: Of the planner; the same seed gives the same result.
     """
     folder = writable_folder("out", out)
-    with _progress() as say:
-        say("loading the Panda")
+    with _progress() as tell:
+        tell(0.0, "loading the Panda")
         panda = panda_among_boxes()
     _solve(panda, folder / "panda", seed)
     _solve(planar_path(), folder / "planar", seed)
@@ -49,10 +51,13 @@ def plan(
     tool: str | None = None,
     srdf: Path | None = None,
     power: float = 1.0,
+    measure: str | None = None,
     degree: int = 6,
+    shifts: Literal["none", "within-limits"] = "none",
     clearance: float = 0.0,
     torque: bool = False,
     seed: int = 0,
+    seeds: int = 1,
     time_limit: float = 10.0,
 ) -> None:
     """Plan a motion and write it as CSV, JSON and ROS JointTrajectory, with a report and a picture.
@@ -66,16 +71,19 @@ def plan(
         tool: Frame whose motion counts, when the robot is a file.
         srdf: Semantic description, when the robot is a file.
         power: Exponent of the index in the objective.
+        measure: Of manipulability, by name; default Yoshikawa's.
         degree: Of the path's polynomial.
+        shifts: within-limits tries goals a full turn away, too.
         clearance: Distance [m] to keep.
         torque: Limit the motion by the joints' effort, too.
         seed: Of the planner.
+        seeds: How many first paths are looked for.
         time_limit: For the planner's search [s].
     """
     folder = writable_folder("out", out)
     options: dict[str, object] = {"tool": tool, "srdf": srdf}
-    with _progress() as say:
-        say("loading the robot")
+    with _progress() as tell:
+        tell(0.0, "loading the robot")
         arm = load_robot(robot, **{key: value for key, value in options.items() if value is not None})
         world = Scene.from_yaml(scene) if scene is not None else Scene()
         made = plan_job(
@@ -84,14 +92,17 @@ def plan(
             goal,
             world,
             power=power,
+            measure=measure,
             degree=degree,
+            shifts=shifts,
             clearance=clearance,
             torque=torque,
             seed=seed,
+            seeds=seeds,
             time_limit=time_limit,
-            progress=say,
+            progress=part(tell, 0.0, 0.95),
         )
-        say("writing files")
+        tell(1.0, "writing files")
         files = made.save(folder)
     _notice(arm.locked)
     _print_result(str(made.report), files)
@@ -137,7 +148,7 @@ def follow(
     folder = writable_folder("out", out)
     path = CartesianPath.from_csv(poses)
     options: dict[str, object] = {"tool": tool, "srdf": srdf}
-    with _bar() as tell:
+    with _progress() as tell:
         tell(0.0, "loading the robot")
         arm = load_robot(robot, **{key: value for key, value in options.items() if value is not None})
         world = Scene.from_yaml(scene) if scene is not None else Scene()
@@ -154,9 +165,10 @@ def follow(
             closed=closed,
             torque=torque,
             seed=seed,
-            progress=tell,
+            progress=part(tell, 0.0, 0.95),
         )
-    files = made.save(folder)
+        tell(1.0, "writing files")
+        files = made.save(folder)
     _notice(arm.locked)
     _print_result(f"{made.report}\n  search       {made.refinement}\n  deviation    {made.deviation}", files)
 
@@ -172,9 +184,10 @@ def robots(name: Positional[str | None] = None, /) -> None:
         console.print(escape(str(load_robot(name))), highlight=False)
         return
     table = Table("name", "joints", "tool frame", box=None)
-    with _progress() as say:
-        for each in available_robots():
-            say(f"loading {each}")
+    names = available_robots()
+    with _progress() as tell:
+        for k, each in enumerate(names):
+            tell(k / len(names), f"loading {each}")
             robot = load_robot(each)
             table.add_row(each, str(robot.n), robot.tool)
     console.print(table)
@@ -205,9 +218,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _solve(problem: Problem, folder: Path, seed: int) -> None:
-    with _progress() as say:
-        made = plan_job(problem.robot, problem.start, problem.goal, problem.scene, power=problem.power, seed=seed, progress=say)
-        say("writing files")
+    with _progress() as tell:
+        made = plan_job(
+            problem.robot,
+            problem.start,
+            problem.goal,
+            problem.scene,
+            power=problem.power,
+            seed=seed,
+            progress=part(tell, 0.0, 0.95),
+        )
+        tell(1.0, "writing files")
         files = made.save(folder)
     _notice(problem.robot.locked)
     _print_result(str(made.report), files)
@@ -226,22 +247,7 @@ def _print_result(report: str, files: list[Path]) -> None:
 
 
 @contextmanager
-def _progress() -> Iterator[Callable[[str], None]]:
-    """A spinner with the present step and the time since it began; plain lines where there is no terminal."""
-    console = Console(stderr=True)
-    if not console.is_terminal:
-        yield lambda text: console.print(f"... {escape(text)}", highlight=False)
-        return
-    from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
-
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
-    with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task("")
-        yield lambda text: bar.reset(task, description=text)
-
-
-@contextmanager
-def _bar() -> Iterator[Callable[[float, str], None]]:
+def _progress() -> Iterator[Callable[[float, str], None]]:
     """A bar with the share done and the time that is left; where there is no terminal a line for every tenth."""
     console = Console(stderr=True)
     if not console.is_terminal:

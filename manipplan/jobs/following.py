@@ -8,16 +8,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, instance, number
-from manipplan.errors import InvalidInputError, PlanningError
+from manipplan.errors import PlanningError
 from manipplan.interrupts import interruptible
 from manipplan.jobs.result import Plan, checked, failed
 from manipplan.measures.task import Task
-from manipplan.optimize.objective import path_cost
-from manipplan.optimize.result import PathResult
+from manipplan.optimize.objective import PathObjective
+from manipplan.optimize.result import PathResult, measured
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation, deviation_at, deviation_from
 from manipplan.paths.joint import JointPath
-from manipplan.progress import Progress, silent
+from manipplan.progress import Progress, part, teller
+from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.search.bottleneck import max_min_search
@@ -94,12 +95,10 @@ def follow(
         instance("tolerance", tolerance, Tolerance)
     for name, value in (("torque", torque), ("throw", throw)):
         instance(name, value, bool)
-    if progress is not None and not callable(progress):
-        raise InvalidInputError("progress", progress, "a function of (share, text), or None")
+    tell = teller(progress)
     epsilon = checked_epsilon(epsilon, robot.endless)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
-    tell = progress or silent
     layers = sample_layers(
         robot,
         path,
@@ -111,17 +110,18 @@ def follow(
         closed=closed,
         executor=executor,
         seed=seed,
-        progress=lambda share, text: tell(0.5 * share, text),
+        progress=part(tell, 0.0, 0.5),
     )
     draft = Plan(robot=robot, scene=scene, status=Status.NOT_CONNECTED)
-    found = max_min_search(layers, epsilon, throw=False, progress=lambda share, text: tell(0.5 + 0.1 * share, text))
+    found = max_min_search(layers, epsilon, throw=False, progress=part(tell, 0.5, 0.6))
     draft = replace(draft, search=found)
     if not found.connected:
         return failed(draft, throw, found.message)
     inner = tolerance.scaled(AT_POSITIONS) if tolerance is not None else None
-    refined = refine(layers, found, tolerance=inner, progress=lambda share, text: tell(0.6 + 0.3 * share, text))
+    refined = refine(layers, found, tolerance=inner, progress=part(tell, 0.6, 0.9))
     tell(0.9, "joining the positions")
-    joints, result, axis = _joined(path, layers, found, refined, tolerance)
+    world = scene.collision_model(robot)
+    joints, result, axis = _joined(path, layers, found, refined, tolerance, world)
     draft = replace(draft, status=Status.FOLLOWED, refinement=refined, path=joints, result=result)
     tell(0.95, "timing the motion")
     try:
@@ -134,8 +134,7 @@ def follow(
     pose, s = robot.kinematics(result.task).pose, np.linspace(0.0, 1.0, TIMES)
     deviation = deviation_from(path, pose(motion), axis)
     draft = replace(draft, deviation=deviation)
-    collision = scene.collision_model(robot)
-    made = checked(draft, trajectory, result, collision, joints.goal, clearance=clearance, torque=torque, throw=throw)
+    made = checked(draft, trajectory, result, world, joints.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
     allowed = _allowed(tolerance)
     excess = _excess(deviation, allowed, "time") or _excess(deviation_at(path, s, pose(joints(s)), axis), allowed, "path")
     if excess and made.report is not None and made.status is Status.FOLLOWED:
@@ -146,7 +145,12 @@ def follow(
 
 
 def _joined(
-    path: CartesianPath, layers: Layers, found: SearchResult, refined: Refinement, tolerance: Tolerance | None
+    path: CartesianPath,
+    layers: Layers,
+    found: SearchResult,
+    refined: Refinement,
+    tolerance: Tolerance | None,
+    model: CollisionModel,
 ) -> tuple[JointPath, PathResult, Array | None]:
     """The joint path through the refined positions, its figures beside those of the path that the search found, and the
     tool's axis whose direction alone counts.
@@ -170,20 +174,8 @@ def _joined(
         if layers.closed:
             s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
         paths.append(joint_path(solver, rows, path, s, q, closed=layers.closed, allowed=allowed, tube=inside))
-    cost, seed_cost = (path_cost(each, kinematics, 1.0) for each in paths)
-    result = PathResult(
-        path=paths[0],
-        g=cost.g,
-        length=cost.length,
-        min_manipulability=cost.min_manipulability,
-        min_at=cost.at,
-        power=1.0,
-        task=kinematics.task,
-        seed=paths[1],
-        seed_cost=seed_cost,
-        history=(),
-        status=Status.FOLLOWED,
-    )
+    objective = PathObjective(kinematics=kinematics, power=1.0)
+    result = measured(paths[0], objective, seed=paths[1], model=model, status=Status.FOLLOWED)
     return paths[0], result, solver.axis
 
 

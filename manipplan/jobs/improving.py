@@ -1,6 +1,5 @@
 """improve: a recorded motion again, with a higher index."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,12 +8,13 @@ import numpy as np
 from manipplan.checks import instance, number
 from manipplan.errors import InvalidInputError
 from manipplan.interrupts import interruptible
-from manipplan.jobs.result import Plan, checked, failed, silent
+from manipplan.jobs.result import Plan, checked, failed
 from manipplan.measures.task import Task
-from manipplan.optimize.objective import path_cost
-from manipplan.optimize.result import PathResult
+from manipplan.optimize.objective import PathObjective, path_cost
+from manipplan.optimize.result import measured
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
+from manipplan.progress import Progress, teller
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.status import Status
@@ -41,7 +41,7 @@ def improve(
     scene: Scene | None = None,
     avoidance: Avoidance | None = None,
     throw: bool = True,
-    progress: Callable[[str], None] | None = None,
+    progress: Progress | None = None,
 ) -> Plan:
     """A recorded or planned joint motion again, with a higher manipulability index, from its first to its last pose.
 
@@ -61,7 +61,7 @@ def improve(
         scene: obstacles to check against, and to avoid unless `avoidance` says how.
         avoidance: what is kept away from on the way.
         throw: raise PlanningError where no motion can be had; False: return a Plan whose status says why.
-        progress: called with a line of text as each step begins.
+        progress: called with the share done in [0, 1] and a text.
 
     Raises:
         InvalidInputError, FileFormatError: an argument is not usable (also with throw=False).
@@ -69,7 +69,7 @@ def improve(
     """
     instance("robot", robot, Robot)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
-    say = progress or silent
+    tell = teller(progress)
     motion = _timed(robot, recorded, duration)
     if avoidance is None and scene.obstacles:
         avoidance = Avoidance(scene=scene)
@@ -78,7 +78,7 @@ def improve(
     )
     kinematics = robot.kinematics(controller.task)
     model = scene.collision_model(robot)
-    say("following the recorded motion")
+    tell(0.1, "following the recorded motion")
     steps = max(round(motion.duration / dt), 1)
     u = np.arange(steps + 1) / steps
     if stiffness is None:
@@ -97,27 +97,16 @@ def improve(
         tracking.manipulability.mean() > kinematics.manipulability(seed(u)).mean()
     )
     status = Status.IMPROVED if higher else Status.NOT_BETTER
-    if not higher:
-        path, cost = seed, recorded_cost
-    result = PathResult(
-        path=path,
-        g=cost.g,
-        length=cost.length,
-        min_manipulability=cost.min_manipulability,
-        min_at=cost.at,
-        power=1.0,
-        task=controller.task,
-        seed=seed,
-        seed_cost=recorded_cost,
-        history=(),
-        status=status,
-    )
-    draft = Plan(robot=robot, scene=scene, status=status, path=path, result=result, tracking=tracking)
+    objective = PathObjective(kinematics=kinematics, power=1.0)
+    result = measured(path if higher else seed, objective, seed=seed, model=model, status=status)
+    draft = Plan(robot=robot, scene=scene, status=status, path=result.path, result=result, tracking=tracking)
     if higher and not tracking.status.ok:
         return failed(replace(draft, status=Status.NOT_FOLLOWED), throw, f"{tracking.status.value}: {tracking.message}")
-    say("checking the result")
+    tell(0.8, "checking the result")
     trajectory = tracking.trajectory() if higher else motion
-    return checked(draft, trajectory, result, model, trajectory.q[-1], clearance=0.0, torque=False, throw=throw)
+    made = checked(draft, trajectory, result, model, trajectory.q[-1], clearance=0.0, torque=False, jerk=False, throw=throw)
+    tell(1.0, "done")
+    return made
 
 
 def _timed(robot: Robot, recorded: Trajectory | JointPath | str | Path, duration: float | None) -> Trajectory:

@@ -79,19 +79,16 @@ def checked(
     *,
     clearance: float,
     torque: bool,
+    jerk: bool,
     throw: bool,
 ) -> Plan:
     """The plan with its report; one that failed where the report did not pass."""
-    report = Report.of(trajectory, result, model, goal, clearance=clearance, torque=torque)
+    report = Report.of(trajectory, result, model, goal, clearance=clearance, torque=torque, jerk=jerk)
     finished = replace(draft, trajectory=trajectory, report=report)
     if report.passed:
         return finished
     report = replace(report, status=Status.CHECK_FAILED.value)
     return failed(replace(finished, status=Status.CHECK_FAILED, report=report), throw, str(report))
-
-
-def silent(_: str) -> None:
-    """Tell nobody."""
 
 
 def failed(plan: Plan, throw: bool, message: str) -> Plan:

@@ -43,7 +43,8 @@ class Certificate:
         solver: IPOPT's word on the solve it is from; "" for a seed and for a path that left nothing to solve.
         g: ∫ ‖q'‖_W / m^power ds on the fine rule.
         unconstrained_g: of the local optimum that is reached from this path with neither limits nor obstacles, in the same
-            degree and with the same end conditions; `gap` is how far g is above it, as a share. nan when g is infinite.
+            degree and with the same end conditions; `gap` is how far g is above it, as a share. nan when g is infinite, and for
+            a path that was not made by the path optimiser.
         power, measure, unit: exponent, name of the measure and its unit.
         min_manipulability, min_at: the least index, and the s where it is.
         clearance, clearance_at, nearest_pair: least distance [m] of all checked pairs at PLACES places and, around the least,
@@ -106,8 +107,7 @@ class Certificate:
         lines = [
             f"status       {self.status.value}",
             f"solver       {self.solver or 'nothing was solved for this path'}",
-            f"g            {self.g:.6g}, exponent {self.power:g}; without limits and obstacles nearby "
-            f"{self.unconstrained_g:.6g} ({100 * self.gap:+.3g} %)",
+            f"g            {self.g:.6g}, exponent {self.power:g}{self._beside()}",
             f"least index  {self.min_manipulability:.4g}{unit} at s = {self.min_at:.3f} ({self.measure})",
         ]
         if self.nearest_pair:
@@ -120,6 +120,12 @@ class Certificate:
             for each in self.limits
         ]
         return "\n".join(lines if self.limits else [*lines, "limit        no joint has a position limit"])
+
+    def _beside(self) -> str:
+        """How g compares with the unconstrained optimum, where that is known."""
+        if np.isnan(self.unconstrained_g):
+            return ""
+        return f"; without limits and obstacles nearby {self.unconstrained_g:.6g} ({100 * self.gap:+.3g} %)"
 
 
 def limit_approaches(path: JointPath, robot: Robot) -> tuple[LimitApproach, ...]:

@@ -10,6 +10,7 @@ import threading
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TypeVar
 
 import numpy as np
@@ -19,6 +20,7 @@ from manipplan.errors import PlanningError
 from manipplan.optimize.result import PathResult
 from manipplan.optimize.solve import PathProblem, solved
 from manipplan.paths.joint import JointPath
+from manipplan.progress import Progress, part, silent
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
 from manipplan.seeds.ompl import seed_path
@@ -34,14 +36,19 @@ _own = threading.local()
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Crew:
-    """Does the work of one problem, here or over an executor, whose workers each have a robot of their own."""
+    """Does the work of one problem, here or over an executor, whose workers each have a robot of their own.
+
+    First paths are the first third of what `tell` hears.
+    """
 
     problem: PathProblem
     executor: Executor | None = None
+    tell: Progress = silent
 
     def seeds(self, start: Array, tasks: Sequence[tuple[Array, int]]) -> list[JointPath | str]:
         """A free first path for each goal (n,) and seed, or why there is none."""
-        return self._each(_seed, [(start, goal, seed) for goal, seed in tasks])
+        tell = part(self.tell, 0.0, 0.33)
+        return self._each(_seed, [(start, goal, seed) for goal, seed in tasks], tell, "looking for a first path")
 
     def solved(self, firsts: Sequence[JointPath]) -> list[PathResult]:
         """The optimiser's result from each first path; from the first one to each goal also that from the straight line."""
@@ -49,14 +56,20 @@ class Crew:
         for k, first in enumerate(firsts):
             known = any(np.array_equal(first.goal, other.goal) for other in firsts[:k])
             tasks.append((first, not known))
-        return self._each(_solve, tasks)
+        return self._each(_solve, tasks, part(self.tell, 0.33, 1.0), "optimising the path")
 
-    def _each(self, work: Callable[..., T], tasks: Sequence[tuple[object, ...]]) -> list[T]:
+    def _each(self, work: Callable[..., T], tasks: Sequence[tuple[object, ...]], tell: Progress, text: str) -> list[T]:
+        made: list[Callable[[], T]]
         if self.executor is None:
-            return [work(self.problem, *task) for task in tasks]
-        packed = pickle.dumps(self.problem)
-        futures = [self.executor.submit(_at_worker, work, packed, task) for task in tasks]
-        return [future.result() for future in futures]
+            made = [partial(work, self.problem, *task) for task in tasks]
+        else:
+            packed = pickle.dumps(self.problem)
+            made = [self.executor.submit(_at_worker, work, packed, task).result for task in tasks]
+        results = []
+        for k, result in enumerate(made):
+            tell(k / len(made), text if len(made) == 1 else f"{text}: {k} of {len(made)}")
+            results.append(result())
+        return results
 
 
 def seed_classes(crew: Crew, start: Array, goals: Sequence[Array], seeds: Iterable[int]) -> list[JointPath]:

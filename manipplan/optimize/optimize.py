@@ -18,10 +18,13 @@ from manipplan.optimize.metric import metric_matrix
 from manipplan.optimize.result import PathResult, no_path
 from manipplan.optimize.solve import PathProblem
 from manipplan.paths.joint import JointPath
+from manipplan.progress import Progress, teller
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.seeds.ompl import CHECK_STEP, check_apart
 
+#: A polynomial of a higher degree is no better, only slower.
+MOST_DEGREE = 20
 SHIFTS = ("none", "within-limits")
 
 
@@ -49,6 +52,7 @@ def optimize_path(
     time_limit: float = 10.0,
     executor: Executor | None = None,
     throw: bool = True,
+    progress: Progress | None = None,
 ) -> PathResult:
     """Find a path of `degree` from start to goal of low g = ∫ ‖q'‖_W / m^power ds [kth2012, ch. 6].
 
@@ -81,6 +85,7 @@ def optimize_path(
         executor: where first paths and solves run side by side; the result does not depend on it. Default: one by one here.
         throw: raise PlanningError when no free path was found, or the path's index vanishes somewhere (g is infinite);
             False: return the result, whose status or g says so.
+        progress: called with the share done in [0, 1] and a text.
 
     Returns:
         The path of least g; its `rivals` are what came of the other classes and goals.
@@ -94,7 +99,7 @@ def optimize_path(
         instance("scene", scene, Scene)
     if initial is not None:
         instance("initial", initial, JointPath)
-    degree = whole_number("degree", degree, least=1, most=20)
+    degree = whole_number("degree", degree, least=1, most=MOST_DEGREE)
     power = number("power", power, above=0.0, most=100.0)
     clearance = number("clearance", clearance, least=0.0)
     if shifts not in SHIFTS:
@@ -107,6 +112,7 @@ def optimize_path(
     time_limit = number("time_limit", time_limit, above=0.0)
     if executor is not None:
         instance("executor", executor, Executor)
+    tell = teller(progress)
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
     kinematics = robot.kinematics(task, measure=measure)
     check_task(kinematics)
@@ -129,6 +135,8 @@ def optimize_path(
         ),
     )
     goals = [q_goal] if shifts == "none" else shifted_goals(robot, q_start, q_goal)
+    if scene is not None:
+        tell(0.0, "preparing collision shapes")
     model = problem.model()
     if model is not None:
         model.free_configuration("start", q_start, clearance)
@@ -137,7 +145,7 @@ def optimize_path(
         check_apart(q_start, each)
     numbers = [seed if scene is not None else 0, *(seed + k for k in range(1, seeds))]  # without a scene 0 is the line
     problem.ends.check_degree(degree)
-    crew = Crew(problem=problem, executor=executor)
+    crew = Crew(problem=problem, executor=executor, tell=tell)
     if initial is not None:
         _check_initial(problem, initial, q_start, q_goal)
         firsts = [initial]
@@ -150,6 +158,7 @@ def optimize_path(
                 raise PlanningError(str(error), failed) from error
             return failed
     best = best_and_rivals(crew.solved(firsts))
+    tell(1.0, "optimised")
     if throw and not np.isfinite(best.g):
         raise PlanningError(f"the index vanishes on the path at s = {best.min_at:.3f}, so g is infinite", best)
     return best

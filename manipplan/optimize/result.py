@@ -12,6 +12,7 @@ from manipplan.optimize.certificate import Certificate
 from manipplan.optimize.local import Step
 from manipplan.optimize.objective import PathCost, PathObjective
 from manipplan.paths.joint import JointPath
+from manipplan.robots.collision import CollisionModel
 from manipplan.status import Status
 
 
@@ -30,7 +31,7 @@ class PathResult:
         status: Status.
         measure, metric: m, and W (n, n) or None for the identity.
         rivals: what came of other seed classes and shifted goals, best first; each another path than those before it.
-        certificate: its figures, each measured on the path; None where there is no path, and in the results of other jobs.
+        certificate: its figures, each measured on the path; None where there is no path.
     """
 
     path: JointPath | None
@@ -48,6 +49,38 @@ class PathResult:
     metric: Array | None = None
     rivals: tuple["PathResult", ...] = ()
     certificate: Certificate | None = None
+
+
+def measured(
+    path: JointPath,
+    objective: PathObjective,
+    *,
+    seed: JointPath,
+    model: CollisionModel | None,
+    status: Status,
+    solver: str = "",
+    unconstrained_g: float = np.nan,
+    history: tuple[Step, ...] = (),
+) -> PathResult:
+    """The result for a path that came from `seed`, with every figure measured on the path."""
+    cost, seed_cost = objective.cost(path), objective.cost(seed)
+    certificate = Certificate.of(path, objective, cost, model, status=status, solver=solver, unconstrained_g=unconstrained_g)
+    return PathResult(
+        path=path,
+        g=cost.g,
+        length=cost.length,
+        min_manipulability=cost.min_manipulability,
+        min_at=cost.at,
+        power=objective.power,
+        task=objective.kinematics.task,
+        measure=objective.kinematics.measure,
+        metric=objective.metric,
+        seed=seed,
+        seed_cost=seed_cost,
+        history=history,
+        status=status,
+        certificate=certificate,
+    )
 
 
 def no_path(objective: PathObjective) -> PathResult:

@@ -8,13 +8,12 @@ import numpy as np
 from manipplan.checks import Array
 from manipplan.measures.measure import Measure
 from manipplan.measures.task import Task
-from manipplan.optimize.certificate import Certificate
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.local import LocalSearch, Step
 from manipplan.optimize.objective import PathObjective
 from manipplan.optimize.polish import polished
 from manipplan.optimize.problem import PathProgram
-from manipplan.optimize.result import PathResult
+from manipplan.optimize.result import PathResult, measured
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
@@ -89,22 +88,15 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
     log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
     solver = best.solver if best is not None and path is best.path and is_free else ""
     unconstrained = search.unconstrained_g(path) if np.isfinite(cost.g) else np.nan
-    certificate = Certificate.of(path, objective, cost, model, status=status, solver=solver, unconstrained_g=unconstrained)
-    return PathResult(
-        path=path,
-        g=cost.g,
-        length=cost.length,
-        min_manipulability=cost.min_manipulability,
-        min_at=cost.at,
-        power=objective.power,
-        task=objective.kinematics.task,
-        measure=objective.kinematics.measure,
-        metric=objective.metric,
+    return measured(
+        path,
+        objective,
         seed=first,
-        seed_cost=first_cost,
-        history=tuple(history),
+        model=model,
         status=status,
-        certificate=certificate,
+        solver=solver,
+        unconstrained_g=unconstrained,
+        history=tuple(history),
     )
 
 

@@ -11,15 +11,14 @@ import numpy as np
 from manipplan.checks import Array, existing_file
 from manipplan.errors import FileFormatError
 from manipplan.files import write_text
-from manipplan.kinematics.kinematics import Kinematics
-from manipplan.optimize.objective import PathCost, path_cost
+from manipplan.optimize.objective import PathCost, PathObjective
 from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.collision import CollisionModel
 from manipplan.seeds.ompl import CHECK_STEP
 from manipplan.status import Status
-from manipplan.timing.verify import LimitUse, limit_use, torque_use
+from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 
 #: A limit counts as kept when it is exceeded by no more than this [rad, m] or this share.
 TOLERANCE = 1e-6
@@ -34,7 +33,7 @@ class Report:
     """What a trajectory reaches. Lengths in radians or metres of joint space, times in seconds.
 
     Attributes:
-        robot, tool, task, index_unit, power: what was planned for, and the unit and exponent of the index.
+        robot, tool, task, measure, index_unit, power: what was planned for; the index' measure, its unit and exponent.
         status: text of the Status.
         duration: of the trajectory [s].
         g, seed_g: ∫ ‖q'‖ / m^power ds along the trajectory and along the seed.
@@ -45,7 +44,7 @@ class Report:
         clearance, nearest_pair: least distance [m] measured at evenly spaced times, and between what; inf and () when
             nothing is checked.
         collision_free: whether the trajectory is free at every milliradian.
-        limits: worst use of position, velocity, acceleration and, when it was asked for, torque.
+        limits: worst use of position, velocity, acceleration and, where the motion is limited by them, jerk and torque.
         goal_error: largest distance of the last sample from the goal [rad or m].
         passed: every limit kept, collision-free, goal reached.
     """
@@ -53,6 +52,7 @@ class Report:
     robot: str
     tool: str
     task: str
+    measure: str
     index_unit: str
     power: float
     status: str
@@ -75,15 +75,29 @@ class Report:
 
     @classmethod
     def of(
-        cls, trajectory: Trajectory, result: PathResult, model: CollisionModel, goal: Array, *, clearance: float, torque: bool
+        cls,
+        trajectory: Trajectory,
+        result: PathResult,
+        model: CollisionModel,
+        goal: Array,
+        *,
+        clearance: float,
+        torque: bool,
+        jerk: bool,
     ) -> "Report":
-        """Measure a finished trajectory: nothing is taken over from the optimiser but the figures of the seed."""
+        """Measure a finished trajectory: nothing is taken over from the optimiser but the figures of the seed.
+
+        `torque` and `jerk` tell whether these limits count; a jerk limit that is infinite does not.
+        """
         robot = model.robot
-        kinematics = robot.kinematics(result.task)
+        kinematics = robot.kinematics(result.task, measure=result.measure)
+        objective = PathObjective(kinematics=kinematics, power=result.power, metric=result.metric)
         path = trajectory.path()
-        cost = path_cost(path, kinematics, result.power)
-        straight = _straight_cost(path, kinematics, result.power)
+        cost = objective.cost(path)
+        straight = _straight_cost(path, objective)
         use = dict(limit_use(trajectory, robot.limits))
+        if jerk and np.isfinite(robot.limits.jerk).any():
+            use["jerk"] = jerk_use(trajectory, robot.limits)
         if torque:
             use["torque"] = torque_use(trajectory, robot.model, robot.limits.effort)
         distances = np.array([model.distances(q) for q in path(np.linspace(0.0, 1.0, PLACES + 1))])
@@ -100,7 +114,8 @@ class Report:
             robot=robot.name,
             tool=robot.tool,
             task=result.task.name,
-            index_unit=result.task.unit,
+            measure=result.measure.name,
+            index_unit=result.measure.unit(result.task),
             power=result.power,
             status=result.status.value,
             duration=trajectory.duration,
@@ -127,8 +142,8 @@ class Report:
             f"{self.robot}, tool {self.tool}, task {self.task}: {'all checks passed' if self.passed else 'CHECK FAILED'}",
             f"  status       {self.status}",
             f"  duration     {self.duration:.3f} s",
-            f"  least index  {self.min_manipulability:.4g}{unit} (seed {self.seed_min_manipulability:.4g}, "
-            f"straight {self.straight_min_manipulability:.4g}): {self.index_note}",
+            f"  least index  {self.min_manipulability:.4g}{unit} ({self.measure}; seed "
+            f"{self.seed_min_manipulability:.4g}, straight {self.straight_min_manipulability:.4g}): {self.index_note}",
             f"  g            {self.g:.5g} (seed {self.seed_g:.5g}), exponent {self.power:g}",
             f"  length       {self.length:.4g} rad (seed {self.seed_length:.4g})",
         ]
@@ -164,11 +179,12 @@ class Report:
             raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
 
 
-def _straight_cost(path: JointPath, kinematics: Kinematics, power: float) -> PathCost:
+def _straight_cost(path: JointPath, objective: PathObjective) -> PathCost:
     """Of the straight line from start to goal; of a path that returns to its start that of standing there."""
     if np.linalg.norm(path.goal - path.start) < SHORTEST:
-        return PathCost(g=0.0, length=0.0, min_manipulability=float(kinematics.manipulability(path.start)), at=0.0)
-    return path_cost(JointPath.line(path.start, path.goal), kinematics, power)
+        index = float(objective.kinematics.manipulability(path.start))
+        return PathCost(g=0.0, length=0.0, min_manipulability=index, at=0.0)
+    return objective.cost(JointPath.line(path.start, path.goal))
 
 
 def _json_ready(value: Any) -> Any:

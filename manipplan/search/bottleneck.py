@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, instance, whole_number
 from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
-from manipplan.progress import Progress
+from manipplan.progress import Progress, teller
 from manipplan.search.epsilon import checked_epsilon, exclusive
 from manipplan.search.layers import Layers
 from manipplan.search.objectives import Lexicographic, Shortest, Widest
@@ -104,14 +104,13 @@ def max_min_search(
     names = [each.value for each in Prefer]
     if prefer not in names:
         raise UnknownNameError("prefer", str(prefer), names)
-    if progress is not None and not callable(progress):
-        raise InvalidInputError("progress", progress, "a function of (share, text), or None")
+    tell = teller(progress)
     if threads is None:
         from manipplan.kinematics.batch import all_cores
 
         threads = all_cores()
     whole_number("threads", threads, least=1)
-    results = _results(layers, steps, bool(strict), Prefer(prefer), progress, threads if layers.count >= THREADED else 1)
+    results = _results(layers, steps, bool(strict), Prefer(prefer), tell, threads if layers.count >= THREADED else 1)
     results = _thrown(results) if throw else results
     if anytime:
         return results
@@ -120,13 +119,13 @@ def max_min_search(
 
 
 def _results(
-    layers: Layers, epsilon: Array, strict: bool, prefer: Prefer, progress: Progress | None, threads: int
+    layers: Layers, epsilon: Array, strict: bool, prefer: Prefer, tell: Progress, threads: int
 ) -> Iterator[SearchResult]:
     """Results as they come."""
     reach = exclusive(epsilon, strict=strict)
     # samples and rounds grow fourfold up to all candidates; the wish for a certain path takes one pass more
     with Crew(threads) as crew:
-        search = Search(layers, crew, progress, work=layers.count * (4 / 3 + (prefer is not Prefer.FIRST)))
+        search = Search(layers, crew, tell, work=layers.count * (4 / 3 + (prefer is not Prefer.FIRST)))
         search.tell(0.0, "searching")
         path, certified = None, layers.bound
         for path, certified, exact in _rounds(search, reach):

@@ -9,7 +9,7 @@ import numpy as np
 from manipplan.checks import Array, instance, whole_number
 from manipplan.errors import InvalidInputError
 from manipplan.interrupts import interruptible
-from manipplan.progress import Progress, silent
+from manipplan.progress import Progress, teller
 from manipplan.search.bottleneck import max_min_search
 from manipplan.search.layers import Layers
 from manipplan.search.result import SearchResult
@@ -115,7 +115,7 @@ def refine(
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
     refiner = _Refiner(layers, found, layers.worker, layers.poses, tolerance)
-    return refiner.run(resample, progress or silent)
+    return refiner.run(resample, teller(progress))
 
 
 class _Refiner:

@@ -15,7 +15,7 @@ from manipplan.kinematics.batch import all_cores
 from manipplan.measures.measure import Measure
 from manipplan.measures.task import Task
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.progress import Progress
+from manipplan.progress import Progress, teller
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.search.layers import Layers
@@ -105,8 +105,7 @@ def sample_layers(
     )
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise InvalidInputError("executor", executor, "a concurrent.futures.Executor, or None")
-    if progress is not None and not callable(progress):
-        raise InvalidInputError("progress", progress, "a function of (share, text), or None")
+    tell = teller(progress)
     allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * _machine_memory()
     worker = Worker(setup)
     _check_grid(worker, n, samples, allowed)
@@ -129,9 +128,8 @@ def sample_layers(
                 position = f"path, position {k} of 0 to {n - 1} (s = {s[k]:.4g})"
                 raise InvalidInputError(position, poses[k].tolist(), _remedy(worker, poses[k], reached))
             layers[k] = q, m
-            if progress is not None:
-                found = sum(len(m) for _, m in layers.values())
-                progress(len(layers) / n, f"sampling positions: {found:,} candidates")
+            found = sum(len(m) for _, m in layers.values())
+            tell(len(layers) / n, f"sampling positions: {found:,} candidates")
     return Layers(
         q=tuple(layers[k][0] for k in range(n)),
         m=tuple(layers[k][1] for k in range(n)),

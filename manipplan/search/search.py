@@ -38,12 +38,12 @@ class Path:
 class Search:
     """Searches of one set of layers. Counts its sweeps in `rounds`, and in `nodes` the candidates of the last one."""
 
-    def __init__(self, layers: Layers, crew: Crew, progress: Progress | None, *, work: float) -> None:
+    def __init__(self, layers: Layers, crew: Crew, tell: Progress, *, work: float) -> None:
         self.layers = layers
         self.crew = crew
         self.rounds = 0
         self.nodes = 0
-        self._progress = progress
+        self.tell = tell
         self._work = work  # candidates that are passed in the worst case
         self._passed = 0
         self._told = -np.inf
@@ -95,11 +95,6 @@ class Search:
     def configurations(self, path: Path) -> Array:
         """Configurations of the path (L, n), as the layers hold them."""
         return np.array([q[i] for q, i in zip(self.layers.q, path.indices, strict=True)])
-
-    def tell(self, share: float, text: str) -> None:
-        """Report progress."""
-        if self._progress is not None:
-            self._progress(share, text)
 
     def _grid(self, reach: Array, active: float) -> Grid:
         q = self.layers.q[int(self.layers.sizes.argmax())]

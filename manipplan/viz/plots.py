@@ -9,6 +9,7 @@ import pinocchio as pin
 from manipplan.checks import Array
 from manipplan.errors import PlanningError
 from manipplan.files import write_bytes
+from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.ellipsoid import velocity_ellipsoid
 from manipplan.measures.task import Task
 from manipplan.paths.joint import JointPath
@@ -57,7 +58,8 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
         paths = {first: plan.path}
         if plan.result.seed is not None:
             paths[second] = plan.result.seed
-        plot_index(plan.robot, paths, task=plan.result.task, straight=plan.refinement is None, ax=top)
+        kinematics = plan.robot.kinematics(plan.result.task, measure=plan.result.measure)
+        plot_index(kinematics, paths, straight=plan.refinement is None, ax=top)
         if plan.refinement is not None:
             top.axhline(plan.refinement.bound, color=style.STRAIGHT, linestyle=":", label="bound")
             top.legend(loc="best", fontsize=8)
@@ -65,9 +67,8 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
     return figure
 
 
-def plot_index(robot: Robot, paths: dict[str, JointPath], *, task: Task | None = None, straight: bool = True, ax: Any) -> None:
-    """The manipulability index along paths, by share of their length, by default with the straight line for comparison."""
-    kinematics = robot.kinematics(task)
+def plot_index(kinematics: Kinematics, paths: dict[str, JointPath], *, straight: bool = True, ax: Any) -> None:
+    """The measure of `kinematics` along paths, by share of their length, by default with the straight line for comparison."""
     first = next(iter(paths.values()))
     colours = dict(zip(paths, (style.OPTIMUM, style.SEED), strict=False))
     if straight:
@@ -83,9 +84,9 @@ def plot_index(robot: Robot, paths: dict[str, JointPath], *, task: Task | None =
         [line] = ax.plot(s, index, color=colour, label=name, linestyle=":" if name == "straight" else "-")
         ax.plot(s[index.argmin()], index.min(), "o", color=colour, markersize=4, clip_on=False)
         drawn.append((index, line))
-    unit = f" [${kinematics.task.unit}$]" if kinematics.task.unit != "1" else ""
-    unit = unit.replace("m^", r"\mathrm{m}^")
-    ax.set(xlabel="share of the path's length", ylabel=f"index m{unit}", xlim=(0, 1), ylim=(0, None))
+    unit = kinematics.measure.unit(kinematics.task)
+    shown = "" if unit == "1" else f" [${unit}$]".replace("m^", r"\mathrm{m}^") if "^" in unit else f" [{unit}]"
+    ax.set(xlabel="share of the path's length", ylabel=f"{kinematics.measure.name}{shown}", xlim=(0, 1), ylim=(0, None))
     ax.set_title("manipulability along the path; dots: the least", fontsize=9, loc="left")
     ax.legend(loc="best", fontsize=8)
 

@@ -94,11 +94,51 @@ def test_a_singular_start_is_planned_and_told(planar, tmp_path):
 
 
 def test_progress_tells_each_step(planar):
-    steps = []
-    mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2.0, progress=steps.append)
-    assert steps[1:] == [
-        "looking for a collision-free seed path", "optimising the path", "timing the motion", "checking the result",
+    told = []
+    mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2.0, progress=lambda share, text: told.append((share, text)))
+    shares, texts = zip(*told, strict=True)
+    assert list(shares) == sorted(shares)
+    assert shares[0] == 0.0 and shares[-1] == 1.0
+    assert list(dict.fromkeys(texts)) == [
+        "preparing collision shapes", "looking for a first path", "optimising the path", "optimised", "timing the motion",
+        "checking the result", "done",
     ]  # fmt: skip
+
+
+def test_the_measure_and_metric_that_counted_are_reported(planar):
+    plan = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], measure="smallest_singular_value", metric=[4.0, 1.0, 1.0], power=2.0)
+    kinematics = planar.kinematics(measure="smallest_singular_value")
+    path = plan.trajectory.path()
+    s, weights = path.quadrature(panels=80)
+    speed = np.sqrt(path(s, 1) ** 2 @ [4.0, 1.0, 1.0])
+    g = weights @ (speed / kinematics.manipulability(path(s)) ** 2)
+    assert plan.report.measure == plan.result.measure.name == "smallest_singular_value"
+    assert plan.report.g == pytest.approx(g, rel=1e-6)
+    assert plan.report.index_unit == "m"
+    assert plan.report.min_manipulability == pytest.approx(
+        kinematics.manipulability(path(np.linspace(0, 1, 5000))).min(), rel=1e-3
+    )
+
+
+def test_several_first_paths_and_shifted_goals(planar):
+    start, goal = [0, -3.0, -2.0], [np.pi, 0.1, 1.4]
+    one = mp.plan(planar, start, goal, power=2.0)
+    more = mp.plan(planar, start, goal, power=2.0, shifts="within-limits", seeds=2)
+    assert more.report.g < 0.8 * one.report.g  # a turn of one joint is much better (ERRATA)
+    assert more.result.rivals
+    turns = (more.path.goal - goal) / (2 * np.pi)
+    assert turns == pytest.approx(np.round(turns), abs=1e-9)
+    assert np.abs(more.trajectory.q[-1] - more.path.goal).max() < 1e-6
+
+
+def test_jerk_of_a_plan_is_reported_where_it_is_limited(demo_problem):
+    plan = mp.plan(demo_problem.robot, demo_problem.start, demo_problem.goal, demo_problem.scene)
+    t = plan.trajectory.t
+    midway = (t[1:] + t[:-1]) / 2
+    jerk = np.abs(plan.trajectory(midway, 3)) / demo_problem.robot.limits.jerk
+    assert plan.report.limits["jerk"].ratio == pytest.approx(jerk.max(), rel=1e-6)
+    assert 0.1 < plan.report.limits["jerk"].ratio <= 1 + 1e-6
+    assert "jerk" in str(plan.report)
 
 
 @pytest.mark.parametrize(
@@ -129,7 +169,15 @@ def test_wrong_arguments_raise_at_once(demo_problem, change, message, throw):
     start, goal = arguments.pop("start"), arguments.pop("goal")
     steps = []
     with pytest.raises(mp.InvalidInputError, match=message):
-        mp.plan(demo_problem.robot, start, goal, demo_problem.scene, throw=throw, progress=steps.append, **arguments)
+        mp.plan(
+            demo_problem.robot,
+            start,
+            goal,
+            demo_problem.scene,
+            throw=throw,
+            progress=lambda *told: steps.append(told),
+            **arguments,
+        )
     needs_shapes = "free configuration" in message or "clearance asked" in message
     assert len(steps) <= (2 if needs_shapes else 0)
 
@@ -182,7 +230,9 @@ def test_no_motion_within_the_limits_is_told(panda):
 def test_unlimited_speed_is_told_before_work_starts(panda):
     steps = []
     with pytest.raises(mp.InvalidInputError, match=r"limits\.velocity.*give velocity="):
-        mp.plan(panda.with_limits(velocity=np.inf), panda.neutral, panda.neutral + 0.3, progress=steps.append)
+        mp.plan(
+            panda.with_limits(velocity=np.inf), panda.neutral, panda.neutral + 0.3, progress=lambda *told: steps.append(told)
+        )
     assert steps == []
 
 
