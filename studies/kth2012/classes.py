@@ -5,6 +5,7 @@ The plane without these points shrinks onto the grid that joins the middles of n
 fixed ends is one walk over neighbouring cells that never turns straight back, and each such walk is one class.
 """
 
+import itertools
 from collections.abc import Iterator
 
 import numpy as np
@@ -54,7 +55,7 @@ def walk_of(q: Array) -> Walk:
 
 def arrows(walk: Walk) -> str:
     """A walk for people: θ_2 to the right, θ_3 upwards."""
-    steps = [ARROWS[after[0] - before[0], after[1] - before[1]] for before, after in zip(walk, walk[1:], strict=False)]
+    steps = [ARROWS[after[0] - before[0], after[1] - before[1]] for before, after in itertools.pairwise(walk)]
     return "".join(steps) or "·"
 
 

@@ -68,11 +68,13 @@ RATIO_LINKS, SHARE = (2, 3, 4, 5), 0.1  # proportions: every link is at least th
 MANY_LINKS = (3, 4, 5, 6, 7)
 PROVEN_LINKS = 4  # up to which all stationary postures are found
 POSTURE_STARTS = 60  # for the others
+TWO_LINKS = PlanarArm([1.0, 1.0])
+TWO_LINK_ENDS = ((0.0, 0.4), (2.0, 2.5))  # [rad]; of the check in closed form
 OBSTACLE_DEGREE, LINK_RADIUS, POST_RADIUS, FIRST_PATHS = 8, 0.05, 0.1, 4  # radii [m]
 #: Posts in the way of the free optimum, (x, y) [m].
 POSTS = (
     (FIRST, ((-0.4, 2.0),)),
-    (FIRST, ((-0.4, 2.0), (1.6, 0.4))),
+    (FIRST, ((-0.4, 2.0), (-1.6, 0.8))),
     (SECOND, ((0.8, 2.0),)),
     (SECOND, ((0.4, 2.4), (2.0, -0.4))),
 )

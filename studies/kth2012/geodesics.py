@@ -21,7 +21,7 @@ from manipplan.planar import PlanarArm, manipulability, squared_manipulability, 
 
 Array = NDArray[np.float64]
 MODES, PANELS, NODES = 30, 24, 201
-TOLERANCE = 1e-6
+TOLERANCE = 1e-5
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -92,7 +92,9 @@ def _smoothed(arm: PlanarArm, first: mp.JointPath, power: float) -> tuple[Array,
         q, v = start + s[:, None] * step + values @ c, step + slopes @ c
         density, slope = _conformal(arm, q, power)
         part = weights * density * np.sum(v * v, axis=1)
-        return float(part.sum()), (values.T @ (part[:, None] * slope) + 2 * slopes.T @ ((weights * density)[:, None] * v)).ravel()
+        return float(part.sum()), (
+            values.T @ (part[:, None] * slope) + 2 * slopes.T @ ((weights * density)[:, None] * v)
+        ).ravel()
 
     lowered = minimize(energy, guess.ravel(), jac=True, method="L-BFGS-B", options={"maxiter": 400, "ftol": 1e-10})
     c = lowered.x.reshape(guess.shape)

@@ -33,13 +33,17 @@ class ManyLinks:
 def many_links(n: int) -> ManyLinks:
     """Posture and path of n unit links; the ends of the path go on with the pattern of (6.12)."""
     arm = PlanarArm(np.ones(n))
-    proven = n <= config.PROVEN_LINKS
-    q = stationary_postures(arm).best.q[0] if proven else _best_of_starts(arm)
-    q = q * np.sign(q[np.abs(q).argmax()])  # of a posture and its mirror image, the one that bends to the left
+    q = best_posture(arm)
     bends = np.array([config.SECOND.start[1:], config.SECOND.goal[1:]])
     start, goal = (np.concatenate([[0.0 if k == 0 else config.SECOND.goal[0]], np.resize(bends[k], n - 1)]) for k in (0, 1))
     path = mp.optimize_path(arm.robot(), start, goal, degree=config.BEST_DEGREE, power=config.TABLE_POWER)
-    return ManyLinks(arm=arm, q=q, manipulability=float(manipulability(arm, q)), proven=proven, path=path)
+    return ManyLinks(arm=arm, q=q, manipulability=float(manipulability(arm, q)), proven=n <= config.PROVEN_LINKS, path=path)
+
+
+def best_posture(arm: PlanarArm) -> Array:
+    """The posture (n,) of largest μ that bends to the left, of all stationary ones or of those that random starts find."""
+    q = stationary_postures(arm).best.q[0] if arm.n <= config.PROVEN_LINKS else _best_of_starts(arm)
+    return q * float(np.sign(q[np.abs(q).argmax()]))
 
 
 def _best_of_starts(arm: PlanarArm) -> Array:

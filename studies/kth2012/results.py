@@ -89,7 +89,9 @@ class Results:
         found = []
         for example in config.EXAMPLES:
             goal = classes.cell(example.goal)
-            all_walks = [walk for walk in classes.walks(classes.cell(example.start), 2 if self.quick else 4) if walk[-1] == goal]
+            all_walks = [
+                walk for walk in classes.walks(classes.cell(example.start), 2 if self.quick else 4) if walk[-1] == goal
+            ]
             found += [self._crossing(example, walk) for walk in all_walks]
         return tuple(found)
 
@@ -125,6 +127,23 @@ class Results:
         return self.once(
             ("limit", example, power), lambda: geodesic(ARM, self.path(example, config.BEST_DEGREE, power).path, power)
         )
+
+    def two_links(self) -> tuple[float, float, float]:
+        """g with p = 1 of two unit links: of the geodesic, of the optimal polynomial, and in closed form.
+
+        μ = |sin θ_2|, so that the metric is (dθ_1² + dθ_2²)/sin² θ_2: the hyperbolic plane as a strip, which
+        w = exp(θ_1 + i θ_2) maps to the upper half-plane, where cosh d = 1 + |w_1 - w_2|²/(2 Im w_1 Im w_2).
+        """
+
+        def run() -> tuple[float, float, float]:
+            start, goal = config.TWO_LINK_ENDS
+            curve = geodesic(config.TWO_LINKS, mp.JointPath.line(start, goal), config.TEXT_POWER)
+            robot = config.TWO_LINKS.robot()
+            path = mp.optimize_path(robot, start, goal, degree=config.MOST_DEGREE, power=config.TEXT_POWER)
+            a, b = (np.exp(first + 1j * second) for first, second in config.TWO_LINK_ENDS)
+            return curve.g, path.g, float(np.arccosh(1 + abs(a - b) ** 2 / (2 * a.imag * b.imag)))
+
+        return self.once("two links", run)
 
     def shifted(self, example: Example) -> mp.PathResult:
         """The best over goals that differ by full turns, by the general optimiser, with its rivals."""

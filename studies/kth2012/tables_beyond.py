@@ -62,6 +62,14 @@ def convergence_table(results: Results) -> Table:
     return Table.of("convergence", ("degree", *(f"{example.name}, p = {power:g}" for example, power in cases)), rows)
 
 
+def two_links_table(results: Results) -> Table:
+    """The check in closed form: two links and p = 1."""
+    curve, polynomial, exact = results.two_links()
+    names = ("hyperbolic distance", "geodesic", f"mp.optimize_path, degree {config.MOST_DEGREE}")
+    rows = [(name, f"{g:.9f}", f"{g - exact:+.0e}") for name, g in zip(names, (exact, curve, polynomial), strict=True)]
+    return Table.of("two_links", ("two links, p = 1", "g", "difference"), rows)
+
+
 def gap(results: Results, example: config.Example, power: float, degree: int) -> float:
     """g of the optimal polynomial less that of the geodesic."""
     return float(results.path(example, degree, power).g - results.limit(example, power).g)

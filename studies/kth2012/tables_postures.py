@@ -6,6 +6,7 @@ import numpy as np
 
 from manipplan.planar import (
     PlanarArm,
+    Proportions,
     TrigonometricPolynomial,
     condition_theorem,
     convexity_counterexample,
@@ -19,12 +20,12 @@ from manipplan.planar import (
     squared_manipulability,
     squared_manipulability_series,
     stationary_kind,
-    stationary_postures,
     torus_zeros,
     velocity_ellipse,
 )
 from studies.kth2012 import config
 from studies.kth2012.config import ARM
+from studies.kth2012.many_links import best_posture
 from studies.kth2012.results import Results
 from studies.tables import Table
 
@@ -187,21 +188,21 @@ def proportions_table(results: Results) -> Table:
     """Equal links, and links in the best proportion, of total length n."""
     rows = []
     for n in config.RATIO_LINKS:
-        found = results.once(("lengths", n), lambda n=n: optimal_lengths(n, total=float(n), least=config.SHARE * n))
-        equal = stationary_postures(PlanarArm(np.ones(n))).best.manipulability[0] if n <= config.PROVEN_LINKS else None
+        found, equal = proportions(results, n), equal_links(results, n)
         lengths = " : ".join(f"{x / n:.3f}" for x in found.lengths)
         bends = ", ".join(f"{abs(x):.3f}" for x in found.q[1:])
-        gain = "" if equal is None else f"{100 * (found.manipulability / equal - 1):.1f} %"
-        rows.append(
-            (
-                str(n),
-                "" if equal is None else f"{equal:.4f}",
-                lengths,
-                bends,
-                f"{found.manipulability:.4f}",
-                gain,
-                f"{found.bound:.4f}",
-            )
-        )
+        gain = f"{100 * (found.manipulability / equal - 1):.1f} %"
+        rows.append((str(n), f"{equal:.4f}", lengths, bends, f"{found.manipulability:.4f}", gain, f"{found.bound:.4f}"))
     head = ("n", "μ, equal links [m²]", "best shares of the length", "bends θ₂ … θₙ [rad]", "μ [m²]", "gain", "no arm exceeds")
     return Table.of("proportions", head, rows)
+
+
+def proportions(results: Results, n: int) -> Proportions:
+    """The best link lengths of total n [m]."""
+    return results.once(("lengths", n), lambda: optimal_lengths(n, total=float(n), least=config.SHARE * n))
+
+
+def equal_links(results: Results, n: int) -> float:
+    """The largest μ of n unit links [m²]."""
+    arm = PlanarArm(np.ones(n))
+    return results.once(("equal", n), lambda: float(manipulability(arm, best_posture(arm))))
