@@ -15,6 +15,7 @@ from manipplan.viz.style import ARM, ELLIPSOID, JOINTS, OPTIMUM, SEED, STRAIGHT,
 from studies.kth2012 import config
 
 Array = NDArray[np.float64]
+DPI = 130  # of what is rasterised
 FORCE = JOINTS[3]
 FEASIBLE = "#000000"
 DEGREE_COLOURS = (STRAIGHT, *JOINTS[:5])
@@ -31,7 +32,7 @@ def blank(width: float, height: float) -> Figure:
 def save(figure: Figure, file: Path) -> None:
     """Write it as SVG, the same bytes in every run."""
     with rc_context({"svg.hashsalt": file.stem, "svg.fonttype": "path"}):
-        figure.savefig(file, metadata={"Date": None, "Creator": None})
+        figure.savefig(file, dpi=DPI, metadata={"Date": None, "Creator": None})
 
 
 def draw_arm(ax: Any, q: ArrayLike, arm: PlanarArm = config.ARM, *, colour: str = ARM, **options: Any) -> None:
@@ -75,6 +76,7 @@ def index_map(ax: Any, low: Sequence[float], high: Sequence[float], points: int 
     second, third = np.linspace(low[0], high[0], points), np.linspace(low[1], high[1], points)
     q = np.stack(np.broadcast_arrays(0.0, second[None, :], third[:, None]), axis=-1)
     filled = ax.contourf(second, third, manipulability(config.ARM, q), LEVELS, cmap="cividis", alpha=0.75)
+    filled.set_rasterized(True)  # its outlines alone would be a quarter of a megabyte
     singular(ax, low, high)
     angle_axes(ax, low, high, every)
     return filled

@@ -38,7 +38,7 @@ def class_map(results: Results, file: Path) -> None:
         for ax, example in zip(axes, EXAMPLES, strict=True):
             found = sorted((each for each in results.classes if each.example is example), key=lambda each: each.found.g)
             low, high = window([each.found.q for each in found], 0.4)
-            filled = index_map(ax, low, high, points=61, every=np.pi)
+            filled = index_map(ax, low, high, every=np.pi)
             for each, colour in zip(found, JOINTS, strict=False):
                 q = each.found.q[::EVERY]
                 ax.plot(q[:, 1], q[:, 2], color="white", linewidth=2.6)

@@ -183,3 +183,9 @@ class Results:
         if key not in self.kept:
             self.kept[key] = run()
         return cast(Kind, self.kept[key])
+
+
+def signed(difference: float, digits: int) -> str:
+    """A difference for people: its sign and digits, and no sign where nothing is left of it."""
+    rounded = round(difference, digits)
+    return f"{rounded:+.{digits}f}" if rounded else f"{0:.{digits}f}"

@@ -66,7 +66,10 @@ def two_links_table(results: Results) -> Table:
     """The check in closed form: two links and p = 1."""
     curve, polynomial, exact = results.two_links()
     names = ("hyperbolic distance", "geodesic", f"mp.optimize_path, degree {config.MOST_DEGREE}")
-    rows = [(name, f"{g:.9f}", f"{g - exact:+.0e}") for name, g in zip(names, (exact, curve, polynomial), strict=True)]
+    rows = [
+        (name, f"{g:.9f}", "" if g == exact else f"{g - exact:+.0e}")
+        for name, g in zip(names, (exact, curve, polynomial), strict=True)
+    ]
     return Table.of("two_links", ("two links, p = 1", "g", "difference"), rows)
 
 

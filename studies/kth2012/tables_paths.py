@@ -6,7 +6,7 @@ import manipplan as mp
 from studies.kth2012 import config
 from studies.kth2012.config import FIRST, SECOND, THIRD, Example
 from studies.kth2012.polynomials import Means, coefficients, means, polynomial
-from studies.kth2012.results import Results
+from studies.kth2012.results import Results, signed
 from studies.tables import Table
 
 
@@ -17,7 +17,7 @@ def degrees_table(results: Results, example: Example, name: str) -> Table:
         g, text = results.path(example, degree).g, results.path(example, degree, config.TEXT_POWER).g
         random = f"{results.multistart(example, degree):.6f}" if degree in results.start_degrees else ""
         change = "" if before is None else f"{before - g:.4f}"
-        rows.append((str(degree), f"{thesis:.4f}", f"{g:.6f}", f"{g - thesis:+.4f}", change, random, f"{text:.6f}"))
+        rows.append((str(degree), f"{thesis:.4f}", f"{g:.6f}", signed(g - thesis, 4), change, random, f"{text:.6f}"))
         before = g
     head = ("degree", "thesis", "ours, p = 2", "difference", "Δg, ours", "random starts", "ours, p = 1")
     return Table.of(name, head, rows)
@@ -36,7 +36,7 @@ def table_6_3(results: Results) -> Table:
         index = "₁₂₃"[i - 1]
         rows.append((f"a{index}ⱼ, thesis", *(f"{a:.2f}" for a in printed), f"{sum(printed):.2f}"))
         rows.append((f"a{index}ⱼ, ours", *(f"{a:.2f}" for a in own), f"{own.sum():.2f}"))
-        rows.append(("difference", *(f"{b - a:+.2f}" for a, b in zip(printed, own, strict=True)), ""))
+        rows.append(("difference", *(signed(b - a, 2) for a, b in zip(printed, own, strict=True)), ""))
     return Table.of("table6_3", ("j", *(str(j) for j in range(7)), "sum"), rows)
 
 
@@ -76,7 +76,7 @@ def table_6_4(results: Results) -> Table:
         ("thesis", *(f"{x:.2f}" for x in config.TABLE_6_4)),
         ("thesis' coefficients, by t", *(f"{x:.4f}" for x in kept["thesis"])),
         ("ours, by t", *(f"{x:.4f}" for x in kept["ours"])),
-        ("difference", *(f"{a - b:+.4f}" for a, b in zip(kept["ours"], config.TABLE_6_4, strict=True))),
+        ("difference", *(signed(a - b, 4) for a, b in zip(kept["ours"], config.TABLE_6_4, strict=True))),
         ("thesis' coefficients, by arc length", "", "", *(f"{x:.4f}" for x in kept["thesis by length"])),
         ("ours, by arc length", "", "", *(f"{x:.4f}" for x in kept["ours by length"])),
         ("ours with p = 1, by arc length", *(f"{x:.4f}" for x in kept["text by length"])),

@@ -26,7 +26,7 @@ from manipplan.planar import (
 from studies.kth2012 import config
 from studies.kth2012.config import ARM
 from studies.kth2012.many_links import best_posture
-from studies.kth2012.results import Results
+from studies.kth2012.results import Results, signed
 from studies.tables import Table
 
 # (5.2) and (5.3) as printed: frequencies (θ_2, θ_3) and coefficients; μ̃ leaves the constant out.
@@ -145,7 +145,7 @@ def table_5_1(results: Results) -> Table:
     rows = [
         ("thesis", *(f"{sign}{x:.2f}" for sign, x in zip(signs, config.TABLE_5_1, strict=True))),
         ("ours", *(f"{sign}{x:.8f}" for sign, x in zip(signs, ours, strict=True))),
-        ("difference", *(f"{a - b:+.4f}" for a, b in zip(ours, config.TABLE_5_1, strict=True))),
+        ("difference", *(signed(a - b, 4) for a, b in zip(ours, config.TABLE_5_1, strict=True))),
         ("maximum of (5.3) as printed", *(f"{sign}{x:.4f}" for sign, x in zip(signs, printed, strict=True))),
     ]
     return Table.of("table5_1", ("", "R [m]", "θ₂ [rad]", "θ₃ [rad]", "μ [m²]"), rows)
@@ -173,7 +173,7 @@ def table_5_2(results: Results) -> Table:
         ours = row_5_2(results, radius)
         cells = [f"{value:.2f} / {own:.6f}" for value, own in zip(thesis, ours, strict=True)]
         furthest = max((own - value for value, own in zip(thesis, ours, strict=True)), key=abs)
-        rows.append((f"{radius:.1f}", *cells, f"{furthest:+.4f}"))
+        rows.append((f"{radius:.1f}", *cells, signed(furthest, 4)))
     return Table.of("table5_2", ("R [m]", "θ₂ [rad]", "θ₃ [rad]", "μ [m²]", "κ", "largest difference"), rows)
 
 
