@@ -91,7 +91,7 @@ def condition_number(file: Path) -> None:
             draw_ellipse(ax, velocity_ellipse(UNIT, q), UNIT.position(q), colour=colour, axes=True)
             mu, kappa = float(manipulability(UNIT, q)), float(inverse_condition(UNIT, q))
             ax.set_title(f"κ = {kappa:.2f}, μ = {mu:.2f} m²", loc="left", fontsize=9)
-            ax.set(xlim=(-1.4, 2.2), ylim=(-1.5, 2.1), xlabel="x [m]", ylabel="y [m]")
+            ax.set(xlim=(-0.8, 3.0), ylim=(-2.6, 1.2), xlabel="x [m]", ylabel="y [m]")
             ax.set_aspect("equal")
         for q, colour in ((small, FORCE), (large, OPTIMUM)):
             draw_ellipse(axes[2], velocity_ellipse(UNIT, q), np.zeros(2), colour=colour, scale=1.0)

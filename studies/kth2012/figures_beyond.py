@@ -33,7 +33,7 @@ EVERY = 40  # points of a geodesic that are left out between two that are drawn
 def class_map(results: Results, file: Path) -> None:
     """The best path of every class."""
     with rc_context(STYLE):
-        figure = blank(11.5, 4.6)
+        figure = blank(9.6, 4.4)
         axes: Any = figure.subplots(1, 3)
         for ax, example in zip(axes, EXAMPLES, strict=True):
             found = sorted((each for each in results.classes if each.example is example), key=lambda each: each.found.g)
@@ -92,7 +92,7 @@ def convergence(results: Results, file: Path) -> None:
 def obstacles(results: Results, file: Path) -> None:
     """Paths among posts: the arm at nine places, and the way of the tool."""
     with rc_context(STYLE):
-        figure = blank(11.5, 3.6)
+        figure = blank(9.6, 3.3)
         axes: Any = figure.subplots(1, len(config.POSTS), sharey=True)
         for ax, (example, posts) in zip(axes, config.POSTS, strict=True):
             found, free = results.among(example, posts), results.path(example, config.OBSTACLE_DEGREE)
@@ -114,7 +114,7 @@ def obstacles(results: Results, file: Path) -> None:
 def more_links(results: Results, file: Path) -> None:
     """Optimal postures of more links, the total length the same in the picture."""
     with rc_context(STYLE):
-        figure = blank(11.0, 2.9)
+        figure = blank(9.6, 2.7)
         found = links(results)
         axes: Any = figure.subplots(1, len(found), sharey=True)
         for ax, each in zip(axes, found, strict=True):

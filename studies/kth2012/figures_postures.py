@@ -158,7 +158,7 @@ def feasible(results: Results, file: Path) -> None:
 def at_radii(results: Results, file: Path) -> None:
     """Figure 5.5: velocity ellipses of the optimal postures for several radii, with their mirror images."""
     with rc_context(STYLE):
-        figure = blank(11.0, 3.4)
+        figure = blank(9.6, 2.9)
         axes: Any = figure.subplots(1, len(config.FIGURE_5_5_RADII), sharey=True)
         for ax, radius in zip(axes, config.FIGURE_5_5_RADII, strict=True):
             best = results.at_radius(radius, limited=False).best

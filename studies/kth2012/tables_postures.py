@@ -49,6 +49,15 @@ def printed_optimum() -> tuple[float, ...]:
     return tuple(float(angle) for angle in best * np.sign(best[0]))
 
 
+def printed_general(arm: PlanarArm, q: np.ndarray) -> np.ndarray:
+    """μ² (m,) as the first form of (5.2) is printed, at q (m, 3)."""
+    l1, l2, l3 = arm.lengths
+    sizes = [l1 * l2 * l3**2, -(l1**2) * l2**2 / 2, l1 * l2**2 * l3, -(l2**2) * l3**2]
+    sizes += [-(l1**2) * l3**2, -(l1**2) * l2 * l3, -l1 * l2 * l3**2]
+    constant = l1**2 * l2**2 / 2 + (l1**2 + l2**2) * l3**2
+    return np.asarray(constant + np.cos(q[:, 1:] @ _FREQUENCIES.T) @ np.array(sizes))
+
+
 def printed_trace(arm: PlanarArm, q: np.ndarray) -> float:
     """tr(J Jᵀ) as (4.2) is printed, its innermost sum from m = i + 1."""
     phi, size, n = np.cumsum(q), arm.lengths, arm.n
@@ -65,7 +74,7 @@ def theorems() -> list[tuple[str, str, bool]]:
     trace = 2 * float(frobenius_norm(ARM, posture)) ** 2
     values = CORRECTED_5_3(q[:, 1:]) + CONSTANT
     printed = PRINTED_5_3(q[:, 1:]) + PRINTED_CONSTANT
-    exact = squared_manipulability(ARM, q)
+    exact, other = squared_manipulability(ARM, q), PlanarArm([1.0, 0.8, 0.6])
     roots = [rng.normal(size=(m, m)) for m in range(1, 7)]
     matrices = [root @ root.T for root in roots]
     ellipsoids = [matrix_ellipsoid(matrix) for matrix in matrices]
@@ -93,6 +102,12 @@ def theorems() -> list[tuple[str, str, bool]]:
             all(each.holds and math.isclose(each.manipulability[1], each.closed_form, rel_tol=1e-12) for each in counter),
         ),
         ("Theorem 4.4: κ does not depend on θ₁", f"{EXACT}, {links}", _all(condition_theorem)),
+        ("(5.2), first form, unit links", "200 random postures", bool(np.allclose(printed_general(ARM, q), exact))),
+        (
+            "(5.2), first form, other lengths",
+            "200 random postures, links of 1.0, 0.8 and 0.6 m",
+            bool(np.allclose(printed_general(other, q), squared_manipulability(other, q), atol=1e-9)),
+        ),
         (
             "(5.2), last form, as printed",
             "200 random postures",
