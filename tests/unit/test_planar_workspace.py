@@ -158,6 +158,18 @@ def test_dexterous_under_limits():
     assert not planar.is_dexterous(UNIT, [0.0, 1.5], -H, H)
 
 
+def test_equal_links_folded_onto_each_other(rng):
+    """There one orientation belongs to a whole circle of θ_1: each of them is found under tight limits, none beside."""
+    arm, two = planar.PlanarArm([0.7, 0.7, 0.4]), planar.PlanarArm([0.7, 0.7])
+    for first, third in rng.uniform(-9, 9, (50, 2)):
+        q = np.array([first, np.pi, third])
+        tight, beside = np.full(3, 1e-3), np.array([0.0, 0.0, 2e-3])
+        assert planar.is_reachable(arm, arm.position(q), q - tight, q + tight)
+        assert not planar.is_reachable(arm, arm.position(q), q - tight + 2 * beside, q + tight + 2 * beside)
+        assert planar.is_reachable(two, two.position(q[:2]), q[:2] - 1e-3, q[:2] + 1e-3)
+    assert not planar.is_reachable(two, [0.0, 0.0], -1.0, 1.0)
+
+
 def test_the_thesis_limits_leave_radii_from_1_to_3():
     """Section 5.5 in kth2012: "R in [1, 3]"."""
     assert planar.reachable_radii(UNIT, -H, H) == pytest.approx((1.0, 3.0), abs=1e-12)
