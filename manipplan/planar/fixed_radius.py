@@ -23,7 +23,7 @@ from manipplan.planar.inverse import wrapped
 from manipplan.planar.sturm import Polynomial, add, derivative, evaluate, multiply, real_roots, scale
 
 #: A radius this near to one at which links can be collinear is that one: it is where rounding would decide.
-SNAP = Fraction(1, 10**12)
+SNAP = Fraction(1, 10**14)
 #: Share of its terms below which N_2 is zero; roots are known to 2⁻¹²⁰, about 1e-36.
 _ZERO = Fraction(1, 10**24)
 

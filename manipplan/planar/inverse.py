@@ -60,8 +60,9 @@ def position_family(arm: PlanarArm, position: ArrayLike) -> PostureFamily:
     """The one-parameter family of postures of a three-link arm that bring the tool to `position` (2,) [m].
 
     The third joint is at distance d from the base with d² = R² + l_3² - 2 R l_3 cos(φ - α), α being the direction of the
-    position; the first two links reach it where |l_1 - l_2| <= d <= l_1 + l_2. Raises InvalidInputError for an arm with
-    another number of links.
+    position; the first two links reach it where d is between the difference and the sum of their lengths.
+
+    Raises InvalidInputError for an arm with another number of links.
     """
     _links("arm", arm, 3)
     target = finite_array("position", position, (2,))

@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike
 from manipplan.checks import Array
 from manipplan.errors import InvalidInputError
 from manipplan.planar.arm import PlanarArm
-from manipplan.planar.inverse import position_family, two_link_postures, two_links, wrapped
-from manipplan.planar.limits import AngleLimits
+from manipplan.planar.inverse import GRAZE, position_family, two_link_postures, two_links, wrapped
+from manipplan.planar.limits import ON_LIMIT, AngleLimits
 
 Interval = tuple[float, float]
 
@@ -34,6 +34,7 @@ def reachable_orientations(
             if limits.contain(family(0.5 * (low + high))).any():
                 pieces.append((low, high))
         pieces += [(cut, cut) for cut in cuts.tolist() if limits.contain(family(cut)).any()]
+    pieces += _folded(arm, family.position, limits)
     return _joined(pieces)
 
 
@@ -44,7 +45,10 @@ def is_reachable(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = 
     """
     check_few_links(arm)
     if arm.n == 2:
-        return bool(AngleLimits.of(lower, upper, 2).contain(two_link_postures(arm, position)).any())
+        limits, rows = AngleLimits.of(lower, upper, 2), two_link_postures(arm, position)
+        if len(rows) and np.hypot(*np.asarray(position)) <= GRAZE * arm.lengths.sum():  # folded: θ_1 is free
+            rows[:, 0] = np.where(limits.bounded[0], limits.lower[0], 0.0)
+        return bool(limits.contain(rows).any())
     return bool(reachable_orientations(arm, position, lower, upper))
 
 
@@ -57,6 +61,20 @@ def check_few_links(arm: PlanarArm) -> None:
     """Raises InvalidInputError for more than three links."""
     if not isinstance(arm, PlanarArm) or arm.n > 3:
         raise InvalidInputError("arm", arm, "a PlanarArm with two or three links")
+
+
+def _folded(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[Interval]:
+    """The one orientation at which equal links 1 and 2 lie on each other: θ_1 is free, θ_3 goes with it."""
+    slack = GRAZE * arm.lengths.sum()
+    if abs(arm.lengths[0] - arm.lengths[1]) > slack or abs(np.hypot(*target) - arm.lengths[2]) > slack:
+        return []
+    phi = float(np.arctan2(target[1], target[0]))
+    # θ_1 in its own range, and in that which θ_3 = φ - π - θ_1 leaves to it
+    low, high = phi - np.pi - limits.upper[2], phi - np.pi - limits.lower[2]
+    free = not (limits.bounded[0] and limits.bounded[2])
+    turns = 0.0 if free else np.ceil((limits.lower[0] - ON_LIMIT - high) / (2 * np.pi)) * 2 * np.pi
+    straight = AngleLimits(lower=limits.lower[1:2], upper=limits.upper[1:2]).contain([np.pi])
+    return [(phi, phi)] if straight and (free or low + turns <= limits.upper[0] + ON_LIMIT) else []
 
 
 def _marks(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[float]:

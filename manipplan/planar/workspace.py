@@ -43,9 +43,9 @@ def reachable_annulus(arm: PlanarArm) -> Annulus:
 def dexterous_annuli(arm: PlanarArm) -> tuple[Annulus, ...]:
     """The dexterous workspace W_D (2.6) in kth2012: positions that can be reached with every orientation.
 
-    As φ goes round, the last joint is at all distances from |R - l_n| to R + l_n from the base; all of them have to be in the
-    ring [a, b] of the first n - 1 links. That leaves R <= b - l_n together with R <= l_n - a or R >= l_n + a: nothing, one
-    ring, or a disc and a ring.
+    As φ goes round, the last joint comes as near to the base as the difference of R and l_n, and as far as R + l_n; all of
+    that has to be in the ring [a, b] of the first n - 1 links. It leaves R <= b - l_n together with R <= l_n - a or
+    R >= l_n + a: nothing, one ring, or a disc and a ring.
     """
     last, *others = arm.lengths[::-1].tolist()
     total = math.fsum(others)

@@ -14,13 +14,13 @@ from manipplan.checks import Array
 from manipplan.planar.trigonometric import TrigonometricPolynomial
 
 #: Half width of boxes that are not cut any more [rad].
-SMALLEST = 1e-6
+SMALLEST = 1e-8
 #: Boxes that are looked at before the rest is handed back, too.
 MOST = 4_000_000
-#: Rounding of one evaluation, as a share of the sum of the magnitudes of its terms: far above what 64-bit floats need.
-ROUNDING = 1e-13
 #: A box is judged with neighbours' ground around it, so that a zero on an edge does not escape proof.
 MARGIN = 1.25
+#: Proven zeros that are nearer are one, found by neighbours: two of them would lie in one widened box [rad].
+SAME = 1e-9
 #: Boxes at work at a time.
 _BATCH = 60_000
 
@@ -111,15 +111,16 @@ class _System:
         merge = np.equal.outer(np.arange(len(frequencies)), same.ravel()).astype(np.float64)
         cosine, sine = merge @ cosine, merge @ sine
         size, k = np.hypot(cosine, sine), np.abs(frequencies)
-        phase = 1 + k.sum(axis=1)  # the argument k · x is rounded, too
+        # Rounding of a term: its share in a sum of m terms, its coefficient's own digits, and the error of k · x, |x| <= 4.
+        share = np.finfo(float).eps * (len(k) + 8 * (1 + k.sum(axis=1)))
         return cls(
             frequencies=frequencies,
             cosine=cosine,
             sine=sine,
             bends=np.einsum("mi,mj,ml->ijl", size, k, k),
             rounding=(
-                ROUNDING * np.einsum("mi,m->i", size, phase),
-                ROUNDING * np.einsum("mi,mj,m->ij", size, k, phase),
+                np.einsum("mi,m->i", size, share),
+                np.einsum("mi,mj,m->ij", size, k, share),
             ),
         )
 
@@ -157,7 +158,7 @@ class _System:
     def _krawczyk(self, value: Array, slope: Array, inverse: Array, half: float) -> tuple[Array, Array]:
         """Y f(c) and the radius of (I - Y J(box)) (box - c): zeros of the box are in c - Y f(c) ± the radius.
 
-        If that is inside the box, it holds exactly one. Both are widened by what rounding can do.
+        If that is inside the box, it holds exactly one. The radius is widened by what rounding can do.
         """
         y = np.abs(inverse)
         step = np.einsum("bij,bj->bi", inverse, value)
@@ -176,6 +177,6 @@ class _System:
         kept: list[Array] = []
         for x in found:
             turned = np.pi - np.mod(np.pi - x + 1e-9, 2 * np.pi) + 1e-9
-            if all(np.abs(np.remainder(turned - y + np.pi, 2 * np.pi) - np.pi).max() > 1e-8 for y in kept):
+            if all(np.abs(np.remainder(turned - y + np.pi, 2 * np.pi) - np.pi).max() > SAME for y in kept):
                 kept.append(turned)
         return np.array(kept).reshape(-1, self.dimension)

@@ -120,4 +120,4 @@ def test_optimum_at_a_radius_is_above_every_posture_there(sizes, share, seed):
     for begin, end in family.orientations:
         for phi in rng.uniform(begin, end, 40):
             mu = planar.manipulability(arm, family(phi)).max(initial=0.0)
-            assert mu <= best.manipulability[0] + 1e-7 * size**2
+            assert mu <= best.manipulability[0] + 1e-6 * size**2  # a radius beside a singular one is snapped to it

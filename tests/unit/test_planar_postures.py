@@ -9,7 +9,7 @@ import pytest
 
 import manipplan as mp
 from manipplan import planar
-from manipplan.planar.sturm import multiply, real_roots
+from manipplan.planar.sturm import add, evaluate, multiply, real_roots, scale
 
 UNIT = planar.PlanarArm([1.0, 1.0, 1.0])
 H = np.pi / 2
@@ -235,7 +235,7 @@ def test_zeros_with_and_without_proof():
     touched = planar.torus_zeros([double])
     assert not touched.complete
     assert np.abs(touched.unresolved).max() < 1e-4
-    assert touched.half_width <= 1e-6
+    assert touched.half_width <= 1e-8
 
 
 def test_random_trigonometric_systems(rng):
@@ -294,6 +294,34 @@ def test_the_last_step_of_the_bound_by_grid(n, steps, share):
     assert total.max() == pytest.approx(bound, abs=1e-12)  # it is reached, at a node
     between = 0.3 * (n - 1) ** 2 * 0.5 / steps
     assert total.max() + between <= bound * (1 + share)
+
+
+def test_the_last_step_of_the_bound_for_three_links_exactly():
+    """f(s, t) = s²(1-s)² + t²(1-t)² + t²(s-t)² <= 1/8 on 0 <= t <= s <= 1: at all its stationary points, and on the edges.
+
+    ∂f/∂t = 0 is t² = a t - b with a = 3(1+s)/4, b = (1+s²)/4. It makes t³ - s t² = s(1-s)(1-2s), which is ∂f/∂s = 0, linear:
+    D t = N. Hence N² - a N D + b D² = 0, a polynomial in s.
+    """
+    one, s, a, b = ([Fraction(x) for x in c] for c in ("1", ["0", "1"], ["3/4", "3/4"], ["1/4", "0", "1/4"]))
+    c = multiply(s, add(one, scale(-1, s)), add(one, scale(-2, s)))
+    d = add(multiply(a, a), scale(-1, b), scale(-1, multiply(s, a)))
+    n = add(multiply(a, b), scale(-1, multiply(s, b)), c)
+    joint = add(multiply(n, n), scale(-1, multiply(a, n, d)), multiply(b, d, d))
+
+    def f(s, t):
+        return s**2 * (1 - s) ** 2 + t**2 * (1 - t) ** 2 + t**2 * (s - t) ** 2
+
+    roots = real_roots(joint, Fraction(0), Fraction(1))
+    assert roots
+    for root in roots:
+        below = evaluate(d, root)
+        assert abs(below) > Fraction(1, 10**6)
+        t = evaluate(n, root) / below
+        if 0 < t < root < 1:
+            assert f(root, t) < Fraction(1, 8) - Fraction(1, 10**6)
+    edge = np.linspace(0, 1, 101)  # f is 2 x²(1-x)² at s = 1 and t = s, and half of it at t = 0: largest at x = 1/2
+    np.testing.assert_allclose(f(1.0, edge), f(edge, edge), atol=1e-15)
+    assert f(1.0, edge).max() == 1 / 8
 
 
 def test_best_lengths_of_three_links_by_grid():
