@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 READY := .venv/.ready
 
-.PHONY: demo test test-long browser lint types docs benchmark benchmark-peers clean
+.PHONY: demo test test-long browser lint types docs benchmark benchmark-peers benchmark-paths clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
@@ -35,6 +35,7 @@ docs: $(READY)
 
 benchmark: $(READY)
 	$(BIN)/python benchmarks/panda_boxes.py
+	$(BIN)/python benchmarks/panda_pairs.py
 	$(BIN)/python benchmarks/kinematics.py
 	$(BIN)/python benchmarks/import_time.py
 	$(BIN)/python benchmarks/random_steps.py
@@ -45,6 +46,9 @@ benchmark: $(READY)
 benchmark-peers: $(READY)
 	$(BIN)/python benchmarks/tracking.py
 	$(BIN)/python benchmarks/inverse_kinematics.py
+
+benchmark-paths: $(READY)
+	$(BIN)/python benchmarks/path_suite.py
 
 $(READY): requirements.txt pyproject.toml
 	@$(PYTHON) -c 'import sys; v = sys.version_info[:2]; sys.exit(0 if (3, 11) <= v <= (3, 13) else "manipplan needs Python 3.11 to 3.13, not %d.%d; name another: make PYTHON=python3.12" % v)'

@@ -48,6 +48,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.report import Report
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.catalog import available_robots, load_robot, planar_arm
+from manipplan.robots.continuous import PathClearance
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Scene, Sphere
@@ -114,6 +115,7 @@ __all__ = [
     "MissingExtraError",
     "Objective",
     "Obstacle",
+    "PathClearance",
     "PathCost",
     "PathResult",
     "PinocchioCasadi",

@@ -27,6 +27,7 @@ class Status(Enum):
         "singular: every check passed, but the index vanishes somewhere on the path, so g is infinite; "
         "choose another start or goal if it is at an end, or another power or seed="
     )
+    INTERRUPTED = "interrupted: the best checked path so far, optimised or the seed; run it again to get further"
     IMPROVED = "improved: the recorded motion was followed with a higher index, and every check passed"
     NOT_BETTER = (
         "recorded: following it raised neither its least nor its mean index, so the recording itself is returned; "

@@ -21,6 +21,9 @@ from manipplan.robots.scene import Scene
 from manipplan.status import Status
 from manipplan.timing.retime import check_timing_limits, retime
 
+#: Pieces of the B-spline that is tried when polynomials of one piece fail.
+SPLINE_PIECES = 8
+
 
 @interruptible()
 def plan(
@@ -47,7 +50,7 @@ def plan(
     """From start to goal: a collision-free path far from singularities, timed, and checked again when finished.
 
     First paths are found by OMPL and improved by the path optimiser; where no polynomial of `degree`, or of three degrees
-    more, stays clear, the first path itself is timed and the status says so.
+    more, stays clear, by a cubic B-spline; where that does not either, the first path itself is timed and the status says so.
 
     Args:
         robot: the arm.
@@ -102,11 +105,17 @@ def plan(
         result = instance("result", error.result, PathResult)  # without a path, or with a singular one
         if result.path is None or result.seed is None:
             return failed(draft, throw, str(error))
-    if not result.status.ok and result.seed is not None:
-        tell(0.6, "a higher degree")
-        first, more = result.seed, min(degree + 3, MOST_DEGREE)
-        again = optimise(first.start, first.goal, more, initial=first, throw=False)
-        result = min(result, again, key=lambda each: (not each.status.ok, each.g))
+    if result.status is Status.INTERRUPTED:
+        raise KeyboardInterrupt
+    first = instance("seed", result.seed, JointPath)
+    for each, basis, pieces in ((min(degree + 3, MOST_DEGREE), "legendre", 1), (3, "bspline", SPLINE_PIECES)):
+        if result.status.ok or result.status is Status.SINGULAR:  # another degree crosses the same singularity
+            break
+        tell(0.6, f"{basis} of degree {each}")
+        more = optimise(first.start, first.goal, each, basis=basis, pieces=pieces, initial=first, throw=False)
+        if more.status is Status.INTERRUPTED:
+            raise KeyboardInterrupt
+        result = min(result, more, key=lambda tried: (not tried.status.ok, tried.g))
     path = instance("path", result.path, JointPath)
     draft = replace(draft, path=path, result=result, status=result.status)
     try:

@@ -35,6 +35,9 @@ NATIVE = ("-O2", "-fno-fast-math", "-march=native", "-fno-math-errno", "-fno-tra
 #: From so many characters on, -O1 is chosen: it compiles three times faster for code that runs a tenth slower.
 LONG = 200_000
 
+#: Functions of so many instructions are compiled in a few seconds; a user who did not ask for it waits no longer.
+SOON_DONE = 60_000
+
 
 @dataclass(frozen=True, kw_only=True)
 class Compiler:
@@ -124,12 +127,18 @@ def native_flags(source: str) -> tuple[str, ...]:
 
 def compiled(function: ca.Function, subject: str) -> ca.Function:
     """The same function as machine code; raises CompilerError as `shared_library`, or when it cannot be loaded."""
-    generator = ca.CodeGenerator(function.name(), {"casadi_real": "double"})
-    generator.add(function)
+    return compiled_together([function], subject)[0]
+
+
+def compiled_together(functions: Sequence[ca.Function], subject: str) -> tuple[ca.Function, ...]:
+    """Several functions as one library of machine code; raises as `compiled`."""
+    generator = ca.CodeGenerator(functions[0].name(), {"casadi_real": "double"})
+    for function in functions:
+        generator.add(function)
     source = generator.dump()
     file = shared_library(source, flags=(*native_flags(source), "-lm"), subject=subject)
     try:
-        return ca.external(function.name(), str(file))
+        return tuple(ca.external(function.name(), str(file)) for function in functions)
     except RuntimeError as error:
         raise CompilerError(subject, f"{file} cannot be loaded: {error}") from error
 
@@ -212,6 +221,21 @@ def _digest(file: Path) -> str:
 def wants_machine_code(compiled: bool | str) -> bool:
     """Whether the option `compiled` (True, False or "auto") asks for a compiler on this machine."""
     return compiled is True or (compiled == "auto" and find_compiler() is not None)
+
+
+def as_asked(functions: Sequence[ca.Function], compiled: bool | str, subject: str) -> tuple[ca.Function, ...]:
+    """The functions as machine code where `compiled` (True, False or "auto") asks for it, else as they are.
+
+    "auto" leaves those of more than SOON_DONE instructions as they are. Raises CompilerError when `compiled` is True and
+    there is no compiler, or it fails.
+    """
+    soon = sum(function.n_instructions() for function in functions) <= SOON_DONE
+    if compiled is True or (soon and wants_machine_code(compiled)):
+        try:
+            return compiled_together(functions, subject)
+        except CompilerError as error:
+            do_without(error, compiled)
+    return tuple(functions)
 
 
 def do_without(error: CompilerError, compiled: bool | str) -> None:

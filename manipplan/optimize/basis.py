@@ -1,38 +1,199 @@
-"""The polynomial basis of a path: the straight line plus integrated Legendre polynomials that vanish at both ends."""
+"""Bases of a path: functions that vanish at both ends of [0, 1] and are added to the straight line from start to goal.
+
+The bases of one piece span the same polynomials: the optimum is the same, its coefficients and the conditioning of the
+program are not. Those of several pieces are B-splines, which bend on one stretch without moving the others.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
-from numpy.polynomial import legendre
+from numpy.polynomial import Chebyshev, Legendre, Polynomial
+from numpy.polynomial.legendre import legvander
 
-from manipplan.checks import Array
-from manipplan.paths.joint import bernstein
+from manipplan.checks import Array, whole_number
+from manipplan.errors import InvalidInputError, UnknownNameError
+from manipplan.paths.joint import JointPath, bernstein
+
+Function = Legendre | Chebyshev | Polynomial
 
 
-def bubbles(degree: int, s: Array) -> Array:
-    """φ_j(s), j = 1 .. degree - 1, (m, degree - 1): integrals of the Legendre polynomials P_j over [0, s].
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Basis(ABC):
+    """q(s) = start + s (goal - start) + Σ_j x_j φ_j(s), with φ_j(0) = φ_j(1) = 0 and coefficients x (n, size).
 
-    Their derivatives are orthogonal, so the energy is well conditioned; φ_j(0) = φ_j(1) = 0 keeps the ends.
+    Attributes:
+        degree: of the pieces.
+        breaks: (p + 1,) where they begin and end, from 0 to 1.
     """
-    columns = [np.asarray(legendre.legval(2 * s - 1, _integral(j)), dtype=float) for j in range(1, degree)]
-    return np.column_stack(columns or [np.empty((len(s), 0))])
+
+    degree: int
+    breaks: Array
+
+    @property
+    @abstractmethod
+    def size(self) -> int:
+        """Number of functions φ_j, the coefficients of a joint."""
+
+    @abstractmethod
+    def values(self, s: Array, order: int = 0) -> Array:
+        """φ_j or its derivative of an order by s, at s (m,): (m, size)."""
+
+    @cached_property
+    def control(self) -> Array:
+        """The Bernstein control points (p, degree + 1, size) of each φ_j on each piece."""
+        u = (1 - np.cos(np.linspace(0.0, np.pi, self.degree + 1))) / 2
+        at = self.breaks[:-1, None] + np.diff(self.breaks)[:, None] * u
+        values = self.values(at.ravel()).reshape(*at.shape, self.size)
+        return np.asarray(np.linalg.solve(bernstein(self.degree, u), values))
+
+    @property
+    def line(self) -> Array:
+        """The control points (p, degree + 1) of the function s."""
+        return np.asarray(np.linspace(self.breaks[:-1], self.breaks[1:], self.degree + 1, axis=1))
+
+    def gauss(self, points: int) -> tuple[Array, Array]:
+        """So many Gauss points on each piece, and their weights, (m,) each."""
+        x, weights = np.polynomial.legendre.leggauss(points)
+        half = np.diff(self.breaks)[:, None] / 2
+        return (self.breaks[:-1, None] + half * (x + 1)).ravel(), (half * weights).ravel()
+
+    def path(self, start: Array, goal: Array, coefficients: Array) -> JointPath:
+        """The path of coefficients (n, size)."""
+        control = start + self.line[..., None] * (goal - start) + self.control @ coefficients.T
+        control[1:, 0] = control[:-1, -1]
+        control[0, 0], control[-1, -1] = start, goal
+        return JointPath(breaks=self.breaks, control=control)
+
+    def fit(self, path: JointPath, s: Array) -> Array:
+        """Coefficients (n, size) of the least-squares fit to `path` sampled at s (m,), taken as equally spaced."""
+        even = np.linspace(0.0, 1.0, len(s))
+        rest = path(s) - (path.start + even[:, None] * (path.goal - path.start))
+        return np.asarray(np.linalg.lstsq(self.values(even), rest, rcond=None)[0].T)
+
+    def hull(self, parts: int) -> tuple[Array, Array]:
+        """Points whose convex hulls hold the curve: (r,) and (r, size), so that each is line (goal - start) + row x.
+
+        They are the control points of at least `parts` equal parts of the pieces together.
+        """
+        pieces = len(self.breaks) - 1
+        cut = subdivision(self.degree, -(-parts // pieces))
+        line = (self.line @ cut.T).ravel()
+        return line, (cut @ self.control).reshape(len(line), self.size)
 
 
-def bubble_slopes(degree: int, s: Array) -> Array:
-    """φ_j'(s) = P_j(2s - 1), (m, degree - 1)."""
-    return np.asarray(legendre.legvander(2 * s - 1, max(degree - 1, 1)), dtype=float)[:, 1:degree]
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Series(Basis):
+    """One polynomial piece, by functions that are NumPy series over [0, 1]."""
+
+    functions: tuple[Function, ...]
+
+    @property
+    def size(self) -> int:
+        return len(self.functions)
+
+    def values(self, s: Array, order: int = 0) -> Array:
+        columns = [np.asarray(each.deriv(order)(s), dtype=float) for each in self.functions]
+        return np.column_stack(columns or [np.empty((len(s), 0))])
 
 
-def control_points(degree: int, start: Array, goal: Array, coefficients: Array) -> Array:
-    """Bernstein control points (degree + 1, n) of start + s (goal - start) + Σ_j c_j φ_j(s); coefficients (n, degree - 1)."""
-    line = start + np.linspace(0.0, 1.0, degree + 1)[:, None] * (goal - start)
-    control = line + to_bernstein(degree) @ coefficients.T
-    control[0], control[-1] = start, goal
-    return control
+@dataclass(frozen=True, kw_only=True, eq=False)
+class IntegratedLegendre(Series):
+    """The same with φ_j' = P_j(2s - 1) to the last digit: the rounds among obstacles enlarge what is rounded."""
+
+    def values(self, s: Array, order: int = 0) -> Array:
+        if order == 1:
+            return np.asarray(legvander(2 * s - 1, max(self.degree - 1, 1)), dtype=float)[:, 1 : self.degree]
+        return super().values(s, order)
 
 
-def to_bernstein(degree: int) -> Array:
-    """The matrix (degree + 1, degree - 1) from coefficients of φ_j to Bernstein control points."""
-    s = (1 - np.cos(np.linspace(0.0, np.pi, degree + 1))) / 2
-    return np.asarray(np.linalg.solve(bernstein(degree, s), bubbles(degree, s)), dtype=float)
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Spline(Basis):
+    """Clamped B-splines [deboor1978]; with continuity C¹ their coefficients are Bernstein points of the pieces.
+
+    Attributes:
+        continuity: of the curve where pieces join: so many derivatives are continuous.
+    """
+
+    continuity: int
+
+    @property
+    def size(self) -> int:
+        return (len(self.breaks) - 2) * (self.degree - self.continuity) + self.degree - 1
+
+    @property
+    def knots(self) -> Array:
+        """Clamped at the ends, and repeated inside until no more derivatives are continuous than should be."""
+        repeats = [self.degree + 1, *[self.degree - self.continuity] * (len(self.breaks) - 2), self.degree + 1]
+        return np.repeat(self.breaks, repeats)
+
+    def values(self, s: Array, order: int = 0) -> Array:
+        from scipy.interpolate import BSpline
+
+        if self.size == 0:
+            return np.empty((len(s), 0))
+        inner = np.eye(self.size + 2)[:, 1:-1]  # the first and the last are those that do not vanish at the ends
+        return np.asarray(BSpline(self.knots, inner, self.degree)(s, nu=order))
+
+
+def _legendre(degree: int) -> tuple[Function, ...]:
+    """Integrals of the Legendre polynomials P_1 .. P_{k-1}: the slopes are orthogonal, so the energy is well conditioned."""
+    functions = []
+    for j in range(1, degree):
+        # ∫ P_j(ξ) dξ = (P_{j+1} - P_{j-1}) / (2j + 1); ds = dξ / 2
+        series = np.zeros(j + 2)
+        series[j + 1], series[j - 1] = 1.0, -1.0
+        functions.append(Legendre(series / (2 * (2 * j + 1)), domain=[0, 1]))
+    return tuple(functions)
+
+
+def _chebyshev(degree: int) -> tuple[Function, ...]:
+    """T_2 .. T_k less the T_0 or T_1 of the same ends."""
+    series = [Chebyshev.basis(j, domain=[0, 1]) for j in range(degree + 1)]
+    return tuple(series[j] - series[j % 2] for j in range(2, degree + 1))
+
+
+def _monomial(degree: int) -> tuple[Function, ...]:
+    """s^j - s, j = 2 .. k."""
+    power = [Polynomial.basis(j, domain=[0, 1], window=[0, 1]) for j in range(degree + 1)]
+    return tuple(each - power[1] for each in power[2:])
+
+
+SERIES: dict[str, Callable[[int], tuple[Function, ...]]] = {
+    "legendre": _legendre,
+    "chebyshev": _chebyshev,
+    "monomial": _monomial,
+}
+#: Least degree of each that may have several pieces: composite ones join with one slope.
+SPLINES = {"bspline": 1, "composite": 2}
+BASES = (*SERIES, "bernstein", *SPLINES)
+#: Pieces at most.
+MOST_PIECES = 32
+
+
+def named_basis(name: str, degree: int, pieces: int = 1) -> Basis:
+    """The basis of a name of BASES; its pieces are equally wide.
+
+    Raises:
+        UnknownNameError: no such basis.
+        InvalidInputError: `pieces` that the basis cannot have, or a degree below what joining them needs.
+    """
+    if name not in BASES:
+        raise UnknownNameError("basis", str(name), BASES)
+    pieces = whole_number("pieces", pieces, least=1, most=MOST_PIECES)
+    if pieces > 1 and name not in SPLINES:
+        raise InvalidInputError("pieces", pieces, f"1 with basis {name!r}; {' and '.join(SPLINES)} can have more")
+    breaks = np.linspace(0.0, 1.0, pieces + 1)
+    if name in SERIES:
+        kind = IntegratedLegendre if name == "legendre" else Series
+        return kind(degree=degree, breaks=breaks, functions=SERIES[name](degree))
+    if degree < SPLINES.get(name, 1):
+        raise InvalidInputError(
+            "degree", degree, f"at least {SPLINES[name]} with basis {name!r}, whose pieces join in one slope"
+        )
+    return Spline(degree=degree, breaks=breaks, continuity=1 if name == "composite" else degree - 1)
 
 
 def subdivision(degree: int, pieces: int) -> Array:
@@ -53,10 +214,3 @@ def _split(control: Array, u: float) -> tuple[Array, Array]:
         left.append(control[0])
         right.append(control[-1])
     return np.array(left), np.array(right[::-1])
-
-
-def _integral(j: int) -> Array:
-    # ∫ P_j(ξ) dξ = (P_{j+1} - P_{j-1}) / (2j + 1); ds = dξ / 2
-    coefficients = np.zeros(j + 2)
-    coefficients[j + 1], coefficients[j - 1] = 1.0, -1.0
-    return coefficients / (2 * (2 * j + 1))

@@ -10,8 +10,11 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from manipplan.kinematics.compile import as_asked
+from manipplan.kinematics.derivatives import Factor, log_gradient, log_hessian
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.measures.indices import LogDet, Yoshikawa
+from manipplan.kinematics.view import steady
+from manipplan.measures.indices import Yoshikawa
 from manipplan.optimize.objective import PathObjective
 
 #: ρ in log sqrt(det(J Jᵀ + ρ² I)), which keeps the solved energy finite on a singular posture; g itself has none.
@@ -27,9 +30,9 @@ CONSTANCY = 1e-6
 
 @dataclass(frozen=True, kw_only=True)
 class Density:
-    """A density e(q, v, g₀) as CasADi Functions of (q, v, g₀): value, gradient (2n), Hessian (2n, 2n) in (q, v).
+    """A density e(q, v, g₀, p) as CasADi Functions of (q, v, [g₀, p]): value, gradient (2n), Hessian (2n, 2n) in (q, v).
 
-    g₀ is about the path's g; the energy does not depend on it.
+    g₀ is about the path's g, on which the energy does not depend; p is the exponent, so that machine code is made once for all.
     """
 
     value: ca.Function
@@ -39,7 +42,7 @@ class Density:
 
 def energy_density(objective: PathObjective) -> Density:
     """h² = ‖v‖_W² / m^(2p), whose integral over s is the energy E."""
-    power, metric = objective.power, _metric(objective)
+    metric, g0, power = _metric(objective), ca.SX.sym("g0"), ca.SX.sym("p")
     q, v, log_index, slope, bend = _symbols(objective.kinematics)
     weight = ca.exp(-2 * power * log_index)
     square = ca.bilin(metric, v, v)
@@ -48,14 +51,13 @@ def energy_density(objective: PathObjective) -> Density:
     qq = weight * square * (4 * power**2 * slope @ slope.T - 2 * power * bend)
     qv = -4 * power * weight * slope @ (metric @ v).T
     hessian = _blocks(qq, qv, 2 * weight * metric)
-    return _density(q, v, ca.SX.sym("g0"), weight * square, gradient, hessian)
+    return _density(objective, "energy", (q, v, ca.vertcat(g0, power)), weight * square, gradient, hessian)
 
 
 def length_density(objective: PathObjective) -> Density:
     """h + κ h² / g₀ with h = ‖v‖_W / m^p: its integral is g and a little of the energy."""
-    power, metric = objective.power, _metric(objective)
+    metric, g0, power = _metric(objective), ca.SX.sym("g0"), ca.SX.sym("p")
     q, v, log_index, slope, bend = _symbols(objective.kinematics)
-    g0 = ca.SX.sym("g0")
     weight = ca.exp(-power * log_index)
     speed = ca.sqrt(ca.bilin(metric, v, v) + STANDSTILL**2)
     along = metric @ v / speed
@@ -65,7 +67,8 @@ def length_density(objective: PathObjective) -> Density:
     qv = -power * weight * slope @ along.T
     ddh = _blocks(qq, qv, weight / speed * (metric - along @ along.T))
     first, second = 1 + 2 * CONSTANCY * h / g0, 2 * CONSTANCY / g0
-    return _density(q, v, g0, h + CONSTANCY * h**2 / g0, first * dh, first * ddh + second * dh @ dh.T)
+    gradient, hessian = first * dh, first * ddh + second * dh @ dh.T
+    return _density(objective, "length", (q, v, ca.vertcat(g0, power)), h + CONSTANCY * h**2 / g0, gradient, hessian)
 
 
 def _metric(objective: PathObjective) -> ca.SX:
@@ -79,8 +82,9 @@ def _symbols(kinematics: Kinematics) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX, ca.SX]
     q = kinematics.symbolic.chain.q
     v = ca.SX.sym("v", q.shape[0])
     if isinstance(measure, Yoshikawa):
-        regular = LogDet(regularisation=REGULARISATION)
-        return q, v, regular.value(posture), regular.gradient(posture), regular.hessian(posture)
+        jacobian, motion = steady(kinematics.symbolic.chain, kinematics.task)
+        factor = Factor.of(jacobian, REGULARISATION)
+        return q, v, ca.log(factor.index), log_gradient(factor, motion), log_hessian(factor, motion)
     value, slope, bend = measure.value(posture), measure.gradient(posture), measure.hessian(posture)
     # log sqrt(m² + δ²), which is log m but for the least values
     square = value**2 + (MEASURE_REGULARISATION * _usual(kinematics)) ** 2
@@ -99,9 +103,16 @@ def _blocks(qq: ca.SX, qv: ca.SX, vv: ca.SX) -> ca.SX:
     return ca.vertcat(ca.horzcat(qq, qv), ca.horzcat(qv.T, vv))
 
 
-def _density(q: ca.SX, v: ca.SX, g0: ca.SX, value: ca.SX, gradient: ca.SX, hessian: ca.SX) -> Density:
-    return Density(
-        value=ca.Function("density", [q, v, g0], [value]),
-        gradient=ca.Function("density_gradient", [q, v, g0], [ca.densify(gradient)]),
-        hessian=ca.Function("density_hessian", [q, v, g0], [ca.densify(hessian)]),
-    )
+def _density(
+    objective: PathObjective, name: str, at: tuple[ca.SX, ca.SX, ca.SX], value: ca.SX, gradient: ca.SX, hessian: ca.SX
+) -> Density:
+    """In machine code as `objective.kinematics.compiled` says."""
+    functions = [
+        ca.Function(f"path_{name}", at, [value]),
+        ca.Function(f"path_{name}_gradient", at, [ca.densify(gradient)]),
+        ca.Function(f"path_{name}_hessian", at, [ca.densify(hessian)]),
+    ]
+    kinematics = objective.kinematics
+    subject = f"the {name} of paths of {kinematics.robot.name}"
+    made = as_asked(functions, kinematics.compiled, subject)
+    return Density(value=made[0], gradient=made[1], hessian=made[2])

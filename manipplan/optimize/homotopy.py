@@ -5,6 +5,7 @@ errs to the safe side: paths of one class may be told apart, and are then both s
 """
 
 import itertools
+import logging
 import pickle
 import threading
 from collections.abc import Callable, Iterable, Sequence
@@ -23,13 +24,16 @@ from manipplan.paths.joint import JointPath
 from manipplan.progress import Progress, part, silent
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
+from manipplan.seeds.aspect import Aspect
 from manipplan.seeds.ompl import seed_path
+from manipplan.status import Status
 
 #: Places along two paths, and stages between them, at which their homotopy is looked at.
 PLACES, STAGES = 80, 9
 #: Two results are the same path when no joint differs more than this between points of equal share of length [rad or m].
 SAME = 1e-2
 
+log = logging.getLogger("manipplan")
 T = TypeVar("T")
 _own = threading.local()
 
@@ -69,6 +73,8 @@ class Crew:
         for k, result in enumerate(made):
             tell(k / len(made), text if len(made) == 1 else f"{text}: {k} of {len(made)}")
             results.append(result())
+            if isinstance(results[-1], PathResult) and results[-1].status is Status.INTERRUPTED:
+                break
         return results
 
 
@@ -111,7 +117,10 @@ def best_and_rivals(results: Sequence[PathResult]) -> PathResult:
     for result in sorted(results, key=lambda each: each.g):
         if not any(_same(result.path, other.path) for other in kept):
             kept.append(result)
-    return replace(kept[0], rivals=tuple(kept[1:]))
+    best = replace(kept[0], rivals=tuple(kept[1:]))
+    if any(result.status is Status.INTERRUPTED for result in results):
+        best = replace(best, status=Status.INTERRUPTED)
+    return best
 
 
 def shifted_goals(robot: Robot, start: Array, goal: Array) -> list[Array]:
@@ -144,18 +153,33 @@ def _even(path: JointPath) -> Array:
 def _seed(problem: PathProblem, start: Array, goal: Array, seed: int) -> JointPath | str:
     if problem.scene is None:
         return _random_path(problem.robot, start, goal, seed)
+    limit = problem.time_limit
+    if Aspect.shared(problem.objective().kinematics, start, goal) is not None:
+        try:
+            return _planned(problem, start, goal, seed, limit / 2, same_aspect=True)
+        except PlanningError as error:
+            log.info("%s; now also through singularities", error)
+            limit /= 2
     try:
-        return seed_path(
-            problem.robot,
-            start,
-            goal,
-            problem.scene,
-            seed=seed,
-            clearance=problem.clearance,
-            time_limit=problem.time_limit,
-        )
+        return _planned(problem, start, goal, seed, limit)
     except PlanningError as error:
         return str(error)
+
+
+def _planned(
+    problem: PathProblem, start: Array, goal: Array, seed: int, time_limit: float, *, same_aspect: bool = False
+) -> JointPath:
+    return seed_path(
+        problem.robot,
+        start,
+        goal,
+        problem.scene,
+        seed=seed,
+        task=problem.task,
+        same_aspect=same_aspect,
+        clearance=problem.clearance,
+        time_limit=time_limit,
+    )
 
 
 def _random_path(robot: Robot, start: Array, goal: Array, seed: int) -> JointPath:

@@ -10,11 +10,11 @@ from manipplan.interrupts import interruptible
 from manipplan.optimize import clearance as near
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.objective import PathCost
-from manipplan.optimize.problem import ClearanceRow, PathProgram, Solution
+from manipplan.optimize.problem import AGREEMENT, POLISH_PANELS, ClearanceRow, PathProgram, Solution
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
+from manipplan.robots.continuous import path_clearance
 from manipplan.robots.robot import Robot
-from manipplan.seeds.ompl import CHECK_STEP
 
 #: Rounds of solving and renewing clearance rows, from one first path.
 ROUNDS = 8
@@ -22,6 +22,8 @@ ROUNDS = 8
 SMALL_GAIN = 1e-2
 #: Clearance rows are added at so many places a round, the deepest dips first.
 NEW_PLACES = 10
+#: Steps from one free path to the next, and how far one may go, at first and least: see `PathProgram.solve`.
+STEPS, REACH, LEAST_REACH = 20, 0.3, 0.02
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,7 +38,7 @@ class Step:
 
 @dataclass(frozen=True, kw_only=True)
 class Candidate:
-    """An optimised path that is inside the limits and free, with its coefficients and the places its rows were at."""
+    """An optimised path that is inside the limits and proven free, with its coefficients and the places its rows were at."""
 
     path: JointPath
     coefficients: Array
@@ -48,7 +50,7 @@ class Candidate:
 
 @dataclass(frozen=True, kw_only=True)
 class LocalSearch:
-    """Solves of one program between one start and goal, written down in `history`."""
+    """Solves of one program between one start and goal, written down in `history`, and the candidates in `accepted`."""
 
     program: PathProgram
     start: Array
@@ -57,38 +59,38 @@ class LocalSearch:
     clearance: float
     history: list[Step]
     ends: EndConditions = field(default_factory=EndConditions)
+    accepted: list[Candidate] = field(default_factory=list)
 
     def only_one(self) -> list[Candidate]:
-        """The only path of this degree, such as the straight line of degree 1; none when it is not free."""
+        """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
         solution = Solution(coefficients=self._straight(), slack=0.0, status="Solve_Succeeded")
-        candidate, _ = self.judged("straight", solution, ())
+        candidate, *_ = self.judged("straight", solution, ())
         self.history.clear()  # nothing was solved
         return [candidate] if candidate else []
 
     def unconstrained(self) -> list[Candidate]:
         """The optimum as if nothing were in the way, from the straight line; used when it is free."""
         solution = self.program.solve(self.start, self.goal, self._straight())
-        candidate, distances = self.judged("straight", solution, ())
+        candidate, distances, _ = self.judged("straight", solution, ())
         return [] if candidate is None else [self._watching(candidate, distances)]
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """From the fit to a free path, with rows that hold the path on that side of everything it comes near."""
-        s = self.program.objective.constant_speed(first, near.PLACES + 1)
+        s, coefficients = self._followed(first)
         even = np.linspace(0.0, 1.0, len(s))
         places: tuple[near.Place, ...] = ()
         if self.model is not None:
             places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
-        coefficients = self.ends.met(self.program.fit(first, s), self.start, self.goal)
         found: list[Candidate] = []
         for _ in range(ROUNDS):
-            path = self.program.path(self.start, self.goal, coefficients)
+            path = self.program.basis.path(self.start, self.goal, coefficients)
             watched = places
             if self.model is not None:
                 most = np.inf if found else self.clearance + near.FAR
                 watched = near.nearest(self.model, path, places, most=most)
             rows = self.rows(path, lambda at: first(np.interp(at, even, s)), watched)
             solution = self.program.solve(self.start, self.goal, coefficients, rows)
-            candidate, distances = self.judged("seed", solution, places)
+            candidate, distances, touched = self.judged("seed", solution, places)
             coefficients = solution.coefficients
             if candidate is not None:
                 found.append(candidate)
@@ -97,18 +99,61 @@ class LocalSearch:
             if candidate is not None and not places:
                 found[-1] = self._watching(candidate, distances)
                 break
-            places = self.more_places(places, distances, touching=candidate is None)
+            places = self.more_places(places, distances, touched, touching=candidate is None)
+        return found
+
+    def by_steps(self, first: JointPath) -> list[Candidate]:
+        """From the fit to a free path by steps that are short enough to stay free: for a basis that can follow that path.
+
+        Where low degrees have no free path nearby and have to jump, many pieces have too much freedom for it. After a free
+        step the next may go twice as far; after another one it starts again from the free path, half as far.
+        """
+        assert self.model is not None
+        s, coefficients = self._followed(first)
+        even, far = np.linspace(0.0, 1.0, len(s)), self.clearance + near.FAR
+        places = tuple(near.dips(near.distance_profile(self.model, first(s)), far))
+        reach = REACH
+        found: list[Candidate] = []
+        for _ in range(STEPS):
+            path = self.program.basis.path(self.start, self.goal, coefficients)
+            rows = self.rows(path, lambda at: first(np.interp(at, even, s)), near.nearest(self.model, path, places))
+            solution = self.program.solve(self.start, self.goal, coefficients, rows, reach=reach)
+            candidate, distances, touched = self.judged("steps", solution, places)
+            if candidate is None:
+                more = self.more_places(places, distances, touched, touching=True)
+                if found and reach == LEAST_REACH and len(more) == len(places):
+                    break
+                places, reach = more, max(reach / 2, LEAST_REACH)
+                coefficients = coefficients if found else solution.coefficients
+                continue
+            found.append(candidate)
+            small = len(found) > 1 and found[-2].cost.g - candidate.cost.g < SMALL_GAIN * candidate.cost.g
+            if small and reach >= REACH:
+                break
+            coefficients, reach = candidate.coefficients, 2 * reach
+            places = tuple(near.merged(places, near.dips(distances, far)))
         return found
 
     def unconstrained_g(self, path: JointPath) -> float:
         """g of the local optimum near a path with neither limits nor obstacles."""
-        one_piece = len(path.control) == 1  # which the fit gives back as it is
+        basis = self.program.basis
+        same_breaks = np.isin(path.breaks, basis.breaks).all()  # which the fit gives back as it is
         even = np.linspace(0.0, 1.0, near.PLACES + 1)
-        s = even if one_piece else self.program.objective.constant_speed(path, near.PLACES + 1)
-        guess = self.ends.met(self.program.fit(path, s), self.start, self.goal)
-        if self.program.free.size:
-            guess = self.program.unlimited(self.start, self.goal, guess).coefficients
-        return self.program.objective.cost(self.program.path(self.start, self.goal, guess)).g
+        s = even if same_breaks else self.program.objective.constant_speed(path, near.PLACES + 1)
+        guess = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
+        objective = self.program.objective
+        if not self.program.free.size:
+            return objective.cost(basis.path(self.start, self.goal, guess)).g
+        least = np.inf
+        for panels in POLISH_PANELS:
+            solution = self.program.polish(self.start, self.goal, guess, panels=panels, limited=False)
+            found = basis.path(self.start, self.goal, solution.coefficients)
+            g = objective.cost(found).g
+            if g < least:
+                least, guess = g, solution.coefficients
+            if objective.agree(found, g, panels, AGREEMENT):
+                break
+        return least
 
     def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
         """Clearance rows at the places of `path`, with planes of the path `safe` where it is not free."""
@@ -116,13 +161,15 @@ class LocalSearch:
             return []
         return near.rows_for(self.model, path, safe, places, self.clearance)
 
-    def more_places(self, places: tuple[near.Place, ...], distances: Array, *, touching: bool) -> tuple[near.Place, ...]:
-        """The places and those where the distance profile (m, k) [m] of a path dips below the clearance.
+    def more_places(
+        self, places: tuple[near.Place, ...], distances: Array, touched: tuple[near.Place, ...], *, touching: bool
+    ) -> tuple[near.Place, ...]:
+        """The places, where the path `touched` something, and where its distance profile (m, k) [m] dips below the clearance.
 
         Of a path that is `touching` something, though not where it was looked at, those where it is nearest to.
         """
         for spare in (0.0, near.SPARE) if touching else (0.0,):
-            deepest = near.dips(distances, self.clearance + spare)[:NEW_PLACES]
+            deepest = [*touched, *near.dips(distances, self.clearance + spare)][:NEW_PLACES]
             for apart in (near.APART, near.CLOSE) if touching else (near.APART,):
                 more = near.merged(places, near.around(deepest), apart)
                 if len(more) > len(places):
@@ -130,18 +177,26 @@ class LocalSearch:
         return places
 
     @interruptible()
-    def judged(self, name: str, solution: Solution, places: tuple[near.Place, ...]) -> tuple[Candidate | None, Array]:
-        """The candidate when the solution is inside the limits and free, and its distance profile (m, k) [m]."""
-        path = self.program.path(self.start, self.goal, solution.coefficients)
+    def judged(
+        self, name: str, solution: Solution, places: tuple[near.Place, ...]
+    ) -> tuple[Candidate | None, Array, tuple[near.Place, ...]]:
+        """The candidate when the solution is inside the limits and proven free, and its distance profile (m, k) [m].
+
+        Third the place where the proof failed, of a path that is free where the profile was taken.
+        """
+        path = self.program.basis.path(self.start, self.goal, solution.coefficients)
         cost = self.program.objective.cost(path)
         distances = np.full((near.PLACES + 1, 1), np.inf)
         if self.model is not None:
             distances = near.distance_profile(self.model, path(np.linspace(0.0, 1.0, near.PLACES + 1)))
         least = float(distances.min(initial=np.inf))
         self.history.append(Step(first=name, g=cost.g, clearance=least, solver=solution.status))
-        free = self.model is None or (least > self.clearance and self.model.path_is_free(path, CHECK_STEP, self.clearance))
-        if not (free and _inside_limits(self.program.kinematics.robot, path)):
-            return None, distances
+        if least <= self.clearance or not _inside_limits(self.program.kinematics.robot, path):
+            return None, distances, ()
+        if self.model is not None:
+            proof = path_clearance(self.model, path, clearance=self.clearance, tolerance=None)
+            if not proof.proven:
+                return None, distances, ((proof.at, proof.index),)
         converged = solution.status == "Solve_Succeeded"
         candidate = Candidate(
             path=path,
@@ -151,11 +206,18 @@ class LocalSearch:
             converged=converged,
             solver=solution.status,
         )
-        return candidate, distances
+        self.accepted.append(candidate)
+        return candidate, distances, ()
 
     def _straight(self) -> Array:
-        """Coefficients (n, k - 1) of the path nearest to the straight line that meets the end conditions."""
-        return self.ends.met(np.zeros((self.program.n, self.program.degree - 1)), self.start, self.goal)
+        """Coefficients (n, size) of the path nearest to the straight line that meets the end conditions."""
+        return self.ends.met(self.program.basis, np.zeros((self.program.n, self.program.basis.size)), self.start, self.goal)
+
+    def _followed(self, path: JointPath) -> tuple[Array, Array]:
+        """Places s (m,) at equal shares of a path's g, and the coefficients (n, size) of the fit to it there."""
+        s = self.program.objective.constant_speed(path, near.PLACES + 1)
+        basis = self.program.basis
+        return s, self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
 
     def _watching(self, candidate: Candidate, distances: Array) -> Candidate:
         """The candidate with places where it comes near something, though no row was needed to keep it away."""

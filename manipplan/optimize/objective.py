@@ -1,4 +1,4 @@
-"""The path objective g = ∫ ‖θ'‖ / μ^p ds of kth2012, measured on a fine rule, and the least index of a path."""
+"""The path objective g = ∫ ‖θ'‖ / μ^p ds of kth2012, measured until it no longer changes, and the least index of a path."""
 
 from dataclasses import dataclass
 
@@ -12,6 +12,12 @@ from manipplan.paths.joint import JointPath
 
 #: An index below this share of the path's largest counts as zero.
 SINGULAR = 1e-9
+#: Panels are halved until their halves agree with them to this share of g ...
+ACCURACY = 1e-10
+#: ... at most so often.
+HALVINGS = 25
+#: Gauss points of a panel.
+POINTS = 10
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,9 +51,16 @@ class PathObjective:
     power: float
     metric: Array | None = None
 
-    def cost(self, path: JointPath, *, panels: int = 40) -> PathCost:
+    def cost(self, path: JointPath) -> PathCost:
         """g and the least index of a path, as `path_cost`."""
-        return path_cost(path, self.kinematics, self.power, metric=self.metric, panels=panels)
+        return path_cost(path, self.kinematics, self.power, metric=self.metric)
+
+    def agree(self, path: JointPath, g: float, panels: int, share: float) -> bool:
+        """Whether `panels` panels of ten Gauss points give the path's g to a share."""
+        s, weights = path.quadrature(panels=panels, points=POINTS)
+        with np.errstate(divide="ignore"):
+            coarse = weights @ (speeds(path(s, 1), self.metric) / self.kinematics.manipulability(path(s)) ** self.power)
+        return bool(np.abs(coarse - g) <= share * g)
 
     def constant_speed(self, path: JointPath, count: int) -> Array:
         """Parameters s (count,) at which equal shares of g have been gained."""
@@ -69,28 +82,51 @@ def speeds(v: Array, metric: Array | None) -> Array:
 def path_cost(
     path: JointPath, kinematics: Kinematics, power: float, *, metric: ArrayLike | None = None, panels: int = 40
 ) -> PathCost:
-    """Measure g on a rule of at least ten Gauss points a panel, ten times finer than the solver's, and the least index.
+    """Measure g, on panels of ten Gauss points that are halved where that still changes it, and the least index.
 
     Args:
         path: the path.
         kinematics: whose measure counts.
         power: exponent of the measure.
         metric: W in ‖q'‖_W, weights (n,) or a matrix (n, n); None: the identity.
-        panels: of ten Gauss points each.
+        panels: to begin with.
 
     Raises:
         InvalidInputError: `metric` is no metric.
     """
     matrix = metric_matrix("metric", metric, path.n)
-    s, weights = path.quadrature(panels=panels)
-    speed = np.linalg.norm(path(s, 1), axis=1)
-    index = kinematics.manipulability(path(s))
     least, at, largest = _least_index(path, kinematics)
     # a singularity, which Gauss points can pass by, makes the integral diverge for p >= 1
     singular = power >= 1 and least <= SINGULAR * largest
-    with np.errstate(divide="ignore"):
-        g = np.inf if singular else float(weights @ (speeds(path(s, 1), matrix) / index**power))
-    return PathCost(g=g, length=float(weights @ speed), min_manipulability=least, at=at)
+    g = np.inf if singular else _adaptive(path, kinematics, power, matrix, panels)
+    return PathCost(g=g, length=path.length, min_manipulability=least, at=at)
+
+
+def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Array | None, panels: int) -> float:
+    """g to ACCURACY: a dip of the index can be a thousand times narrower than any even panel."""
+    nodes, weights = np.polynomial.legendre.leggauss(POINTS)
+
+    def gained(begin: Array, end: Array) -> Array:
+        half = (end - begin) / 2
+        s = np.clip((begin + half)[:, None] + half[:, None] * nodes, 0.0, 1.0)
+        with np.errstate(divide="ignore"):
+            h = speeds(path(s.ravel(), 1), metric) / kinematics.manipulability(path(s.ravel())) ** power
+        return np.asarray(half * (h.reshape(s.shape) @ weights))
+
+    counts = np.maximum(1, np.ceil(panels * np.diff(path.breaks)).astype(int))
+    edges = [np.linspace(a, b, k + 1) for a, b, k in zip(path.breaks[:-1], path.breaks[1:], counts, strict=True)]
+    begin, end = np.concatenate([each[:-1] for each in edges]), np.concatenate([each[1:] for each in edges])
+    whole, settled = gained(begin, end), 0.0
+    for _ in range(HALVINGS):
+        middle = (begin + end) / 2
+        left, right = gained(begin, middle), gained(middle, end)
+        open_ = np.abs(left + right - whole) > ACCURACY * (settled + whole.sum())
+        settled += float((left + right)[~open_].sum())
+        begin, end = np.concatenate([begin[open_], middle[open_]]), np.concatenate([middle[open_], end[open_]])
+        whole = np.concatenate([left[open_], right[open_]])
+        if not len(whole):
+            break
+    return settled + float(whole.sum())
 
 
 def _least_index(path: JointPath, kinematics: Kinematics) -> tuple[float, float, float]:
@@ -103,13 +139,14 @@ def _least_index(path: JointPath, kinematics: Kinematics) -> tuple[float, float,
     padded = np.concatenate([[np.inf], values, [np.inf]])
     dips = np.flatnonzero((values <= padded[:-2]) & (values <= padded[2:]))
     least, at = np.inf, 0.0
-    for k in dips[np.argsort(values[dips])[:5]]:
-        low, high = s[max(k - 1, 0)], s[min(k + 1, 2000)]
-        for _ in range(8):
-            grid = np.linspace(low, high, 41)
-            inside = kinematics.manipulability(path(grid))
-            j = int(inside.argmin())
-            if inside[j] < least:
-                least, at = float(inside[j]), float(grid[j])
-            low, high = grid[max(j - 1, 0)], grid[min(j + 1, 40)]
+    deepest = dips[np.argsort(values[dips])[:5]]
+    low, high = s[np.maximum(deepest - 1, 0)], s[np.minimum(deepest + 1, 2000)]
+    for _ in range(8):
+        grid = np.linspace(low, high, 41)  # a column a dip
+        inside = kinematics.manipulability(path(grid))
+        lowest, dip = inside.argmin(axis=0), np.arange(len(deepest))
+        column = int(inside[lowest, dip].argmin())
+        if inside[lowest[column], column] < least:
+            least, at = float(inside[lowest[column], column]), float(grid[lowest[column], column])
+        low, high = grid[np.maximum(lowest - 1, 0), dip], grid[np.minimum(lowest + 1, 40), dip]
     return least, at, float(values.max())

@@ -1,34 +1,46 @@
-"""optimize_path: the polynomial joint path of least g between two configurations, among obstacles."""
+"""optimize_path: the joint path of least g between two configurations, among obstacles."""
 
 from concurrent.futures import Executor
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, finite_array, instance, number, whole_number
-from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
+from manipplan.errors import FileFormatError, InvalidInputError, PlanningError, UnknownNameError
 from manipplan.interrupts import interruptible
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import MEASURES
 from manipplan.measures.task import Task
+from manipplan.optimize.basis import named_basis
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.homotopy import Crew, best_and_rivals, seed_classes, shifted_goals
 from manipplan.optimize.metric import metric_matrix
 from manipplan.optimize.result import PathResult, no_path
 from manipplan.optimize.solve import PathProblem
 from manipplan.paths.joint import JointPath
+from manipplan.paths.trajectory import Trajectory
 from manipplan.progress import Progress, teller
+from manipplan.robots.continuous import path_clearance
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.seeds.ompl import CHECK_STEP, check_apart
+from manipplan.status import Status
 
 #: A polynomial of a higher degree is no better, only slower.
 MOST_DEGREE = 20
 SHIFTS = ("none", "within-limits")
+#: How a recorded motion is read, by the end of the file's name.
+READERS = {
+    ".csv": Trajectory.from_csv,
+    ".json": Trajectory.from_json,
+    ".yaml": Trajectory.from_ros,
+    ".yml": Trajectory.from_ros,
+    ".npz": Trajectory.from_npz,
+}
 
 
-@interruptible()
 def optimize_path(
     robot: Robot,
     start: ArrayLike,
@@ -37,9 +49,11 @@ def optimize_path(
     power: float = 1,
     task: Task | None = None,
     scene: Scene | None = None,
-    initial: JointPath | None = None,
+    initial: JointPath | Trajectory | str | Path | None = None,
     shifts: str = "none",
     *,
+    basis: str = "legendre",
+    pieces: int = 1,
     measure: Measure | str | None = None,
     metric: ArrayLike | None = None,
     start_slope: ArrayLike | None = None,
@@ -51,26 +65,32 @@ def optimize_path(
     seeds: int = 1,
     time_limit: float = 10.0,
     executor: Executor | None = None,
+    compiled: bool | str = "auto",
     throw: bool = True,
     progress: Progress | None = None,
 ) -> PathResult:
     """Find a path of `degree` from start to goal of low g = ∫ ‖q'‖_W / m^power ds [kth2012, ch. 6].
 
     The energy ∫ ‖q'‖_W² / m^(2 power) ds is minimised by IPOPT with exact Hessians, from the straight line and from the
-    seed; over all curves it has the minima of g. From the best of these g itself is minimised, and reported on a finer
-    rule. Joint limits hold on the whole curve. With a scene, the path is free at every milliradian: either optimised, or
-    the seed.
+    seed; over all curves it has the minima of g. From the best of these g itself is minimised, and reported to ten
+    digits. Joint limits hold on the whole curve. With a scene, the path is free: an optimised one is proven to
+    be on the whole curve, the seed at least at every milliradian; its certificate tells.
 
     Args:
         robot: the arm.
         start, goal: (n,) inside the limits [rad or m].
-        degree: of the polynomial, 1 to 20; 1 is the straight line.
+        degree: of the polynomial, or of each of its pieces, 1 to 20; 1 in one piece is the straight line.
         power: exponent p of the index, above 0 and at most 100.
         task: whose index counts; default `robot.default_task`.
         scene: obstacles; None: no collision is checked, not even of the arm with itself.
-        initial: first path from start to goal; with a scene it must be free. Default: straight, or by `seed_path`.
+        initial: first path from start to goal: a JointPath, a Trajectory, or a file of one (.csv, .json, .yaml, .npz), such as
+            a recorded motion; with a scene it must be free. Default: straight, or by `seed_path`.
         shifts: "within-limits" tries goals 2π away in each revolute joint too, and returns the best; the goal's pose is
             the same. That is up to 3 to the power of n goals. Not together with `initial`.
+        basis: in which the path is sought. "legendre", "bernstein", "chebyshev" and "monomial" are one polynomial: the same
+            optimum, by different numbers (monomials only up to about degree 14). "bspline" joins `pieces`
+            with degree - 1 continuous derivatives, "composite" with one: for ways around many corners.
+        pieces: of equal width in s, 1 to 32; more than 1 only with "bspline" and "composite".
         measure: m, a name of `available_measures()` or a Measure that is at least zero and better when larger; default
             Yoshikawa's index.
         metric: W in ‖q'‖_W² = q'ᵀ W q', weights (n,) > 0 or a symmetric positive definite matrix (n, n); default identity.
@@ -83,23 +103,29 @@ def optimize_path(
             a scene the straight line, and paths by way of random configurations.
         time_limit: for the planner, each first path [s].
         executor: where first paths and solves run side by side; the result does not depend on it. Default: one by one here.
+        compiled: True: objective, clearance rows and index as machine code, made once for a robot, task, measure and metric
+            (some seconds) and kept in the user's cache folder. False: CasADi's virtual machine. "auto": machine code where
+            there is a compiler, but for measures whose Hessian it would work on for long (singular values, dynamic). The
+            path is the same to rounding, but where rounding decides between two local optima.
         throw: raise PlanningError when no free path was found, or the path's index vanishes somewhere (g is infinite);
             False: return the result, whose status or g says so.
         progress: called with the share done in [0, 1] and a text.
 
     Returns:
-        The path of least g; its `rivals` are what came of the other classes and goals.
+        The path of least g; its `rivals` are what came of the other classes and goals. After an interrupt (Ctrl-C) the best
+        checked path so far, with Status.INTERRUPTED; while first paths are looked for, or with an executor, KeyboardInterrupt.
 
     Raises:
         InvalidInputError: an argument is not usable.
+        CompilerError: `compiled` is True and there is no compiler, or it fails.
         PlanningError: with `throw`, no free seed was found, or every path found meets a singularity.
     """
     instance("robot", robot, Robot)
     if scene is not None:
         instance("scene", scene, Scene)
-    if initial is not None:
-        instance("initial", initial, JointPath)
+    recorded = None if initial is None else _initial_path(robot, initial)
     degree = whole_number("degree", degree, least=1, most=MOST_DEGREE)
+    named_basis(basis, degree, pieces)
     power = number("power", power, above=0.0, most=100.0)
     clearance = number("clearance", clearance, least=0.0)
     if shifts not in SHIFTS:
@@ -114,7 +140,7 @@ def optimize_path(
         instance("executor", executor, Executor)
     tell = teller(progress)
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
-    kinematics = robot.kinematics(task, measure=measure)
+    kinematics = robot.kinematics(task, measure=measure, compiled=compiled)
     check_task(kinematics)
     check_measure(kinematics)
     problem = PathProblem(
@@ -124,7 +150,9 @@ def optimize_path(
         measure=kinematics.measure,
         power=power,
         metric=metric_matrix("metric", metric, robot.n),
+        basis=basis,
         degree=degree,
+        pieces=int(pieces),
         clearance=clearance,
         time_limit=time_limit,
         ends=EndConditions(
@@ -133,6 +161,7 @@ def optimize_path(
             start_bend=_derivative("start_bend", start_bend, robot.n),
             goal_bend=_derivative("goal_bend", goal_bend, robot.n),
         ),
+        compiled=compiled,
     )
     goals = [q_goal] if shifts == "none" else shifted_goals(robot, q_start, q_goal)
     if scene is not None:
@@ -144,14 +173,15 @@ def optimize_path(
     for each in goals:
         check_apart(q_start, each)
     numbers = [seed if scene is not None else 0, *(seed + k for k in range(1, seeds))]  # without a scene 0 is the line
-    problem.ends.check_degree(degree)
+    problem.ends.check_degree(lambda k: named_basis(basis, k, pieces), degree)
     crew = Crew(problem=problem, executor=executor, tell=tell)
-    if initial is not None:
-        _check_initial(problem, initial, q_start, q_goal)
-        firsts = [initial]
+    if recorded is not None:
+        _check_initial(problem, recorded, q_start, q_goal)
+        firsts = [recorded]
     else:
         try:
-            firsts = seed_classes(crew, q_start, goals, numbers)
+            with interruptible():
+                firsts = seed_classes(crew, q_start, goals, numbers)
         except PlanningError as error:
             failed = no_path(problem.objective())
             if throw:
@@ -159,7 +189,7 @@ def optimize_path(
             return failed
     best = best_and_rivals(crew.solved(firsts))
     tell(1.0, "optimised")
-    if throw and not np.isfinite(best.g):
+    if throw and not np.isfinite(best.g) and best.status is not Status.INTERRUPTED:
         raise PlanningError(f"the index vanishes on the path at s = {best.min_at:.3f}, so g is infinite", best)
     return best
 
@@ -187,12 +217,49 @@ def _derivative(argument: str, value: ArrayLike | None, n: int) -> Array | None:
     return None if value is None else finite_array(argument, value, (n,))
 
 
+def _initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> JointPath:
+    """A first path in any form as a JointPath of this robot's joints."""
+    if isinstance(initial, JointPath):
+        path = initial
+    else:
+        motion = initial if isinstance(initial, Trajectory) else _recorded(initial)
+        if motion.joint_names != robot.joint_names:
+            wanted = f"a motion of the joints {', '.join(robot.joint_names)}"
+            raise InvalidInputError("initial", f"one of {', '.join(motion.joint_names)}", wanted)
+        path = motion.path()
+    if path.n != robot.n:
+        raise InvalidInputError("initial", f"a path of {path.n} joints", f"a path of the {robot.n} joints of {robot.name}")
+    return path
+
+
+def _recorded(file: str | Path) -> Trajectory:
+    if not isinstance(file, str | Path):
+        raise InvalidInputError("initial", file, "a JointPath, a Trajectory, or the path of its file")
+    read = READERS.get(Path(file).suffix.lower())
+    if read is None:
+        raise FileFormatError("initial", str(file), f"a file of a trajectory: {', '.join(READERS)}")
+    return read(file)
+
+
 def _check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: Array) -> None:
     robot, model = problem.robot, problem.model()
-    if initial.n != robot.n or np.abs(initial.start - start).max() > 1e-9 or np.abs(initial.goal - goal).max() > 1e-9:
-        raise InvalidInputError("initial", f"a path of {initial.n} joints", "a path from start to goal")
+    for name, q, end in (("start", start, initial.start), ("goal", goal, initial.goal)):
+        off = np.abs(end - q)
+        if off.max() > 1e-9:
+            got = f"a path whose {name} is {off.max():.3g} off at {robot.joint_names[int(off.argmax())]}"
+            raise InvalidInputError("initial", got, "a path from start to goal")
     low, high = initial.bounds()
     for q in (low, high):
         robot.configuration("initial", q, tolerance=1e-9)
-    if model is not None and not model.path_is_free(initial, CHECK_STEP, problem.clearance):
+    if model is None:
+        return
+    proof = path_clearance(model, initial, clearance=problem.clearance, tolerance=None)
+    if proof.refuted:
+        first, second = proof.pair
+        apart = f"{proof.upper:.4g} m apart" if proof.upper > 0 else f"overlapping by {-proof.upper:.4g} m"
+        wanted = f"free with a clearance of {problem.clearance:g} m"
+        raise InvalidInputError(
+            "initial", f"a path with {first} and {second} {apart} at s = {proof.at:.4f}", f"a path {wanted}"
+        )
+    if not (proof.proven or model.path_is_free(initial, CHECK_STEP, problem.clearance)):
         raise InvalidInputError("initial", "a path in collision", "a path that is free with the demanded clearance")

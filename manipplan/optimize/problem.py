@@ -1,7 +1,7 @@
-"""The nonlinear program: polynomial coefficients that minimise the energy, or g, within joint limits and clearance rows.
+"""The nonlinear program: coefficients in a basis that minimise the energy, or g, within joint limits and clearance rows.
 
-Unknowns: coefficients x (n, k - 1) of a path of degree k, and one slack e >= 0 [m] a clearance row. Everything that
-changes between solves - ends, rows - is a parameter, so a program is built once for an objective and a degree.
+Unknowns: coefficients x (n, size) of a path, and one slack e >= 0 [m] a clearance row. Everything that
+changes between solves - ends, rows - is a parameter, so a program is built once for an objective and a basis.
 """
 
 from collections.abc import Sequence
@@ -12,20 +12,24 @@ import casadi as ca
 import numpy as np
 
 from manipplan.checks import Array
+from manipplan.interrupts import interruptible
+from manipplan.kinematics.compile import as_asked
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.optimize import basis
+from manipplan.optimize.basis import Basis
 from manipplan.optimize.density import Density, energy_density, length_density
 from manipplan.optimize.ends import free_directions
 from manipplan.optimize.objective import PathObjective
 from manipplan.paths.joint import JointPath
 from manipplan.robots.description import axis_of, is_prismatic
 
-#: Gauss points of the energy.
-NODES = 40
-#: Panels of ten Gauss points each on which g is polished.
-POLISH_PANELS = 12
-#: The curve is cut into so many pieces, whose control points all obey the joint limits: so does the curve.
-LIMIT_PIECES = 6
+#: Gauss points of the energy on the whole path, and at least on each piece.
+NODES, PIECE_NODES = 40, 8
+#: Panels of ten Gauss points each on which g is polished: the next where these do not see how narrow a dip of the index is.
+POLISH_PANELS = (12, 48, 192)
+#: A rule sees all of a path when it agrees with g to this share.
+AGREEMENT = 1e-7
+#: The curve is cut into at least so many parts, whose control points all obey the joint limits: so does the curve.
+LIMIT_PARTS = 6
 #: Cost of a slack of one metre, in units of the first energy: a path that can be clear is.
 SLACK_COST = 1e3
 
@@ -54,7 +58,7 @@ class ClearanceRow:
 
 @dataclass(frozen=True, kw_only=True)
 class Solution:
-    """What one solve gave: coefficients (n, k - 1), the largest slack [m] and IPOPT's word."""
+    """What one solve gave: coefficients (n, size), the largest slack [m] and IPOPT's word."""
 
     coefficients: Array
     slack: float
@@ -63,73 +67,86 @@ class Solution:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Objective:
-    """A density and the rule (m,), (m,) by which it is integrated over s."""
+    """A density, the rule (m,), (m,) by which it is integrated over s, and how many steps IPOPT may take."""
 
     density: Density
     s: Array
     weights: Array
+    steps: int
 
 
 class PathProgram:
-    """The program for one objective, degree and pattern of fixed end derivatives; see the module's text."""
+    """The program for one objective, basis and pattern of fixed end derivatives; see the module's text."""
 
-    def __init__(self, objective: PathObjective, degree: int, fixed: tuple[tuple[float, int], ...] = ()) -> None:
+    def __init__(self, objective: PathObjective, basis: Basis, fixed: tuple[tuple[float, int], ...] = ()) -> None:
         self.objective = objective
         self.kinematics = kinematics = objective.kinematics
-        self.degree = degree
+        self.basis = basis
         self.n = kinematics.robot.n
-        self._solvers: dict[tuple[str, int], ca.Function] = {}
-        self._rows = _row_functions(kinematics)
-        matrix = basis.subdivision(degree, LIMIT_PIECES)
-        line = matrix @ np.linspace(0.0, 1.0, degree + 1)
-        rows = matrix @ basis.to_bernstein(degree)
-        #: coefficients (n, k - 1) move along these directions (k - 1, f), which keep the fixed end derivatives
-        self.free = free_directions(fixed, degree)
+        self._solvers: dict[tuple[int, int, bool], ca.Function] = {}
+        self._lengths: dict[int, _Objective] = {}
+        line, rows = basis.hull(LIMIT_PARTS)
+        #: coefficients (n, size) move along these directions (size, f), which keep the fixed end derivatives
+        self.free = free_directions(fixed, basis)
+        self._along = np.linalg.pinv(self.free).T
         moving = np.abs(rows @ self.free).max(axis=1, initial=0.0) > 1e-9
         self._limit_rows, self._limit_line = rows[moving], line[moving]
 
     @cached_property
-    def _energy(self) -> "_Objective":
-        s, weights = np.polynomial.legendre.leggauss(NODES)
-        return _Objective(density=energy_density(self.objective), s=(s + 1) / 2, weights=weights / 2)
+    def _rows(self) -> tuple[ca.Function, ...]:
+        return _row_functions(self.kinematics)
 
     @cached_property
-    def _length(self) -> "_Objective":
-        s, weights = JointPath.line([0.0], [1.0]).quadrature(panels=POLISH_PANELS)
-        return _Objective(density=length_density(self.objective), s=s, weights=weights)
+    def _energy(self) -> "_Objective":
+        s, weights = self.basis.gauss(max(-(-NODES // (len(self.basis.breaks) - 1)), PIECE_NODES))
+        return _Objective(density=energy_density(self.objective), s=s, weights=weights, steps=100)
 
-    def path(self, start: Array, goal: Array, coefficients: Array) -> JointPath:
-        """The path of given coefficients (n, k - 1)."""
-        control = basis.control_points(self.degree, start, goal, coefficients)
-        return JointPath(breaks=np.array([0.0, 1.0]), control=control[None])
+    @cached_property
+    def _length_density(self) -> Density:
+        return length_density(self.objective)
 
-    def fit(self, path: JointPath, s: Array) -> Array:
-        """Coefficients (n, k - 1) of the least-squares fit to `path` sampled at s (m,), taken as equally spaced."""
-        even = np.linspace(0.0, 1.0, len(s))
-        rest = path(s) - (path.start + even[:, None] * (path.goal - path.start))
-        return np.asarray(np.linalg.lstsq(basis.bubbles(self.degree, even), rest, rcond=None)[0].T)
+    def _length(self, panels: int) -> "_Objective":
+        if panels not in self._lengths:
+            line = JointPath(breaks=self.basis.breaks, control=self.basis.line[..., None])
+            s, weights = line.quadrature(panels=panels)
+            self._lengths[panels] = _Objective(density=self._length_density, s=s, weights=weights, steps=300)
+        return self._lengths[panels]
 
-    def solve(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
-        """Minimise the energy from a guess (n, k - 1), which has the fixed end derivatives.
+    def solve(
+        self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = (), *, reach: float = np.inf
+    ) -> Solution:
+        """Minimise the energy from a guess (n, size), which has the fixed end derivatives.
 
-        Rows that cannot hold come back with their slack.
+        Rows that cannot hold come back with their slack. No unknown moves further than `reach` from the guess: in a basis of
+        several pieces, by which each moves a joint's slope, in the mean square over s [rad or m].
         """
         size = self._integral(self._energy, start, goal, guess, 1.0)
-        return self._solve("energy", start, goal, guess, rows, size, 1.0)
+        return self._solve(0, start, goal, guess, rows, size, 1.0, reach=reach)
 
-    def polish(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
-        """Minimise g itself from a guess (n, k - 1), with so little of the energy that its minimum is one point."""
+    def polish(
+        self,
+        start: Array,
+        goal: Array,
+        guess: Array,
+        rows: Sequence[ClearanceRow] = (),
+        *,
+        panels: int = POLISH_PANELS[0],
+        limited: bool = True,
+    ) -> Solution:
+        """Minimise g itself from a guess (n, size), with so little of the energy that its minimum is one point.
+
+        Args:
+            start, goal, guess, rows: as in `solve`.
+            panels: of ten Gauss points each, on which g is integrated.
+            limited: False: as if there were no joint limits.
+        """
         size = np.sqrt(self._integral(self._energy, start, goal, guess, 1.0))
-        return self._solve("length", start, goal, guess, rows, size, size)
+        return self._solve(panels, start, goal, guess, rows, size, size, limited=limited)
 
-    def unlimited(self, start: Array, goal: Array, guess: Array) -> Solution:
-        """Minimise g from a guess (n, k - 1) as if there were neither joint limits nor obstacles."""
-        size = np.sqrt(self._integral(self._energy, start, goal, guess, 1.0))
-        return self._solve("length", start, goal, guess, (), size, size, limited=False)
-
+    @interruptible()
     def _solve(
         self,
-        kind: str,
+        panels: int,
         start: Array,
         goal: Array,
         guess: Array,
@@ -138,21 +155,24 @@ class PathProgram:
         g0: float,
         *,
         limited: bool = True,
+        reach: float = np.inf,
     ) -> Solution:
+        """Minimise g on so many panels, or the energy for 0."""
         capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
-        solver = self._solver(kind, capacity)
-        unknowns = guess @ self.free
+        limits = self.kinematics.robot.limits
+        limited = limited and bool(np.isfinite([limits.lower, limits.upper]).any())
+        solver = self._solver(panels, capacity, limited)
+        unknowns = guess @ self._along
         kept = guess - unknowns @ self.free.T
         numbers = [start, goal, [1 / size, g0], kept.ravel(order="F")]
         parameters = np.concatenate([*numbers, self._row_parameters(rows, capacity).ravel(order="F")])
-        limits = self.kinematics.robot.limits
-        bounds = (limits.lower, limits.upper) if limited else (np.full(self.n, -np.inf), np.full(self.n, np.inf))
-        joint_limits = [np.tile(each, len(self._limit_line)) for each in bounds]
+        count = len(self._limit_line) if limited else 0
+        joint_limits = [np.tile(each, count) for each in (limits.lower, limits.upper)]
         result = solver(
             x0=np.concatenate([unknowns.ravel(order="F"), np.zeros(capacity)]),
             p=parameters,
-            lbx=np.concatenate([np.full(unknowns.size, -np.inf), np.zeros(capacity)]),
-            ubx=np.inf,
+            lbx=np.concatenate([unknowns.ravel(order="F") - reach, np.zeros(capacity)]),
+            ubx=np.concatenate([unknowns.ravel(order="F") + reach, np.full(capacity, np.inf)]),
             lbg=np.concatenate([joint_limits[0], np.zeros(capacity)]),
             ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
         )
@@ -167,33 +187,35 @@ class PathProgram:
     def _integral(self, objective: "_Objective", start: Array, goal: Array, guess: Array, g0: float) -> float:
         """The objective at a guess; 1 where it is not a number above zero."""
         s = objective.s
-        q = start[:, None] + np.outer(goal - start, s) + guess @ basis.bubbles(self.degree, s).T
-        v = (goal - start)[:, None] + guess @ basis.bubble_slopes(self.degree, s).T
-        value = float(np.asarray(objective.density.value(q, v, np.full((1, len(s)), g0))).ravel() @ objective.weights)
+        q = start[:, None] + np.outer(goal - start, s) + guess @ self.basis.values(s).T
+        v = (goal - start)[:, None] + guess @ self.basis.values(s, 1).T
+        value = float(
+            np.asarray(objective.density.value(q, v, np.array([[g0], [self.objective.power]]))).ravel() @ objective.weights
+        )
         return value if np.isfinite(value) and value > 0 else 1.0
 
     def _row_parameters(self, rows: Sequence[ClearanceRow], capacity: int) -> Array:
         """One column a row; unused columns hold a row that is always met."""
         joints = self.n + 1
-        bubbles = self.degree - 1
+        bubbles = self.basis.size
         table = np.zeros((bubbles + 1 + 2 * joints + 8, capacity))
         table[bubbles + 1, :] = table[bubbles + 1 + joints, :] = 1.0
         table[-2, :] = -1.0  # offset -1 m and no normal: 0 >= -1
         for k, row in enumerate(rows):
             carrier, other = np.eye(joints)[row.joint], np.eye(joints)[row.other]
-            place = [*basis.bubbles(self.degree, np.array([row.s]))[0], row.s]
+            place = [*self.basis.values(np.array([row.s]))[0], row.s]
             table[:, k] = [*place, *carrier, *other, *row.point, *row.normal, row.offset, row.distance]
         return table
 
-    def _solver(self, kind: str, capacity: int) -> ca.Function:
-        key = (kind, capacity)
+    def _solver(self, panels: int, capacity: int, limited: bool) -> ca.Function:
+        key = (panels, capacity, limited)
         if key not in self._solvers:
-            self._solvers[key] = self._build(self._energy if kind == "energy" else self._length, capacity)
+            self._solvers[key] = self._build(self._length(panels) if panels else self._energy, capacity, limited)
         return self._solvers[key]
 
-    def _build(self, objective: "_Objective", capacity: int) -> ca.Function:
+    def _build(self, objective: "_Objective", capacity: int, limited: bool) -> ca.Function:
         """IPOPT on the program with `capacity` clearance rows, with exact first and second derivatives."""
-        n, bubbles = self.n, self.degree - 1
+        n, bubbles = self.n, self.basis.size
         free = ca.sparsify(ca.DM(self.free))
         size = n * self.free.shape[1]
         z = ca.MX.sym("z", size + capacity)
@@ -205,14 +227,14 @@ class PathProgram:
         x = ca.reshape(p[2 * n + 2 : fixed], n, bubbles) + ca.reshape(z[:size], n, self.free.shape[1]) @ free.T
         table = ca.reshape(p[fixed:], width, capacity)
         nodes = len(objective.s)
-        values, slopes = basis.bubbles(self.degree, objective.s), basis.bubble_slopes(self.degree, objective.s)
+        values, slopes = self.basis.values(objective.s), self.basis.values(objective.s, 1)
 
         # the objective: e(q_i, v_i) at the nodes, q = line + x φ, v = line' + x φ'
         q = start @ ca.DM.ones(1, nodes) + (goal - start) @ ca.DM(objective.s).T + x @ ca.DM(values).T
         v = (goal - start) @ ca.DM.ones(1, nodes) + x @ ca.DM(slopes).T
-        sizes = ca.repmat(g0, 1, nodes)
+        numbers = ca.repmat(ca.vertcat(g0, self.objective.power), 1, nodes)
         density = objective.density
-        value, gradient, hessian = (f.map(nodes)(q, v, sizes) for f in (density.value, density.gradient, density.hessian))
+        value, gradient, hessian = (f.map(nodes)(q, v, numbers) for f in (density.value, density.gradient, density.hessian))
         weights = scale * ca.DM(objective.weights).T
         f = ca.dot(value, weights) + SLACK_COST * ca.sum1(slack)
         weighed = gradient * ca.repmat(weights, 2 * n, 1)
@@ -227,10 +249,11 @@ class PathProgram:
         hess_x = stacked.T @ blocks @ stacked
 
         # joint limits: control points of the pieces, linear in x
-        rows = len(self._limit_line)
-        points = start @ ca.DM.ones(1, rows) + (goal - start) @ ca.DM(self._limit_line).T + x @ ca.DM(self._limit_rows).T
+        rows = len(self._limit_line) if limited else 0
+        line, matrix = self._limit_line[:rows], self._limit_rows[:rows]
+        points = start @ ca.DM.ones(1, rows) + (goal - start) @ ca.DM(line).T + x @ ca.DM(matrix).T
         limits = ca.vec(points)
-        jac_limits = ca.kron(ca.sparsify(ca.DM(self._limit_rows @ self.free)), ca.DM.eye(n))
+        jac_limits = ca.kron(ca.sparsify(ca.DM(matrix @ self.free)), ca.DM.eye(n))
 
         # clearance: one row function of q a column of the table
         g = limits
@@ -258,21 +281,26 @@ class PathProgram:
             "hess_lag": ca.Function("hess_lag", [z, p, lam_f, lam], [ca.triu(full)]),
             "print_time": False,
             "error_on_fail": False,
+            "calc_lam_p": False,
+            "no_nlp_grad": True,
             "ipopt": {
                 "print_level": 0,
                 "sb": "yes",
-                "max_iter": 100,
+                "max_iter": objective.steps,
                 "tol": 1e-9,
                 "constr_viol_tol": 1e-9,
                 "bound_relax_factor": 0.0,
                 "acceptable_iter": 0,
+                # most of a small solve is the search for an order and a scaling that this matrix does not need
+                "mumps_permuting_scaling": 0,
+                "mumps_scaling": 0,
             },
         }
         return ca.nlpsol("path", "ipopt", {"x": z, "p": p, "f": f, "g": g}, options)
 
 
-def _row_functions(kinematics: Kinematics) -> tuple[ca.Function, ca.Function, ca.Function]:
-    """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q, a Function each.
+def _row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
+    """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q, a Function each, compiled as asked.
 
     The second argument is a column of the row table: which joint carries the point, which the plane (one-hot), point,
     normal, offset, distance to keep. Only joints between the two move the point against the plane: sign σ_i is 1 where
@@ -309,8 +337,9 @@ def _row_functions(kinematics: Kinematics) -> tuple[ca.Function, ca.Function, ca
             )
             hessian[i, j] = hessian[j, i] = bend
     column = ca.vertcat(carrier, other, point, normal, offset, keep)
-    return (
-        ca.Function("row", [q, column], [distance]),
-        ca.Function("row_gradient", [q, column], [ca.densify(gradient)]),
-        ca.Function("row_hessian", [q, column], [ca.densify(hessian)]),
-    )
+    functions = [
+        ca.Function("path_row", [q, column], [distance]),
+        ca.Function("path_row_gradient", [q, column], [ca.densify(gradient)]),
+        ca.Function("path_row_hessian", [q, column], [ca.densify(hessian)]),
+    ]
+    return as_asked(functions, kinematics.compiled, f"clearance rows of paths of {kinematics.robot.name}")

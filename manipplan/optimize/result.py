@@ -22,7 +22,7 @@ class PathResult:
 
     Attributes:
         path: the JointPath; the seed when `status` says so, None when there is none (NO_PATH, with throw=False).
-        g: ∫ ‖q'‖_W / m^power ds on a fine rule: (6.6) in kth2012 with its exponent as a parameter.
+        g: ∫ ‖q'‖_W / m^power ds to ten digits: (6.6) in kth2012 with its exponent as a parameter.
         length: of the path in joint space [rad].
         min_manipulability: least index on a dense grid [measure.unit(task)], and `min_at`, the s where it is.
         power, task: the objective's exponent and the task whose index it holds.

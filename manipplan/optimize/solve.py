@@ -6,8 +6,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from manipplan.checks import Array
+from manipplan.interrupts import interruptible
 from manipplan.measures.measure import Measure
 from manipplan.measures.task import Task
+from manipplan.optimize.basis import named_basis
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.local import LocalSearch, Step
 from manipplan.optimize.objective import PathObjective
@@ -30,10 +32,11 @@ class PathProblem:
     Attributes:
         robot, scene: the arm and its obstacles; None: nothing is checked for collision.
         task, measure, power, metric: of the objective.
-        degree: of the polynomial.
+        basis, degree, pieces: a name of BASES, the degree of its pieces, and how many there are.
         clearance: to keep [m].
         time_limit: of the planner [s].
         ends: fixed derivatives at start and goal.
+        compiled: as in `Robot.kinematics`.
     """
 
     robot: Robot
@@ -42,14 +45,17 @@ class PathProblem:
     measure: Measure
     power: float
     metric: Array | None
+    basis: str
     degree: int
+    pieces: int
     clearance: float
     time_limit: float
     ends: EndConditions = field(default_factory=EndConditions)
+    compiled: bool | str = "auto"
 
     def objective(self) -> PathObjective:
         """The objective for this process' robot."""
-        kinematics = self.robot.kinematics(self.task, measure=self.measure)
+        kinematics = self.robot.kinematics(self.task, measure=self.measure, compiled=self.compiled)
         return PathObjective(kinematics=kinematics, power=self.power, metric=self.metric)
 
     def model(self) -> CollisionModel | None:
@@ -59,22 +65,29 @@ class PathProblem:
 
 def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *, straight: bool = True) -> PathResult:
     """The best path near `first`, which is free and inside the limits, and with `straight` near the straight line."""
-    objective, model, degree, clearance = problem.objective(), problem.model(), problem.degree, problem.clearance
+    objective, model, clearance = problem.objective(), problem.model(), problem.clearance
     first_cost = objective.cost(first)
     history: list[Step] = []
-    program = _program(objective, degree, problem.ends.pattern)
+    program = _program(problem, objective)
     search = LocalSearch(
         program=program, start=start, goal=goal, model=model, clearance=clearance, history=history, ends=problem.ends
     )
     is_line = len(first.control) == 1 and first.degree == 1
     is_free = bool(program.free.size)
-    found = search.only_one() if not is_free else search.unconstrained() if straight or is_line else []
-    if is_free and not (found and is_line):  # from a straight seed the same solve would come again
-        found += search.from_safe_path(first)
-    safe = model is None or bool(found)
-    best = min(found, key=lambda candidate: candidate.cost.g, default=None)
-    if best is not None and is_free:
-        best = polished(search, best)
+    interrupted = False
+    try:
+        with interruptible():
+            found = search.only_one() if not is_free else search.unconstrained() if straight or is_line else []
+            if is_free and not (found and is_line):  # from a straight seed the same solve would come again
+                by_steps = model is not None and len(program.basis.breaks) > 2
+                found += search.by_steps(first) if by_steps else search.from_safe_path(first)
+            best = min(found, key=lambda candidate: candidate.cost.g, default=None)
+            if best is not None and is_free:
+                best = polished(search, best)
+    except KeyboardInterrupt:
+        interrupted = True
+        best = min(search.accepted, key=lambda candidate: candidate.cost.g, default=None)
+    safe = model is None or best is not None
     fallback = problem.ends.met_by(first)
     if best is not None and (best.cost.g <= first_cost.g or not fallback):
         path, cost = best.path, best.cost
@@ -85,9 +98,11 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
         status = status if fallback else Status.ENDS_NOT_MET
     if not np.isfinite(cost.g) and status is not Status.ENDS_NOT_MET:
         status = Status.SINGULAR
+    if interrupted:
+        status = Status.INTERRUPTED
     log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
     solver = best.solver if best is not None and path is best.path and is_free else ""
-    unconstrained = search.unconstrained_g(path) if np.isfinite(cost.g) else np.nan
+    unconstrained = search.unconstrained_g(path) if np.isfinite(cost.g) and not interrupted else np.nan
     return measured(
         path,
         objective,
@@ -100,12 +115,13 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
     )
 
 
-def _program(objective: PathObjective, degree: int, fixed: tuple[tuple[float, int], ...]) -> PathProgram:
-    kinematics = objective.kinematics
+def _program(problem: PathProblem, objective: PathObjective) -> PathProgram:
+    kinematics, fixed = objective.kinematics, problem.ends.pattern
+    basis = (problem.basis, problem.degree, problem.pieces)
     metric = None if objective.metric is None else objective.metric.tobytes()
-    key = ("path program", kinematics.task, kinematics.measure, objective.power, metric, degree, fixed)
+    key = ("path program", kinematics.task, kinematics.measure, kinematics.compiled, objective.power, metric, basis, fixed)
     cache = kinematics.robot.cache
     if key not in cache:
-        cache[key] = PathProgram(objective, degree, fixed)
+        cache[key] = PathProgram(objective, named_basis(*basis), fixed)
     program: PathProgram = cache[key]
     return program

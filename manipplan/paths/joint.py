@@ -4,15 +4,18 @@ from dataclasses import dataclass
 from math import comb
 
 import numpy as np
+from numpy.polynomial import chebyshev, legendre
 from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, finite_array, number_array, whole_number
-from manipplan.errors import InvalidInputError
+from manipplan.errors import InvalidInputError, UnknownNameError
 
 #: Shorter paths [rad or m] than this are no motion.
 SHORTEST = 1e-6
 #: A closed path ends within this of full turns [rad or m].
 TURNED = 1e-9
+#: Bases in which the coefficients of a polynomial path can be had.
+SERIES = ("monomial", "bernstein", "legendre", "chebyshev")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -115,6 +118,29 @@ class JointPath:
             control = np.diff(control, axis=1) * ((control.shape[1] - 1) / width[:, None, None])
         u = (s - self.breaks[piece]) / width[piece]
         return np.asarray(np.einsum("...k,...kn->...n", bernstein(control.shape[1] - 1, u), control[piece]))
+
+    def coefficients(self, basis: str = "monomial") -> Array:
+        """The coefficients (n, k + 1) of a path of one piece, c in q_i(s) = Σ_j c_ij f_j(s).
+
+        Args:
+            basis: "monomial": f_j = s^j, the a_ij of (6.14) and Table 6.3 in kth2012; "bernstein": the control points;
+                "legendre" and "chebyshev": P_j(2s - 1) and T_j(2s - 1), as NumPy's classes with domain=[0, 1].
+
+        Raises:
+            UnknownNameError: no such basis.
+            InvalidInputError: the path has several pieces.
+        """
+        if basis not in SERIES:
+            raise UnknownNameError("basis", str(basis), SERIES)
+        if len(self.control) > 1:
+            raise InvalidInputError("coefficients", f"a path of {len(self.control)} pieces", "a path of one piece")
+        if basis == "bernstein":
+            return np.array(self.control[0].T)
+        if basis == "monomial":
+            return np.array([_power_basis(joint) for joint in self.control[0].T])
+        vandermonde = legendre.legvander if basis == "legendre" else chebyshev.chebvander
+        x = -np.cos(np.linspace(0.0, np.pi, self.degree + 1))
+        return np.asarray(np.linalg.solve(vandermonde(x, self.degree), self((x + 1) / 2)).T)
 
     @property
     def length(self) -> float:

@@ -16,6 +16,7 @@ from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.collision import CollisionModel
+from manipplan.robots.continuous import path_clearance
 from manipplan.seeds.ompl import CHECK_STEP
 from manipplan.status import Status
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
@@ -43,6 +44,7 @@ class Report:
         index_note: how the least index compares with those, and why when it is less than twice as large.
         clearance, nearest_pair: least distance [m] measured at evenly spaced times, and between what; inf and () when
             nothing is checked.
+        proven_clearance: no checked pair comes nearer on the whole trajectory, between those times too [m].
         collision_free: whether the trajectory is free at every milliradian.
         limits: worst use of position, velocity, acceleration and, where the motion is limited by them, jerk and torque.
         goal_error: largest distance of the last sample from the goal [rad or m].
@@ -68,6 +70,7 @@ class Report:
     index_note: str
     clearance: float
     nearest_pair: tuple[str, ...]
+    proven_clearance: float
     collision_free: bool
     limits: Mapping[str, LimitUse]
     goal_error: float
@@ -130,6 +133,7 @@ class Report:
             index_note=_index_note(cost, result, straight),
             clearance=least,
             nearest_pair=pair,
+            proven_clearance=path_clearance(model, path).lower,
             collision_free=free,
             limits=use,
             goal_error=goal_error,
@@ -148,7 +152,10 @@ class Report:
             f"  length       {self.length:.4g} rad (seed {self.seed_length:.4g})",
         ]
         if self.nearest_pair:
-            lines.append(f"  clearance    {1e3 * self.clearance:.1f} mm between {' and '.join(self.nearest_pair)}")
+            lines.append(
+                f"  clearance    {1e3 * self.clearance:.1f} mm between {' and '.join(self.nearest_pair)}; "
+                f"proven on the whole motion: {1e3 * self.proven_clearance:.1f} mm"
+            )
         else:
             lines.append(
                 "  clearance    nothing to check: no two bodies of the description can touch, and there is no obstacle"

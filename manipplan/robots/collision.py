@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import coal
 import numpy as np
@@ -71,6 +72,7 @@ class CollisionModel:
         self._geometry_data = pin.GeometryData(geometry)
         self._margin = 0.0
         self._cores: dict[int, tuple[Array, float]] = {}
+        self.cache: dict[str, Any] = {}  # what is derived from the geometry and built once, such as the reach of its bodies
 
     @classmethod
     def of(cls, robot: Robot, scene: Scene) -> "CollisionModel":
@@ -118,6 +120,11 @@ class CollisionModel:
         """Signed distance [m] of every pair at q (n,), (k,)."""
         pin.computeDistances(self.robot.model, self._data, self.geometry, self._geometry_data, q)
         return np.array([result.min_distance for result in self._geometry_data.distanceResults])
+
+    def pair_distances(self, q: Array, pairs: Iterable[int]) -> list[float]:
+        """Signed distance [m] of the pairs with these indices at q (n,)."""
+        pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
+        return [pin.computeDistance(self.geometry, self._geometry_data, pair).min_distance for pair in pairs]
 
     def distance_gradient(self, q: Array, pair: int) -> Array:
         """How fast the distance of a pair grows with each joint at q (n,), (n,) [m per rad or m]."""

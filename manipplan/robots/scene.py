@@ -17,7 +17,9 @@ from manipplan.errors import FileFormatError, InvalidInputError, UnknownNameErro
 from manipplan.files import write_text
 
 if TYPE_CHECKING:
+    from manipplan.paths.joint import JointPath
     from manipplan.robots.collision import CollisionModel
+    from manipplan.robots.continuous import PathClearance
     from manipplan.robots.robot import Robot
 
 
@@ -234,6 +236,23 @@ class Scene:
         batch = configurations("q", q, robot.n)
         rows = [model.distances(each) for each in batch.reshape(-1, robot.n)]
         return np.array(rows).reshape((*batch.shape[:-1], len(model.pair_names)))
+
+    def path_clearance(
+        self, robot: "Robot", path: "JointPath", *, clearance: float = 0.0, tolerance: float | None = 1e-3
+    ) -> "PathClearance":
+        """Proven bounds [m] of how near the robot comes to an obstacle or to itself on the whole path, between samples too.
+
+        Args:
+            robot: the arm.
+            path: a JointPath of its joints; of a Trajectory `trajectory.path()`.
+            clearance: the demanded one, which `proven` of the result refers to [m].
+            tolerance: how tight the bounds are made [m], 1e-4 or more; None: no tighter than it takes to decide on `clearance`.
+
+        Raises InvalidInputError when an argument is not usable.
+        """
+        from manipplan.robots.continuous import path_clearance
+
+        return path_clearance(self.collision_model(robot), path, clearance=clearance, tolerance=tolerance)
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_models": {}}  # a model holds pointers into Pinocchio

@@ -1,31 +1,50 @@
-"""Seed paths among obstacles by OMPL: found, simplified, rounded, and checked again at 1 mrad.
+"""Seed paths among obstacles by OMPL: found, simplified, rounded, and proven to be free.
 
-OMPL is used for feasibility: its own check of a motion is coarse, so what it returns is only believed after
-`CollisionModel` has seen it at every milliradian.
+OMPL is used for feasibility: its own check of a motion is coarse, so what it returns is only believed after the whole curve
+was proven free, or, where it comes too near to something for that, checked at every milliradian.
 """
 
 import logging
 import threading
 import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, instance, number, whole_number
 from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.task import Task
+from manipplan.optimize.objective import path_cost
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.smooth import rounded
 from manipplan.robots.collision import CollisionModel
+from manipplan.robots.continuous import path_clearance
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
+from manipplan.seeds.aspect import Aspect
+from manipplan.seeds.objective import index_objective
 
 log = logging.getLogger("manipplan")
 
-PLANNERS = ("RRTConnect", "RRTstar", "BITstar", "InformedRRTstar", "PRM", "KPIECE1")
+#: They stop at the first path they find. PRM and PRM* are not among them: they look for paths in a thread of their own, which
+#: waits for Python's lock while the search waits for it; and no two runs would be alike.
+FEASIBLE = ("RRTConnect", "RRT", "KPIECE1", "BKPIECE1", "LBKPIECE1")
+#: They go on to lower the cost until `checks` or `time_limit` is used up.
+OPTIMISING = ("RRTstar", "InformedRRTstar", "SORRTstar", "BITstar")
+PLANNERS = FEASIBLE + OPTIMISING
+OBJECTIVES = ("length", "index")
+#: Simplifying and rounding a found path may take this much longer than the time limit [s].
+GRACE = 0.3
 #: No joint moves more than this between two checks of a finished path [rad or m].
 CHECK_STEP = 1e-3
-#: OMPL's own motion checks, tried in turn until the fine check agrees [rad or m].
-MOTION_STEPS = (0.02, 0.008, 0.003)
+#: With an end nearer to something than this beyond the clearance [m] no proof is tried: its own tolerances take as much.
+PROVABLE = 1e-4
+#: OMPL's own motion checks and what they ask for beyond the clearance, tried in turn until a path is proven [rad or m, m].
+MOTION_STEPS = ((0.02, 0.0), (0.008, 0.002), (0.003, 0.005))
 #: OMPL's random numbers come from one seed a process, so that searches of several threads would not repeat.
 _ONE_AT_A_TIME = threading.Lock()
 
@@ -38,6 +57,11 @@ def seed_path(
     planner: str = "RRTConnect",
     seed: int = 0,
     *,
+    objective: str = "length",
+    task: Task | None = None,
+    power: float = 1.0,
+    same_aspect: bool = False,
+    checks: int = 50_000,
     clearance: float = 0.0,
     time_limit: float = 10.0,
 ) -> JointPath:
@@ -48,20 +72,36 @@ def seed_path(
         start, goal: (n,) [rad or m].
         scene: obstacles; None: the arm is only checked against itself.
         planner: one of PLANNERS.
-        seed: the same seed gives the same path, as long as `time_limit` is not what ends the search.
+        seed: the same seed gives the same path, also in another process and on a slower machine, as long as `time_limit` is not
+            what ends the search.
+        objective: what the optimising planners (RRTstar, InformedRRTstar, SORRTstar, BITstar) lower: "length", or "index":
+            g = ∫ ‖q'‖ / m^power ds, as `optimize_path` does. With "index" the straight line is returned only when none found
+            has a lower g, and the path is only made simpler where that lowers g.
+        task, power: whose index counts and its exponent, with objective "index"; default `robot.default_task`.
+        same_aspect: only a path on which det J keeps its sign, so that it crosses no singularity of `task`. For arms with as
+            many joints as the task has rows, between configurations of one sign.
+        checks: the optimising planners end their search after so many checked configurations, of about 60 µs each.
         clearance: distance [m] to keep from every obstacle and between the arm's own links.
-        time_limit: for the search [s].
+        time_limit: for all of it [s].
 
     Returns:
-        A JointPath that is free at every milliradian.
+        A JointPath that is proven free on the whole curve; where none was found that can be, such as from a start that nearly
+        touches something, one that is free at every milliradian. `scene.path_clearance` tells.
 
     Raises:
-        InvalidInputError: start or goal of wrong length, outside the limits, or in collision.
-        PlanningError: no free path was found in time.
+        InvalidInputError: start or goal of wrong length, outside the limits, or in collision; objective "index" with a planner
+            that does not optimise; `same_aspect` where start and goal have none in common.
+        PlanningError: no free path was found in time, or with so many checks.
     """
     if planner not in PLANNERS:
         raise UnknownNameError("planner", str(planner), PLANNERS)
+    if objective not in OBJECTIVES:
+        raise UnknownNameError("objective", str(objective), OBJECTIVES)
+    if objective == "index" and planner not in OPTIMISING:
+        raise InvalidInputError("planner", planner, f"one that optimises, with objective 'index': {', '.join(OPTIMISING)}")
+    power = number("power", power, above=0.0, most=100.0)
     seed = whole_number("seed", seed, least=0)
+    checks = whole_number("checks", checks, least=1)
     clearance = number("clearance", clearance, least=0.0)
     time_limit = number("time_limit", time_limit, above=0.0)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
@@ -69,24 +109,87 @@ def seed_path(
     q_start = model.free_configuration("start", start, clearance)
     q_goal = model.free_configuration("goal", goal, clearance)
     check_apart(q_start, q_goal)
+    kinematics = robot.kinematics(task)
+    aspect = Aspect.shared(kinematics, q_start, q_goal) if same_aspect else None
+    if same_aspect and aspect is None:
+        wanted = f"False: det J of the task {kinematics.task.name} has no sign, or not the same one at start and goal"
+        raise InvalidInputError("same_aspect", True, wanted)
+    search = _Search(
+        model=model,
+        start=q_start,
+        goal=q_goal,
+        planner=planner,
+        seed=seed,
+        clearance=clearance,
+        kinematics=kinematics if objective == "index" else None,
+        power=power,
+        aspect=aspect,
+        checks=checks if planner in OPTIMISING else None,
+        deadline=time.monotonic() + time_limit,
+    )
     line = JointPath.line(q_start, q_goal)
-    if model.path_is_free(line, CHECK_STEP, clearance):
+    free = _acceptance(model, (q_start, q_goal), clearance)
+    accept = free if aspect is None else lambda path: aspect.holds(path) and free(path)
+    line_is_free = accept(line)
+    if line_is_free and objective == "length":
         return line
-    began = time.monotonic()
-    for step in MOTION_STEPS:
-        left = time_limit - (time.monotonic() - began)
-        waypoints = _search(model, q_start, q_goal, planner, seed, clearance, left, step) if left > 0 else None
+    cost = search.cost
+    checked = None
+    spare = 0.9 * (min(model.distances(q).min(initial=np.inf) for q in (q_start, q_goal)) - clearance)
+    for step, margin in MOTION_STEPS:
+        waypoints = search.run(step, min(margin, spare))
         if waypoints is None:
             break
-        waypoints = _shortened(model, waypoints, clearance)
+        found = _finished(waypoints, search.in_time(accept), accept, cost)
+        if found is not None:
+            return line if line_is_free and cost(line) <= cost(found) else found
         sharp = JointPath.through(waypoints)
-        if model.path_is_free(sharp, CHECK_STEP, clearance):
-            smooth = rounded(waypoints, lambda path: model.path_is_free(path, CHECK_STEP, clearance))
-            return smooth if model.path_is_free(smooth, CHECK_STEP, clearance) else sharp
-        log.info("the simplified path touches something between OMPL's checks %g rad apart; checking finer", step)
+        if checked is None and _is_free(model, sharp, clearance) and (aspect is None or aspect.holds(sharp)):
+            checked = sharp
+        log.info("the path is not proven free with OMPL's checks %g rad apart; checking finer", step)
+    if line_is_free:
+        return line
+    if checked is not None:
+        log.info("no path was proven free in time: this one is free at every milliradian")
+        return checked
+    spent, remedy = f"in {time_limit:g} s", "allow more time (time_limit)"
+    if time.monotonic() < search.deadline and search.checks is not None:
+        spent, remedy = f"with {checks} checks", "allow more of them (checks)"
     raise PlanningError(
-        f"no path from start to goal was found by {planner} in {time_limit:g} s; "
-        "allow more time (time_limit), less clearance, or check that the goal can be reached"
+        f"no path from start to goal was found by {planner} {spent}; "
+        f"{remedy}, less clearance, or check that the goal can be reached"
+    )
+
+
+def _finished(
+    waypoints: Array,
+    accept: Callable[[JointPath], bool],
+    proven: Callable[[JointPath], bool],
+    cost: Callable[[JointPath], float],
+) -> JointPath | None:
+    """The path through waypoints, made simpler and rounded where that is accepted and costs no more; None when not `proven`."""
+    simple = _shortened(waypoints, accept, cost)
+    sharp = JointPath.through(simple)
+    if not proven(sharp):
+        return None
+    smooth = rounded(simple, accept)
+    return smooth if accept(smooth) and cost(smooth) <= cost(sharp) else sharp
+
+
+def _acceptance(model: CollisionModel, ends: tuple[Array, Array], clearance: float) -> Callable[[JointPath], bool]:
+    """What a seed has to be: proven free; free at every milliradian where an end is so near to something that none can be."""
+    for q in ends:
+        if model.distances(q).min(initial=np.inf) <= clearance + PROVABLE:
+            log.info("start or goal is too near to something for a proof: the seed is checked at every milliradian")
+            return lambda path: _is_free(model, path, clearance)
+    return lambda path: path_clearance(model, path, clearance=clearance, tolerance=None).proven
+
+
+def _is_free(model: CollisionModel, path: JointPath, clearance: float) -> bool:
+    """Whether the path is free at every milliradian, and was not met touching something in between."""
+    return (
+        model.path_is_free(path, CHECK_STEP, clearance)
+        and not path_clearance(model, path, clearance=clearance, tolerance=None).refuted
     )
 
 
@@ -96,52 +199,101 @@ def check_apart(start: Array, goal: Array) -> None:
         raise InvalidInputError("goal", goal.tolist(), f"a configuration that differs from start by {SHORTEST:g} or more")
 
 
-def _search(
-    model: CollisionModel, start: Array, goal: Array, planner: str, seed: int, clearance: float, time_limit: float, step: float
-) -> Array | None:
-    """Waypoints (k, n) of OMPL's simplified path, or None when none was found."""
-    with _ONE_AT_A_TIME:
-        return _search_alone(model, start, goal, planner, seed, clearance, time_limit, step)
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Search:
+    """What OMPL is asked.
 
+    Attributes:
+        kinematics: whose index counts; None: length counts.
+        aspect: that is not to be left; None: free.
+        checks: of configurations, after which an optimising planner ends; None: the first path ends the search.
+        deadline: of the search, by time.monotonic() [s].
+    """
 
-def _search_alone(
-    model: CollisionModel, start: Array, goal: Array, planner: str, seed: int, clearance: float, time_limit: float, step: float
-) -> Array | None:
-    from ompl import base, geometric, util
+    model: CollisionModel
+    start: Array
+    goal: Array
+    planner: str
+    seed: int
+    clearance: float
+    kinematics: Kinematics | None
+    power: float
+    aspect: Aspect | None
+    checks: int | None
+    deadline: float
 
-    util.setLogLevel(util.LogLevel.LOG_NONE)
-    util.RNG.setSeed(seed + 1)  # 0 would mean a random seed
-    n = model.robot.n
-    space = base.RealVectorStateSpace(n)
-    bounds = base.RealVectorBounds(n)
-    limits = model.robot.limits
-    # a continuous joint is searched within a turn around start and goal
-    low = np.where(np.isfinite(limits.lower), limits.lower, np.minimum(start, goal) - np.pi)
-    high = np.where(np.isfinite(limits.upper), limits.upper, np.maximum(start, goal) + np.pi)
-    for joint in range(n):
-        bounds.setLow(joint, float(low[joint]))
-        bounds.setHigh(joint, float(high[joint]))
-    space.setBounds(bounds)
-    information = base.SpaceInformation(space)
-    information.setStateValidityChecker(lambda state: not model.in_collision(np.array(state[0:n]), clearance=clearance))
-    information.setStateValidityCheckingResolution(step / float(space.getMaximumExtent()))
-    information.setup()
-    problem = base.ProblemDefinition(information)
-    problem.setStartAndGoalStates(_state(space, start), _state(space, goal), 1e-9)
-    solver = getattr(geometric, planner)(information)
-    solver.setProblemDefinition(problem)
-    solver.setup()
-    solver.solve(time_limit)
-    if not problem.hasExactSolution():
-        return None
-    path = problem.getSolutionPath()
-    simplifier = geometric.PathSimplifier(information)
-    simplifier.reduceVertices(path)
-    simplifier.partialShortcutPath(path)
-    simplifier.collapseCloseVertices(path)
-    points = np.array([path.getState(i)[0:n] for i in range(path.getStateCount())])
-    points[0], points[-1] = start, goal
-    return np.asarray(points)
+    def cost(self, path: JointPath) -> float:
+        """What the search lowers, of a path of any form."""
+        return path.length if self.kinematics is None else path_cost(path, self.kinematics, self.power).g
+
+    def in_time(self, accept: Callable[[JointPath], bool]) -> Callable[[JointPath], bool]:
+        """The same but for paths that come too late: these are refused."""
+        return lambda path: time.monotonic() < self.deadline + GRACE and accept(path)
+
+    def run(self, step: float, margin: float) -> Array | None:
+        """Waypoints (k, n) of OMPL's path, or None when none was found.
+
+        Motions are checked every `step` [rad or m], with `margin` [m] more than the clearance.
+        """
+        with _ONE_AT_A_TIME:
+            return self._run(step, self.clearance + margin) if time.monotonic() < self.deadline else None
+
+    def _run(self, step: float, clearance: float) -> Array | None:
+        from ompl import base, geometric, util
+
+        util.setLogLevel(util.LogLevel.LOG_NONE)
+        util.RNG.setSeed(self.seed + 1)  # 0 would mean a random seed
+        n = self.model.robot.n
+        space = base.RealVectorStateSpace(n)
+        bounds = base.RealVectorBounds(n)
+        limits = self.model.robot.limits
+        # a continuous joint is searched within a turn around start and goal
+        low = np.where(np.isfinite(limits.lower), limits.lower, np.minimum(self.start, self.goal) - np.pi)
+        high = np.where(np.isfinite(limits.upper), limits.upper, np.maximum(self.start, self.goal) + np.pi)
+        for joint in range(n):
+            bounds.setLow(joint, float(low[joint]))
+            bounds.setHigh(joint, float(high[joint]))
+        space.setBounds(bounds)
+        information = base.SpaceInformation(space)
+        done = 0
+        late = self.deadline
+
+        def is_valid(state: Any) -> bool:
+            nonlocal done
+            done += 1
+            q = np.array(state[0:n])
+            # past the deadline nothing is valid: a motion of many checks ends at once
+            if time.monotonic() >= late or self.model.in_collision(q, clearance=clearance):
+                return False
+            return self.aspect is None or self.aspect.has(q)
+
+        def is_over() -> bool:
+            return time.monotonic() >= self.deadline or (self.checks is not None and done >= self.checks)
+
+        information.setStateValidityChecker(is_valid)
+        information.setStateValidityCheckingResolution(step / float(space.getMaximumExtent()))
+        information.setup()
+        problem = base.ProblemDefinition(information)
+        problem.setStartAndGoalStates(_state(space, self.start), _state(space, self.goal), 1e-9)
+        if self.kinematics is not None:
+            problem.setOptimizationObjective(index_objective(information, self.kinematics, self.power))
+        solver = getattr(geometric, self.planner)(information)
+        solver.setProblemDefinition(problem)
+        solver.setup()
+        solver.solve(base.PlannerTerminationCondition(is_over))
+        if not problem.hasExactSolution():
+            return None
+        path = problem.getSolutionPath()
+        if self.kinematics is None:
+            late = self.deadline + GRACE
+            simplifier = geometric.PathSimplifier(information)
+            simplifier.reduceVertices(path)
+            simplifier.partialShortcutPath(path)
+            simplifier.collapseCloseVertices(path)
+        points = np.array([path.getState(i)[0:n] for i in range(path.getStateCount())])
+        points[0], points[-1] = self.start, self.goal
+        apart = np.abs(np.diff(points, axis=0)).max(axis=1) > 1e-9
+        return np.asarray(points[np.append(apart, True)] if apart[-1] else np.vstack([points[:-1][apart], points[-1:]]))
 
 
 def _state(space: object, q: Array) -> object:
@@ -150,16 +302,14 @@ def _state(space: object, q: Array) -> object:
     return state
 
 
-def _shortened(model: CollisionModel, waypoints: Array, clearance: float) -> Array:
-    """The waypoints without those that a free straight motion can skip, and without repeats."""
-    points = [waypoints[0]]
-    for point in waypoints[1:]:
-        if np.abs(point - points[-1]).max() > 1e-9:
-            points.append(point)
+def _shortened(waypoints: Array, accept: Callable[[JointPath], bool], cost: Callable[[JointPath], float]) -> Array:
+    """The waypoints without those that an accepted straight motion, which costs no more, can skip."""
+    points = list(waypoints)
     k = 0
     while k + 2 < len(points):
         for far in range(len(points) - 1, k + 1, -1):
-            if model.path_is_free(JointPath.line(points[k], points[far]), CHECK_STEP, clearance):
+            skip = JointPath.line(points[k], points[far])
+            if cost(skip) <= cost(JointPath.through(points[k : far + 1])) and accept(skip):
                 del points[k + 1 : far]
                 break
         k += 1

@@ -13,13 +13,6 @@ from studies.kth2012.config import ARM
 Array = NDArray[np.float64]
 
 
-def coefficients(path: mp.JointPath) -> Array:
-    """The coefficients a (n, k + 1) of a path of one piece."""
-    [control], k = path.control, path.degree
-    to_monomial = [[(-1) ** (j - i) * comb(k, j) * comb(j, i) for i in range(k + 1)] for j in range(k + 1)]
-    return np.asarray((np.array(to_monomial) @ control).T)
-
-
 def polynomial(a: ArrayLike) -> mp.JointPath:
     """The path of coefficients a (n, k + 1)."""
     rows = np.asarray(a, dtype=float)

@@ -5,7 +5,7 @@ import numpy as np
 import manipplan as mp
 from studies.kth2012 import config
 from studies.kth2012.config import FIRST, SECOND, THIRD, Example
-from studies.kth2012.polynomials import Means, coefficients, means, polynomial
+from studies.kth2012.polynomials import Means, means, polynomial
 from studies.kth2012.results import Results, signed
 from studies.tables import Table
 
@@ -30,7 +30,7 @@ def path_tables(results: Results) -> tuple[Table, Table]:
 
 def table_6_3(results: Results) -> Table:
     """The coefficients of (6.14), printed and ours."""
-    ours = coefficients(results.path(THIRD, config.BEST_DEGREE).path)
+    ours = results.path(THIRD, config.BEST_DEGREE).path.coefficients("monomial")
     rows = []
     for i, (printed, own) in enumerate(zip(config.TABLE_6_3, ours, strict=True), start=1):
         index = "₁₂₃"[i - 1]

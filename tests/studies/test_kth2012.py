@@ -174,7 +174,7 @@ def test_coefficients_are_those_of_the_path():
     path = polynomials.polynomial(a)
     t = np.linspace(0.0, 1.0, 11)
     assert_allclose(path(t), np.stack([np.polynomial.polynomial.polyval(t, row) for row in a], axis=-1), atol=1e-12)
-    assert_allclose(polynomials.coefficients(path), a, atol=1e-12)
+    assert_allclose(path.coefficients("monomial"), a, atol=1e-12)
 
 
 def test_means_of_a_path_do_not_depend_on_its_pace_by_length():

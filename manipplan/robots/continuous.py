@@ -1,0 +1,289 @@
+"""The clearance of a whole curve, proven and not sampled: conservative bisection with bounds on how far bodies can move.
+
+Between a configuration q and another that differs by δ_j in joint j, a point of a body moves no further, seen from the body it
+is paired with, than Σ_j D_j over the joints j between the two. Turned one after another, the joint nearest to the body first,
+joint j moves the point by at most
+
+    D_j = δ_j (ρ_j + Σ_{i > j} D_i)   for a revolute joint,   D_j = δ_j   for a prismatic one,
+
+with ρ_j the largest distance of the body's points from axis j at q: those joints that have turned before have moved the point
+by no more than the sum. The distance of the pair falls by at most as much. On an interval of the curve δ_j comes from the
+control points of that interval, whose hull holds it.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from manipplan.checks import Array, instance, number
+from manipplan.errors import InvalidInputError
+from manipplan.paths.joint import JointPath
+from manipplan.robots.collision import CollisionModel
+from manipplan.robots.description import axis_of, is_prismatic
+from manipplan.robots.primitives import core_of, enclose
+
+#: Taken off every distance: coal's are good to 2e-6 [m].
+SLACK = 1e-5
+#: Intervals in which no joint moves further than this from the middle are not cut again [rad or m].
+NARROW = 1e-5
+#: After so many distances the bound is what is known by then.
+MOST_CHECKS = 100_000
+#: Of a path of more pieces than this, such as a trajectory, so many at a time are looked at as one first.
+RUN = 16
+#: Bodies of more core points than this are bounded by those of a primitive around them.
+MOST_POINTS = 8
+
+Index = NDArray[np.intp]
+
+
+@dataclass(frozen=True, kw_only=True)
+class PathClearance:
+    """How near two bodies come on a whole curve; all distances [m].
+
+    Attributes:
+        lower: proven: on the whole curve no checked pair is nearer. Where it is below zero the path touches or may touch; how
+            deep bodies overlap is not proven.
+        upper: the least distance that was met at a place; the true one lies between `lower` and it.
+        clearance: the one demanded.
+        at, pair: s in [0, 1] and the names of the two bodies: where they were met nearer than demanded; else, where that could
+            not be excluded; else where the bound is least. nan and () where nothing is checked.
+        index: of the pair in the collision model's `pair_names`; -1 where nothing is checked.
+        checks: how many distances were computed.
+    """
+
+    lower: float
+    upper: float
+    clearance: float
+    at: float
+    pair: tuple[str, ...]
+    index: int
+    checks: int
+
+    @property
+    def proven(self) -> bool:
+        """Whether every pair is further apart than `clearance` on the whole curve."""
+        return self.lower > self.clearance
+
+    @property
+    def refuted(self) -> bool:
+        """Whether a pair was met at `clearance` or nearer."""
+        return self.upper <= self.clearance
+
+
+def path_clearance(
+    model: CollisionModel, path: JointPath, *, clearance: float = 0.0, tolerance: float | None = 1e-3
+) -> PathClearance:
+    """Prove a lower bound of the distance of every pair on a whole path.
+
+    Args:
+        model: the robot among its obstacles.
+        path: of the robot's joints.
+        clearance: the demanded one [m].
+        tolerance: the bound is made this tight, `upper` - `lower` [m], 1e-4 or more; None: only until it is proven or refuted
+            that the path keeps `clearance`.
+
+    Raises:
+        InvalidInputError: the path is not of this robot's joints, or a number is not usable.
+    """
+    n = model.robot.n
+    if instance("path", path, JointPath).n != n:
+        raise InvalidInputError("path", f"a path of {path.n} joints", f"a path of the {n} joints of {model.robot.name}")
+    clearance = number("clearance", clearance, least=0.0)
+    if tolerance is not None:
+        tolerance = number("tolerance", tolerance, least=1e-4)
+    if not model.pair_names:
+        return PathClearance(lower=np.inf, upper=np.inf, clearance=clearance, at=np.nan, pair=(), index=-1, checks=0)
+    return _Search(model, clearance, tolerance).run(path)
+
+
+class Reach:
+    """How far the bodies of a collision model can move."""
+
+    def __init__(self, model: CollisionModel) -> None:
+        robot, objects = model.robot.model, model.geometry.geometryObjects
+        carrier = np.array([item.parentJoint for item in objects])
+        pairs = np.array([(pair.first, pair.second) for pair in model.geometry.collisionPairs])
+        carriers = carrier[pairs]
+        #: (b,) the joint that carries each body; 0: the world
+        self.joint = carrier
+        #: (p,) of each pair the body further from the base, and the joint of the other
+        self.body: Index = pairs[np.arange(len(pairs)), carriers.argmax(axis=1)]
+        self.below: Index = carriers.min(axis=1)
+        self.points = np.empty((len(objects), MOST_POINTS, 3))
+        self.radii = np.zeros(len(objects))
+        for k, item in enumerate(objects):
+            if k in self.body:
+                points, self.radii[k] = _few_points(item)
+                self.points[k] = np.concatenate([points, np.repeat(points[:1], MOST_POINTS - len(points), axis=0)])
+        self.slides = np.array([is_prismatic(joint) for joint in robot.joints[1:]])
+        self._axes = [axis_of(joint) for joint in robot.joints[1:]]
+        self._placements = [(np.array(place.rotation), np.array(place.translation)) for place in robot.jointPlacements[1:]]
+
+    def motion(self, q: Array, change: Array, rows: Index, pairs: Index) -> Array:
+        """How far the two bodies of a pair can move towards each other, (e,) [m].
+
+        Args:
+            q: (m, n) configurations.
+            change: (m, n) how far each joint can be from there [rad or m].
+            rows, pairs: (e,) each: which configuration, which pair.
+        """
+        rotations, origins, axes = self._chain(q)
+        bodies, where = np.unique(rows * len(self.radii) + self.body[pairs], return_inverse=True)
+        row, body = np.divmod(bodies, len(self.radii))
+        joint = self.joint[body]
+        points = np.einsum("uij,ukj->uki", rotations[row, joint], self.points[body]) + origins[row, joint][:, None]
+        n = q.shape[1]
+        moved = np.zeros((len(bodies), n + 1))  # column j: Σ D_i over the joints i > j
+        for j in range(n, 0, -1):
+            step = change[row, j - 1] * (joint >= j)
+            if not self.slides[j - 1]:
+                lever = points - origins[row, j][:, None]
+                along = np.einsum("uki,ui->uk", lever, axes[row, j])
+                square = np.einsum("uki,uki->uk", lever, lever) - along**2
+                step *= np.sqrt(np.maximum(square.max(axis=1), 0.0)) + self.radii[body] + moved[:, j]
+            moved[:, j - 1] = moved[:, j] + step
+        return np.asarray(moved[where, self.below[pairs]])
+
+    def _chain(self, q: Array) -> tuple[Array, Array, Array]:
+        """Rotations (m, n + 1, 3, 3), origins and axes (m, n + 1, 3) of the world's frame and the joints', in the world."""
+        m, n = q.shape
+        rotations, origins, axes = np.empty((m, n + 1, 3, 3)), np.zeros((m, n + 1, 3)), np.zeros((m, n + 1, 3))
+        rotations[:, 0] = np.eye(3)
+        for j, (axis, (rotation, origin)) in enumerate(zip(self._axes, self._placements, strict=True), start=1):
+            before = rotations[:, j - 1]
+            frame = before @ rotation
+            origins[:, j] = origins[:, j - 1] + before @ origin
+            axes[:, j] = frame @ axis
+            if self.slides[j - 1]:
+                rotations[:, j] = frame
+                origins[:, j] += q[:, j - 1 : j] * axes[:, j]
+            else:
+                cross = pin.skew(axis)  # Rodrigues: R = I + sin q [a]x + (1 - cos q) [a]x²
+                sine, cosine = np.sin(q[:, j - 1]), np.cos(q[:, j - 1])
+                turn = np.eye(3) + sine[:, None, None] * cross + (1 - cosine)[:, None, None] * (cross @ cross)
+                rotations[:, j] = frame @ turn
+        return rotations, origins, axes
+
+
+class _Search:
+    """Bisection, level by level: an interval keeps the pairs that its parent could not close."""
+
+    def __init__(self, model: CollisionModel, clearance: float, tolerance: float | None) -> None:
+        self.model = model
+        self.reach = _reach(model)
+        self.clearance = clearance
+        self.tolerance = tolerance
+        self.checks = 0
+        self.lower, self.upper = np.inf, np.inf
+        self.lowest, self.nearest = (0.0, 0), (0.0, 0)
+
+    def run(self, path: JointPath) -> PathClearance:
+        control, edges = path.control, np.stack([path.breaks[:-1], path.breaks[1:]], axis=1)
+        rows, pairs, known = self._runs(control, path.breaks)
+        while len(rows) and not self.decided:
+            halves = _halves(control)
+            q, middles = halves[0][:, -1], edges.mean(axis=1)
+            change = np.abs(control - q[:, None]).max(axis=1)
+            cut, bounds = self._look(q, change, middles, rows, pairs, known)
+            kept, position = np.unique(rows[cut], return_inverse=True)
+            control = np.concatenate([half[kept] for half in halves])
+            low, high = edges[kept].T
+            edges = np.concatenate([np.stack([low, middles[kept]], axis=1), np.stack([middles[kept], high], axis=1)])
+            rows = np.concatenate([position, position + len(kept)])
+            pairs, known = np.tile(pairs[cut], 2), np.tile(bounds[cut], 2)
+        at, index = self.nearest if self.upper <= self.clearance else self.lowest
+        return PathClearance(
+            lower=self.lower,
+            upper=self.upper,
+            clearance=self.clearance,
+            at=at,
+            pair=tuple(self.model.pair_names[index]),
+            index=index,
+            checks=self.checks,
+        )
+
+    @property
+    def decided(self) -> bool:
+        """Whether no more has to be known."""
+        return self.tolerance is None and self.upper <= self.clearance
+
+    def _runs(self, control: Array, breaks: Array) -> tuple[Index, Index, Array]:
+        """Pieces and pairs that are still open, with their bounds, after runs of pieces were looked at as a whole."""
+        count = len(self.model.pair_names)
+        first = np.arange(0, len(control), RUN)
+        lengths = np.diff(np.append(first, len(control)))
+        rows, pairs = np.repeat(np.arange(len(first)), count), np.tile(np.arange(count), len(first))
+        known = np.full(len(rows), -np.inf)
+        if len(control) > RUN:
+            middle = first + lengths // 2
+            q = control[middle, 0]
+            low, high = np.minimum.reduceat(control.min(axis=1), first), np.maximum.reduceat(control.max(axis=1), first)
+            cut, bounds = self._look(q, np.maximum(q - low, high - q), breaks[middle], rows, pairs, known)
+            rows, pairs, known = rows[cut], pairs[cut], bounds[cut]
+        times = lengths[rows]
+        inside = np.arange(times.sum()) - np.repeat(np.cumsum(times) - times, times)
+        return np.repeat(first[rows], times) + inside, np.repeat(pairs, times), np.repeat(known, times)
+
+    def _look(
+        self, q: Array, change: Array, middles: Array, rows: Index, pairs: Index, known: Array
+    ) -> tuple[NDArray[np.bool_], Array]:
+        """Measure pairs at the middles q (m, n) of intervals; which to cut, and lower bounds of all. The others are closed.
+
+        `known` are bounds from the interval that was cut before.
+        """
+        distances = self._distances(q, rows, pairs)
+        bounds = np.maximum(known, distances - SLACK - self.reach.motion(q, change, rows, pairs))
+        least = int(distances.argmin())
+        if distances[least] < self.upper:
+            self.upper, self.nearest = float(distances[least]), (float(middles[rows[least]]), int(pairs[least]))
+        target = self.clearance if self.tolerance is None else self.upper - self.tolerance
+        cut = (bounds <= target) & (change.max(axis=1) > NARROW)[rows]
+        if self.decided or self.checks + 2 * int(cut.sum()) > MOST_CHECKS:
+            cut[:] = False
+        self._close(bounds[~cut], middles, rows[~cut], pairs[~cut])
+        return cut, bounds
+
+    def _close(self, bounds: Array, middles: Array, rows: Index, pairs: Index) -> None:
+        if len(bounds) and bounds.min() < self.lower:
+            least = int(bounds.argmin())
+            self.lower, self.lowest = float(bounds[least]), (float(middles[rows[least]]), int(pairs[least]))
+
+    def _distances(self, q: Array, rows: Index, pairs: Index) -> Array:
+        self.checks += len(rows)
+        found = np.empty(len(rows))
+        order = np.argsort(rows, kind="stable")
+        ends = np.searchsorted(rows[order], np.arange(len(q) + 1))
+        for k, configuration in enumerate(q):
+            chosen = order[ends[k] : ends[k + 1]]
+            found[chosen] = self.model.pair_distances(configuration, pairs[chosen].tolist())
+        return found
+
+
+def _reach(model: CollisionModel) -> Reach:
+    if "reach" not in model.cache:
+        model.cache["reach"] = Reach(model)
+    reach: Reach = model.cache["reach"]
+    return reach
+
+
+def _halves(control: Array) -> tuple[Array, Array]:
+    """Control points (m, k + 1, n) of the two halves of each curve: de Casteljau."""
+    left, right = [control[:, 0]], [control[:, -1]]
+    while control.shape[1] > 1:
+        control = (control[:, :-1] + control[:, 1:]) / 2
+        left.append(control[:, 0])
+        right.append(control[:, -1])
+    return np.stack(left, axis=1), np.stack(right[::-1], axis=1)
+
+
+def _few_points(item: pin.GeometryObject) -> tuple[Array, float]:
+    """At most MOST_POINTS points (k, 3) in the joint's frame and a radius [m] whose balls' hull holds the body."""
+    points, radius = core_of(item.geometry)
+    place = item.placement
+    if len(points) > MOST_POINTS:
+        around = enclose(np.repeat(points[:, None], 3, axis=1), refine=False)
+        points, radius = core_of(around.shape)
+        place = place * around.placement
+    return points @ place.rotation.T + place.translation, radius

@@ -1,0 +1,176 @@
+"""Machine code of the path program, exact derivatives of what it minimises, and g where dips of the index are narrow."""
+
+import subprocess
+import sys
+
+import casadi as ca
+import numpy as np
+import pytest
+
+import manipplan as mp
+from manipplan.kinematics.compile import find_compiler
+from manipplan.kinematics.view import steady
+from manipplan.optimize.density import REGULARISATION, energy_density, length_density
+from manipplan.optimize.objective import PathObjective
+from manipplan.optimize.problem import _row_functions
+
+START, GOAL = [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0]
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.setenv("MANIPPLAN_CACHE", str(tmp_path / "cache"))
+    return tmp_path / "cache"
+
+
+@pytest.fixture
+def no_compiler(monkeypatch):
+    monkeypatch.setenv("CC", "")
+    find_compiler.cache_clear()
+    yield
+    monkeypatch.undo()
+    find_compiler.cache_clear()
+
+
+def points(robot, rng, count=20):
+    """Random q, v, and [g0, p] as columns."""
+    q = robot.random_configuration(rng, size=count).T
+    return q, rng.normal(size=q.shape), np.array([rng.uniform(1, 5, count), rng.uniform(0.5, 3, count)])
+
+
+@pytest.mark.parametrize("density", [energy_density, length_density])
+@pytest.mark.parametrize("name", ["panda", "ur5"])
+def test_machine_code_equals_the_virtual_machine(density, name, rng):
+    robot = mp.load_robot(name)
+    at = points(robot, rng)
+    fast, slow = (
+        density(PathObjective(kinematics=robot.kinematics(compiled=compiled), power=1.0)) for compiled in (True, False)
+    )
+    for part in ("value", "gradient", "hessian"):
+        expected = np.array(getattr(slow, part)(*at))
+        np.testing.assert_allclose(getattr(fast, part)(*at), expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
+
+
+def test_rows_in_machine_code_equal_the_virtual_machine(panda, rng):
+    fast, slow = (_row_functions(panda.kinematics(compiled=compiled)) for compiled in (True, False))
+    for _ in range(10):
+        column = np.concatenate([np.eye(8)[rng.integers(8)], np.eye(8)[rng.integers(8)], rng.normal(size=8)])
+        q = panda.random_configuration(rng)
+        for one, other in zip(fast, slow, strict=True):
+            np.testing.assert_allclose(one(q, column), other(q, column), atol=1e-12)
+
+
+@pytest.mark.parametrize("density", [energy_density, length_density])
+@pytest.mark.parametrize("power", [0.7, 2.0])
+def test_densities_have_the_derivatives_of_finite_differences(panda, density, power, rng):
+    made = density(PathObjective(kinematics=panda.kinematics(compiled=False), power=1.0))
+    q, v, _ = points(panda, rng, 5)
+    step = 1e-6
+    for k in range(q.shape[1]):
+        numbers = np.array([3.0, power])
+        at = np.concatenate([q[:, k], v[:, k]])
+
+        def both(x, numbers=numbers):
+            gradient = np.array(made.gradient(x[:7], x[7:], numbers)).ravel()
+            return float(made.value(x[:7], x[7:], numbers)), gradient
+
+        moved = [(both(at + step * e), both(at - step * e)) for e in np.eye(14)]
+        slope = np.array([(more[0] - less[0]) / (2 * step) for more, less in moved])
+        bend = np.array([(more[1] - less[1]) / (2 * step) for more, less in moved])
+        hessian = np.array(made.hessian(at[:7], at[7:], numbers))
+        np.testing.assert_allclose(both(at)[1], slope, rtol=1e-5, atol=1e-6 * np.abs(slope).max())
+        np.testing.assert_allclose(hessian, bend, rtol=1e-5, atol=1e-6 * np.abs(bend).max())
+
+
+@pytest.mark.parametrize("name", ["panda", "ur5", "xarm7", "planar", "tiago"])
+def test_the_density_is_speed_over_index(name, planar, rng):
+    """Against Pinocchio's Jacobian: the middle view has the index of the tool's."""
+    import pinocchio as pin
+
+    robot = planar if name == "planar" else mp.load_robot(name)
+    kinematics = robot.kinematics(mp.Task.planar() if name == "planar" else mp.Task.pose(length=0.5), compiled=False)
+    energy = energy_density(PathObjective(kinematics=kinematics, power=1.0))
+    rows = np.array([1, 1, 1, 0.5, 0.5, 0.5])
+    data = robot.model.createData()
+    for q, v in zip(robot.random_configuration(rng, size=20), rng.normal(size=(20, robot.n)), strict=True):
+        if name == "planar":
+            index = kinematics.manipulability(q)
+        else:
+            if robot.model.nq != robot.n:
+                pytest.skip("angles stored otherwise")
+            frame = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
+            jacobian = pin.computeFrameJacobian(robot.model, data, q, robot.model.getFrameId(robot.tool), frame)
+            index = np.prod(np.linalg.svd(rows[:, None] * jacobian, compute_uv=False))
+        if index > 1e-3:
+            assert float(energy.value(q, v, [1.0, 1.0])) == pytest.approx(v @ v / index**2, rel=1e-5)
+
+
+def test_the_steady_view_has_true_derivatives(panda, rng):
+    """Also with a ρ that matters: by CasADi's own differentiation."""
+    from manipplan.kinematics.derivatives import Factor, log_gradient, log_hessian
+
+    chain = panda.kinematics().symbolic.chain
+    jacobian, motion = steady(chain, mp.Task.pose(length=0.5))
+    factor = Factor.of(jacobian, 1e3 * REGULARISATION)
+    bend, slope = ca.hessian(ca.log(factor.index), chain.q)
+    error = ca.Function("error", [chain.q], [slope - log_gradient(factor, motion), bend - log_hessian(factor, motion)])
+    for q in panda.random_configuration(rng, size=10):
+        for each in error(q):
+            np.testing.assert_allclose(each, 0.0, atol=1e-8)
+
+
+def test_paths_are_the_same_compiled_or_not(panda, rng):
+    start, goal = panda.random_configuration(rng, size=2)
+    fast, slow = (mp.optimize_path(panda, start, goal, degree=5, compiled=compiled) for compiled in (True, False))
+    assert fast.status is mp.Status.OPTIMAL
+    assert fast.g == pytest.approx(slow.g, rel=1e-9)
+    assert fast.g < 0.99 * fast.seed_cost.g
+    np.testing.assert_allclose(fast.path.control, slow.path.control, atol=1e-6)
+
+
+@pytest.mark.usefixtures("no_compiler", "folder")
+def test_without_a_compiler():
+    arm = mp.planar_arm([1.0, 1.0, 1.0])
+    assert mp.optimize_path(arm, START, GOAL, power=2).status is mp.Status.OPTIMAL
+    with pytest.raises(mp.CompilerError, match="there is no C compiler; install one with: "):
+        mp.optimize_path(arm, START, GOAL, power=2, compiled=True)
+
+
+def test_compiled_has_to_be_known(planar):
+    with pytest.raises(mp.InvalidInputError, match="compiled.*'auto', True or False"):
+        mp.optimize_path(planar, START, GOAL, compiled="yes")
+
+
+def test_a_second_process_and_another_power_and_degree_find_the_library(folder):
+    code = (
+        "import manipplan as mp; arm = mp.planar_arm([1.0, 1.0, 1.0]);"
+        "r = mp.optimize_path(arm, [0.0, 1.5, -2.0], [3.1, -2.0, 2.0], degree={}, power={}, compiled=True); print(r.g)"
+    )
+
+    def files_after(degree, power):
+        subprocess.run([sys.executable, "-c", code.format(degree, power)], capture_output=True, check=True)
+        return {each: each.stat().st_mtime_ns for each in folder.iterdir()}
+
+    before = files_after(4, 1)
+    assert before
+    assert files_after(6, 2) == before
+
+
+def test_g_sees_a_dip_that_gauss_points_pass_by():
+    """The two-link arm's index is |sin q2|: past the stretched arm at a distance e, g = ∫ ds / (sin²(...))^(1/2) is known."""
+    arm = mp.planar_arm([1.0, 1.0])
+    path = mp.JointPath.line([0.0, 1e-7], [0.0, 1.0])
+    exact = np.log(np.tan(0.5)) - np.log(np.tan(0.5e-7))  # ∫ dq / sin q
+    assert mp.path_cost(path, arm.kinematics(mp.Task.planar()), 1.0).g == pytest.approx(exact, rel=1e-9)
+
+
+def test_a_polish_believes_no_coarse_rule(panda):
+    """Pairs of the thousand on which a rule of 120 points let the path through a dip that it did not see."""
+    rng = np.random.default_rng(2012)
+    pairs = [panda.random_configuration(rng, size=2) for _ in range(81)]
+    for k in (20, 80):
+        result = mp.optimize_path(panda, *pairs[k], degree=5)
+        s, weights = result.path.quadrature(panels=4000)
+        plain = weights @ (np.linalg.norm(result.path(s, 1), axis=1) / panda.kinematics().manipulability(result.path(s)))
+        assert result.g == pytest.approx(plain, rel=1e-6)
+        assert result.g < 0.999 * result.history[0].g

@@ -1,0 +1,290 @@
+"""Seeds: an objective that OMPL really asks, repeatable searches, time limits, recorded motions, and interrupts."""
+
+import csv
+import json
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pinocchio as pin
+import pytest
+
+import manipplan as mp
+from manipplan.robots.collision import CollisionModel
+from manipplan.seeds.objective import index_objective, motion_cost
+from manipplan.seeds.ompl import OPTIMISING, PLANNERS
+
+START, GOAL = [0, 1.5, -2], [np.pi, -2, 2]
+POST = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+
+
+def test_the_cost_of_a_motion_is_that_of_its_straight_path(planar, ur5, rng):
+    for robot, power, middle in ((planar, 2.0, [0.0, 1.2, 1.0]), (ur5, 1.0, [0.0, -1.2, 1.5, -1.0, -1.2, 0.0])):
+        kinematics = robot.kinematics()
+        for _ in range(5):
+            first, second = middle + 0.5 * rng.uniform(-1, 1, (2, robot.n))
+            expected = mp.path_cost(mp.JointPath.line(first, second), kinematics, power, panels=400).g
+            assert motion_cost(kinematics, power, first, second) == pytest.approx(expected, rel=2e-3)
+    assert motion_cost(kinematics, 1.0, first, first) == 0.0
+
+
+def test_ompl_asks_the_objective_and_adds_its_costs(planar):
+    from ompl import base, geometric, util
+
+    util.setLogLevel(util.LogLevel.LOG_NONE)
+    space = base.RealVectorStateSpace(3)
+    bounds = base.RealVectorBounds(3)
+    bounds.setLow(-np.pi)
+    bounds.setHigh(np.pi)
+    space.setBounds(bounds)
+    information = base.SpaceInformation(space)
+    information.setStateValidityChecker(lambda state: True)
+    information.setup()
+    path = geometric.PathGeometric(information)
+    points = np.array([START, [1.0, 1.0, 1.0], [2.0, -1.5, 1.5], GOAL])
+    for point in points:
+        state = space.allocState()
+        state[0:3] = [float(x) for x in point]
+        path.append(state)
+    cost = path.cost(index_objective(information, planar.kinematics(), 2.0)).value()
+    assert cost == pytest.approx(mp.path_cost(mp.JointPath.through(points), planar.kinematics(), 2).g, rel=1e-3)
+
+
+@pytest.mark.parametrize("planner", OPTIMISING)
+def test_an_index_aware_search_finds_a_lower_g(planar, planner):
+    g = {}
+    for objective in ("length", "index"):
+        path = mp.seed_path(planar, START, GOAL, planner=planner, objective=objective, power=2, checks=20_000, time_limit=30.0)
+        g[objective] = mp.path_cost(path, planar.kinematics(), 2).g
+    least = mp.optimize_path(planar, START, GOAL, degree=10, power=2, seeds=4).g
+    assert 0.999 * least < g["index"] < min(0.5 * g["length"], 1.4 * least)
+
+
+def test_among_obstacles_the_gain_survives_what_makes_a_path_simpler(planar):
+    options = {"scene": POST, "planner": "BITstar", "power": 2, "time_limit": 60.0}
+    g = {
+        each: mp.path_cost(mp.seed_path(planar, START, GOAL, objective=each, **options), planar.kinematics(), 2).g
+        for each in ("length", "index")
+    }
+    assert g["index"] < 0.8 * g["length"]
+
+
+REPEAT = """
+import json, sys
+import manipplan as mp
+arm = mp.planar_arm([1.0, 1.0, 1.0])
+post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+found = {}
+for planner in sys.argv[1:]:
+    path = mp.seed_path(arm, [0, 1.5, -2], [3.14, -2, 2], post, planner, 5, checks=8000, time_limit=60.0)
+    found[planner] = path.control.tolist()
+print(json.dumps(found))
+"""
+
+
+def test_another_process_finds_the_same_paths():
+    planners = list(PLANNERS)
+    runs = [
+        subprocess.Popen([sys.executable, "-c", REPEAT, *planners], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        for _ in range(2)
+    ]
+    first, second = (json.loads(run.communicate(timeout=120)[0]) for run in runs)
+    assert list(first) == planners
+    for planner in planners:
+        assert first[planner] == second[planner], planner
+
+
+@pytest.mark.parametrize("planner", PLANNERS)
+def test_the_time_limit_holds_where_checks_are_slow(planar, planner, monkeypatch):
+    quick = CollisionModel.in_collision
+
+    def slow(model, q, **options):
+        time.sleep(0.02)
+        return quick(model, q, **options)
+
+    monkeypatch.setattr(CollisionModel, "in_collision", slow)
+    began = time.monotonic()
+    try:
+        mp.seed_path(planar, START, GOAL, POST, planner, time_limit=0.6)
+    except mp.PlanningError as error:
+        assert "allow more time" in str(error)
+    assert time.monotonic() - began < 0.6 + 0.6
+
+
+def test_too_few_checks_are_told(planar):
+    with pytest.raises(mp.PlanningError, match=r"by BITstar with 50 checks; allow more of them \(checks\)"):
+        mp.seed_path(planar, START, GOAL, POST, "BITstar", checks=50)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"objective": "indx"}, "objective: got 'indx'.*index"),
+        ({"objective": "index"}, "planner: got 'RRTConnect'; allowed: one that optimises.*BITstar"),
+        ({"checks": 0}, "checks: got 0"),
+        ({"power": 0.0}, "power: got 0.0"),
+        ({"clearance": 3.0}, "(start|goal): .* apart, the clearance asked for is 3 m"),
+        ({"start": [np.nan, 0, 0]}, "start.*finite"),
+    ],
+)
+def test_wrong_arguments(planar, change, message):
+    options = {"start": START, "goal": GOAL, "scene": POST, **change}
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.seed_path(planar, **options)
+
+
+def test_a_recorded_motion_is_a_first_path(planar, tmp_path):
+    seed = mp.seed_path(planar, START, GOAL, POST)
+    motion = mp.retime(seed, planar.with_limits(velocity=1.0, acceleration=2.0).limits, joint_names=planar.joint_names)
+    start, goal = motion.q[0], motion.q[-1]
+    motion.to_csv(tmp_path / "motion.csv")
+    motion.to_json(tmp_path / "motion.json")
+    motion.to_npz(tmp_path / "motion.npz")
+    motion.to_ros(tmp_path / "motion.yaml")
+    results = [
+        mp.optimize_path(planar, start, goal, power=2, scene=POST, initial=first)
+        for first in (motion, str(tmp_path / "motion.csv"))
+    ]
+    assert results[0].status is mp.Status.OPTIMAL
+    assert results[0].g == pytest.approx(results[1].g, rel=1e-6)
+    assert results[0].seed_cost.length == pytest.approx(seed.length, rel=1e-4)
+    from manipplan.optimize.optimize import _initial_path
+
+    for kind in ("json", "npz", "yaml"):
+        again = _initial_path(planar, tmp_path / f"motion.{kind}")
+        np.testing.assert_allclose(again(0.37), motion.path()(0.37), atol=1e-6)
+
+
+def test_wrong_first_paths(planar, tmp_path):
+    names = ("a", "b", "c")
+    other = mp.Trajectory(t=[0.0, 1.0], q=[START, GOAL], qd=np.zeros((2, 3)), joint_names=names)
+    rows = "time,q_joint1,q_joint2,q_joint3\n0,0,1.5,-2\n1,nan,0,0\n2,3.1,-2,2\n"
+    (tmp_path / "nan.csv").write_text(
+        rows.replace("joint1", planar.joint_names[0])
+        .replace("joint2", planar.joint_names[1])
+        .replace("joint3", planar.joint_names[2])
+    )
+    for initial, message in (
+        (other, "initial: got 'one of a, b, c'; allowed: a motion of the joints"),
+        (tmp_path / "nan.csv", "finite|number"),
+        (tmp_path / "motion.txt", r"initial: .*\.csv"),
+        (tmp_path / "none.csv", "an existing file"),
+        (3, "initial: got 3; allowed: a JointPath, a Trajectory"),
+        (mp.JointPath.line(START, [3.0, -2, 2]), f"initial: .*goal is 0.142 off at {planar.joint_names[0]}"),
+        (
+            mp.JointPath.line(START, GOAL),
+            r"initial: got .*post (overlapping|.* m apart) .*at s = 0\.\d+|initial: .*and post overlapping by .* at s",
+        ),
+    ):
+        with pytest.raises(mp.InvalidInputError, match=message):
+            mp.optimize_path(planar, START, GOAL, scene=POST, initial=initial)
+
+
+INTERRUPTED = """
+import sys, threading, time, os, signal
+import manipplan as mp
+arm = mp.planar_arm([1.0, 1.0, 1.0])
+post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+ends = [0, 1.5, -2], [3.14, -2, 2]
+first = mp.seed_path(arm, *ends, post)
+mp.optimize_path(arm, *ends, 4, scene=post, initial=first)
+threading.Timer(float(sys.argv[1]), lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+began, results = time.monotonic(), 0
+while time.monotonic() - began < 20:
+    result = mp.optimize_path(arm, *ends, 4, power=2, scene=post, initial=first)
+    results += 1
+    if result.status is mp.Status.INTERRUPTED:
+        assert post.collision_model(arm).path_is_free(result.path, 1e-3)
+        assert result.g <= result.seed_cost.g
+        assert "interrupted" in str(result.certificate)
+        print("interrupted", results)
+        break
+"""
+
+
+@pytest.mark.parametrize("after", [0.05, 0.4, 0.75])
+def test_an_interrupt_returns_the_best_so_far(after):
+    run = subprocess.run(
+        [sys.executable, "-c", INTERRUPTED, str(after)], capture_output=True, text=True, timeout=60, check=False
+    )
+    # outside the solves, a moment of each call, it is a KeyboardInterrupt as anywhere
+    assert run.stdout.startswith("interrupted") or "KeyboardInterrupt" in run.stderr, run.stderr[-2000:]
+    assert "AssertionError" not in run.stderr
+
+
+def test_an_interrupt_between_two_solves(planar, monkeypatch):
+    """The second solve is interrupted: what the first found is returned, and told."""
+    from manipplan.optimize.problem import PathProgram
+
+    solve, calls = PathProgram.solve, []
+
+    def interrupted(*arguments):
+        calls.append(arguments)
+        if len(calls) == 3:
+            signal.raise_signal(signal.SIGINT)
+        return solve(*arguments)
+
+    monkeypatch.setattr(PathProgram, "solve", interrupted)
+    seed = mp.seed_path(planar, START, GOAL, POST)
+    result = mp.optimize_path(planar, START, GOAL, power=2, scene=POST, initial=seed)
+    assert len(calls) == 3
+    assert result.status is mp.Status.INTERRUPTED
+    assert not result.status.ok
+    assert result.status.has_path
+    assert result.g <= result.seed_cost.g
+    calls.clear()
+    with pytest.raises(KeyboardInterrupt):
+        mp.plan(planar, START, GOAL, POST, power=2)
+
+
+def test_an_interrupt_of_the_planner_is_raised(planar, monkeypatch):
+    def interrupt(*_, **__):
+        signal.raise_signal(signal.SIGINT)
+
+    monkeypatch.setattr(CollisionModel, "in_collision", interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        mp.optimize_path(planar, START, GOAL, scene=POST)
+
+
+#: Pairs of the UR5 in one aspect, among them some around whose table the shortest ways cross a singularity.
+SUITE = Path(__file__).parents[2] / "benchmarks" / "pairs"
+
+
+def det_signs(robot, path):
+    """Signs of det J at every milliradian, by Pinocchio alone."""
+    data = robot.model.createData()
+    frame = robot.model.getFrameId(robot.tool, pin.FrameType.BODY)
+    signs = set()
+    for q in path(path.fine_samples(1e-3)):
+        pin.computeJointJacobians(robot.model, data, q)
+        pin.updateFramePlacements(robot.model, data)
+        signs.add(np.sign(np.linalg.det(pin.getFrameJacobian(robot.model, data, frame, pin.LOCAL_WORLD_ALIGNED))))
+    return signs
+
+
+def test_a_seed_that_keeps_its_aspect_crosses_no_singularity(ur5):
+    lines = [line for line in (SUITE / "pairs.csv").read_text().splitlines() if not line.startswith("#")]
+    rows = [row for row in csv.DictReader(lines) if row["arm"] == "ur5" and row["scene"] == "table"]
+    scene = mp.Scene.from_yaml(SUITE / "table_ur5.yaml")
+    crossing = 0
+    for row in rows[4:8]:
+        start, goal = (np.array(row[end].split(), dtype=float) for end in ("start", "goal"))
+        free = mp.seed_path(ur5, start, goal, scene, time_limit=30.0)
+        kept = mp.seed_path(ur5, start, goal, scene, same_aspect=True, time_limit=30.0)
+        crossing += len(det_signs(ur5, free)) > 1
+        assert len(det_signs(ur5, kept)) == 1
+        assert not scene.in_collision(ur5, kept(kept.fine_samples(1e-3))).any()
+        assert np.isfinite(mp.path_cost(kept, ur5.kinematics(), 1.0).g)
+    assert crossing >= 2
+
+
+def test_an_aspect_needs_a_square_jacobian_and_one_sign(ur5, panda):
+    with pytest.raises(mp.InvalidInputError, match="same_aspect: got True; allowed: False: det J of the task pose has no sign"):
+        mp.seed_path(panda, panda.neutral, panda.neutral + 0.2, same_aspect=True)
+    q = np.array([0.0, -1.2, 1.5, -1.0, -1.2, 0.0])
+    flipped = q * [1, 1, 1, 1, -1, 1]  # on the other side of the wrist's singularity
+    with pytest.raises(mp.InvalidInputError, match="not the same one at start and goal"):
+        mp.seed_path(ur5, q, flipped, same_aspect=True)
