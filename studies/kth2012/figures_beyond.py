@@ -33,7 +33,7 @@ EVERY = 40  # points of a geodesic that are left out between two that are drawn
 def class_map(results: Results, file: Path) -> None:
     """The best path of every class."""
     with rc_context(STYLE):
-        figure = blank(9.6, 4.4)
+        figure = blank(9.6, 4.9)
         axes: Any = figure.subplots(1, 3)
         for ax, example in zip(axes, EXAMPLES, strict=True):
             found = sorted((each for each in results.classes if each.example is example), key=lambda each: each.found.g)
@@ -47,8 +47,8 @@ def class_map(results: Results, file: Path) -> None:
             ax.plot(*example.start[1:], "o", color="white", markeredgecolor="black", zorder=6)
             ax.plot(*example.goal[1:], "o", color="black", markeredgecolor="black", zorder=6)
             ax.set_title(example.name, loc="left", fontsize=9)
-            ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, fontsize=8)
-        figure.colorbar(filled, ax=axes, label="μ [m²]", shrink=0.8)
+            ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), fontsize=9)
+        figure.colorbar(filled, ax=axes, label="μ [m²]", shrink=0.6)
         save(figure, file)
 
 
