@@ -144,6 +144,7 @@ class LocalSearch:
         objective = self.program.objective
         if not self.program.free.size:
             return objective.cost(basis.path(self.start, self.goal, guess)).g
+        guess = self.program.solve(self.start, self.goal, guess, limited=False).coefficients
         least = np.inf
         for panels in POLISH_PANELS:
             solution = self.program.polish(self.start, self.goal, guess, panels=panels, limited=False)

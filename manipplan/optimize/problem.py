@@ -67,11 +67,12 @@ class Solution:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Objective:
-    """A density, the rule (m,), (m,) by which it is integrated over s, and how many steps IPOPT may take."""
+    """A density, the rule (m,), (m,) by which it is integrated over s, IPOPT's tolerance, and how many steps it may take."""
 
     density: Density
     s: Array
     weights: Array
+    tolerance: float
     steps: int
 
 
@@ -99,7 +100,7 @@ class PathProgram:
     @cached_property
     def _energy(self) -> "_Objective":
         s, weights = self.basis.gauss(max(-(-NODES // (len(self.basis.breaks) - 1)), PIECE_NODES))
-        return _Objective(density=energy_density(self.objective), s=s, weights=weights, steps=100)
+        return _Objective(density=energy_density(self.objective), s=s, weights=weights, tolerance=1e-7, steps=100)
 
     @cached_property
     def _length_density(self) -> Density:
@@ -109,19 +110,27 @@ class PathProgram:
         if panels not in self._lengths:
             line = JointPath(breaks=self.basis.breaks, control=self.basis.line[..., None])
             s, weights = line.quadrature(panels=panels)
-            self._lengths[panels] = _Objective(density=self._length_density, s=s, weights=weights, steps=300)
+            self._lengths[panels] = _Objective(density=self._length_density, s=s, weights=weights, tolerance=1e-9, steps=300)
         return self._lengths[panels]
 
     def solve(
-        self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = (), *, reach: float = np.inf
+        self,
+        start: Array,
+        goal: Array,
+        guess: Array,
+        rows: Sequence[ClearanceRow] = (),
+        *,
+        reach: float = np.inf,
+        limited: bool = True,
     ) -> Solution:
         """Minimise the energy from a guess (n, size), which has the fixed end derivatives.
 
         Rows that cannot hold come back with their slack. No unknown moves further than `reach` from the guess: in a basis of
-        several pieces, by which each moves a joint's slope, in the mean square over s [rad or m].
+        several pieces, by which each moves a joint's slope, in the mean square over s [rad or m]. With `limited` False as if
+        there were no joint limits.
         """
         size = self._integral(self._energy, start, goal, guess, 1.0)
-        return self._solve(0, start, goal, guess, rows, size, 1.0, reach=reach)
+        return self._solve(0, start, goal, guess, rows, size, 1.0, limited=limited, reach=reach)
 
     def polish(
         self,
@@ -201,10 +210,10 @@ class PathProgram:
         table = np.zeros((bubbles + 1 + 2 * joints + 8, capacity))
         table[bubbles + 1, :] = table[bubbles + 1 + joints, :] = 1.0
         table[-2, :] = -1.0  # offset -1 m and no normal: 0 >= -1
-        for k, row in enumerate(rows):
+        at = np.array([row.s for row in rows])
+        for k, (row, values) in enumerate(zip(rows, self.basis.values(at), strict=True)):
             carrier, other = np.eye(joints)[row.joint], np.eye(joints)[row.other]
-            place = [*self.basis.values(np.array([row.s]))[0], row.s]
-            table[:, k] = [*place, *carrier, *other, *row.point, *row.normal, row.offset, row.distance]
+            table[:, k] = [*values, row.s, *carrier, *other, *row.point, *row.normal, row.offset, row.distance]
         return table
 
     def _solver(self, panels: int, capacity: int, limited: bool) -> ca.Function:
@@ -287,7 +296,8 @@ class PathProgram:
                 "print_level": 0,
                 "sb": "yes",
                 "max_iter": objective.steps,
-                "tol": 1e-9,
+                "tol": objective.tolerance,
+                "mu_strategy": "adaptive",
                 "constr_viol_tol": 1e-9,
                 "bound_relax_factor": 0.0,
                 "acceptable_iter": 0,

@@ -125,7 +125,7 @@ def test_paths_are_the_same_compiled_or_not(panda, rng):
     assert fast.status is mp.Status.OPTIMAL
     assert fast.g == pytest.approx(slow.g, rel=1e-9)
     assert fast.g < 0.99 * fast.seed_cost.g
-    np.testing.assert_allclose(fast.path.control, slow.path.control, atol=1e-6)
+    np.testing.assert_allclose(fast.path.control, slow.path.control, atol=5e-3)  # g is flat along re-parametrisations
 
 
 @pytest.mark.usefixtures("no_compiler", "folder")
