@@ -70,7 +70,8 @@ PROVEN_LINKS = 4  # up to which all stationary postures are found
 POSTURE_STARTS = 60  # for the others
 TWO_LINKS = PlanarArm([1.0, 1.0])
 TWO_LINK_ENDS = ((0.0, 0.4), (2.0, 2.5))  # [rad]; of the check in closed form
-OBSTACLE_DEGREE, LINK_RADIUS, POST_RADIUS, FIRST_PATHS = 8, 0.05, 0.1, 4  # radii [m]
+OBSTACLE_DEGREE, FIRST_PATHS = 8, 4
+LINK_RADIUS, POST_RADIUS, CLEARANCE = 0.05, 0.1, 0.005  # [m]
 #: Posts in the way of the free optimum, (x, y) [m].
 POSTS = (
     (FIRST, ((-0.4, 2.0),)),

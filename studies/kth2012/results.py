@@ -173,6 +173,7 @@ class Results:
                 degree=config.OBSTACLE_DEGREE,
                 power=config.TABLE_POWER,
                 scene=mp.Scene(post),
+                clearance=config.CLEARANCE,
                 seeds=config.FIRST_PATHS,
             )
 
