@@ -8,7 +8,7 @@ import pytest
 PAGES = Path(__file__).parents[2] / "docs"
 
 
-@pytest.mark.parametrize("page", ["kinematics", "tracking", "best-motion"])
+@pytest.mark.parametrize("page", ["how-the-optimiser-decides", "timing", "kinematics", "tracking", "best-motion"])
 def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
     text = (PAGES / f"{page}.md").read_text()
     blocks = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
@@ -16,4 +16,4 @@ def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
     blocks = [block for block in blocks if "pinocchio_casadi" not in block and "demonstration.csv" not in block]
     monkeypatch.chdir(tmp_path)
     exec(compile("\n".join(blocks), f"{page}.md", "exec"), {})
-    assert len(blocks) >= 3
+    assert blocks
