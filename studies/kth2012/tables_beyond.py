@@ -38,7 +38,9 @@ def shifts_table(results: Results) -> Table:
     rows = []
     for example in EXAMPLES:
         plain, best = results.path(example, config.BEST_DEGREE), results.shifted(example)
-        turns = np.round((best.path.goal - np.array(example.goal)) / (2 * np.pi)).astype(int)
+        as_good = [each for each in (best, *best.rivals) if each.g <= best.g * (1 + 1e-9)]  # θ_1 = π and -π are
+        shifts = [np.round((each.path.goal - np.array(example.goal)) / (2 * np.pi)).astype(int) for each in as_good]
+        turns = min(shifts, key=lambda each: int(np.abs(each).sum()))
         limit = results.best_crossing(example, shifted=True).found.g
         goal = f"({', '.join(MARKS[int(k)] for k in turns)})"
         gain = f"{100 * (1 - best.g / plain.g):.1f} %"
