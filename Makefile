@@ -3,16 +3,24 @@ PYTHON ?= python3
 BIN := .venv/bin
 READY := .venv/.ready
 
-.PHONY: demo test test-long lint types docs benchmark benchmark-peers benchmark-paths clean
+.PHONY: demo test test-long browser lint types docs benchmark benchmark-peers benchmark-paths clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
 
-test: $(READY)
+test: $(READY) browser
 	$(BIN)/python -m pytest
 
 test-long: $(READY)
 	$(BIN)/python -m pytest -m long
+
+# The tests of the interactive planar page drive it; without it they fail and say the same line.
+browser:
+	@for name in chromium chromium-browser google-chrome; do command -v $$name >/dev/null && exit 0; done; \
+	if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+	  apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends chromium && exit 0; \
+	fi; \
+	echo "no Chromium was found; install it with: sudo apt-get install chromium   (as root: make browser)"
 
 lint: $(READY)
 	$(BIN)/ruff check .

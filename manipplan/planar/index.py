@@ -1,0 +1,121 @@
+"""Manipulability in closed form: μ² as a sum of squared minors of J, its gradient and Hessian, norm and condition.
+
+None of them depends on the first angle (theorems 4.1, 4.2, 4.4 in kth2012): turning θ_1 turns the whole arm.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array, configurations
+from manipplan.errors import InvalidInputError
+from manipplan.planar.arm import PlanarArm
+
+
+def minors(arm: PlanarArm, q: ArrayLike) -> Array:
+    """The 2x2 minors of the Jacobian, M_ij = r_i × r_j, (..., n, n) [m²], skew-symmetric, at q (..., n).
+
+    In relative angles M_ij = Σ_(i<=p<j) Σ_(m>=j) l_p l_m sin(θ_(p+1) + ... + θ_m) for i < j: θ_1 is not among them.
+    """
+    return _cross(arm.levers(q))
+
+
+def squared_manipulability(arm: PlanarArm, q: ArrayLike) -> Array:
+    """μ² = det(J Jᵀ) = Σ_(i<j) M_ij², (...,) [m⁴], at q (..., n), by the formula of Cauchy and Binet.
+
+    (5.2) in kth2012 has this for unit links, with two misprints: its constant is 5/2, and the term of 2θ_3 is -cos 2θ_3.
+    """
+    return np.asarray((minors(arm, q) ** 2).sum(axis=(-2, -1)) / 2)
+
+
+def squared_manipulability_gradient(arm: PlanarArm, q: ArrayLike) -> Array:
+    """∇μ² by the angles, (..., n) [m⁴], at q (..., n); its first entry is zero."""
+    minor, first = _slopes(arm.levers(q))
+    return np.asarray(np.einsum("...ij,...ijk->...k", minor, first))
+
+
+def squared_manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
+    """∇²μ² by the angles, (..., n, n) [m⁴], at q (..., n); its first row and column are zero."""
+    r = arm.levers(q)
+    minor, first = _slopes(r)
+    second = _bends(minor, arm.n)
+    outer = np.einsum("...ijk,...ijl->...kl", first, first)
+    return np.asarray(outer + np.einsum("...ij,...ijkl->...kl", minor, second))
+
+
+def manipulability(arm: PlanarArm, q: ArrayLike) -> Array:
+    """The manipulability measure μ = sqrt(det(J Jᵀ)), (...,) [m²], at q (..., n); (2.19) in kth2012."""
+    return np.asarray(np.sqrt(squared_manipulability(arm, q)))
+
+
+def manipulability_gradient(arm: PlanarArm, q: ArrayLike) -> Array:
+    """∇μ = ∇μ² / (2 μ), (..., n) [m²], at q (..., n).
+
+    Raises InvalidInputError at a singular posture: μ has a kink there. `squared_manipulability_gradient` exists everywhere.
+    """
+    return np.asarray(squared_manipulability_gradient(arm, q) / (2 * _regular(arm, q)[..., None]))
+
+
+def manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
+    """∇²μ = (∇²μ² / 2 - ∇μ ∇μᵀ) / μ, (..., n, n) [m²], at q (..., n). Raises as `manipulability_gradient` does."""
+    index = _regular(arm, q)
+    slope = manipulability_gradient(arm, q)
+    bend = squared_manipulability_hessian(arm, q) / 2 - slope[..., :, None] * slope[..., None, :]
+    return np.asarray(bend / index[..., None, None])
+
+
+def frobenius_norm(arm: PlanarArm, q: ArrayLike) -> Array:
+    """The weighted Frobenius norm sqrt(tr(J Jᵀ)/2), (...,) [m], at q (..., n).
+
+    (4.2) in kth2012, whose innermost sum has to begin at m = p + 1, not at i + 1. As its terms do not depend on i, each
+    comes p times: tr(J Jᵀ)/2 = Σ_p p l_p²/2 + Σ_(p<m) p l_p l_m cos(θ_(p+1) + ... + θ_m).
+    """
+    return np.asarray(np.sqrt(np.maximum(_half_trace(arm, q), 0.0)))
+
+
+def inverse_condition(arm: PlanarArm, q: ArrayLike) -> Array:
+    """κ = σ_min/σ_max of J, from 0 (singular) to 1 (isotropic), (...,), at q (..., n).
+
+    What kth2012 calls the condition number (2.23). From trace and determinant as in (4.38), the smaller eigenvalue as
+    det/λ_max, since the difference in (4.38) loses digits beside a singularity.
+    """
+    half = _half_trace(arm, q)
+    square = squared_manipulability(arm, q)
+    largest = half + np.sqrt(np.maximum(half**2 - square, 0.0))  # (4.38)
+    return np.asarray(np.sqrt(square) / largest)
+
+
+def _half_trace(arm: PlanarArm, q: ArrayLike) -> Array:
+    phi = np.cumsum(configurations("q", q, arm.n), axis=-1)
+    weights = np.arange(1, arm.n + 1) * arm.lengths
+    pairs = np.triu(weights[:, None] * arm.lengths, 1)
+    cosines = np.cos(phi[..., None, :] - phi[..., :, None])
+    return np.asarray((pairs * cosines).sum(axis=(-2, -1)) + weights @ arm.lengths / 2)
+
+
+def _regular(arm: PlanarArm, q: ArrayLike) -> Array:
+    index = manipulability(arm, q)
+    if (index <= 1e-12 * arm.lengths.sum() ** 2).any():
+        raise InvalidInputError("q", q, "postures that are not singular: there μ has no derivative, but μ² has")
+    return index
+
+
+def _cross(r: Array) -> Array:
+    x, y = r[..., 0], r[..., 1]
+    return np.asarray(x[..., :, None] * y[..., None, :] - y[..., :, None] * x[..., None, :])
+
+
+def _slopes(r: Array) -> tuple[Array, Array]:
+    """M_ij (..., n, n), and ∂_k M_ij = r_i · r_max(j,k) - r_max(i,k) · r_j, (..., n, n, n), since ∂_k r_i = ⊥ r_max(i,k)."""
+    dots = r @ np.swapaxes(r, -1, -2)
+    i, j, k = np.ogrid[: r.shape[-2], : r.shape[-2], : r.shape[-2]]
+    return _cross(r), dots[..., i, np.maximum(j, k)] - dots[..., np.maximum(i, k), j]
+
+
+def _bends(minor: Array, n: int) -> Array:
+    """∂_l ∂_k M_ij, (..., n, n, n, n), by ∂_l (r_a · r_b) = M_(max(a,l) b) + M_(max(b,l) a)."""
+    i, j, k, m = np.ogrid[:n, :n, :n, :n]
+
+    def slope(a: Array, b: Array) -> Array:
+        return np.asarray(minor[..., np.maximum(a, m), b] + minor[..., np.maximum(b, m), a])
+
+    return slope(i, np.maximum(j, k)) - slope(np.maximum(i, k), j)

@@ -1,0 +1,116 @@
+"""What a two- or three-link arm reaches under angle limits, and with which orientations: exact, place by place."""
+
+import itertools
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array
+from manipplan.errors import InvalidInputError
+from manipplan.planar.arm import PlanarArm
+from manipplan.planar.inverse import GRAZE, position_family, two_link_postures, two_links, wrapped
+from manipplan.planar.limits import ON_LIMIT, AngleLimits
+
+Interval = tuple[float, float]
+
+
+def reachable_orientations(
+    arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = None, upper: ArrayLike | None = None
+) -> tuple[Interval, ...]:
+    """The angles φ [rad] that a three-link arm's tool can have at `position` (2,) [m] under angle limits.
+
+    Disjoint closed intervals, their begins in [-π, π), that do not overlap on the circle; ((-π, π),) is every orientation.
+    For each elbow the set of φ changes only where a joint meets a limit or the elbow is straight: angles in closed form.
+    Raises InvalidInputError for an arm without three links, or limits of a wrong shape or order.
+    """
+    limits = AngleLimits.of(lower, upper, arm.n)
+    family = position_family(arm, position)
+    marks = wrapped(np.array(_marks(arm, family.position, limits)))
+    pieces: list[Interval] = []
+    for begin, end in family.orientations:
+        inside = begin + np.mod(marks - begin, 2 * np.pi)
+        cuts = np.unique(np.concatenate([[begin, end], inside[inside < end]]))
+        for low, high in itertools.pairwise(cuts.tolist() if len(cuts) > 1 else [begin, end]):
+            if limits.contain(family(0.5 * (low + high))).any():
+                pieces.append((low, high))
+        pieces += [(cut, cut) for cut in cuts.tolist() if limits.contain(family(cut)).any()]
+    pieces += _folded(arm, family.position, limits)
+    return _joined(pieces)
+
+
+def is_reachable(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> bool:
+    """Whether the tool can come to `position` (2,) [m] under angle limits; two or three links.
+
+    Raises InvalidInputError for more links, or limits of a wrong shape or order.
+    """
+    check_few_links(arm)
+    if arm.n == 2:
+        limits, rows = AngleLimits.of(lower, upper, 2), two_link_postures(arm, position)
+        if len(rows) and np.hypot(*np.asarray(position)) <= GRAZE * arm.lengths.sum():  # folded: θ_1 is free
+            rows[:, 0] = np.where(limits.bounded[0], limits.lower[0], 0.0)
+        return bool(limits.contain(rows).any())
+    return bool(reachable_orientations(arm, position, lower, upper))
+
+
+def is_dexterous(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> bool:
+    """Whether a three-link arm's tool can have every orientation at `position` (2,) [m] under angle limits."""
+    return any(end - begin >= 2 * np.pi for begin, end in reachable_orientations(arm, position, lower, upper))
+
+
+def check_few_links(arm: PlanarArm) -> None:
+    """Raises InvalidInputError for more than three links."""
+    if not isinstance(arm, PlanarArm) or arm.n > 3:
+        raise InvalidInputError("arm", arm, "a PlanarArm with two or three links")
+
+
+def _folded(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[Interval]:
+    """The one orientation at which equal links 1 and 2 lie on each other: θ_1 is free, θ_3 goes with it."""
+    slack = GRAZE * arm.lengths.sum()
+    if abs(arm.lengths[0] - arm.lengths[1]) > slack or abs(np.hypot(*target) - arm.lengths[2]) > slack:
+        return []
+    phi = float(np.arctan2(target[1], target[0]))
+    # θ_1 in its own range, and in that which θ_3 = φ - π - θ_1 leaves to it
+    low, high = phi - np.pi - limits.upper[2], phi - np.pi - limits.lower[2]
+    free = not (limits.bounded[0] and limits.bounded[2])
+    turns = 0.0 if free else np.ceil((limits.lower[0] - ON_LIMIT - high) / (2 * np.pi)) * 2 * np.pi
+    straight = AngleLimits(lower=limits.lower[1:2], upper=limits.upper[1:2]).contain([np.pi])
+    return [(phi, phi)] if straight and (free or low + turns <= limits.upper[0] + ON_LIMIT) else []
+
+
+def _marks(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[float]:
+    """Orientations at which a joint is on a limit, or the third joint is at or opposite the base."""
+    l1, l2, l3 = (float(length) for length in arm.lengths)
+    direction = float(np.arctan2(target[1], target[0]))
+    marks = [direction, direction + np.pi]
+    for joint in np.flatnonzero(limits.bounded):
+        for end in (float(limits.lower[joint]), float(limits.upper[joint])):
+            c, s = np.cos(end), np.sin(end)
+            if joint == 0:
+                rows = two_links(l2, l3, target - l1 * np.array([c, s]))
+                marks += rows.sum(axis=1).tolist()
+            elif joint == 1:  # links 1 and 2 as one rigid part
+                part = float(np.hypot(l1 + l2 * c, l2 * s))
+                marks += two_links(part, l3, target).sum(axis=1).tolist()
+            else:
+                part, offset = np.hypot(l2 + l3 * c, l3 * s), np.arctan2(l3 * s, l2 + l3 * c)
+                rows = two_links(l1, float(part), target)
+                marks += (rows.sum(axis=1) - offset + end).tolist()
+    return marks
+
+
+def _joined(pieces: list[Interval]) -> tuple[Interval, ...]:
+    """The union on the circle, of intervals that touch."""
+    turn = 2 * np.pi
+    rows: list[list[float]] = []
+    shifted = sorted((float(wrapped(low)), float(wrapped(low)) + high - low) for low, high in pieces)
+    for low, high in shifted:
+        if rows and low <= rows[-1][1] + 1e-9:
+            rows[-1][1] = max(rows[-1][1], high)
+        else:
+            rows.append([low, high])
+    while len(rows) > 1 and rows[0][0] + turn <= rows[-1][1] + 1e-9:
+        rows[-1][1] = max(rows[-1][1], rows[0][1] + turn)
+        rows.pop(0)
+    if len(rows) == 1 and rows[0][1] - rows[0][0] >= turn - 1e-9:
+        return ((-np.pi, np.pi),)
+    return tuple((low, high) for low, high in rows)

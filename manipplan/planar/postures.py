@@ -1,0 +1,224 @@
+"""Optimal postures: where μ is stationary, free, at a fixed distance, and under angle limits; chapter 5 of kth2012.
+
+All stationary postures are found, with proof: free ones by subdivision with Krawczyk's test (`zeros`), those at a fixed
+distance by Sturm's theorem on a polynomial of degree 12 (`fixed_radius`). The maximum is one of them.
+"""
+
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from manipplan.checks import Array, configurations, number
+from manipplan.errors import InvalidInputError
+from manipplan.planar.arcs import reachable_radii
+from manipplan.planar.arm import PlanarArm
+from manipplan.planar.fixed_radius import fixed_radius_postures
+from manipplan.planar.index import inverse_condition, manipulability, squared_manipulability_hessian
+from manipplan.planar.limits import AngleLimits
+from manipplan.planar.trigonometric import TrigonometricPolynomial, squared_manipulability_series
+from manipplan.planar.zeros import torus_zeros
+
+#: Links up to which all stationary postures are looked for: each more costs a hundred times the time.
+MOST_LINKS = 4
+#: Postures whose μ is below the best by a smaller share are best, too.
+TIE = 1e-12
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PostureSet:
+    """Postures of one arm with their measures, rows in falling order of μ.
+
+    Attributes:
+        q: (k, n) [rad]; θ_1, which is free, is 0 or the limit next to it. Inside the limits.
+        manipulability: (k,) μ [m²].
+        radius: (k,) distance of the tool from the base [m].
+        inverse_condition: (k,) κ.
+        on_limit: (k, n) whether a joint was held on a limit.
+        complete: whether these are proven to be all.
+        bound: what μ cannot exceed anywhere among the allowed postures [m²]: the best μ when complete.
+    """
+
+    q: Array
+    manipulability: Array
+    radius: Array
+    inverse_condition: Array
+    on_limit: NDArray[np.bool_]
+    complete: bool
+    bound: float
+
+    def __len__(self) -> int:
+        return len(self.q)
+
+    @property
+    def best(self) -> "PostureSet":
+        """The rows with the largest μ: the optimal posture, its mirror image, and others that are as good."""
+        rows = self.manipulability >= self.manipulability[0] * (1 - TIE)
+        return PostureSet(
+            q=self.q[rows],
+            manipulability=self.manipulability[rows],
+            radius=self.radius[rows],
+            inverse_condition=self.inverse_condition[rows],
+            on_limit=self.on_limit[rows],
+            complete=self.complete,
+            bound=self.bound,
+        )
+
+
+def stationary_postures(
+    arm: PlanarArm,
+    *,
+    radius: float | None = None,
+    lower: ArrayLike | None = None,
+    upper: ArrayLike | None = None,
+) -> PostureSet:
+    """All postures at which μ is stationary among those allowed; the optimal ones are `.best`.
+
+    With neither radius nor limits: problem (5.4) in kth2012; `radius`: (5.5); limits: (5.6); both: (5.7), whose print
+    "-θ_i <= -π/2" is "-θ_i <= π/2". Singular postures (μ = 0) are among them, since μ² is stationary there.
+
+    With limits, a posture counts when μ is stationary while the joints that are on a limit stay on it: candidates for
+    the maximum, not only those that no multiplier speaks against.
+
+    Args:
+        arm: two to four links; with `radius`, two or three.
+        radius: the tool's distance from the base [m].
+        lower: angle limits, one number or (n,) [rad]. Those of θ_1 do not change μ.
+        upper: likewise.
+
+    Raises:
+        InvalidInputError: too many links; a radius that is negative or cannot be reached within the limits; limits of a wrong
+            shape or order.
+    """
+    _check(arm, MOST_LINKS)
+    limits = AngleLimits.of(lower, upper, arm.n)
+    if radius is None:
+        bent, held, complete, bound = _free(arm, limits)
+    else:
+        _check(arm, 3)
+        bent, held = _at_radius(arm, limits, number("radius", radius, least=0.0))
+        complete, bound = True, 0.0
+    first = float(np.clip(0.0, limits.lower[0], limits.upper[0]))
+    q = np.column_stack([np.full(len(bent), first), bent])
+    q, on_limit = limits.placed(q), np.column_stack([np.zeros(len(held), dtype=bool), held])
+    allowed = np.isfinite(q).all(axis=1)
+    q, on_limit = q[allowed], on_limit[allowed]
+    if radius is not None and not len(q):
+        least, most = reachable_radii(arm, lower, upper)
+        raise InvalidInputError("radius", radius, f"{least:.9g} to {most:.9g} m, what the arm reaches within its limits")
+    mu = manipulability(arm, q)
+    order = np.argsort(-mu, kind="stable")
+    return PostureSet(
+        q=q[order],
+        manipulability=mu[order],
+        radius=arm.radius(q)[order],
+        inverse_condition=inverse_condition(arm, q)[order],
+        on_limit=on_limit[order],
+        complete=complete,
+        bound=max(bound, float(mu.max())),
+    )
+
+
+def optimal_radius(arm: PlanarArm, *, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> float:
+    """The distance from the base [m] at which μ can be largest; section 5.3 in kth2012. Raises as `stationary_postures`."""
+    return float(stationary_postures(arm, lower=lower, upper=upper).best.radius[0])
+
+
+def stationary_kind(arm: PlanarArm, q: ArrayLike) -> str:
+    """What a stationary posture q (n,) without limits is: "maximum", "minimum", "saddle" or "degenerate", by ∇²μ²."""
+    _check(arm, None)
+    posture = configurations("q", q, arm.n)
+    if posture.ndim != 1:
+        raise InvalidInputError("q", posture.tolist(), f"one posture, shape ({arm.n},)")
+    values = np.linalg.eigvalsh(squared_manipulability_hessian(arm, posture)[1:, 1:])
+    if np.abs(values).min() <= 1e-9 * float(arm.lengths.sum()) ** 4:
+        return "degenerate"
+    return "maximum" if values[-1] < 0 else "minimum" if values[0] > 0 else "saddle"
+
+
+def _free(arm: PlanarArm, limits: AngleLimits) -> tuple[Array, NDArray[np.bool_], bool, float]:
+    """(θ_2, ..., θ_n) of all stationary postures, in the inside and on each face of the limits; which joints are held there.
+
+    Also whether they are all, and a bound of μ where that is open.
+    """
+    series, d = squared_manipulability_series(arm), arm.n - 1
+    rows, held_rows, complete, bound = [], [], True, 0.0
+    ends = [(None, *_ends(limits, i)) for i in range(1, arm.n)]
+    for face in itertools.product(*ends):
+        form, held = series, np.array([value is not None for value in face])
+        for variable in reversed(range(d)):
+            value = face[variable]
+            if value is not None:
+                form = form.restricted(variable, value)
+        points, unresolved, half = _zeros_of_gradient(form)
+        bent = np.tile([0.0 if value is None else value for value in face], (len(points), 1))
+        bent[:, ~held] = points
+        rows.append(bent)
+        held_rows.append(np.tile(held, (len(points), 1)))
+        if len(unresolved):
+            complete = False
+            bound = max(bound, _bound(form, unresolved, half))
+    return np.concatenate(rows), np.concatenate(held_rows), complete, bound
+
+
+def _zeros_of_gradient(form: TrigonometricPolynomial) -> tuple[Array, Array, float]:
+    if not form.dimension:
+        return np.zeros((1, 0)), np.zeros((0, 0)), 0.0
+    zeros = torus_zeros([form.derivative(i) for i in range(form.dimension)])
+    return zeros.points, zeros.unresolved, zeros.half_width
+
+
+def _bound(form: TrigonometricPolynomial, centres: Array, half: float) -> float:
+    """What sqrt(f) cannot exceed in the boxes: |∂_i f| <= Σ_k |c_k k_i|."""
+    steep = float(np.hypot(form.cosine, form.sine) @ np.abs(form.frequencies).sum(axis=1))
+    return float(np.sqrt(max(float(form(centres).max()) + steep * half, 0.0)))
+
+
+def _at_radius(arm: PlanarArm, limits: AngleLimits, radius: float) -> tuple[Array, NDArray[np.bool_]]:
+    """The same on the curve ‖f‖ = R: stationary along it, and where it meets a limit."""
+    if arm.n == 2:
+        elbow = _bends(float(arm.lengths[0]), float(arm.lengths[1]), radius)
+        bent = np.array([[angle] for angle in elbow]).reshape(-1, 1)
+        return bent, np.zeros(bent.shape, dtype=bool)
+    l1, l2, l3 = (float(length) for length in arm.lengths)
+    inside = fixed_radius_postures(arm, radius)
+    rows, held = list(inside), [(False, False)] * len(inside)
+    for second in _ends(limits, 1):  # links 1 and 2 are one rigid part
+        part, offset = _rigid(l1, l2, second)
+        found = [(second, bend + offset - second) for bend in _bends(part, l3, radius)]
+        rows, held = rows + [np.array(row) for row in found], held + [(True, False)] * len(found)
+    for third in _ends(limits, 2):  # links 2 and 3 are
+        part, offset = _rigid(l2, l3, third)
+        found = [(bend - offset, third) for bend in _bends(l1, part, radius)]
+        rows, held = rows + [np.array(row) for row in found], held + [(False, True)] * len(found)
+    return np.array(rows).reshape(-1, 2), np.array(held, dtype=bool).reshape(-1, 2)
+
+
+def _ends(limits: AngleLimits, joint: int) -> tuple[float, ...]:
+    if not limits.bounded[joint]:
+        return ()
+    return tuple({float(limits.lower[joint]): None, float(limits.upper[joint]): None})
+
+
+def _rigid(first: float, second: float, angle: float) -> tuple[float, float]:
+    """Length of two links held at an angle, and its direction against the first."""
+    x, y = first + second * np.cos(angle), second * np.sin(angle)
+    return float(np.hypot(x, y)), float(np.arctan2(y, x))
+
+
+def _bends(first: float, second: float, radius: float) -> tuple[float, ...]:
+    """The angles between two parts at which their ends are `radius` apart."""
+    total = first + second
+    if not abs(first - second) - 1e-12 * total <= radius <= total * (1 + 1e-12):
+        return ()
+    near = max((radius - (first - second)) * (radius + (first - second)), 0.0)
+    far = max((total - radius) * (total + radius), 0.0)
+    bend = float(2 * np.arctan2(np.sqrt(far), np.sqrt(near)))
+    return (bend, -bend) if 0 < bend < np.pi else (bend,)
+
+
+def _check(arm: PlanarArm, most: int | None) -> None:
+    if not isinstance(arm, PlanarArm) or (most is not None and arm.n > most):
+        wanted = "a PlanarArm" if most is None else f"a PlanarArm with two to {most} links"
+        raise InvalidInputError("arm", arm, wanted)

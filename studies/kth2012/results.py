@@ -1,0 +1,192 @@
+"""Postures, paths and geodesics of the study, each computed once."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TypeVar, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+import manipplan as mp
+from manipplan.planar import PostureSet, stationary_postures
+from studies.kth2012 import classes, config
+from studies.kth2012.classes import Walk
+from studies.kth2012.config import ARM, Example
+from studies.kth2012.geodesics import Geodesic, geodesic
+from studies.kth2012.starts import best_of_random_starts
+
+Array = NDArray[np.float64]
+Kind = TypeVar("Kind")
+TURN = 2 * np.pi
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Crossing:
+    """A class of paths and its geodesic; `shift` (3,) turns are added to the example's goal."""
+
+    example: Example
+    shift: tuple[int, int, int]
+    walk: Walk
+    found: Geodesic
+
+    @property
+    def stayed(self) -> bool:
+        """Whether the geodesic is of the class it was looked for in."""
+        return classes.walk_of(self.found.q) == self.walk
+
+
+@dataclass(frozen=True, eq=False)
+class Results:
+    """All that was computed; tables, figures and claims ask for the same without doing it again."""
+
+    quick: bool
+    kept: dict[object, object] = field(default_factory=dict)
+
+    @cached_property
+    def robot(self) -> mp.Robot:
+        """The unit arm for the general machinery."""
+        return mp.planar_arm(ARM.lengths, radius=config.LINK_RADIUS)
+
+    @cached_property
+    def kinematics(self) -> mp.Kinematics:
+        """Of the unit arm's position."""
+        return self.robot.kinematics()
+
+    @cached_property
+    def free(self) -> PostureSet:
+        """All stationary postures, (5.4)."""
+        return stationary_postures(ARM)
+
+    def at_radius(self, radius: float, *, limited: bool) -> PostureSet:
+        """All stationary postures at a radius [m], (5.5), or (5.7) when `limited`."""
+        limits = {"lower": -config.QUARTER, "upper": config.QUARTER} if limited else {}
+        return self.once(("posture", radius, limited), lambda: stationary_postures(ARM, radius=radius, **limits))
+
+    def path(self, example: Example, degree: int, power: float = config.TABLE_POWER) -> mp.PathResult:
+        """The optimal path of a degree, by the general optimiser."""
+
+        def run() -> mp.PathResult:
+            return mp.optimize_path(self.robot, example.start, example.goal, degree=degree, power=power)
+
+        return self.once(("path", example, degree, power), run)
+
+    def multistart(self, example: Example, degree: int) -> float:
+        """The least g of random starts."""
+        return self.once(
+            ("starts", example, degree),
+            lambda: best_of_random_starts(example, degree, config.TABLE_POWER, config.STARTS),
+        )
+
+    @property
+    def start_degrees(self) -> tuple[int, ...]:
+        """Degrees at which random starts are made."""
+        return config.START_DEGREES[:1] if self.quick else config.START_DEGREES
+
+    @property
+    def classes(self) -> tuple[Crossing, ...]:
+        """Classes with the goal as it is: all within one winding, that is with at most two steps more than the least."""
+        found = []
+        for example in config.EXAMPLES:
+            goal = classes.cell(example.goal)
+            all_walks = [
+                walk for walk in classes.walks(classes.cell(example.start), 2 if self.quick else 4) if walk[-1] == goal
+            ]
+            found += [self._crossing(example, walk) for walk in all_walks]
+        return tuple(found)
+
+    @property
+    def torus(self) -> tuple[Crossing, ...]:
+        """Classes with at most two steps, to the goal and to all that differ from it by full turns."""
+        found = []
+        for example in config.EXAMPLES:
+            goal = classes.cell(example.goal)
+            for walk in classes.walks(classes.cell(example.start), 2):
+                if all((end - want) % 2 == 0 for end, want in zip(walk[-1], goal, strict=True)):
+                    found.append(self._crossing(example, walk))
+        return tuple(found)
+
+    def best_crossing(self, example: Example, *, shifted: bool) -> Crossing:
+        """The class of least g, to the goal itself or, `shifted`, to all goals."""
+        rows = [each for each in (self.torus if shifted else self.classes) if each.example is example]
+        return min(rows, key=lambda each: each.found.g)
+
+    def _crossing(self, example: Example, walk: Walk) -> Crossing:
+        def run() -> Crossing:
+            base = classes.cell(example.goal)
+            second, third = ((end - want) // 2 for end, want in zip(walk[-1], base, strict=True))
+            start = np.array(example.start)
+            goal = np.array(example.goal) + TURN * np.array([0, second, third])
+            found = geodesic(ARM, classes.through(start, goal, walk), config.TABLE_POWER)
+            return Crossing(example=example, shift=(0, second, third), walk=walk, found=found)
+
+        return self.once(("class", example, walk), run)
+
+    def limit(self, example: Example, power: float = config.TABLE_POWER) -> Geodesic:
+        """The geodesic that the paths of ever higher degree go to, from the path of the highest degree of the tables."""
+        return self.once(
+            ("limit", example, power), lambda: geodesic(ARM, self.path(example, config.BEST_DEGREE, power).path, power)
+        )
+
+    def two_links(self) -> tuple[float, float, float]:
+        """g with p = 1 of two unit links: of the geodesic, of the optimal polynomial, and in closed form.
+
+        μ = |sin θ_2|, so that the metric is (dθ_1² + dθ_2²)/sin² θ_2: the hyperbolic plane as a strip, which
+        w = exp(θ_1 + i θ_2) maps to the upper half-plane, where cosh d = 1 + |w_1 - w_2|²/(2 Im w_1 Im w_2).
+        """
+
+        def run() -> tuple[float, float, float]:
+            start, goal = config.TWO_LINK_ENDS
+            curve = geodesic(config.TWO_LINKS, mp.JointPath.line(start, goal), config.TEXT_POWER)
+            robot = config.TWO_LINKS.robot()
+            path = mp.optimize_path(robot, start, goal, degree=config.MOST_DEGREE, power=config.TEXT_POWER)
+            a, b = (np.exp(first + 1j * second) for first, second in config.TWO_LINK_ENDS)
+            return curve.g, path.g, float(np.arccosh(1 + abs(a - b) ** 2 / (2 * a.imag * b.imag)))
+
+        return self.once("two links", run)
+
+    def shifted(self, example: Example) -> mp.PathResult:
+        """The best over goals that differ by full turns, by the general optimiser, with its rivals."""
+
+        def run() -> mp.PathResult:
+            return mp.optimize_path(
+                self.robot,
+                example.start,
+                example.goal,
+                degree=config.BEST_DEGREE,
+                power=config.TABLE_POWER,
+                shifts="within-limits",
+                throw=False,
+            )
+
+        return self.once(("shifted", example), run)
+
+    def among(self, example: Example, posts: tuple[tuple[float, float], ...]) -> mp.PathResult:
+        """The best path found among posts."""
+
+        def run() -> mp.PathResult:
+            post = [mp.Cylinder(radius=config.POST_RADIUS, length=1.0, position=(x, y, 0.0)) for x, y in posts]
+            return mp.optimize_path(
+                self.robot,
+                example.start,
+                example.goal,
+                degree=config.OBSTACLE_DEGREE,
+                power=config.TABLE_POWER,
+                scene=mp.Scene(post),
+                clearance=config.CLEARANCE,
+                seeds=config.FIRST_PATHS,
+            )
+
+        return self.once(("among", example, posts), run)
+
+    def once(self, key: object, run: Callable[[], Kind]) -> Kind:
+        """Run what has this key when it has not been."""
+        if key not in self.kept:
+            self.kept[key] = run()
+        return cast(Kind, self.kept[key])
+
+
+def signed(difference: float, digits: int) -> str:
+    """A difference for people: its sign and digits, and no sign where nothing is left of it."""
+    rounded = round(difference, digits)
+    return f"{rounded:+.{digits}f}" if rounded else f"{0:.{digits}f}"

@@ -1,0 +1,63 @@
+"""The whole study in one command."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from rich.progress import Progress
+
+from studies import command
+from studies.kth2012 import claims, config, tables_beyond, tables_paths, tables_postures
+from studies.kth2012.figures import FULL_ONLY, figures
+from studies.kth2012.results import Results
+from studies.tables import Table
+
+Stage = tuple[str, float, Callable[[], object]]
+
+
+def main(arguments: list[str] | None = None) -> list[str]:
+    """Run it and return what is not as expected.csv has it."""
+    quick = "chapters 4 to 6 and the shortest classes only"
+    return command.run(config.PAGES, quick, study, lambda found, quick: claims.differences(found, quick=quick), arguments)
+
+
+def study(out: Path, quick: bool, progress: Progress) -> list[claims.Claim]:
+    """Make everything; returns the claims."""
+    results, found = Results(quick=quick), []
+    todo = stages(results, out, found)
+    bar = progress.add_task("kth2012", total=sum(weight for _, weight, _ in todo))
+    for text, weight, do in todo:
+        progress.update(bar, description=text)
+        do()
+        progress.update(bar, advance=weight)
+    return found
+
+
+def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[Stage]:
+    """What is done, each with about the seconds it takes on two idle cores."""
+    quick = results.quick
+
+    def written(*tables: Table) -> None:
+        for table in tables:
+            table.write(out)
+
+    drawn = {name: write for name, write in figures(results).items() if not (quick and name in FULL_ONLY)}
+    beyond: list[Stage] = [
+        ("proportions", 3.5, lambda: written(tables_postures.proportions_table(results))),
+        ("goals by full turns", 3.0, lambda: written(tables_beyond.torus_table(results), tables_beyond.shifts_table(results))),
+        ("convergence", 4.0, lambda: written(tables_beyond.convergence_table(results), tables_beyond.two_links_table(results))),
+        ("posts", 6.0, lambda: written(tables_beyond.obstacles_table(results))),
+        ("more links", 3.0, lambda: written(tables_beyond.links_table(results))),
+    ]
+    return [
+        ("theorems", 1.0, lambda: written(tables_postures.theorems_table(tables_postures.theorems()))),
+        ("Table 5.1", 0.1, lambda: written(tables_postures.table_5_1(results), tables_postures.stationary_table(results))),
+        ("Table 5.2", 0.1, lambda: written(tables_postures.table_5_2(results))),
+        ("Tables 6.1 and 6.2", 2.0, lambda: written(*tables_paths.path_tables(results))),
+        ("Table 6.3", 0.5, lambda: written(tables_paths.table_6_3(results), tables_paths.costs_6_3(results))),
+        ("Table 6.4", 0.1, lambda: written(tables_paths.table_6_4(results))),
+        ("homotopy classes", 0.5 if quick else 3.0, lambda: written(tables_beyond.classes_table(results))),
+        *([] if quick else beyond),
+        *((name, 0.2, lambda name=name, write=write: write(out / f"{name}.svg")) for name, write in drawn.items()),
+        ("claims", 1.0, lambda: found.extend(claims.claims(results))),
+        ("claims", 0.1, lambda: written(claims.table(found))),
+    ]
