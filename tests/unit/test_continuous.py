@@ -5,7 +5,8 @@ import pytest
 
 import manipplan as mp
 from manipplan.robots import continuous
-from manipplan.robots.continuous import Reach, path_clearance
+from manipplan.robots.continuous import path_clearance
+from manipplan.robots.reach import Reach
 
 BOXES = [
     mp.Box(size=(0.1, 0.1, 0.4), position=(0.45, 0.2, 0.3), name="post"),
