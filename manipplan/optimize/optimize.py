@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, finite_array, instance, number, whole_number
-from manipplan.errors import FileFormatError, InvalidInputError, PlanningError, UnknownNameError
+from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
 from manipplan.interrupts import interruptible
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.measure import Measure
@@ -16,29 +16,21 @@ from manipplan.measures.task import Task
 from manipplan.optimize.basis import named_basis
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.homotopy import Crew, best_and_rivals, seed_classes, shifted_goals
+from manipplan.optimize.initial import check_initial, initial_path
 from manipplan.optimize.metric import metric_matrix
 from manipplan.optimize.result import PathResult, no_path
 from manipplan.optimize.solve import PathProblem
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.progress import Progress, teller
-from manipplan.robots.continuous import path_clearance
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
-from manipplan.seeds.ompl import CHECK_STEP, check_apart
+from manipplan.seeds.ompl import check_apart
 from manipplan.status import Status
 
 #: A polynomial of a higher degree is no better, only slower.
 MOST_DEGREE = 20
 SHIFTS = ("none", "within-limits")
-#: How a recorded motion is read, by the end of the file's name.
-READERS = {
-    ".csv": Trajectory.from_csv,
-    ".json": Trajectory.from_json,
-    ".yaml": Trajectory.from_ros,
-    ".yml": Trajectory.from_ros,
-    ".npz": Trajectory.from_npz,
-}
 
 
 def optimize_path(
@@ -123,7 +115,7 @@ def optimize_path(
     instance("robot", robot, Robot)
     if scene is not None:
         instance("scene", scene, Scene)
-    recorded = None if initial is None else _initial_path(robot, initial)
+    recorded = None if initial is None else initial_path(robot, initial)
     degree = whole_number("degree", degree, least=1, most=MOST_DEGREE)
     named_basis(basis, degree, pieces)
     power = number("power", power, above=0.0, most=100.0)
@@ -176,7 +168,7 @@ def optimize_path(
     problem.ends.check_degree(lambda k: named_basis(basis, k, pieces), degree)
     crew = Crew(problem=problem, executor=executor, tell=tell)
     if recorded is not None:
-        _check_initial(problem, recorded, q_start, q_goal)
+        check_initial(problem, recorded, q_start, q_goal)
         firsts = [recorded]
     else:
         try:
@@ -215,51 +207,3 @@ def check_measure(kinematics: Kinematics) -> None:
 
 def _derivative(argument: str, value: ArrayLike | None, n: int) -> Array | None:
     return None if value is None else finite_array(argument, value, (n,))
-
-
-def _initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> JointPath:
-    """A first path in any form as a JointPath of this robot's joints."""
-    if isinstance(initial, JointPath):
-        path = initial
-    else:
-        motion = initial if isinstance(initial, Trajectory) else _recorded(initial)
-        if motion.joint_names != robot.joint_names:
-            wanted = f"a motion of the joints {', '.join(robot.joint_names)}"
-            raise InvalidInputError("initial", f"one of {', '.join(motion.joint_names)}", wanted)
-        path = motion.path()
-    if path.n != robot.n:
-        raise InvalidInputError("initial", f"a path of {path.n} joints", f"a path of the {robot.n} joints of {robot.name}")
-    return path
-
-
-def _recorded(file: str | Path) -> Trajectory:
-    if not isinstance(file, str | Path):
-        raise InvalidInputError("initial", file, "a JointPath, a Trajectory, or the path of its file")
-    read = READERS.get(Path(file).suffix.lower())
-    if read is None:
-        raise FileFormatError("initial", str(file), f"a file of a trajectory: {', '.join(READERS)}")
-    return read(file)
-
-
-def _check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: Array) -> None:
-    robot, model = problem.robot, problem.model()
-    for name, q, end in (("start", start, initial.start), ("goal", goal, initial.goal)):
-        off = np.abs(end - q)
-        if off.max() > 1e-9:
-            got = f"a path whose {name} is {off.max():.3g} off at {robot.joint_names[int(off.argmax())]}"
-            raise InvalidInputError("initial", got, "a path from start to goal")
-    low, high = initial.bounds()
-    for q in (low, high):
-        robot.configuration("initial", q, tolerance=1e-9)
-    if model is None:
-        return
-    proof = path_clearance(model, initial, clearance=problem.clearance, tolerance=None)
-    if proof.refuted:
-        first, second = proof.pair
-        apart = f"{proof.upper:.4g} m apart" if proof.upper > 0 else f"overlapping by {-proof.upper:.4g} m"
-        wanted = f"free with a clearance of {problem.clearance:g} m"
-        raise InvalidInputError(
-            "initial", f"a path with {first} and {second} {apart} at s = {proof.at:.4f}", f"a path {wanted}"
-        )
-    if not (proof.proven or model.path_is_free(initial, CHECK_STEP, problem.clearance)):
-        raise InvalidInputError("initial", "a path in collision", "a path that is free with the demanded clearance")
