@@ -1,8 +1,6 @@
-"""Fastest motion along a joint path under velocity, acceleration, jerk and torque limits, then verified.
+"""retime: the fastest motion along a joint path under velocity, acceleration, jerk and torque limits, verified.
 
-By arc length l the speed is found by toppra, or where jerk is limited by `jerk`; the result is a cubic spline whose exact
-extremes are compared with the limits. Where it exceeds them by what discretisation left over, limits are made stricter, and
-what is left is taken away by going slower. A path that stands still or turns a corner inside is cut there: the arm stops.
+The path is cut where it stands still or turns a corner, since the arm has to stop there; `piece` times what is in between.
 """
 
 from collections.abc import Sequence
@@ -41,29 +39,30 @@ def retime(
     segments: Sequence[Segment] | None = None,
     robot: Robot | None = None,
 ) -> Trajectory:
-    """Fastest verified trajectory along `path`, from rest to rest unless a speed is given.
+    """Find the fastest motion along `path` within the limits, from rest to rest unless a speed is given, and verify it.
+
+    The arm stops where the path turns a corner or stands still.
 
     Args:
-        path: q(s), a curve in space: its parameter is not time. (What `Trajectory.path` gives starts and ends so slowly
-            that timing it anew is slower than it need be.)
-        limits: velocity and acceleration count;
-            jerk where it is finite: then acceleration is
-            continuous, and zero at stops; effort too when `torque_model` is given.
-        joint_names: (n,) default q0, q1, ...
-        torque_model: Pinocchio model of the arm, whose inverse dynamics limit the motion by `limits.effort`.
-        grid: points along the path on which toppra works; more are taken where they make the motion faster.
-        start_speed, end_speed: ‖qd‖ at the ends [rad/s or m/s], along the path's tangent.
+        path: q(s), as a curve: its parameter is not time. `Trajectory.path` starts and ends so slowly that timing it again
+            gives a slower motion than need be.
+        limits: of velocity and acceleration. Where a jerk limit is finite, acceleration is continuous, and zero at stops.
+            Effort counts when `torque_model` is given.
+        joint_names: (n,); default q0, q1, ...
+        torque_model: Pinocchio model of the arm; its inverse dynamics then keep the motion within `limits.effort`.
+        grid: points along the path, 50 or more; more are taken where they make the motion faster.
+        start_speed, end_speed: ‖qd‖ at the ends [rad/s or m/s], along the path.
         segments: parts of the path with tighter limits.
-        robot: whose tool is meant where a segment limits its speed.
+        robot: whose tool is meant where a segment limits the tool's speed.
 
     Returns:
-        A Trajectory whose samples lie on the path and that exceeds none of these limits, by the exact extremes of its
-        pieces (torque and speed of the tool: on a dense grid).
+        A Trajectory whose samples lie on the path and that exceeds no limit. Velocity, acceleration and jerk are compared by
+        their exact extremes, torque and the tool's speed on a dense grid.
 
     Raises:
-        InvalidInputError: the path has no length, the limits do not fit it, a velocity or acceleration limit is
-            infinite, or `start_speed` or `end_speed` is more than limits allow: then it says how much they do.
-        PlanningError: no motion obeys the limits; says which joint, where and why when it can be known.
+        InvalidInputError: the path has no length, the limits do not fit it, a velocity or acceleration limit is infinite, or
+            limits do not allow `start_speed` or `end_speed`; the message says what they allow where that is known.
+        PlanningError: no motion is within the limits; the message names joint, place and limit where they are known.
     """
     instance("path", path, JointPath)
     instance("limits", limits, JointLimits)
