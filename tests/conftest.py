@@ -5,6 +5,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.demo import panda_among_boxes
+from manipplan.kinematics.compile import find_compiler
 
 
 @pytest.fixture(scope="session")
@@ -30,6 +31,15 @@ def demo_problem():
 @pytest.fixture(scope="session")
 def demo_plan(demo_problem):
     return mp.plan(demo_problem.robot, demo_problem.start, demo_problem.goal, demo_problem.scene)
+
+
+@pytest.fixture
+def no_compiler(monkeypatch):
+    monkeypatch.setenv("CC", "")
+    find_compiler.cache_clear()
+    yield
+    monkeypatch.undo()
+    find_compiler.cache_clear()
 
 
 @pytest.fixture

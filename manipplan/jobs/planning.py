@@ -47,10 +47,10 @@ def plan(
     throw: bool = True,
     progress: Progress | None = None,
 ) -> Plan:
-    """From start to goal: a collision-free path far from singularities, timed, and checked again when finished.
+    """Plan a motion from start to goal: free of collision, far from singularities, timed, and checked when finished.
 
-    First paths are found by OMPL and improved by the path optimiser; where no polynomial of `degree`, or of three degrees
-    more, stays clear, by a cubic B-spline; where that does not either, the first path itself is timed and the status says so.
+    OMPL finds a first path and the path optimiser improves it. Where no polynomial of `degree` stays clear, three degrees more
+    are tried, then a cubic B-spline. Where that fails too, the first path itself is timed, and the status says so.
 
     Args:
         robot: the arm.
@@ -60,13 +60,13 @@ def plan(
         measure, metric: the index m and the norm in g = ∫ ‖q'‖ / m^power ds; see `optimize_path`.
         power: exponent of the index.
         degree: of the path's polynomial.
-        shifts: "within-limits" tries goals a full turn away in any revolute joint, too.
+        shifts: "within-limits" also tries goals a full turn away in any revolute joint.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
-        torque: limit the motion by the joints' effort, too.
+        torque: obey the joints' effort limits as well.
         seed: of the planner; the same seed gives the same plan.
         seeds: how many first paths are looked for; see `optimize_path`.
-        time_limit: for the planner's search of each [s].
-        executor: where first paths and solves run side by side; default: one by one here.
+        time_limit: of the planner, for each first path [s].
+        executor: where first paths and solves run side by side. Default: one by one, here.
         throw: raise PlanningError where no trajectory can be had; False: return a Plan whose status says why.
         progress: called with the share done in [0, 1] and a text.
 

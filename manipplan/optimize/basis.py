@@ -15,7 +15,7 @@ from numpy.polynomial.legendre import legvander
 
 from manipplan.checks import Array, whole_number
 from manipplan.errors import InvalidInputError, UnknownNameError
-from manipplan.paths.joint import JointPath, bernstein
+from manipplan.paths.joint import JointPath, bernstein, split
 
 Function = Legendre | Chebyshev | Polynomial
 
@@ -201,16 +201,6 @@ def subdivision(degree: int, pieces: int) -> Array:
     rows = []
     rest = np.eye(degree + 1)
     for k in range(pieces - 1, 0, -1):
-        left, rest = _split(rest, 1 / (k + 1))
+        left, rest = split(rest, 1 / (k + 1))
         rows.append(left)
     return np.concatenate([*rows, rest])
-
-
-def _split(control: Array, u: float) -> tuple[Array, Array]:
-    """Control points of the two parts of a curve cut at u: de Casteljau."""
-    left, right = [control[0]], [control[-1]]
-    while len(control) > 1:
-        control = (1 - u) * control[:-1] + u * control[1:]
-        left.append(control[0])
-        right.append(control[-1])
-    return np.array(left), np.array(right[::-1])

@@ -37,23 +37,22 @@ class LimitApproach:
 
 @dataclass(frozen=True, kw_only=True)
 class Certificate:
-    """The figures of one path.
+    """What one path reaches.
 
     Attributes:
-        status: how it came about.
-        solver: IPOPT's word on the solve it is from; "" for a seed and for a path that left nothing to solve.
+        status: how the path came about.
+        solver: IPOPT's word on the solve that gave the path; "" for a seed, and where there was nothing to solve.
         g: ∫ ‖q'‖_W / m^power ds, to ten digits.
-        unconstrained_g: of the local optimum that is reached from this path with neither limits nor obstacles, in the same
-            basis and with the same end conditions; `gap` is how far g is above it, as a share. nan when g is infinite, and for
-            a path that was not made by the path optimiser.
-        power, measure, unit: exponent, name of the measure and its unit.
+        unconstrained_g: g of the local optimum that is reached from this path when limits and obstacles are taken away, in the
+            same basis and with the same end conditions. nan when g is infinite, and for a path that the path optimiser did
+            not make. `gap` compares the two.
+        power, measure, unit: exponent, name of the measure m, and its unit.
         min_manipulability, min_at: the least index, and the s where it is.
-        clearance, clearance_at, nearest_pair: least distance [m] of all checked pairs at PLACES places and, around the least,
-            closer; inf, nan and () where nothing is checked.
-        proven_clearance: of the whole curve, between those places too: no checked pair comes nearer [m]; inf where nothing is
-            checked. At or below the demanded clearance for a seed that is free at every milliradian, but too near to something
-            for a proof.
-        limits: every finite position limit of every joint, nearest first.
+        clearance, clearance_at, nearest_pair: the least distance [m] that was measured, the s where it is, and the two bodies.
+            inf, nan and () where nothing is checked. Measured at 401 places, and closer around the least.
+        proven_clearance: on the whole curve, also between those places, no checked pair comes nearer [m]; inf where nothing
+            is checked. For a seed that could not be proven free it is not above the clearance asked for.
+        limits: how near the path comes to every finite position limit of every joint, nearest first.
     """
 
     status: Status

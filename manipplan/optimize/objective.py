@@ -58,16 +58,14 @@ class PathObjective:
     def agree(self, path: JointPath, g: float, panels: int, share: float) -> bool:
         """Whether `panels` panels of ten Gauss points give the path's g to a share."""
         s, weights = path.quadrature(panels=panels, points=POINTS)
-        with np.errstate(divide="ignore"):
-            coarse = weights @ (speeds(path(s, 1), self.metric) / self.kinematics.manipulability(path(s)) ** self.power)
+        coarse = weights @ _weighed_speed(path, s, self.kinematics, self.power, self.metric)
         return bool(np.abs(coarse - g) <= share * g)
 
     def constant_speed(self, path: JointPath, count: int) -> Array:
         """Parameters s (count,) at which equal shares of g have been gained."""
         s = np.linspace(0.0, 1.0, 1001)
-        with np.errstate(divide="ignore"):
-            density = speeds(path(s, 1), self.metric) / self.kinematics.manipulability(path(s)) ** self.power
-        density = np.minimum(density, 1e3 * np.median(density))
+        density = _weighed_speed(path, s, self.kinematics, self.power, self.metric)
+        density = np.minimum(density, 1e3 * np.median(density))  # beside a singularity
         gained = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2)])
         return np.interp(np.linspace(0.0, gained[-1], count), gained, s)
 
@@ -102,6 +100,12 @@ def path_cost(
     return PathCost(g=g, length=path.length, min_manipulability=least, at=at)
 
 
+def _weighed_speed(path: JointPath, s: Array, kinematics: Kinematics, power: float, metric: Array | None) -> Array:
+    """h = ‖q'‖_W / m^p at s (m,), whose integral is g; inf on a singular posture."""
+    with np.errstate(divide="ignore"):
+        return np.asarray(speeds(path(s, 1), metric) / kinematics.manipulability(path(s)) ** power)
+
+
 def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Array | None, panels: int) -> float:
     """g to ACCURACY: a dip of the index can be a thousand times narrower than any even panel."""
     nodes, weights = np.polynomial.legendre.leggauss(POINTS)
@@ -109,8 +113,7 @@ def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Arr
     def gained(begin: Array, end: Array) -> Array:
         half = (end - begin) / 2
         s = np.clip((begin + half)[:, None] + half[:, None] * nodes, 0.0, 1.0)
-        with np.errstate(divide="ignore"):
-            h = speeds(path(s.ravel(), 1), metric) / kinematics.manipulability(path(s.ravel())) ** power
+        h = _weighed_speed(path, s.ravel(), kinematics, power, metric)
         return np.asarray(half * (h.reshape(s.shape) @ weights))
 
     counts = np.maximum(1, np.ceil(panels * np.diff(path.breaks)).astype(int))

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.checks import Array, finite_array, instance, number, whole_number
-from manipplan.errors import FileFormatError, InvalidInputError, PlanningError, UnknownNameError
+from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
 from manipplan.interrupts import interruptible
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.measure import Measure
@@ -16,29 +16,21 @@ from manipplan.measures.task import Task
 from manipplan.optimize.basis import named_basis
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.homotopy import Crew, best_and_rivals, seed_classes, shifted_goals
+from manipplan.optimize.initial import check_initial, initial_path
 from manipplan.optimize.metric import metric_matrix
 from manipplan.optimize.result import PathResult, no_path
 from manipplan.optimize.solve import PathProblem
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.progress import Progress, teller
-from manipplan.robots.continuous import path_clearance
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
-from manipplan.seeds.ompl import CHECK_STEP, check_apart
+from manipplan.seeds.ompl import check_apart
 from manipplan.status import Status
 
 #: A polynomial of a higher degree is no better, only slower.
 MOST_DEGREE = 20
 SHIFTS = ("none", "within-limits")
-#: How a recorded motion is read, by the end of the file's name.
-READERS = {
-    ".csv": Trajectory.from_csv,
-    ".json": Trajectory.from_json,
-    ".yaml": Trajectory.from_ros,
-    ".yml": Trajectory.from_ros,
-    ".npz": Trajectory.from_npz,
-}
 
 
 def optimize_path(
@@ -69,12 +61,14 @@ def optimize_path(
     throw: bool = True,
     progress: Progress | None = None,
 ) -> PathResult:
-    """Find a path of `degree` from start to goal of low g = ∫ ‖q'‖_W / m^power ds [kth2012, ch. 6].
+    """Find the path from start to goal that keeps far from singularities: of least g = ∫ ‖q'‖_W / m^power ds [kth2012, ch. 6].
 
-    The energy ∫ ‖q'‖_W² / m^(2 power) ds is minimised by IPOPT with exact Hessians, from the straight line and from the
-    seed; over all curves it has the minima of g. From the best of these g itself is minimised, and reported to ten
-    digits. Joint limits hold on the whole curve. With a scene, the path is free: an optimised one is proven to
-    be on the whole curve, the seed at least at every milliradian; its certificate tells.
+    The path is a polynomial of `degree`, or pieces of that degree. Its energy ∫ ‖q'‖_W² / m^(2 power) ds is minimised first, by
+    IPOPT with exact Hessians, once from the straight line and once from the seed. From the better result g itself is
+    minimised. The optimum is local.
+
+    Joint limits hold on the whole curve. With a scene, an optimised path is proven to be free on the whole curve; a seed is so
+    too, or is at least free at every milliradian. `certificate` says what was reached.
 
     Args:
         robot: the arm.
@@ -82,48 +76,49 @@ def optimize_path(
         degree: of the polynomial, or of each of its pieces, 1 to 20; 1 in one piece is the straight line.
         power: exponent p of the index, above 0 and at most 100.
         task: whose index counts; default `robot.default_task`.
-        scene: obstacles; None: no collision is checked, not even of the arm with itself.
-        initial: first path from start to goal: a JointPath, a Trajectory, or a file of one (.csv, .json, .yaml, .npz), such as
-            a recorded motion; with a scene it must be free. Default: straight, or by `seed_path`.
-        shifts: "within-limits" tries goals 2π away in each revolute joint too, and returns the best; the goal's pose is
-            the same. That is up to 3 to the power of n goals. Not together with `initial`.
-        basis: in which the path is sought. "legendre", "bernstein", "chebyshev" and "monomial" are one polynomial: the same
-            optimum, by different numbers (monomials only up to about degree 14). "bspline" joins `pieces`
-            with degree - 1 continuous derivatives, "composite" with one: for ways around many corners.
+        scene: obstacles. None: no collision is checked, not even of the arm with itself.
+        initial: a first path from start to goal: a JointPath, a Trajectory, or the file of one (.csv, .json, .yaml, .npz), such
+            as a recorded motion. With a scene it must be free. Default: the straight line, or with a scene `seed_path`.
+        shifts: "within-limits" also tries goals 2π away in each revolute joint, up to 3 to the power of n of them, and returns
+            the best. Their pose is that of the goal. Not together with `initial`.
+        basis: how the path is written. "legendre", "bernstein", "chebyshev" and "monomial" are the same polynomial and have
+            the same optimum; monomials only up to about degree 14. "bspline" joins `pieces` with degree - 1 continuous
+            derivatives, "composite" with one: for ways around many corners.
         pieces: of equal width in s, 1 to 32; more than 1 only with "bspline" and "composite".
-        measure: m, a name of `available_measures()` or a Measure that is at least zero and better when larger; default
+        measure: m, a name of `available_measures()` or a Measure that is at least zero and better when larger. Default:
             Yoshikawa's index.
-        metric: W in ‖q'‖_W² = q'ᵀ W q', weights (n,) > 0 or a symmetric positive definite matrix (n, n); default identity.
-        start_slope, goal_slope: q'(0) and q'(1), (n,) by s [rad or m]; default: free. Each needs one degree more, and so does
-            each of `start_bend`, `goal_bend`: q''(0), q''(1).
+        metric: W in ‖q'‖_W² = q'ᵀ W q': weights (n,) > 0, or a symmetric positive definite matrix (n, n). Default: identity.
+        start_slope, goal_slope: q'(0) and q'(1), (n,), by s [rad or m]. Default: free.
+        start_bend, goal_bend: q''(0) and q''(1), (n,) [rad or m]. Default: free. Each slope or bend needs one degree more.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
-        seed: for the planner of the first path, or for the random first paths.
-        seeds: how many first paths are looked for to each goal. With a scene by the planner with `seed`, `seed` + 1, ...;
-            those that a straight homotopy joins without touching anything are one class, whose best is solved. Without
-            a scene the straight line, and paths by way of random configurations.
-        time_limit: for the planner, each first path [s].
-        executor: where first paths and solves run side by side; the result does not depend on it. Default: one by one here.
-        compiled: True: objective, clearance rows and index as machine code, made once for a robot, task, measure and metric
-            (some seconds) and kept in the user's cache folder. False: CasADi's virtual machine. "auto": machine code where
-            there is a compiler, but for measures whose Hessian it would work on for long (singular values, dynamic). The
-            path is the same to rounding, but where rounding decides between two local optima.
-        throw: raise PlanningError when no free path was found, or the path's index vanishes somewhere (g is infinite);
+        seed: of the planner of the first path; without a scene, of the random first paths.
+        seeds: how many first paths are looked for to each goal. With a scene the planner makes them, with `seed`, `seed` + 1
+            and so on, and of those that a straight homotopy joins without touching anything only the best is optimised.
+            Without a scene they are the straight line and paths by way of random configurations.
+        time_limit: of the planner, for each first path [s].
+        executor: where first paths and solves run side by side; the result does not depend on it. Default: one by one, here.
+        compiled: True: objective, clearance rows and index in machine code. It is made once for a robot, task, measure and
+            metric, in some seconds, and kept in the user's cache folder. False: CasADi's virtual machine. "auto": machine
+            code where there is a compiler, except for measures whose Hessian takes long to compile (singular values, dynamic).
+            The path is the same to rounding, unless rounding decides between two local optima.
+        throw: raise PlanningError where no free path was found, or where the index vanishes on it, so that g is infinite.
             False: return the result, whose status or g says so.
         progress: called with the share done in [0, 1] and a text.
 
     Returns:
-        The path of least g; its `rivals` are what came of the other classes and goals. After an interrupt (Ctrl-C) the best
-        checked path so far, with Status.INTERRUPTED; while first paths are looked for, or with an executor, KeyboardInterrupt.
+        The path of least g. Its `rivals` are what came of other classes and goals. After an interrupt (Ctrl-C) the best
+        checked path so far, with Status.INTERRUPTED. KeyboardInterrupt is raised instead while first paths are looked for,
+        and with an executor.
 
     Raises:
         InvalidInputError: an argument is not usable.
         CompilerError: `compiled` is True and there is no compiler, or it fails.
-        PlanningError: with `throw`, no free seed was found, or every path found meets a singularity.
+        PlanningError: with `throw`: no free path was found, or every one that was found meets a singularity.
     """
     instance("robot", robot, Robot)
     if scene is not None:
         instance("scene", scene, Scene)
-    recorded = None if initial is None else _initial_path(robot, initial)
+    recorded = None if initial is None else initial_path(robot, initial)
     degree = whole_number("degree", degree, least=1, most=MOST_DEGREE)
     named_basis(basis, degree, pieces)
     power = number("power", power, above=0.0, most=100.0)
@@ -176,7 +171,7 @@ def optimize_path(
     problem.ends.check_degree(lambda k: named_basis(basis, k, pieces), degree)
     crew = Crew(problem=problem, executor=executor, tell=tell)
     if recorded is not None:
-        _check_initial(problem, recorded, q_start, q_goal)
+        check_initial(problem, recorded, q_start, q_goal)
         firsts = [recorded]
     else:
         try:
@@ -215,51 +210,3 @@ def check_measure(kinematics: Kinematics) -> None:
 
 def _derivative(argument: str, value: ArrayLike | None, n: int) -> Array | None:
     return None if value is None else finite_array(argument, value, (n,))
-
-
-def _initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> JointPath:
-    """A first path in any form as a JointPath of this robot's joints."""
-    if isinstance(initial, JointPath):
-        path = initial
-    else:
-        motion = initial if isinstance(initial, Trajectory) else _recorded(initial)
-        if motion.joint_names != robot.joint_names:
-            wanted = f"a motion of the joints {', '.join(robot.joint_names)}"
-            raise InvalidInputError("initial", f"one of {', '.join(motion.joint_names)}", wanted)
-        path = motion.path()
-    if path.n != robot.n:
-        raise InvalidInputError("initial", f"a path of {path.n} joints", f"a path of the {robot.n} joints of {robot.name}")
-    return path
-
-
-def _recorded(file: str | Path) -> Trajectory:
-    if not isinstance(file, str | Path):
-        raise InvalidInputError("initial", file, "a JointPath, a Trajectory, or the path of its file")
-    read = READERS.get(Path(file).suffix.lower())
-    if read is None:
-        raise FileFormatError("initial", str(file), f"a file of a trajectory: {', '.join(READERS)}")
-    return read(file)
-
-
-def _check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: Array) -> None:
-    robot, model = problem.robot, problem.model()
-    for name, q, end in (("start", start, initial.start), ("goal", goal, initial.goal)):
-        off = np.abs(end - q)
-        if off.max() > 1e-9:
-            got = f"a path whose {name} is {off.max():.3g} off at {robot.joint_names[int(off.argmax())]}"
-            raise InvalidInputError("initial", got, "a path from start to goal")
-    low, high = initial.bounds()
-    for q in (low, high):
-        robot.configuration("initial", q, tolerance=1e-9)
-    if model is None:
-        return
-    proof = path_clearance(model, initial, clearance=problem.clearance, tolerance=None)
-    if proof.refuted:
-        first, second = proof.pair
-        apart = f"{proof.upper:.4g} m apart" if proof.upper > 0 else f"overlapping by {-proof.upper:.4g} m"
-        wanted = f"free with a clearance of {problem.clearance:g} m"
-        raise InvalidInputError(
-            "initial", f"a path with {first} and {second} {apart} at s = {proof.at:.4f}", f"a path {wanted}"
-        )
-    if not (proof.proven or model.path_is_free(initial, CHECK_STEP, problem.clearance)):
-        raise InvalidInputError("initial", "a path in collision", "a path that is free with the demanded clearance")

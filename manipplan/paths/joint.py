@@ -196,6 +196,16 @@ def bernstein(degree: int, u: ArrayLike) -> Array:
     return np.array([comb(degree, i) for i in j]) * u**j * (1 - u) ** (degree - j)
 
 
+def split(control: Array, u: float = 0.5) -> tuple[Array, Array]:
+    """Control points (..., k + 1, n) of the two parts of each curve, cut at u: de Casteljau."""
+    left, right = [control[..., 0, :]], [control[..., -1, :]]
+    while control.shape[-2] > 1:
+        control = (1 - u) * control[..., :-1, :] + u * control[..., 1:, :]
+        left.append(control[..., 0, :])
+        right.append(control[..., -1, :])
+    return np.stack(left, axis=-2), np.stack(right[::-1], axis=-2)
+
+
 def _power_basis(control: Array) -> Array:
     """Coefficients, lowest power first, of a Bernstein polynomial (k + 1,)."""
     k = len(control) - 1

@@ -1,28 +1,20 @@
-"""The clearance of a whole curve, proven and not sampled: conservative bisection with bounds on how far bodies can move.
+"""The clearance of a whole curve, proven and not sampled: conservative bisection with the bounds of `reach`.
 
-Between a configuration q and another that differs by δ_j in joint j, a point of a body moves no further, seen from the body it
-is paired with, than Σ_j D_j over the joints j between the two. Turned one after another, the joint nearest to the body first,
-joint j moves the point by at most
-
-    D_j = δ_j (ρ_j + Σ_{i > j} D_i)   for a revolute joint,   D_j = δ_j   for a prismatic one,
-
-with ρ_j the largest distance of the body's points from axis j at q: those joints that have turned before have moved the point
-by no more than the sum. The distance of the pair falls by at most as much. On an interval of the curve δ_j comes from the
-control points of that interval, whose hull holds it.
+The distance of a pair of bodies at the middle of an interval of the curve, less how far the two can move towards each other on
+it, bounds their distance on the interval. How far each joint moves comes from the control points of that interval, whose
+hull holds it. Where the bound is not enough the interval is cut in two, for the pairs that are still open.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
-import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.checks import Array, instance, number
 from manipplan.errors import InvalidInputError
-from manipplan.paths.joint import JointPath
+from manipplan.paths.joint import JointPath, split
 from manipplan.robots.collision import CollisionModel
-from manipplan.robots.description import axis_of, is_prismatic
-from manipplan.robots.primitives import core_of, enclose
+from manipplan.robots.reach import Index, Reach
 
 #: Taken off every distance: coal's are good to 2e-6 [m].
 SLACK = 1e-5
@@ -32,10 +24,6 @@ NARROW = 1e-5
 MOST_CHECKS = 100_000
 #: Of a path of more pieces than this, such as a trajectory, so many at a time are looked at as one first.
 RUN = 16
-#: Bodies of more core points than this are bounded by those of a primitive around them.
-MOST_POINTS = 8
-
-Index = NDArray[np.intp]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -98,81 +86,12 @@ def path_clearance(
     return _Search(model, clearance, tolerance).run(path)
 
 
-class Reach:
-    """How far the bodies of a collision model can move."""
-
-    def __init__(self, model: CollisionModel) -> None:
-        robot, objects = model.robot.model, model.geometry.geometryObjects
-        carrier = np.array([item.parentJoint for item in objects])
-        pairs = np.array([(pair.first, pair.second) for pair in model.geometry.collisionPairs])
-        carriers = carrier[pairs]
-        #: (b,) the joint that carries each body; 0: the world
-        self.joint = carrier
-        #: (p,) of each pair the body further from the base, and the joint of the other
-        self.body: Index = pairs[np.arange(len(pairs)), carriers.argmax(axis=1)]
-        self.below: Index = carriers.min(axis=1)
-        self.points = np.empty((len(objects), MOST_POINTS, 3))
-        self.radii = np.zeros(len(objects))
-        for k, item in enumerate(objects):
-            if k in self.body:
-                points, self.radii[k] = _few_points(item)
-                self.points[k] = np.concatenate([points, np.repeat(points[:1], MOST_POINTS - len(points), axis=0)])
-        self.slides = np.array([is_prismatic(joint) for joint in robot.joints[1:]])
-        self._axes = [axis_of(joint) for joint in robot.joints[1:]]
-        self._placements = [(np.array(place.rotation), np.array(place.translation)) for place in robot.jointPlacements[1:]]
-
-    def motion(self, q: Array, change: Array, rows: Index, pairs: Index) -> Array:
-        """How far the two bodies of a pair can move towards each other, (e,) [m].
-
-        Args:
-            q: (m, n) configurations.
-            change: (m, n) how far each joint can be from there [rad or m].
-            rows, pairs: (e,) each: which configuration, which pair.
-        """
-        rotations, origins, axes = self._chain(q)
-        bodies, where = np.unique(rows * len(self.radii) + self.body[pairs], return_inverse=True)
-        row, body = np.divmod(bodies, len(self.radii))
-        joint = self.joint[body]
-        points = np.einsum("uij,ukj->uki", rotations[row, joint], self.points[body]) + origins[row, joint][:, None]
-        n = q.shape[1]
-        moved = np.zeros((len(bodies), n + 1))  # column j: Σ D_i over the joints i > j
-        for j in range(n, 0, -1):
-            step = change[row, j - 1] * (joint >= j)
-            if not self.slides[j - 1]:
-                lever = points - origins[row, j][:, None]
-                along = np.einsum("uki,ui->uk", lever, axes[row, j])
-                square = np.einsum("uki,uki->uk", lever, lever) - along**2
-                step *= np.sqrt(np.maximum(square.max(axis=1), 0.0)) + self.radii[body] + moved[:, j]
-            moved[:, j - 1] = moved[:, j] + step
-        return np.asarray(moved[where, self.below[pairs]])
-
-    def _chain(self, q: Array) -> tuple[Array, Array, Array]:
-        """Rotations (m, n + 1, 3, 3), origins and axes (m, n + 1, 3) of the world's frame and the joints', in the world."""
-        m, n = q.shape
-        rotations, origins, axes = np.empty((m, n + 1, 3, 3)), np.zeros((m, n + 1, 3)), np.zeros((m, n + 1, 3))
-        rotations[:, 0] = np.eye(3)
-        for j, (axis, (rotation, origin)) in enumerate(zip(self._axes, self._placements, strict=True), start=1):
-            before = rotations[:, j - 1]
-            frame = before @ rotation
-            origins[:, j] = origins[:, j - 1] + before @ origin
-            axes[:, j] = frame @ axis
-            if self.slides[j - 1]:
-                rotations[:, j] = frame
-                origins[:, j] += q[:, j - 1 : j] * axes[:, j]
-            else:
-                cross = pin.skew(axis)  # Rodrigues: R = I + sin q [a]x + (1 - cos q) [a]x²
-                sine, cosine = np.sin(q[:, j - 1]), np.cos(q[:, j - 1])
-                turn = np.eye(3) + sine[:, None, None] * cross + (1 - cosine)[:, None, None] * (cross @ cross)
-                rotations[:, j] = frame @ turn
-        return rotations, origins, axes
-
-
 class _Search:
     """Bisection, level by level: an interval keeps the pairs that its parent could not close."""
 
     def __init__(self, model: CollisionModel, clearance: float, tolerance: float | None) -> None:
         self.model = model
-        self.reach = _reach(model)
+        self.reach = Reach.of(model)
         self.clearance = clearance
         self.tolerance = tolerance
         self.checks = 0
@@ -183,7 +102,7 @@ class _Search:
         control, edges = path.control, np.stack([path.breaks[:-1], path.breaks[1:]], axis=1)
         rows, pairs, known = self._runs(control, path.breaks)
         while len(rows) and not self.decided:
-            halves = _halves(control)
+            halves = split(control)
             q, middles = halves[0][:, -1], edges.mean(axis=1)
             change = np.abs(control - q[:, None]).max(axis=1)
             cut, bounds = self._look(q, change, middles, rows, pairs, known)
@@ -266,31 +185,3 @@ class _Search:
             chosen = order[ends[k] : ends[k + 1]]
             found[chosen] = self.model.pair_distances(configuration, pairs[chosen].tolist())
         return found
-
-
-def _reach(model: CollisionModel) -> Reach:
-    if "reach" not in model.cache:
-        model.cache["reach"] = Reach(model)
-    reach: Reach = model.cache["reach"]
-    return reach
-
-
-def _halves(control: Array) -> tuple[Array, Array]:
-    """Control points (m, k + 1, n) of the two halves of each curve: de Casteljau."""
-    left, right = [control[:, 0]], [control[:, -1]]
-    while control.shape[1] > 1:
-        control = (control[:, :-1] + control[:, 1:]) / 2
-        left.append(control[:, 0])
-        right.append(control[:, -1])
-    return np.stack(left, axis=1), np.stack(right[::-1], axis=1)
-
-
-def _few_points(item: pin.GeometryObject) -> tuple[Array, float]:
-    """At most MOST_POINTS points (k, 3) in the joint's frame and a radius [m] whose balls' hull holds the body."""
-    points, radius = core_of(item.geometry)
-    place = item.placement
-    if len(points) > MOST_POINTS:
-        around = enclose(np.repeat(points[:, None], 3, axis=1), refine=False)
-        points, radius = core_of(around.shape)
-        place = place * around.placement
-    return points @ place.rotation.T + place.translation, radius

@@ -65,32 +65,31 @@ def seed_path(
     clearance: float = 0.0,
     time_limit: float = 10.0,
 ) -> JointPath:
-    """A collision-free path from start to goal: straight when that is free, else planned, simplified and rounded.
+    """Find a collision-free path: the straight line where that is free, else one by OMPL, simplified and rounded.
 
     Args:
         robot: the arm.
         start, goal: (n,) [rad or m].
         scene: obstacles; None: the arm is only checked against itself.
         planner: one of PLANNERS.
-        seed: the same seed gives the same path, also in another process and on a slower machine, as long as `time_limit` is not
-            what ends the search.
-        objective: what the optimising planners (RRTstar, InformedRRTstar, SORRTstar, BITstar) lower: "length", or "index":
-            g = ∫ ‖q'‖ / m^power ds, as `optimize_path` does. With "index" the straight line is returned only when none found
-            has a lower g, and the path is only made simpler where that lowers g.
-        task, power: whose index counts and its exponent, with objective "index"; default `robot.default_task`.
-        same_aspect: only a path on which det J keeps its sign, so that it crosses no singularity of `task`. For arms with as
-            many joints as the task has rows, between configurations of one sign.
-        checks: the optimising planners end their search after so many checked configurations, of about 60 µs each.
+        seed: the same seed gives the same path, on any machine, unless `time_limit` is what ends the search.
+        objective: what the optimising planners (RRTstar, InformedRRTstar, SORRTstar, BITstar) lower: "length", or "index",
+            which is g = ∫ ‖q'‖ / m^power ds as in `optimize_path`. With "index" the straight line is returned only when no
+            lower g was found, and the path is made simpler only where that lowers g.
+        task, power: of the index and g with objective "index"; default task: `robot.default_task`.
+        same_aspect: only take a path on which det J keeps its sign, so that it crosses no singularity of `task`. For arms with
+            as many joints as the task has rows, and between configurations of the same sign.
+        checks: the optimising planners end after so many checked configurations, of about 60 µs each.
         clearance: distance [m] to keep from every obstacle and between the arm's own links.
-        time_limit: for all of it [s].
+        time_limit: for everything [s].
 
     Returns:
-        A JointPath that is proven free on the whole curve; where none was found that can be, such as from a start that nearly
-        touches something, one that is free at every milliradian. `scene.path_clearance` tells.
+        A JointPath that is proven free on the whole curve. Where no such path was found, for instance because the start nearly
+        touches something, one that is free at every milliradian. `scene.path_clearance` tells which.
 
     Raises:
-        InvalidInputError: start or goal of wrong length, outside the limits, or in collision; objective "index" with a planner
-            that does not optimise; `same_aspect` where start and goal have none in common.
+        InvalidInputError: start or goal has a wrong length, is outside the limits, or in collision; objective "index" with a
+            planner that does not optimise; `same_aspect` where det J does not have one sign at start and goal.
         PlanningError: no free path was found in time, or with so many checks.
     """
     if planner not in PLANNERS:

@@ -1,5 +1,6 @@
 """Speed along a piece of path as a function of time, and the trajectory it makes."""
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -11,7 +12,7 @@ from manipplan.timing.arc import ArcLength
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Profile:
+class Profile(ABC):
     """Samples of a motion along a piece of path.
 
     Attributes:
@@ -25,6 +26,10 @@ class Profile:
     time: Array
     length: Array
     speed: Array
+
+    @abstractmethod
+    def joints(self, t: Array, s: Array, length: Array, pace: Array) -> tuple[Array, Array]:
+        """q and qd (k, n) of samples at times t, where the parameter is s and dl/dt is `pace`, (k,) each."""
 
     def sampled(self, names: Sequence[str], factor: float = 1.0) -> tuple[Trajectory, Array]:
         """The cubic trajectory `factor` times slower, sample times in whole nanoseconds, and s of its samples (k,)."""
@@ -43,17 +48,25 @@ class Profile:
             t = np.array([0.0, 1e-9])
             length, pace = np.array([0.0, self.curve.length]), self.speed[[0, -1]] / factor
         s = self.curve.s(length)
-        qd = self.curve.tangent(length) * pace[:, None]
-        return Trajectory(t=t, q=self.curve.path(s), qd=qd, joint_names=tuple(names)), s
+        q, qd = self.joints(t, s, length, pace)
+        return Trajectory(t=t, q=q, qd=qd, joint_names=tuple(names)), s
 
 
-def constant_steps(curve: ArcLength, points: Array, speed: Array) -> Profile:
-    """Two samples a grid interval, on which dl/dt changes at a constant rate."""
-    duration = 2 * np.diff(points) / (speed[:-1] + speed[1:])
-    rate = np.diff(speed) / duration
-    half = duration / 2
-    between = points[:-1] + speed[:-1] * half + rate * half**2 / 2
-    length = np.insert(points, np.arange(1, len(points)), between)
-    pace = np.insert(speed, np.arange(1, len(speed)), speed[:-1] + rate * half)
-    times = np.concatenate([[0.0], np.cumsum(np.repeat(half, 2))])
-    return Profile(curve=curve, time=times, length=np.clip(length, 0.0, curve.length), speed=pace)
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SteppedProfile(Profile):
+    """A motion on whose grid intervals dl/dt changes at a constant rate: acceleration jumps."""
+
+    @classmethod
+    def of(cls, curve: ArcLength, points: Array, speed: Array) -> "SteppedProfile":
+        """From dl/dt at grid points (k,): two samples an interval."""
+        duration = 2 * np.diff(points) / (speed[:-1] + speed[1:])
+        rate = np.diff(speed) / duration
+        half = duration / 2
+        between = points[:-1] + speed[:-1] * half + rate * half**2 / 2
+        length = np.insert(points, np.arange(1, len(points)), between)
+        pace = np.insert(speed, np.arange(1, len(speed)), speed[:-1] + rate * half)
+        times = np.concatenate([[0.0], np.cumsum(np.repeat(half, 2))])
+        return cls(curve=curve, time=times, length=np.clip(length, 0.0, curve.length), speed=pace)
+
+    def joints(self, _t: Array, s: Array, length: Array, pace: Array) -> tuple[Array, Array]:
+        return self.curve.path(s), self.curve.tangent(length) * pace[:, None]

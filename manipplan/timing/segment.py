@@ -77,9 +77,7 @@ class LimitsAlong:
     @property
     def has_jerk(self) -> bool:
         """Whether a jerk limit is finite anywhere."""
-        return any(bool(np.isfinite(row["jerk"]).any()) for row in (self._rows or [])) or bool(
-            np.isfinite(self.limits.jerk).any()
-        )
+        return bool(np.isfinite([self.limits.jerk, *(row["jerk"] for row in self._rows)]).any())
 
     @property
     def has_tool_speed(self) -> bool:

@@ -12,15 +12,6 @@ from manipplan.kinematics.compile import find_compiler
 QUANTITIES = ["pose", "jacobian", "manipulability", "gradient", "hessian"]
 
 
-@pytest.fixture
-def no_compiler(monkeypatch):
-    monkeypatch.setenv("CC", "")
-    find_compiler.cache_clear()
-    yield
-    monkeypatch.undo()
-    find_compiler.cache_clear()
-
-
 def one_by_one(kinematics, quantity, q):
     return np.array([getattr(kinematics, quantity)(each) for each in q])
 

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.kinematics.compile import find_compiler
 from manipplan.kinematics.view import steady
 from manipplan.optimize.density import REGULARISATION, energy_density, length_density
 from manipplan.optimize.objective import PathObjective
@@ -21,15 +20,6 @@ START, GOAL = [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0]
 def folder(tmp_path, monkeypatch):
     monkeypatch.setenv("MANIPPLAN_CACHE", str(tmp_path / "cache"))
     return tmp_path / "cache"
-
-
-@pytest.fixture
-def no_compiler(monkeypatch):
-    monkeypatch.setenv("CC", "")
-    find_compiler.cache_clear()
-    yield
-    monkeypatch.undo()
-    find_compiler.cache_clear()
 
 
 def points(robot, rng, count=20):
@@ -58,28 +48,6 @@ def test_rows_in_machine_code_equal_the_virtual_machine(panda, rng):
         q = panda.random_configuration(rng)
         for one, other in zip(fast, slow, strict=True):
             np.testing.assert_allclose(one(q, column), other(q, column), atol=1e-12)
-
-
-@pytest.mark.parametrize("density", [energy_density, length_density])
-@pytest.mark.parametrize("power", [0.7, 2.0])
-def test_densities_have_the_derivatives_of_finite_differences(panda, density, power, rng):
-    made = density(PathObjective(kinematics=panda.kinematics(compiled=False), power=1.0))
-    q, v, _ = points(panda, rng, 5)
-    step = 1e-6
-    for k in range(q.shape[1]):
-        numbers = np.array([3.0, power])
-        at = np.concatenate([q[:, k], v[:, k]])
-
-        def both(x, numbers=numbers):
-            gradient = np.array(made.gradient(x[:7], x[7:], numbers)).ravel()
-            return float(made.value(x[:7], x[7:], numbers)), gradient
-
-        moved = [(both(at + step * e), both(at - step * e)) for e in np.eye(14)]
-        slope = np.array([(more[0] - less[0]) / (2 * step) for more, less in moved])
-        bend = np.array([(more[1] - less[1]) / (2 * step) for more, less in moved])
-        hessian = np.array(made.hessian(at[:7], at[7:], numbers))
-        np.testing.assert_allclose(both(at)[1], slope, rtol=1e-5, atol=1e-6 * np.abs(slope).max())
-        np.testing.assert_allclose(hessian, bend, rtol=1e-5, atol=1e-6 * np.abs(bend).max())
 
 
 @pytest.mark.parametrize("name", ["panda", "ur5", "xarm7", "planar", "tiago"])

@@ -13,6 +13,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
+from manipplan.optimize.initial import initial_path
 from manipplan.robots.collision import CollisionModel
 from manipplan.seeds.objective import index_objective, motion_cost
 from manipplan.seeds.ompl import OPTIMISING, PLANNERS
@@ -151,10 +152,8 @@ def test_a_recorded_motion_is_a_first_path(planar, tmp_path):
     assert results[0].status is mp.Status.OPTIMAL
     assert results[0].g == pytest.approx(results[1].g, rel=1e-6)
     assert results[0].seed_cost.length == pytest.approx(seed.length, rel=1e-4)
-    from manipplan.optimize.optimize import _initial_path
-
     for kind in ("json", "npz", "yaml"):
-        again = _initial_path(planar, tmp_path / f"motion.{kind}")
+        again = initial_path(planar, tmp_path / f"motion.{kind}")
         np.testing.assert_allclose(again(0.37), motion.path()(0.37), atol=1e-6)
 
 
