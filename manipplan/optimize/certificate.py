@@ -42,7 +42,7 @@ class Certificate:
     Attributes:
         status: how it came about.
         solver: IPOPT's word on the solve it is from; "" for a seed and for a path that left nothing to solve.
-        g: ∫ ‖q'‖_W / m^power ds, to ten digits.
+        g: ∫ ‖q'‖_W / m^power ds, to ten digits; to four where a power below 1 lets a path cross a singularity.
         unconstrained_g: of the local optimum that is reached from this path with neither limits nor obstacles, in the same
             basis and with the same end conditions; `gap` is how far g is above it, as a share. nan when g is infinite, and for
             a path that was not made by the path optimiser.

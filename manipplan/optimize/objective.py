@@ -57,17 +57,21 @@ class PathObjective:
 
     def agree(self, path: JointPath, g: float, panels: int, share: float) -> bool:
         """Whether `panels` panels of ten Gauss points give the path's g to a share."""
+        if np.isinf(g):  # more panels would not tell more
+            return True
         s, weights = path.quadrature(panels=panels, points=POINTS)
         with np.errstate(divide="ignore"):
             coarse = weights @ (speeds(path(s, 1), self.metric) / self.kinematics.manipulability(path(s)) ** self.power)
         return bool(np.abs(coarse - g) <= share * g)
 
     def constant_speed(self, path: JointPath, count: int) -> Array:
-        """Parameters s (count,) at which equal shares of g have been gained."""
+        """Parameters s (count,) at which equal shares of g have been gained, or of length where the index vanishes on most."""
         s = np.linspace(0.0, 1.0, 1001)
+        speed = speeds(path(s, 1), self.metric)
         with np.errstate(divide="ignore"):
-            density = speeds(path(s, 1), self.metric) / self.kinematics.manipulability(path(s)) ** self.power
-        density = np.minimum(density, 1e3 * np.median(density))
+            density = speed / self.kinematics.manipulability(path(s)) ** self.power
+        median = np.median(density)
+        density = np.minimum(density, 1e3 * median) if np.isfinite(median) else speed
         gained = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2)])
         return np.interp(np.linspace(0.0, gained[-1], count), gained, s)
 

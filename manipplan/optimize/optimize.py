@@ -96,7 +96,7 @@ def optimize_path(
         metric: W in ‖q'‖_W² = q'ᵀ W q', weights (n,) > 0 or a symmetric positive definite matrix (n, n); default identity.
         start_slope, goal_slope: q'(0) and q'(1), (n,) by s [rad or m]; default: free. Each needs one degree more, and so does
             each of `start_bend`, `goal_bend`: q''(0), q''(1).
-        clearance: distance [m] to keep from obstacles and between the arm's own links.
+        clearance: distance [m] to keep from obstacles and between the arm's own links; needs a scene.
         seed: for the planner of the first path, or for the random first paths.
         seeds: how many first paths are looked for to each goal. With a scene by the planner with `seed`, `seed` + 1, ...;
             those that a straight homotopy joins without touching anything are one class, whose best is solved. Without
@@ -113,7 +113,8 @@ def optimize_path(
 
     Returns:
         The path of least g; its `rivals` are what came of the other classes and goals. After an interrupt (Ctrl-C) the best
-        checked path so far, with Status.INTERRUPTED; while first paths are looked for, or with an executor, KeyboardInterrupt.
+        checked path so far, with Status.INTERRUPTED; while first paths are looked for, in the last moment, when the path is
+        measured, or with an executor, KeyboardInterrupt.
 
     Raises:
         InvalidInputError: an argument is not usable.
@@ -128,6 +129,10 @@ def optimize_path(
     named_basis(basis, degree, pieces)
     power = number("power", power, above=0.0, most=100.0)
     clearance = number("clearance", clearance, least=0.0)
+    if clearance > 0 and scene is None:
+        raise InvalidInputError(
+            "clearance", clearance, "0 without a scene, as then nothing is checked; scene=Scene() checks the arm against itself"
+        )
     if shifts not in SHIFTS:
         raise UnknownNameError("shifts", str(shifts), SHIFTS)
     if shifts != "none" and initial is not None:

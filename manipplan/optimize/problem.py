@@ -292,6 +292,7 @@ class PathProgram:
             "error_on_fail": False,
             "calc_lam_p": False,
             "no_nlp_grad": True,
+            "show_eval_warnings": False,  # a step to where g is no number is halved
             "ipopt": {
                 "print_level": 0,
                 "sb": "yes",
