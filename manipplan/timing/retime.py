@@ -43,6 +43,8 @@ ROUNDS_SMOOTH = 6
 SMOOTH_LEAST = 40
 #: A jerk limit of which no more than this share is used is too high for the grid: a finer one lets acceleration rise faster.
 COARSE = 0.7
+#: Limits that make sense lie far inside these [SI units].
+LEAST_LIMIT, MOST_LIMIT = 1e-9, 1e12
 #: As often for a piece that begins or ends moving, which cannot be slowed as a whole.
 ROUNDS_MOVING = 25
 
@@ -306,13 +308,21 @@ def _slowed(task: _Task, profile: Profile | SmoothProfile, factor: float, trajec
 
 
 def check_timing_limits(limits: JointLimits) -> None:
-    """Raise InvalidInputError when a velocity or acceleration limit is infinite: there would be no fastest motion."""
+    """Raise InvalidInputError when a velocity or acceleration limit is infinite, for there would be no fastest motion, or a
+    limit is so small or so large that its square is lost in rounding.
+    """
     for kind in ("velocity", "acceleration"):
         values = getattr(limits, kind)
         if not np.isfinite(values).all():
             raise InvalidInputError(
                 f"limits.{kind}", values.tolist(), f"a finite {kind} for each joint; give {kind}= to set it"
             )
+        if values.max() > MOST_LIMIT:
+            raise InvalidInputError(f"limits.{kind}", values.tolist(), f"at most {MOST_LIMIT:g} for each joint")
+    for kind in ("velocity", "acceleration", "jerk"):
+        values = getattr(limits, kind)
+        if values.min() < LEAST_LIMIT:
+            raise InvalidInputError(f"limits.{kind}", values.tolist(), f"at least {LEAST_LIMIT:g} for each joint")
 
 
 def _check_statics(path: JointPath, limits: JointLimits, model: pin.Model, names: tuple[str, ...]) -> None:
