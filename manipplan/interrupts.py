@@ -1,14 +1,17 @@
 """An interrupt that arrives while CasADi computes is not lost.
 
 CasADi turns it into a failed evaluation, a stopped solver, a SystemError or the complaint that an argument has the wrong
-type, as chance will have it.
+type, as chance will have it; and tells of it on the standard error stream, which nobody wants to read.
 """
 
+import io
 import signal
+import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
+from typing import TextIO
 
 
 @contextmanager
@@ -20,10 +23,13 @@ def interruptible() -> Iterator[None]:
         return
     before = previous
     came = False
+    quiet: _WithoutCasadi | None = None
 
     def remember(number: int, frame: FrameType | None) -> None:
-        nonlocal came
+        nonlocal came, quiet
         came = True
+        if not isinstance(sys.stderr, _WithoutCasadi):
+            quiet = sys.stderr = _WithoutCasadi(sys.stderr)
         before(number, frame)
 
     signal.signal(signal.SIGINT, remember)
@@ -35,5 +41,28 @@ def interruptible() -> Iterator[None]:
         raise
     finally:
         signal.signal(signal.SIGINT, previous)
+        if quiet is not None:
+            quiet.finish()
+            sys.stderr = quiet.stream
     if came:
         raise KeyboardInterrupt
+
+
+class _WithoutCasadi(io.TextIOBase):
+    """A stream that leaves out the lines in which CasADi tells of the interrupt; it writes them piece by piece."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self.stream = stream
+        self._begun = ""
+
+    def write(self, text: str) -> int:
+        *lines, self._begun = (self._begun + text).split("\n")
+        for line in lines:
+            if not line.startswith("CasADi - "):
+                self.stream.write(line + "\n")
+        return len(text)
+
+    def finish(self) -> None:
+        """Write what has no end of line yet."""
+        self.stream.write(self._begun)
+        self._begun = ""

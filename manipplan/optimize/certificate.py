@@ -42,7 +42,7 @@ class Certificate:
     Attributes:
         status: how the path came about.
         solver: IPOPT's word on the solve that gave the path; "" for a seed, and where there was nothing to solve.
-        g: ∫ ‖q'‖_W / m^power ds, to ten digits.
+        g: ∫ ‖q'‖_W / m^power ds, to ten digits; to four where a power below 1 lets a path cross a singularity.
         unconstrained_g: g of the local optimum that is reached from this path when limits and obstacles are taken away, in the
             same basis and with the same end conditions. nan when g is infinite, and for a path that the path optimiser did
             not make. `gap` compares the two.

@@ -17,7 +17,7 @@ from typing import TypeVar
 import numpy as np
 
 from manipplan.checks import Array
-from manipplan.errors import PlanningError
+from manipplan.errors import InvalidInputError, PlanningError
 from manipplan.optimize.result import PathResult
 from manipplan.optimize.solve import PathProblem, solved
 from manipplan.paths.joint import JointPath
@@ -68,7 +68,10 @@ class Crew:
             made = [partial(work, self.problem, *task) for task in tasks]
         else:
             packed = pickle.dumps(self.problem)
-            made = [self.executor.submit(_at_worker, work, packed, task).result for task in tasks]
+            try:
+                made = [self.executor.submit(_at_worker, work, packed, task).result for task in tasks]
+            except RuntimeError as error:  # it was shut down, or one of its processes died
+                raise InvalidInputError("executor", self.executor, f"an executor that takes work ({error})") from error
         results = []
         for k, result in enumerate(made):
             tell(k / len(made), text if len(made) == 1 else f"{text}: {k} of {len(made)}")

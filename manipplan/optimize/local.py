@@ -145,7 +145,15 @@ class LocalSearch:
         objective = self.program.objective
         if not self.program.free.size:
             return objective.cost(basis.path(self.start, self.goal, guess)).g
-        guess = self.program.solve(self.start, self.goal, guess, limited=False).coefficients
+        first = objective.cost(basis.path(self.start, self.goal, guess)).g
+        least = self._polished_g(self.program.solve(self.start, self.goal, guess, limited=False).coefficients)
+        if least > first:  # the least energy nearby lies in another basin
+            least = min(first, self._polished_g(guess))
+        return least
+
+    def _polished_g(self, guess: Array) -> float:
+        """The least g that polishing coefficients (n, size) comes to, as if there were no limits."""
+        basis, objective = self.program.basis, self.program.objective
         least = np.inf
         for panels in POLISH_PANELS:
             solution = self.program.polish(self.start, self.goal, guess, panels=panels, limited=False)

@@ -8,6 +8,8 @@ from manipplan.errors import InvalidInputError
 
 #: The least eigenvalue of W has to be above this share of the largest.
 DEFINITE = 1e-12
+#: No entry of W is larger: its square is a number still.
+LARGEST = 1e150
 
 
 def metric_matrix(argument: str, value: ArrayLike | None, n: int) -> Array | None:
@@ -17,11 +19,13 @@ def metric_matrix(argument: str, value: ArrayLike | None, n: int) -> Array | Non
     """
     if value is None:
         return None
-    wanted = f"{n} weights above zero, one a joint, or a symmetric positive definite matrix ({n}, {n}), all finite"
+    wanted = (
+        f"{n} weights above zero, one a joint, or a symmetric positive definite matrix ({n}, {n}), finite, below {LARGEST:g}"
+    )
     matrix = number_array(argument, value)
     if matrix.shape == (n,):
         matrix = np.diag(matrix)
-    if matrix.shape != (n, n) or not np.isfinite(matrix).all():
+    if matrix.shape != (n, n) or not (np.abs(matrix) < LARGEST).all():
         raise InvalidInputError(argument, value, wanted)
     eigenvalues = np.linalg.eigvalsh((matrix + matrix.T) / 2)
     lopsided = np.abs(matrix - matrix.T).max() > 1e-9 * np.abs(matrix).max()

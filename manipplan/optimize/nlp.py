@@ -114,6 +114,7 @@ def ipopt_solver(
         "error_on_fail": False,
         "calc_lam_p": False,
         "no_nlp_grad": True,
+        "show_eval_warnings": False,  # a step to where g is no number is halved
         "ipopt": {
             "print_level": 0,
             "sb": "yes",

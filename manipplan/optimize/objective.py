@@ -57,15 +57,19 @@ class PathObjective:
 
     def agree(self, path: JointPath, g: float, panels: int, share: float) -> bool:
         """Whether `panels` panels of ten Gauss points give the path's g to a share."""
+        if np.isinf(g):  # more panels would not tell more
+            return True
         s, weights = path.quadrature(panels=panels, points=POINTS)
         coarse = weights @ _weighed_speed(path, s, self.kinematics, self.power, self.metric)
         return bool(np.abs(coarse - g) <= share * g)
 
     def constant_speed(self, path: JointPath, count: int) -> Array:
-        """Parameters s (count,) at which equal shares of g have been gained."""
+        """Parameters s (count,) at which equal shares of g have been gained, or of length where the index vanishes on most."""
         s = np.linspace(0.0, 1.0, 1001)
         density = _weighed_speed(path, s, self.kinematics, self.power, self.metric)
-        density = np.minimum(density, 1e3 * np.median(density))  # beside a singularity
+        median = np.median(density)
+        # beside a singularity
+        density = np.minimum(density, 1e3 * median) if np.isfinite(median) else speeds(path(s, 1), self.metric)
         gained = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2)])
         return np.interp(np.linspace(0.0, gained[-1], count), gained, s)
 

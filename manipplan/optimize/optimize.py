@@ -90,7 +90,7 @@ def optimize_path(
         metric: W in ‖q'‖_W² = q'ᵀ W q': weights (n,) > 0, or a symmetric positive definite matrix (n, n). Default: identity.
         start_slope, goal_slope: q'(0) and q'(1), (n,), by s [rad or m]. Default: free.
         start_bend, goal_bend: q''(0) and q''(1), (n,) [rad or m]. Default: free. Each slope or bend needs one degree more.
-        clearance: distance [m] to keep from obstacles and between the arm's own links.
+        clearance: distance [m] to keep from obstacles and between the arm's own links; needs a scene.
         seed: of the planner of the first path; without a scene, of the random first paths.
         seeds: how many first paths are looked for to each goal. With a scene the planner makes them, with `seed`, `seed` + 1
             and so on, and of those that a straight homotopy joins without touching anything only the best is optimised.
@@ -107,8 +107,8 @@ def optimize_path(
 
     Returns:
         The path of least g. Its `rivals` are what came of other classes and goals. After an interrupt (Ctrl-C) the best
-        checked path so far, with Status.INTERRUPTED. KeyboardInterrupt is raised instead while first paths are looked for,
-        and with an executor.
+        checked path so far, with Status.INTERRUPTED. KeyboardInterrupt is raised instead while first paths are looked for, in
+        the last moment, when the path is measured, and with an executor.
 
     Raises:
         InvalidInputError: an argument is not usable.
@@ -123,6 +123,10 @@ def optimize_path(
     named_basis(basis, degree, pieces)
     power = number("power", power, above=0.0, most=100.0)
     clearance = number("clearance", clearance, least=0.0)
+    if clearance > 0 and scene is None:
+        raise InvalidInputError(
+            "clearance", clearance, "0 without a scene, as then nothing is checked; scene=Scene() checks the arm against itself"
+        )
     if shifts not in SHIFTS:
         raise UnknownNameError("shifts", str(shifts), SHIFTS)
     if shifts != "none" and initial is not None:

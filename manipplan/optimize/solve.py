@@ -12,7 +12,7 @@ from manipplan.measures.task import Task
 from manipplan.optimize.basis import named_basis
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.local import LocalSearch, Step
-from manipplan.optimize.objective import PathObjective
+from manipplan.optimize.objective import ACCURACY, PathObjective
 from manipplan.optimize.polish import polished
 from manipplan.optimize.problem import PathProgram
 from manipplan.optimize.result import PathResult, measured
@@ -89,7 +89,8 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
         best = min(search.accepted, key=lambda candidate: candidate.cost.g, default=None)
     safe = model is None or best is not None
     fallback = problem.ends.met_by(first)
-    if best is not None and (best.cost.g <= first_cost.g or not fallback):
+    # two that differ by less than g is measured to are as good
+    if best is not None and (best.cost.g <= first_cost.g * (1 + ACCURACY) or not fallback):
         path, cost = best.path, best.cost
         status = Status.OPTIMAL if best.converged else Status.STOPPED_EARLY
     else:
@@ -98,11 +99,17 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
         status = status if fallback else Status.ENDS_NOT_MET
     if not np.isfinite(cost.g) and status is not Status.ENDS_NOT_MET:
         status = Status.SINGULAR
+    unconstrained = np.nan
+    if np.isfinite(cost.g) and not interrupted:
+        try:
+            with interruptible():
+                unconstrained = search.unconstrained_g(path)
+        except KeyboardInterrupt:
+            interrupted = True
     if interrupted:
         status = Status.INTERRUPTED
     log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
     solver = best.solver if best is not None and path is best.path and is_free else ""
-    unconstrained = search.unconstrained_g(path) if np.isfinite(cost.g) and not interrupted else np.nan
     return measured(
         path,
         objective,

@@ -25,6 +25,8 @@ NEAR_STANDSTILL = 0.02
 EACH = 40
 #: A grid is refined while what it left over slows the whole motion by more than this.
 ENOUGH = 1.02
+#: Limits that make sense lie far inside these [SI units].
+LEAST_LIMIT, MOST_LIMIT = 1e-9, 1e12
 
 
 def retime(
@@ -113,13 +115,21 @@ def _pieces(problem: TimingProblem, at: list[float], grid: int, speeds: tuple[fl
 
 
 def check_timing_limits(limits: JointLimits) -> None:
-    """Raise InvalidInputError when a velocity or acceleration limit is infinite: there would be no fastest motion."""
+    """Raise InvalidInputError when a velocity or acceleration limit is infinite, for there would be no fastest motion, or a
+    limit is so small or so large that its square is lost in rounding.
+    """
     for kind in ("velocity", "acceleration"):
         values = getattr(limits, kind)
         if not np.isfinite(values).all():
             raise InvalidInputError(
                 f"limits.{kind}", values.tolist(), f"a finite {kind} for each joint; give {kind}= to set it"
             )
+        if values.max() > MOST_LIMIT:
+            raise InvalidInputError(f"limits.{kind}", values.tolist(), f"at most {MOST_LIMIT:g} for each joint")
+    for kind in ("velocity", "acceleration", "jerk"):
+        values = getattr(limits, kind)
+        if values.min() < LEAST_LIMIT:
+            raise InvalidInputError(f"limits.{kind}", values.tolist(), f"at least {LEAST_LIMIT:g} for each joint")
 
 
 def _check_statics(path: JointPath, limits: JointLimits, model: pin.Model, names: tuple[str, ...]) -> None:

@@ -39,7 +39,7 @@ class Segment:
             raise InvalidInputError("segment.end", self.end, f"a number above begin = {begin:g}, at most 1")
         for name in ("velocity", "acceleration", "jerk"):
             number(f"segment.{name}", getattr(self, name), above=0.0, most=1.0)
-        if self.tool_speed != np.inf:
+        if not (isinstance(self.tool_speed, float) and self.tool_speed == np.inf):
             number("segment.tool_speed", self.tool_speed, above=0.0)
         if self.limits is not None:
             instance("segment.limits", self.limits, JointLimits)

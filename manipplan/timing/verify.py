@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 import pinocchio as pin
 
-from manipplan.checks import Array
+from manipplan.checks import Array, instance
+from manipplan.errors import InvalidInputError
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.limits import JointLimits
 from manipplan.timing.segment import Bounds, ToolSpeed
@@ -82,7 +83,11 @@ def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
     """Worst use of jerk, constant on each cubic piece; ratio inf where acceleration jumps, as between pieces of most splines.
 
     Acceleration jumps where it changes at a sample by more than `JUMP` of its limit: less is the rounding of files and times.
+    Raises InvalidInputError for limits of another number of joints.
     """
+    n = instance("trajectory", trajectory, Trajectory).n
+    if instance("limits", limits, JointLimits).n != n:
+        raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of the trajectory's {n} joints")
     widths, (_, _, second, third) = trajectory.segments()
     if np.isinf(limits.jerk).all():
         return LimitUse(ratio=0.0, joint="", time=0.0)

@@ -519,6 +519,8 @@ def test_an_initial_path_is_used(planar):
         ({"metric": [[1, 1, 0], [0, 1, 0], [0, 0, 1]]}, "metric.*symmetric"),
         ({"metric": [1.0, np.nan, 1.0]}, "metric.*finite"),
         ({"metric": "heavy"}, "metric.*real numbers"),
+        ({"metric": [1e308, 1e308, 1e308]}, "metric.*below 1e.150"),
+        ({"clearance": 0.05}, "clearance: got 0.05; allowed: 0 without a scene.*scene=Scene"),
         ({"measure": "log_det"}, "measure: got 'log_det'.*at least zero and better when larger: yoshikawa"),
         ({"measure": "condition_number"}, "measure: got 'condition_number'.*better when larger"),
         ({"measure": "force_transmission"}, "measure.*direction"),
@@ -532,3 +534,33 @@ def test_wrong_arguments(planar, change, message):
     arguments = {"start": [0.0, 1.5, -2.0], "goal": [np.pi, -2.0, 2.0], **change}
     with pytest.raises(mp.InvalidInputError, match=message):
         mp.optimize_path(planar, arguments.pop("start"), arguments.pop("goal"), **arguments)
+
+
+def test_an_executor_that_takes_no_work(planar):
+    pool = ThreadPoolExecutor(1)
+    pool.shutdown()
+    with pytest.raises(mp.InvalidInputError, match="executor: got .*takes work.*after shutdown"):
+        mp.optimize_path(planar, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], executor=pool)
+
+
+@pytest.mark.parametrize("scene", [None, mp.Scene()])
+def test_an_index_that_is_zero_everywhere_is_told_without_warnings(planar, scene):
+    """All three rows of position on an arm that moves in a plane."""
+    result = mp.optimize_path(planar, [0.0, 1.5, -2.0], [1.0, 1.2, 1.0], task=mp.Task.position(), scene=scene, throw=False)
+    assert result.status is mp.Status.SINGULAR
+    assert result.min_manipulability == 0
+
+
+def test_where_the_straight_line_is_best_it_is_optimal(planar):
+    """The power is so low that g is the length; rounding must not decide what the status says."""
+    for goal in ([1.0, 1.2, 1.0], [2.0, -1.2, 0.3], [0.3, 2.0, -1.0]):
+        result = mp.optimize_path(planar, [0.0, 1.5, -2.0], goal, power=1e-300)
+        assert result.status is mp.Status.OPTIMAL
+        assert result.g == pytest.approx(np.linalg.norm(np.subtract(goal, [0.0, 1.5, -2.0])), rel=1e-12)
+
+
+def test_the_unconstrained_optimum_is_never_above_the_path(planar):
+    """The path crosses a singularity, which a power below 1 forgives; the least energy nearby lies elsewhere."""
+    arm = mp.planar_arm([1.0, 1.0])
+    result = mp.optimize_path(arm, [0.0, -2.0], [1.0, 2.0], 4, power=0.5)
+    assert result.certificate.gap >= -1e-9

@@ -239,6 +239,46 @@ def test_an_interrupt_between_two_solves(planar, monkeypatch):
         mp.plan(planar, START, GOAL, POST, power=2)
 
 
+def test_an_interrupt_of_the_measurement_keeps_the_path(planar, monkeypatch):
+    """What was found is returned when the interrupt comes after the last solve."""
+    from manipplan.optimize.local import LocalSearch
+
+    monkeypatch.setattr(LocalSearch, "unconstrained_g", lambda *_: signal.raise_signal(signal.SIGINT))
+    result = mp.optimize_path(planar, START, GOAL, power=2)
+    assert result.status is mp.Status.INTERRUPTED
+    assert result.g < result.seed_cost.g
+    assert np.isnan(result.certificate.unconstrained_g)
+
+
+def test_an_interrupt_of_a_solve_is_quiet(planar):
+    """CasADi tells of it on the standard error stream, in pieces."""
+    code = (
+        "import os, signal, threading, time\n"
+        "import manipplan as mp\n"
+        "arm = mp.planar_arm([1.0] * 5)\n"
+        "threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
+        "began, result = time.monotonic(), None\n"
+        "while time.monotonic() - began < 20 and (result is None or result.status is not mp.Status.INTERRUPTED):\n"
+        "    result = mp.optimize_path(arm, [0.1, 1.5, -2, 1, 1], [3, -2, 2, 1, -1], 14, compiled=False)\n"
+        "print(result.status.name)\n"
+    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False)
+    assert "INTERRUPTED" in run.stdout or "KeyboardInterrupt" in run.stderr, run.stderr[-2000:]
+    assert "CasADi" not in run.stderr
+
+
+def test_other_lines_pass_while_an_interrupt_is_told(capsys):
+    from manipplan.interrupts import interruptible
+
+    with pytest.raises(KeyboardInterrupt), interruptible():
+        try:
+            signal.raise_signal(signal.SIGINT)
+        except KeyboardInterrupt:
+            for piece in ("before\nCas", "ADi - 20", "26 WARNING", "\nafter\n", "CasA"):
+                sys.stderr.write(piece)
+    assert capsys.readouterr().err == "before\nafter\nCasA"
+
+
 def test_an_interrupt_of_the_planner_is_raised(planar, monkeypatch):
     def interrupt(*_, **__):
         signal.raise_signal(signal.SIGINT)

@@ -321,6 +321,25 @@ def test_wrong_speeds_and_segments(panda, planar):
         ({"begin": 0.0, "end": 0.5, "velocity": 1.5}, "segment.velocity"),
         ({"begin": 0.0, "end": 0.5, "acceleration": 0.0}, "segment.acceleration"),
         ({"begin": 0.0, "end": 0.5, "tool_speed": 0.0}, "segment.tool_speed"),
+        ({"begin": 0.0, "end": 0.5, "tool_speed": np.array([1.0, 2.0])}, "segment.tool_speed"),
     ):
         with pytest.raises(mp.InvalidInputError, match=match):
             mp.Segment(**options)
+
+
+def test_limits_of_another_arm_tell_nothing_of_jerk(panda, planar):
+    trajectory = mp.retime(mp.JointPath.line(panda.neutral, panda.neutral + 0.1), panda.limits)
+    with pytest.raises(mp.InvalidInputError, match="limits: got 'limits of 3 joints'; allowed: .* 7 joints"):
+        mp.jerk_use(trajectory, planar.limits)
+    with pytest.raises(mp.InvalidInputError, match="trajectory: got None"):
+        mp.jerk_use(None, panda.limits)
+
+
+@pytest.mark.parametrize("kind", ["velocity", "acceleration", "jerk"])
+def test_limits_beyond_all_sense(panda, kind):
+    path = mp.JointPath.line(panda.neutral, panda.neutral + 0.1)
+    with pytest.raises(mp.InvalidInputError, match=f"limits.{kind}.*at least 1e-09"):
+        mp.retime(path, panda.limits.with_changes({kind: 1e-300}))
+    if kind != "jerk":
+        with pytest.raises(mp.InvalidInputError, match=f"limits.{kind}.*at most 1e.12"):
+            mp.retime(path, panda.limits.with_changes({kind: 1e300}))
