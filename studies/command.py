@@ -3,7 +3,7 @@
 import argparse
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TypeVar
 
@@ -11,6 +11,8 @@ from rich.console import Console
 from rich.progress import Progress
 
 Claims = TypeVar("Claims")
+#: What is done, about how long it takes [s], and how it is done.
+Stage = tuple[str, float, Callable[[], object]]
 
 
 def run(
@@ -37,3 +39,12 @@ def run(
     for line in wrong or ["all figures are as expected"]:
         console.print(line, markup=False)
     return wrong
+
+
+def in_stages(name: str, stages: Sequence[Stage], progress: Progress) -> None:
+    """Do one after the other, and show how far it is."""
+    bar = progress.add_task(name, total=sum(weight for _, weight, _ in stages))
+    for text, weight, do in stages:
+        progress.update(bar, description=text)
+        do()
+        progress.update(bar, advance=weight)

@@ -11,6 +11,7 @@ from studies.dufour2020 import config
 from studies.dufour2020.follow import Arm, Run
 from studies.dufour2020.numerics import indefinite
 from studies.dufour2020.scenarios import Comparison, Obstacle, Scenario
+from studies.expected import differences as within
 from studies.tables import Table
 
 
@@ -227,11 +228,4 @@ def expected() -> list[tuple[str, float, float]]:
 
 def differences(found: list[Claim]) -> list[str]:
     """What is not as expected.csv has it."""
-    values = {claim.text: claim.value for claim in found}
-    wanted = {text: (value, tolerance) for text, value, tolerance in expected()}
-    missing = [f"{text}: not in both" for text in sorted(values.keys() ^ wanted.keys())]
-    return missing + [
-        f"{text}: {values[text]:g}, expected {value:g} within {tolerance:g}"
-        for text, (value, tolerance) in wanted.items()
-        if text in values and not abs(values[text] - value) <= tolerance
-    ]
+    return within({claim.text: claim.value for claim in found}, expected())

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from studies.expected import differences as within
 from studies.guilamo2006 import config, runs, tables
 from studies.guilamo2006.results import Results
 from studies.guilamo2006.runs import Grid
@@ -304,11 +305,4 @@ def expected(*, quick: bool) -> list[tuple[str, float, float]]:
 
 def differences(found: list[Claim], *, quick: bool) -> list[str]:
     """What is not as expected.csv has it."""
-    values = {claim.text: claim.value for claim in found}
-    wanted = {text: (value, tolerance) for text, value, tolerance in expected(quick=quick)}
-    missing = [f"{text}: not in both" for text in sorted(values.keys() ^ wanted.keys())]
-    return missing + [
-        f"{text}: {values[text]:g}, expected {value:g} within {tolerance:g}"
-        for text, (value, tolerance) in wanted.items()
-        if text in values and not abs(values[text] - value) <= tolerance
-    ]
+    return within({claim.text: claim.value for claim in found}, expected(quick=quick))

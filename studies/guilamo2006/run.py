@@ -1,6 +1,5 @@
 """The whole study in one command."""
 
-from collections.abc import Callable
 from pathlib import Path
 
 from rich.progress import Progress
@@ -10,8 +9,6 @@ from studies.guilamo2006 import claims, config, figures, tables
 from studies.guilamo2006.courses import courses, second_courses
 from studies.guilamo2006.results import Results
 from studies.guilamo2006.runs import Runs, warm
-
-Stage = tuple[str, float, Callable[[], object]]
 
 
 def main(arguments: list[str] | None = None) -> list[str]:
@@ -24,16 +21,11 @@ def study(out: Path, quick: bool, progress: Progress) -> list[claims.Claim]:
     """Make everything; returns the claims."""
     results = Results(runs=Runs(), courses=courses(), second=second_courses(), quick=quick)
     found: list[claims.Claim] = []
-    todo = stages(results, out, found)
-    bar = progress.add_task("guilamo2006", total=sum(weight for _, weight, _ in todo))
-    for text, weight, do in todo:
-        progress.update(bar, description=text)
-        do()
-        progress.update(bar, advance=weight)
+    command.in_stages("guilamo2006", stages(results, out, found), progress)
     return found
 
 
-def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[Stage]:
+def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[command.Stage]:
     """What is done, each with about the seconds it takes on two idle cores."""
     runs, pair, quick = results.runs, results.courses, results.quick
     full = [] if quick else [("self-collisions", 10.0, lambda: tables.collisions_table(runs, pair).write(out))]

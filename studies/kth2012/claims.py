@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import manipplan as mp
+from studies.expected import differences as within
 from studies.kth2012 import classes, config, tables_beyond, tables_paths, tables_postures
 from studies.kth2012.config import EXAMPLES, FIRST, SECOND, THIRD
 from studies.kth2012.results import Results
@@ -210,11 +211,4 @@ def expected(*, quick: bool) -> list[tuple[str, float, float]]:
 
 def differences(found: list[Claim], *, quick: bool) -> list[str]:
     """What is not as expected.csv has it."""
-    values = {claim.text: claim.value for claim in found}
-    wanted = {text: (value, tolerance) for text, value, tolerance in expected(quick=quick)}
-    missing = [f"{text}: not in both" for text in sorted(values.keys() ^ wanted.keys())]
-    return missing + [
-        f"{text}: {values[text]:g}, expected {value:g} within {tolerance:g}"
-        for text, (value, tolerance) in wanted.items()
-        if text in values and not abs(values[text] - value) <= tolerance
-    ]
+    return within({claim.text: claim.value for claim in found}, expected(quick=quick))

@@ -1,6 +1,5 @@
 """The whole study in one command."""
 
-from collections.abc import Callable
 from pathlib import Path
 
 from rich.progress import Progress
@@ -10,8 +9,6 @@ from studies.kth2012 import claims, config, tables_beyond, tables_paths, tables_
 from studies.kth2012.figures import FULL_ONLY, figures
 from studies.kth2012.results import Results
 from studies.tables import Table
-
-Stage = tuple[str, float, Callable[[], object]]
 
 
 def main(arguments: list[str] | None = None) -> list[str]:
@@ -23,16 +20,11 @@ def main(arguments: list[str] | None = None) -> list[str]:
 def study(out: Path, quick: bool, progress: Progress) -> list[claims.Claim]:
     """Make everything; returns the claims."""
     results, found = Results(quick=quick), []
-    todo = stages(results, out, found)
-    bar = progress.add_task("kth2012", total=sum(weight for _, weight, _ in todo))
-    for text, weight, do in todo:
-        progress.update(bar, description=text)
-        do()
-        progress.update(bar, advance=weight)
+    command.in_stages("kth2012", stages(results, out, found), progress)
     return found
 
 
-def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[Stage]:
+def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[command.Stage]:
     """What is done, each with about the seconds it takes on two idle cores."""
     quick = results.quick
 
@@ -41,7 +33,7 @@ def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[Stage
             table.write(out)
 
     drawn = {name: write for name, write in figures(results).items() if not (quick and name in FULL_ONLY)}
-    beyond: list[Stage] = [
+    beyond: list[command.Stage] = [
         ("proportions", 3.5, lambda: written(tables_postures.proportions_table(results))),
         ("goals by full turns", 3.0, lambda: written(tables_beyond.torus_table(results), tables_beyond.shifts_table(results))),
         ("convergence", 4.0, lambda: written(tables_beyond.convergence_table(results), tables_beyond.two_links_table(results))),
