@@ -1,4 +1,4 @@
-"""An interrupt that arrives while CasADi computes is not lost.
+"""An interrupt that arrives while CasADi computes is not lost; one that would leave half an import waits.
 
 CasADi turns it into a failed evaluation, a stopped solver, a SystemError or the complaint that an argument has the wrong
 type, as chance will have it; and tells of it on the standard error stream, which nobody wants to read.
@@ -46,6 +46,23 @@ def interruptible() -> Iterator[None]:
             sys.stderr = quiet.stream
     if came:
         raise KeyboardInterrupt
+
+
+@contextmanager
+def uninterrupted() -> Iterator[None]:
+    """Hold an interrupt back until the block ends: for a second of imports, half of which would complain when removed."""
+    previous = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(previous):
+        yield
+        return
+    held: list[tuple[int, FrameType | None]] = []
+    signal.signal(signal.SIGINT, lambda number, frame: held.append((number, frame)))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, previous)
+    if held:
+        previous(*held[0])
 
 
 class _WithoutCasadi(io.TextIOBase):

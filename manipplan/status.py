@@ -25,7 +25,8 @@ class Status(Enum):
     )
     SINGULAR = (
         "singular: every check passed, but the index vanishes somewhere on the path, so g is infinite; "
-        "choose another start or goal if it is at an end, or another power or seed="
+        "choose another start or goal if it is at an end. An arm with as many joints as task rows has to cross a singularity "
+        "between configurations at which det J has different signs: choose another solution of inverse_kinematics as goal"
     )
     INTERRUPTED = "interrupted: the best checked path so far, optimised or the seed; run it again to get further"
     IMPROVED = "improved: the recorded motion was followed with a higher index, and every check passed"

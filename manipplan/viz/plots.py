@@ -9,6 +9,7 @@ import pinocchio as pin
 from manipplan.checks import Array
 from manipplan.errors import PlanningError
 from manipplan.files import write_bytes
+from manipplan.interrupts import uninterrupted
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.ellipsoid import velocity_ellipsoid
 from manipplan.measures.task import Task
@@ -22,14 +23,17 @@ from manipplan.viz.ellipsoids import plot_ellipsoid
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan
 
+#: A shape larger than this [m] is a plane, whose bounding box has no end.
+ENDLESS = 1e6
 #: Figures drawn of the arm along a path.
 POSTURES = 7
 
 
 def save_plan(plan: "Plan", file: str | Path) -> None:
     """Write the picture of a plan as PNG; see `plan_figure`."""
-    figure = plan_figure(plan)
-    write_bytes(file, lambda stream: figure.savefig(stream, format="png", dpi=110))
+    with uninterrupted():  # Matplotlib and its parser of formulae are imported and built while the first figure is drawn
+        figure = plan_figure(plan)
+        write_bytes(file, lambda stream: figure.savefig(stream, format="png", dpi=110))
 
 
 def plan_figure(plan: "Plan", figure: Any = None) -> Any:
@@ -187,12 +191,14 @@ def _skeleton(robot: Robot, q: Array) -> Array:
 
 
 def _obstacle_faces(scene: Scene | None) -> list[Array]:
-    """Faces of each obstacle (f, 4, 3): a box's own, the bounding box of any other shape in its frame."""
+    """Faces of each obstacle (f, 4, 3): a box's own, the bounding box of any other shape in its frame. Planes have none."""
     drawn = []
     for obstacle in scene.obstacles if scene is not None else ():
         for shape in obstacle.shapes():
             shape.computeLocalAABB()
             low, high = np.array(shape.aabb_local.min_), np.array(shape.aabb_local.max_)
+            if not np.abs([low, high]).max() < ENDLESS:
+                continue
             corners = np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])])
             world = corners @ obstacle.pose.rotation.T + obstacle.pose.translation
             faces = [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)]

@@ -252,3 +252,10 @@ def test_whole_numbers_serve_where_numbers_are_asked_for(demo_problem):
     problem = demo_problem
     path = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, time_limit=5, clearance=0)
     assert len(path.control) > 1
+
+
+def test_a_plane_in_the_scene_does_not_spoil_the_picture(panda, tmp_path):
+    scene = mp.Scene([mp.Plane(position=(0.0, 0.0, -0.06), name="floor"), mp.Sphere(radius=0.1, position=(0.3, -0.4, 0.6))])
+    plan = mp.plan(panda, panda.neutral, panda.neutral + 0.2, scene)
+    assert (tmp_path / "plan.png") in plan.save(tmp_path)
+    assert (tmp_path / "plan.png").stat().st_size > 10_000
