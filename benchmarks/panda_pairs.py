@@ -110,9 +110,9 @@ def steepness(robot, path, power):
     return nnls(np.array(holding).T, gradient)[1] if holding else np.linalg.norm(gradient)
 
 
-def timed(work):
+def timed(work, *arguments, **options):
     began = time.process_time()
-    result = work()
+    result = work(*arguments, **options)
     return time.process_time() - began, result
 
 
@@ -142,11 +142,11 @@ def run(robot, power):
         if k == 0:
             for compiled in ("auto", False):
                 mp.optimize_path(robot, start, goal, compiled=compiled, **options)
-        took, result = timed(lambda: mp.optimize_path(robot, start, goal, **options))  # noqa: B023
+        took, result = timed(mp.optimize_path, robot, start, goal, **options)
         times["compiled"].append(took)
         plain = None
         if k < PLAIN[power]:
-            took, plain = timed(lambda: mp.optimize_path(robot, start, goal, compiled=False, **options))  # noqa: B023
+            took, plain = timed(mp.optimize_path, robot, start, goal, compiled=False, **options)
             times["VM"].append(took)
         statuses[result.status.name] += 1
         solves = all(step.solver == "Solve_Succeeded" for step in result.history)
@@ -163,7 +163,7 @@ def run(robot, power):
         )
         if k < DIRECT[power]:
             for name, solver in direct.items():
-                took, (status, coefficients) = timed(lambda: solver(start, goal, result.seed_cost.g))  # noqa: B023
+                took, (status, coefficients) = timed(solver, start, goal, result.seed_cost.g)
                 times[name].append(took)
                 cost = mp.path_cost(path_of(start, goal, coefficients), robot.kinematics(), power)
                 beside[name].append((status == "Solve_Succeeded", cost.g / result.g))

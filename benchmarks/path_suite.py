@@ -26,7 +26,7 @@ import manipplan as mp
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT / "benchmarks" / "peers"))
 from run import run_peer  # noqa: E402  # its folder is put on the path first
-from world import write_world  # noqa: E402
+from world import write_world  # noqa: E402  # the same
 
 PAIRS = ROOT / "benchmarks" / "pairs"
 OUT = ROOT / "docs" / "benchmarks" / "path_suite.md"
@@ -113,7 +113,7 @@ def bit_star(robot: mp.Robot, scene: mp.Scene, pair: dict, seconds: float, on_g:
         def stateCost(self, state):  # noqa: N802  # OMPL's name
             return base.Cost(1.0 / max(float(kinematics.manipulability(np.array(state[0:n]))), 1e-12))
 
-        def motionCost(self, first, second):  # noqa: N802
+        def motionCost(self, first, second):  # noqa: N802  # OMPL's name
             a, b = np.array(first[0:n]), np.array(second[0:n])
             distance = float(np.linalg.norm(b - a))
             panels = max(1, int(np.ceil(distance / 0.1)))
@@ -180,8 +180,8 @@ def run(options) -> list[dict]:
     robots = {arm: mp.load_robot(arm) for _, arm in groups}
     with Progress() as progress:
         bar = progress.add_task("paths", total=sum(len(pairs[: options.pairs]) for pairs in groups.values()))
-        for (name, arm), pairs in groups.items():
-            robot, pairs = robots[arm], pairs[: options.pairs]  # noqa: PLW2901
+        for (name, arm), group_pairs in groups.items():
+            robot, pairs = robots[arm], group_pairs[: options.pairs]
             scene = mp.Scene() if name == "free" else mp.Scene.from_yaml(PAIRS / f"{name}_{arm}.yaml")
             ours(robot, scene, pairs[0])  # fits primitives and builds programs
             group, seeds = [], []

@@ -176,7 +176,16 @@ def _joined(
             s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
         paths.append(joint_path(solver, rows, path, s, q, closed=layers.closed, allowed=allowed, tube=inside))
     objective = PathObjective(kinematics=kinematics, power=1.0)
-    result = measured(paths[0], objective, seed=paths[1], model=model, clearance=clearance, status=Status.FOLLOWED)
+    result = measured(
+        paths[0],
+        objective,
+        cost=objective.cost(paths[0]),
+        seed=paths[1],
+        seed_cost=objective.cost(paths[1]),
+        model=model,
+        clearance=clearance,
+        status=Status.FOLLOWED,
+    )
     return paths[0], result, solver.axis
 
 

@@ -10,7 +10,7 @@ from manipplan.errors import InvalidInputError
 from manipplan.interrupts import interruptible
 from manipplan.jobs.result import Plan, checked, failed
 from manipplan.measures.task import Task
-from manipplan.optimize.objective import PathObjective, path_cost
+from manipplan.optimize.objective import PathObjective
 from manipplan.optimize.result import measured
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
@@ -92,13 +92,22 @@ def improve(
         (lambda _: tolerance) if tolerance is not None else None,
     )
     path, seed = tracking.trajectory().path(), motion.path()
-    cost, recorded_cost = path_cost(path, kinematics, 1.0), path_cost(seed, kinematics, 1.0)
+    objective = PathObjective(kinematics=kinematics, power=1.0)
+    cost, recorded_cost = objective.cost(path), objective.cost(seed)
     higher = cost.min_manipulability > recorded_cost.min_manipulability or (
         tracking.manipulability.mean() > kinematics.manipulability(seed(u)).mean()
     )
     status = Status.IMPROVED if higher else Status.NOT_BETTER
-    objective = PathObjective(kinematics=kinematics, power=1.0)
-    result = measured(path if higher else seed, objective, seed=seed, model=model, clearance=0.0, status=status)
+    result = measured(
+        path if higher else seed,
+        objective,
+        cost=cost if higher else recorded_cost,
+        seed=seed,
+        seed_cost=recorded_cost,
+        model=model,
+        clearance=0.0,
+        status=status,
+    )
     draft = Plan(robot=robot, scene=scene, status=status, path=result.path, result=result, tracking=tracking)
     if higher and not tracking.status.ok:
         return failed(replace(draft, status=Status.NOT_FOLLOWED), throw, f"{tracking.status.value}: {tracking.message}")

@@ -55,7 +55,9 @@ def measured(
     path: JointPath,
     objective: PathObjective,
     *,
+    cost: PathCost,
     seed: JointPath,
+    seed_cost: PathCost,
     model: CollisionModel | None,
     clearance: float,
     status: Status,
@@ -63,8 +65,7 @@ def measured(
     unconstrained_g: float = np.nan,
     history: tuple[Step, ...] = (),
 ) -> PathResult:
-    """The result for a path that came from `seed`, with every figure measured on the path."""
-    cost, seed_cost = objective.cost(path), objective.cost(seed)
+    """The result for a path of known cost that came from `seed`, with every other figure measured on the path."""
     certificate = Certificate.of(
         path, objective, cost, model, clearance=clearance, status=status, solver=solver, unconstrained_g=unconstrained_g
     )

@@ -33,7 +33,7 @@ def window(curves: Sequence[np.ndarray], margin: float = 0.5) -> tuple[tuple[flo
     points = np.concatenate(curves)[:, 1:]
     low, high = points.min(axis=0), points.max(axis=0)
     half, middle = (high - low).max() / 2 + margin, (low + high) / 2
-    return tuple(middle - half), tuple(middle + half)  # type: ignore[return-value]
+    return tuple(middle - half), tuple(middle + half)  # type: ignore[return-value]  # two numbers each
 
 
 def by_degree(results: Results, example: Example, file: Path) -> None:

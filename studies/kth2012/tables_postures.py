@@ -133,7 +133,7 @@ def theorems() -> list[tuple[str, str, bool]]:
 
 
 def _all(theorem: object) -> bool:
-    return all(theorem(n).holds for n in config.LINKS)  # type: ignore[operator]
+    return all(theorem(n).holds for n in config.LINKS)  # type: ignore[operator]  # a theorem is a function of n
 
 
 def _is_series(values: np.ndarray, exact: np.ndarray) -> bool:

@@ -233,7 +233,10 @@ def test_joints_can_be_dragged(page):
 
 def test_the_map_sets_two_angles(page):
     box = page.locator("#plot").bounding_box()
-    place = lambda a, b: (box["x"] + box["width"] * (a / 2 / np.pi + 0.5), box["y"] + box["height"] * (0.5 - b / 2 / np.pi))  # noqa: E731
+
+    def place(a, b):
+        return (box["x"] + box["width"] * (a / 2 / np.pi + 0.5), box["y"] + box["height"] * (0.5 - b / 2 / np.pi))
+
     put(page, UNIT, (0.4, 0.5, 1.0))
     before = page.screenshot()
     np.testing.assert_allclose(centre(page, "#dot"), place(0.5, 1.0), atol=0.6)

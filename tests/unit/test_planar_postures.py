@@ -28,7 +28,10 @@ def gram(second, third, lengths=(1, 1, 1)):
     angles = [mpmath.mpf(0), second, second + third]
     x = [-sum(length * mpmath.sin(a) for length, a in list(zip(lengths, angles, strict=True))[i:]) for i in range(3)]
     y = [sum(length * mpmath.cos(a) for length, a in list(zip(lengths, angles, strict=True))[i:]) for i in range(3)]
-    dot = lambda a, b: sum(p * q for p, q in zip(a, b, strict=True))  # noqa: E731
+
+    def dot(a, b):
+        return sum(p * q for p, q in zip(a, b, strict=True))
+
     return dot(x, x), dot(x, y), dot(y, y)
 
 
