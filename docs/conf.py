@@ -31,7 +31,7 @@ html_show_sourcelink = False
 # code in colours that also those see who tell few apart, and with a contrast of 7 to 1
 pygments_style = "a11y-high-contrast-light"
 pygments_dark_style = "a11y-high-contrast-dark"
-exclude_patterns = ["studies/*/*", "_build", "examples", "benchmarks/*", "pictures/*"]
+exclude_patterns = ["studies/*/*", "_build", "examples", "benchmarks/*", "pictures/*", "**sg_execution_times.rst"]
 myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_heading_anchors = 3
 autodoc_member_order = "bysource"
