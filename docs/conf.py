@@ -25,6 +25,7 @@ html_theme = "furo"
 html_title = "manipplan"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_js_files = ["site.js"]
 html_math_renderer = "mathml"
 html_copy_source = False
 html_show_sourcelink = False
@@ -76,6 +77,13 @@ def _docstring(_app, what, _name, _obj, _options, lines):
         lines.insert(0, "")
 
 
+def _caption_levels(_app, _page, _template, context, _doctree):
+    """Sphinx calls the captions of the navigation headings and leaves their level out, which screen readers need."""
+    tree = context.get("furo_navigation_tree", "")
+    context["furo_navigation_tree"] = tree.replace('role="heading"', 'role="heading" aria-level="2"')
+
+
 def setup(app):
-    """Run before napoleon, whose priority is 500."""
+    """Run before napoleon and after furo, whose priority is 500."""
     app.connect("autodoc-process-docstring", _docstring, priority=400)
+    app.connect("html-page-context", _caption_levels, priority=600)
