@@ -115,8 +115,7 @@ def ellipsoids():
     postures["round"] = [0.3, *grid[shape.manipulability(every).argmax()]]
     figure, panels = plt.subplots(1, 4, figsize=(9.2, 2.7), sharex=True, sharey=True, layout="constrained")
     for ax, (name, q) in zip(panels, postures.items(), strict=True):
-        q = np.asarray(q)
-        points = joints_of(arm, q)
+        points = joints_of(arm, np.asarray(q))
         ellipsoid = mp.velocity_ellipsoid(kin.jacobian(q))
         axes, radii = np.asarray(ellipsoid.axes), np.asarray(ellipsoid.radii)
         angle = np.degrees(np.arctan2(axes[1, 0], axes[0, 0]))

@@ -64,7 +64,7 @@ def test_every_work_that_is_cited_is_in_the_literature():
 
 def test_every_status_has_its_remedy_on_the_page():
     page = (DOCS / "howto" / "status.md").read_text(encoding="utf-8")
-    tables = {name: body for name, body in re.findall(r"\| \{py:class\}`~manipplan\.(\w+)` .*\n\|[-|]+\n((?:\|.*\n)+)", page)}
+    tables = dict(re.findall(r"\| \{py:class\}`~manipplan\.(\w+)` .*\n\|[-|]+\n((?:\|.*\n)+)", page))
     for kind in (manipplan.Status, manipplan.SearchStatus, manipplan.TrackingStatus, manipplan.StepStatus):
         rows = [row.split("|")[1:-1] for row in tables[kind.__name__].splitlines()]
         assert [row[0].strip(" `") for row in rows] == [each.name for each in kind]
