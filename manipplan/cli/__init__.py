@@ -30,6 +30,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns its exit code and prints errors in one line, without a traceback."""
     logging.basicConfig(level=logging.WARNING, format="%(message)s")
     logging.getLogger("toppra").setLevel(logging.ERROR)
+    logging.getLogger("manipplan.kernels").setLevel(logging.INFO)
     errors = Console(stderr=True)
     try:
         tyro.extras.subcommand_cli_from_dict(
