@@ -167,7 +167,9 @@ def _workspace(data: Mapping[str, Any]) -> CartesianPath | None:
     if "missing" in data:
         log.warning("the workspace path is missing: %s", data["missing"])
         return None
-    values = {key: stored_array(value) if isinstance(value, list) else value for key, value in data.items() if key != "kind"}
+    values: dict[str, Any] = {
+        key: stored_array(value) if isinstance(value, list) else value for key, value in data.items() if key != "kind"
+    }
     return PATHS[data["kind"]](**values)
 
 
@@ -186,7 +188,9 @@ def _certificate(data: Mapping[str, Any]) -> Certificate:
 
 
 def _refinement(data: Mapping[str, Any]) -> Refinement:
-    values = {key: stored_array(value) if isinstance(value, list) else float(value) for key, value in data.items()}
+    values: dict[str, Any] = {
+        key: stored_array(value) if isinstance(value, list) else float(value) for key, value in data.items()
+    }
     return Refinement(**{**values, "history": tuple(map(float, data["history"]))})
 
 

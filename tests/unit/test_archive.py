@@ -14,7 +14,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 from chains import chain, seeds
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
@@ -111,7 +111,7 @@ def test_the_loaded_robot_moves_and_collides_as_the_first(demo_plan, tmp_path, r
         )
 
 
-@settings(max_examples=12, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=12, deadline=None, phases=[Phase.generate], suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     lengths=st.lists(st.floats(0.2, 2.0), min_size=2, max_size=4),
     power=st.floats(0.3, 3.0),
