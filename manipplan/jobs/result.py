@@ -7,6 +7,7 @@ from manipplan.checks import Array
 from manipplan.errors import PlanningError
 from manipplan.files import writable_folder, write_text
 from manipplan.optimize.result import PathResult
+from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
 from manipplan.paths.report import Report
@@ -17,6 +18,7 @@ from manipplan.robots.scene import Scene
 from manipplan.search.refine import Refinement
 from manipplan.search.result import SearchResult
 from manipplan.status import Status
+from manipplan.tracking.relaxation import Tolerance
 from manipplan.tracking.track import Tracking
 
 
@@ -34,6 +36,8 @@ class Plan:
         tracking: what `improve` did, step by step.
         search, refinement, deviation: of `follow`: the path found among the samples, refined, and how far the tool leaves
             the workspace path.
+        workspace_path: of `follow`, and tolerance, of `follow` and `improve`: what is followed, and how far the tool may
+            leave it.
         message: why it failed, when it did.
     """
 
@@ -48,6 +52,8 @@ class Plan:
     search: SearchResult | None = None
     refinement: Refinement | None = None
     deviation: Deviation | None = None
+    workspace_path: CartesianPath | None = None
+    tolerance: Tolerance | None = None
     message: str = ""
 
     def save(self, folder: str | Path) -> list[Path]:
@@ -55,7 +61,7 @@ class Plan:
 
         Raises InvalidInputError when the folder cannot be written and PlanningError when there is no trajectory.
         """
-        from manipplan.viz.plots import save_plan
+        from manipplan.viz import save_plan
 
         if self.trajectory is None or self.report is None:
             raise PlanningError(f"there is no trajectory to save: {self.status.value}", self)
