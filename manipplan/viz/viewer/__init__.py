@@ -1,0 +1,9 @@
+"""The 3D viewer in a browser: a plan shown and recorded, and a controller that follows a dragged target.
+
+It needs the extra `viewer`; nothing of that is imported before something is shown.
+"""
+
+from manipplan.viz.viewer.plan_viewer import PlanViewer, show
+from manipplan.viz.viewer.record import record
+
+__all__ = ["PlanViewer", "record", "show"]
