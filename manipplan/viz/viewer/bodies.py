@@ -72,7 +72,8 @@ def _bodies(geometry: pin.GeometryModel) -> tuple[Body, ...]:
             continue
         vertices, faces = triangles
         placed = vertices @ item.placement.rotation.T + item.placement.translation
-        colour = tuple(float(c) for c in item.meshColor) if item.overrideMaterial else GREY
+        red, green, blue, alpha = (float(c) for c in item.meshColor)
+        colour = (red, green, blue, alpha) if item.overrideMaterial else GREY
         made.append(Body(name=item.name, joint=item.parentJoint, vertices=placed, faces=faces, colour=colour))
     return tuple(made)
 

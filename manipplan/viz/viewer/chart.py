@@ -35,13 +35,15 @@ class Chart:
         end, start = float(self.t[-1]), float(self.t[0])
         highest = max([float(np.max(c.values, initial=0.0)) for c in self.curves if len(c.values)] or [0.0]) or 1.0
         step = _round_step(highest / 3)
-        top = step * np.ceil(highest * 1.02 / step)
+        top = float(step * np.ceil(highest * 1.02 / step))
 
-        def x(t: float | Array) -> float | Array:
-            return LEFT + (WIDTH - LEFT - RIGHT) * (t - start) / max(end - start, 1e-9)
+        across = LEFT + (WIDTH - LEFT - RIGHT) * (self.t - start) / max(end - start, 1e-9)
 
-        def y(value: float | Array) -> float | Array:
-            return HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * value / top
+        def x(t: float) -> float:
+            return float(np.interp(t, self.t, across))
+
+        def y(value: float) -> float:
+            return float(HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * value / top)
 
         parts = []
         for value in np.arange(0, top + step / 2, step):
@@ -53,13 +55,14 @@ class Chart:
             parts.append(f'<text x="{x(t):.1f}" y="{HEIGHT - BOTTOM + 13}" text-anchor="middle">{t:.6g}</text>')
         parts.append(f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - 3}" text-anchor="middle">time [s]</text>')
         for curve in reversed(self.curves):
-            points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(x(self.t), y(curve.values), strict=True))  # type: ignore[arg-type]
+            points = " ".join(f"{place:.1f},{y(value):.1f}" for place, value in zip(across, curve.values, strict=True))
             parts.append(f'<polyline points="{points}" fill="none" stroke="{curve.colour}" stroke-width="2"/>')
         if now is not None:
-            parts.append(f'<line class="now" x1="{x(now):.1f}" x2="{x(now):.1f}" y1="{TOP}" y2="{HEIGHT - BOTTOM}" stroke="#333"/>')
+            here, foot = f"{x(now):.1f}", HEIGHT - BOTTOM
+            parts.append(f'<line class="now" x1="{here}" x2="{here}" y1="{TOP}" y2="{foot}" stroke="#333"/>')
             for curve in reversed(self.curves):
-                at = float(np.interp(now, self.t, curve.values))
-                parts.append(f'<circle cx="{x(now):.1f}" cy="{y(at):.1f}" r="4" fill="{curve.colour}" stroke="#fff"/>')
+                height = f"{y(float(np.interp(now, self.t, curve.values))):.1f}"
+                parts.append(f'<circle cx="{here}" cy="{height}" r="4" fill="{curve.colour}" stroke="#fff"/>')
         return (
             f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" width="100%" role="img" aria-label="{escape(self.label)} over time" '
             f'font-family="sans-serif" font-size="10.5" fill="#444">{"".join(parts)}</svg>'

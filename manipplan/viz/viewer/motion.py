@@ -109,15 +109,9 @@ class Motion:
         return self.plan.robot
 
     @property
-    def unit(self) -> str:
-        """Unit of the index, "" where it has none."""
-        unit = self.kinematics.measure.unit(self.kinematics.task)
-        return "" if unit == "1" else re.sub(r"\^(\d+)", lambda power: power[1].translate(SUPERSCRIPT), unit)
-
-    @property
     def places(self) -> Array:
         """Configurations (PLACES, n) at which ellipsoids are drawn."""
-        return self.q[np.linspace(0, SAMPLES - 1, PLACES).round().astype(int)]
+        return np.asarray(self.q[np.linspace(0, SAMPLES - 1, PLACES).round().astype(int)])
 
     def seed_at(self, t: float) -> Array | None:
         """Where the seed is (n,) while the motion is at time t [s]."""
@@ -128,7 +122,7 @@ class Motion:
     def values(self, t: float) -> list[tuple[str, str]]:
         """Name and value of what the panel tells at time t [s]."""
         q, qd = self.trajectory(t), self.trajectory(t, order=1)
-        unit = f" {self.unit}" if self.unit else ""
+        unit = unit_of(self.kinematics).replace("[", "").replace("]", "")
         index = float(self.kinematics.manipulability(q))
         rows = [("time", f"{t:.2f} of {self.trajectory.duration:.2f} s"), ("index now", f"{index:.4g}{unit}")]
         least = int(self.index.argmin())
@@ -136,6 +130,13 @@ class Motion:
         if self.seed_index is not None:
             rows.append((f"{self.seed_name}, least", f"{self.seed_index.min():.4g}{unit}"))
         return rows + limits_now(self.robot, q, qd)
+
+
+def unit_of(kinematics: Kinematics) -> str:
+    """Unit of the index in brackets, after a space; "" where it has none."""
+    unit = kinematics.measure.unit(kinematics.task)
+    shown = re.sub(r"\^(\d+)", lambda power: power[1].translate(SUPERSCRIPT), unit)
+    return "" if unit == "1" else f" [{shown}]"
 
 
 def limits_now(robot: Robot, q: Array, qd: Array) -> list[tuple[str, str]]:

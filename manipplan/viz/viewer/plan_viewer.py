@@ -10,7 +10,8 @@ from manipplan.checks import instance, number
 from manipplan.viz import style
 from manipplan.viz.viewer.bodies import appearance_of
 from manipplan.viz.viewer.chart import Chart, Curve, table
-from manipplan.viz.viewer.motion import Motion
+from manipplan.viz.viewer.motion import Motion, unit_of
+from manipplan.viz.viewer.panel import switch
 from manipplan.viz.viewer.server import HOST, PORT, Page
 from manipplan.viz.viewer.stage import Stage
 
@@ -105,26 +106,18 @@ class PlanViewer(Page):
         self._values = gui.add_html(table(self.motion.values(0.0)))
         with gui.add_folder("Show"):
             for name, handle in self.stage.layers.items():
-                _switch(gui, name, handle)
+                switch(gui, name, handle)
         with gui.add_folder("About", expand_by_default=False):
             gui.add_markdown(about(self.motion))
 
-        @self._button.on_click
-        def _(_: Any) -> None:
-            if self.playing:
-                self.pause()
-            else:
-                self.play()
-
-        @self._slider.on_update
-        def _(event: Any) -> None:
+        def slide(event: Any) -> None:
             if event.client is not None:  # not what `_show` itself set
                 self.pause()
                 self._show(min(float(self._slider.value), duration), from_slider=True)
 
-        @speed.on_update
-        def _(_: Any) -> None:
-            self.speed = SPEEDS[speed.value]
+        self._slider.on_update(slide)
+        self._button.on_click(lambda _: self.pause() if self.playing else self.play())
+        speed.on_update(lambda _: setattr(self, "speed", SPEEDS[speed.value]))
 
     def _show(self, t: float, *, from_slider: bool = False) -> None:
         with self._lock, self.server.atomic():
@@ -157,7 +150,7 @@ def chart_of(motion: Motion) -> Chart:
     if motion.seed_index is not None:
         curves.append(Curve(name=motion.seed_name, colour=style.SEED, values=motion.seed_index))
     finite = [Curve(name=c.name, colour=c.colour, values=np.nan_to_num(c.values, posinf=0.0)) for c in curves]
-    return Chart(t=motion.t, curves=finite, label=motion.kinematics.measure.name + (f" [{motion.unit}]" if motion.unit else ""))
+    return Chart(t=motion.t, curves=finite, label=f"{motion.kinematics.measure.name}{unit_of(motion.kinematics)}")
 
 
 def about(motion: Motion) -> str:
@@ -172,11 +165,3 @@ def about(motion: Motion) -> str:
         f"{1e3 * motion.scale:.3g} mm for 1 m/s."
     )
     return "\n\n".join(lines)
-
-
-def _switch(gui: Any, name: str, handle: Any) -> None:
-    box = gui.add_checkbox(name, initial_value=True)
-
-    @box.on_update
-    def _(_: Any) -> None:
-        handle.visible = box.value

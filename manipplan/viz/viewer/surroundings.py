@@ -88,10 +88,11 @@ def look_at(server: Any, box: Array, *, planar: bool) -> None:
     server.initial_camera.up = (0.0, 0.0, 1.0)
     place(server.initial_camera, 1.0)
 
-    @server.on_client_connect
-    def _(client: Any) -> None:
+    def fit(client: Any) -> None:
         if client.camera.aspect < 1.0:
             place(client.camera, client.camera.aspect)
+
+    server.on_client_connect(fit)
 
 
 def surround(server: Any, robot: Robot, q: Array, obstacles: Scene, box: Array) -> dict[str, Any]:

@@ -19,7 +19,7 @@ PLANE = 1.5
 Faces = NDArray[np.int64]
 
 
-def triangles_of(shape: coal.CollisionGeometry, scale: Array | None = None) -> tuple[Array, Faces] | None:
+def triangles_of(shape: coal.CollisionGeometry) -> tuple[Array, Faces] | None:
     """Vertices (v, 3) [m] in the shape's frame and faces (f, 3); None for an empty mesh.
 
     A shape that is not known is drawn as its bounding box.
