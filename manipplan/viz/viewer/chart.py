@@ -75,9 +75,10 @@ class Chart:
             f"{escape(curve.name)}</span>"
             for curve in self.curves
         )
+        keys = f"<br>{keys}" if len(self.curves) > 1 else ""
         return (
             f'<div style="padding:0 0.75em;font:12px sans-serif;color:#333"><div style="margin:0.3em 0">'
-            f"{escape(self.label)}<br>{keys}</div>{self.svg(now)}</div>"
+            f"{escape(self.label)}{keys}</div>{self.svg(now)}</div>"
         )
 
 

@@ -31,6 +31,8 @@ RATE, EVERY = 25.0, 3
 PAST = 10.0
 #: When steps are later than this, the clock is set anew instead of hurrying after [s].
 LATE = 0.1
+#: The camera sees this more on each side than the arm takes at first, as a share of its diagonal.
+ROOM = 0.3
 
 
 def follow_target(
@@ -91,6 +93,7 @@ class LiveViewer(Page):
         self._kinematics = robot.kinematics(controller.task)
         self._position = robot.kinematics(Task.planar() if robot.planar else Task.position())
         self._target = np.array(self._position.pose(start))
+        self._turns = bool(np.any([row[3:] for row in (*controller.task.world_rows, *controller.task.tool_rows)]))
         self._lock = threading.RLock()
         self._past: deque[tuple[float, float]] = deque(maxlen=int(PAST * RATE))
         with self.server.atomic():
@@ -139,15 +142,15 @@ class LiveViewer(Page):
         robot = self.controller.robot
         box = corners(robot, self._start, moving=True)
         size = float(np.linalg.norm(box[1] - box[0]))
+        box[:, :2] += [[-ROOM * size], [ROOM * size]]
         scale = LARGEST * size / 2 / max(float(principal(self._position, self._start)[1].max()), 1e-9)
         self.robot = RobotFigure(self.server.scene, "/robot", robot)
         self.ellipsoid = EllipsoidFigure(self.server.scene, "/ellipsoid", self._position, scale, opacity=0.5)
-        turns = self.controller.task.rows > self.controller.task.metres
         self.handle = self.server.scene.add_transform_controls(
             "/target",
             scale=0.18 * size,
             active_axes=(True, True, not robot.planar),
-            disable_rotations=robot.planar or not turns,
+            disable_rotations=not self._turns,
             depth_test=False,
         )
         self.target = self._target
@@ -165,7 +168,7 @@ class LiveViewer(Page):
 
     def _fill_panel(self) -> None:
         gui, drives = self.server.gui, not isinstance(self.controller.formulation, Classical)
-        gui.add_markdown("Drag the arrows and arcs at the tool; the arm follows within its limits.")
+        gui.add_markdown("Drag the arrows at the tool; the arm follows within its limits.")
         back = gui.add_button("Back to the start", icon="player-skip-back")
         raises = gui.add_checkbox("raise the index", initial_value=True, visible=drives)
         self._picture = gui.add_html("")
@@ -203,15 +206,16 @@ class LiveViewer(Page):
             if figures and len(self._past) > 1:
                 t, index = np.array(self._past).T
                 unit = unit_of(self._kinematics)
-                curve = Curve(name="now", colour=style.OPTIMUM, values=index)
+                curve = Curve(name="index", colour=style.OPTIMUM, values=index)
                 self._picture.content = Chart(t=t, curves=[curve], label=f"{self._kinematics.measure.name}{unit}").html(now)
                 self._values.content = table(self._rows(q, index[-1]))
 
     def _rows(self, q: Array, index: float) -> list[tuple[str, str]]:
         pose, status = self._position.pose(q), self.controller.report.status
         distance = float(np.linalg.norm(pose[:3, 3] - self._target[:3, 3]))
-        turned = float(np.linalg.norm(pin.log3(pose[:3, :3].T @ self._target[:3, :3])))
-        rows = [("index now", f"{index:.4g}"), ("tool to target", f"{1e3 * distance:.1f} mm, {np.rad2deg(turned):.1f}°")]
+        turned = np.rad2deg(np.linalg.norm(pin.log3(pose[:3, :3].T @ self._target[:3, :3])))
+        away = f"{1e3 * distance:.1f} mm" + (f", {turned:.1f}°" if self._turns else "")
+        rows = [("index now", f"{index:.4g}"), ("tool to target", away)]
         rows += limits_now(self.controller.robot, q, self._qd)
         if status is not StepStatus.SOLVED:
             rows.append(("step", f"{status.name.lower().replace('_', ' ')}: the arm brakes"))

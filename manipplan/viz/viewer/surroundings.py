@@ -10,7 +10,7 @@ from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.viz import style
 from manipplan.viz.viewer.figures import corners, put, rgb
-from manipplan.viz.viewer.triangles import triangles_of
+from manipplan.viz.viewer.triangles import PLANE, triangles_of
 
 #: Directions from what is looked at to the camera: for arms in space, and for planar ones, which are seen from above.
 FROM = {False: (1.0, -1.25, 0.6), True: (0.0, -0.55, 1.0)}
@@ -49,6 +49,8 @@ def draw_obstacles(scene: Any, obstacles: Scene) -> tuple[Any, Any, Array]:
                 seen.append(np.array([placed.min(axis=0), placed.max(axis=0)]))
         above = obstacle.pose.translation.copy()
         above[2] = max(above[2], top) + 0.02
+        if not np.isfinite(top):  # a plane: at the edge of what is drawn of it
+            above += 0.6 * PLANE * obstacle.pose.rotation[:, 1]
         scene.add_label(f"/names/{k}", name, position=above, anchor="bottom-center", font_screen_scale=0.8, depth_test=False)
     return bodies, names, np.concatenate(seen)
 
