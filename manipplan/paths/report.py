@@ -173,17 +173,26 @@ class Report:
 
     def to_json(self, file: str | Path) -> None:
         """Write all figures as JSON."""
-        write_text(file, json.dumps(_json_ready(asdict(self)), indent=1, allow_nan=False) + "\n")
+        write_text(file, json.dumps(self.to_data(), indent=1, allow_nan=False) + "\n")
+
+    def to_data(self) -> dict[str, Any]:
+        """All figures as JSON takes them; infinite ones as text."""
+        data: dict[str, Any] = _json_ready(asdict(self))
+        return data
+
+    @classmethod
+    def from_data(cls, data: Mapping[str, Any]) -> "Report":
+        """The report of `to_data`."""
+        data = {name: float(value) if value in ("inf", "-inf") else value for name, value in data.items()}
+        uses = {kind: LimitUse(**{**use, "ratio": float(use["ratio"])}) for kind, use in data["limits"].items()}
+        return cls(**{**data, "limits": uses, "nearest_pair": tuple(data["nearest_pair"])})
 
     @classmethod
     def from_json(cls, file: str | Path) -> "Report":
         """Read what `to_json` wrote; raises FileFormatError for another file."""
         path = existing_file("file", file)
         try:
-            data = json.loads(path.read_text())
-            data = {name: float(value) if value in ("inf", "-inf") else value for name, value in data.items()}
-            uses = {kind: LimitUse(**{**use, "ratio": float(use["ratio"])}) for kind, use in data["limits"].items()}
-            return cls(**{**data, "limits": uses, "nearest_pair": tuple(data["nearest_pair"])})
+            return cls.from_data(json.loads(path.read_text()))
         except (ValueError, TypeError, KeyError, AttributeError) as error:
             raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
 

@@ -7,9 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from manipplan.errors import UnknownNameError
+
 if TYPE_CHECKING:
     from manipplan.robots.robot import Robot
 
+KINDS = ("catalogue", "urdf", "mjcf", "planar")
 #: Options of `Robot.from_urdf` that are paths of files and folders.
 FILES, FOLDERS = ("srdf",), ("package_dirs",)
 
@@ -30,6 +33,10 @@ class RobotSource:
     name: str = ""
     file: Path | None = None
     options: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.kind not in KINDS:
+            raise UnknownNameError("kind of a robot's source", str(self.kind), KINDS)
 
     @classmethod
     def of(cls, kind: str, file: str | Path | None, options: Mapping[str, Any], *, name: str = "") -> "RobotSource":

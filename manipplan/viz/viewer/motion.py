@@ -13,6 +13,7 @@ from manipplan.measures.task import Task
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
+from manipplan.status import Status
 from manipplan.viz.viewer.figures import corners, principal
 
 if TYPE_CHECKING:
@@ -81,9 +82,9 @@ class Motion:
         largest = max(principal(position, each)[1].max() for each in q[:: SAMPLES // 20])
         reach = float(np.linalg.norm(box[1] - box[0])) / 2
         names = ("optimised", "seed")
-        if plan.refinement is not None:
+        if plan.status is Status.FOLLOWED or plan.refinement is not None:
             names = ("refined", "best of the samples")
-        elif plan.tracking is not None:
+        elif plan.status in (Status.IMPROVED, Status.NOT_BETTER) or plan.tracking is not None:
             names = ("improved", "recorded")
         return cls(
             plan=plan,
