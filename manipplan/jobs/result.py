@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from manipplan.checks import Array
 from manipplan.errors import PlanningError
@@ -21,6 +22,9 @@ from manipplan.search.result import SearchResult
 from manipplan.status import Status
 from manipplan.tracking.relaxation import Tolerance
 from manipplan.tracking.track import Tracking
+
+if TYPE_CHECKING:
+    from manipplan.viz.viewer import PlanViewer
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -101,6 +105,18 @@ class Plan:
         from manipplan.jobs import archive
 
         return archive.read_plan(file, robot=robot, scene=scene, measure=measure)
+
+    def show(self, *, port: int = 8080, host: str = "localhost", open_browser: bool = True) -> "PlanViewer":
+        """Show the motion in the browser; see `manipplan.viz.viewer.show`. In a script: `plan.show().wait()`."""
+        from manipplan.viz.viewer import show
+
+        return show(self, port=port, host=host, open_browser=open_browser)
+
+    def record(self, file: str | Path) -> Path:
+        """Write the motion as an HTML file that plays in any browser; see `manipplan.viz.viewer.record`."""
+        from manipplan.viz.viewer import record
+
+        return record(self, file)
 
 
 def checked(
