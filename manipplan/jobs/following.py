@@ -112,7 +112,7 @@ def follow(
         seed=seed,
         progress=part(tell, 0.0, 0.5),
     )
-    draft = Plan(robot=robot, scene=scene, status=Status.NOT_CONNECTED)
+    draft = Plan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace=path)
     found = max_min_search(layers, epsilon, throw=False, progress=part(tell, 0.5, 0.6))
     draft = replace(draft, search=found)
     if not found.connected:
