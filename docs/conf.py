@@ -55,6 +55,7 @@ sphinx_gallery_conf = {
 html_domain_indices = False
 suppress_warnings = ["config.cache"]
 linkcheck_timeout = 20
+linkcheck_ignore = [r"\.\./"]  # inside the site: check_site.py
 #: Links that are written by hand must have a target; types that autodoc finds in signatures need none.
 nitpick_ignore_regex = [("py:(class|obj|exc|data|attr)", r"(?!manipplan\.(planar\.|viz\.)?\w+$).*")]
 

@@ -22,6 +22,7 @@ SAMPLE = (
     "gallery/index.html",
     next((f"gallery/{file.name}" for file in sorted(SITE.glob("gallery/plot_*.html"))), "gallery/plot_first_plan.html"),
     "studies/kth2012.html",
+    "studies/planar-arm.html",
     "reference/jobs.html",
     "benchmarks.html",
 )
