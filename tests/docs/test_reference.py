@@ -69,4 +69,4 @@ def test_every_status_has_its_remedy_on_the_page():
         rows = [row.split("|")[1:-1] for row in tables[kind.__name__].splitlines()]
         assert [row[0].strip(" `") for row in rows] == [each.name for each in kind]
         if hasattr(next(iter(kind)), "ok"):
-            assert {row[0].strip(" `"): row[1].strip() == "yes" for row in rows} == {each.name: each.ok for each in kind}
+            assert {row[0].strip(" `"): row[2].strip() == "yes" for row in rows} == {each.name: each.ok for each in kind}
