@@ -41,6 +41,7 @@ napoleon_google_docstring = True
 napoleon_attr_annotations = False
 napoleon_custom_sections = [("Attributes", "params_style")]  # a list, not an entry of its own for each
 bibtex_bibfiles = ["references.bib"]
+default_role = "py:obj"  # `optimize_path` in a docstring leads there
 nitpicky = True
 sphinx_gallery_conf = {
     "examples_dirs": "examples",
