@@ -7,7 +7,7 @@ from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 
-from manipplan.checks import Array, number
+from manipplan.checks import Array, finite_array, number, whole_number
 from manipplan.errors import InvalidInputError, MissingProgramError, PlanningError
 from manipplan.files import write_bytes
 from manipplan.measures.ellipsoid import velocity_ellipsoid
@@ -32,7 +32,7 @@ HOLD = 1.0
 #: Places at which the whole motion is looked at for what the axes have to show.
 LOOKS = 40
 #: The one ellipsoid is drawn so much larger than the several of a still picture.
-LARGER = 1.5
+LARGER = 1.8
 
 
 def animate(
@@ -71,7 +71,9 @@ def animate(
         raise InvalidInputError("file", file, "a file whose name ends in .gif or .mp4")
     fps = number("fps", fps, above=0.0, most=MOST_GIF_FPS if kind == ".gif" else 1000.0)
     speed, dpi = number("speed", speed, above=0.0), number("dpi", dpi, above=0.0)
-    colours = int(number("colours", colours, least=2, most=256))
+    colours = whole_number("colours", colours, least=2, most=256)
+    if not (finite_array("size", size, (2,)) > 0).all():
+        raise InvalidInputError("size", size, "width and height above zero [inches]")
     if plan.trajectory is None or plan.result is None or plan.path is None:
         raise PlanningError(f"there is no trajectory to animate: {plan.status.value}", plan)
     write = _write_gif if kind == ".gif" else _write_mp4
@@ -108,15 +110,29 @@ def _write_gif(figure: Any, show: Callable[[int], None], count: int, fps: float,
         show(k)
         canvas.draw()
         frames.append(Image.fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3].copy()))
-    width, height = frames[0].size
-    some = Image.new("RGB", (width, 3 * height))  # one palette for all frames: what stands still is the same in each
-    for k, at in enumerate((0, count // 2, count - 1)):
-        some.paste(frames[at], (0, k * height))
-    palette = some.quantize(colours, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+    palette = _palette([frames[k] for k in (0, count // 2, count - 1)], colours)
     indexed = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
     ends = np.round(100 * np.arange(count + 1) / fps).astype(int)
     shown = [*(10 * np.diff(ends)[:-1]).tolist(), int(1000 * HOLD)]
     indexed[0].save(stream, format="GIF", save_all=True, append_images=indexed[1:], duration=shown, loop=0)
+
+
+def _palette(frames: list[Any], colours: int) -> Any:
+    """One palette for all frames, so that what stands still is the same in each: half of it the most frequent colours as they
+    are, the paper and the lines among them, the others for what lies between.
+    """
+    from PIL import Image
+
+    width, height = frames[0].size
+    some = Image.new("RGB", (width, len(frames) * height))
+    for k, frame in enumerate(frames):
+        some.paste(frame, (0, k * height))
+    counted: Any = sorted(some.getcolors(width * height * len(frames)) or (), reverse=True)
+    entries = [value for _, colour in counted[: colours // 2] for value in colour]
+    others = some.quantize(colours - len(entries) // 3, method=Image.Quantize.MAXCOVERAGE, kmeans=1, dither=Image.Dither.NONE)
+    palette = Image.new("P", (1, 1))
+    palette.putpalette((entries + (others.getpalette() or []))[: 3 * colours])
+    return palette
 
 
 def _write_mp4(figure: Any, show: Callable[[int], None], count: int, fps: float, _colours: int, stream: IO[bytes]) -> None:
@@ -157,7 +173,8 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
         style.name_axes(space)
     else:
         ends = [joined(arm_surfaces(robot, q)) for q in (looks[0], looks[-1])]
-        look_at(space, draw_scene(space, plan.scene, [*seen, *points_of(ends)]))
+        look_at(space, draw_scene(space, plan.scene, [*seen, *points_of(ends)]), zoom=1.2)
+        space.set(xticklabels=[], yticklabels=[], zticklabels=[], xlabel="", ylabel="", zlabel="")
         space.computed_zorder = False  # the arm over the obstacles, and the ellipsoid over both: what moves is always seen
     for name, way in ways.items():
         space.plot(*way.T, color=colours[name], linewidth=1.3, alpha=0.7, label=f"tool, {name}", zorder=LINES)
@@ -189,7 +206,7 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
         else:
             draw_surface(space, joined(arm_surfaces(robot, q)), style.BODY_LAST, alpha=0.95)
         draw_skeleton(space, skeleton(robot, q)[:, :m])
-        plot_ellipsoid(velocity_ellipsoid(linear.jacobian(q)), skeleton(robot, q)[-1, :m], ax=space, scale=scale)
+        plot_ellipsoid(velocity_ellipsoid(linear.jacobian(q)), skeleton(robot, q)[-1, :m], ax=space, scale=scale, alpha=0.55)
         over_time.plot(time, index.manipulability(q), "o", color=style.OPTIMUM, clip_on=False)
         if len(paths) > 1:
             draw_skeleton(space, skeleton(robot, ghost(time))[:, :m], colour=style.SEED, alpha=0.6)
