@@ -1,6 +1,5 @@
-"""A plan in motion, as a GIF or an MP4 file: the arm beside its index over time."""
+"""A plan in motion: the arm beside its index over time."""
 
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
@@ -8,7 +7,7 @@ from typing import IO, TYPE_CHECKING, Any
 import numpy as np
 
 from manipplan.checks import Array, finite_array, number, whole_number
-from manipplan.errors import InvalidInputError, MissingProgramError, PlanningError
+from manipplan.errors import InvalidInputError, MissingProgramError
 from manipplan.files import write_bytes
 from manipplan.measures.ellipsoid import velocity_ellipsoid
 from manipplan.measures.task import Task
@@ -16,8 +15,9 @@ from manipplan.progress import Progress, teller
 from manipplan.viz import style
 from manipplan.viz.arm import draw_scene
 from manipplan.viz.ellipsoids import default_scale, plot_ellipsoid
+from manipplan.viz.film import Film
 from manipplan.viz.motions import length_shares, skeleton, tool_way
-from manipplan.viz.plan import named_paths
+from manipplan.viz.plan import finished, named_paths
 from manipplan.viz.planar import draw_flat_bodies, draw_flat_scene
 from manipplan.viz.shapes import arm_surfaces, joined
 from manipplan.viz.space import LINES, draw_skeleton, draw_surface, look_at, points_of
@@ -27,8 +27,6 @@ if TYPE_CHECKING:
 
 #: A GIF counts time in hundredths of a second, and browsers slow down what shows a frame for less than two.
 MOST_GIF_FPS = 50.0
-#: How long a GIF shows its last frame before it begins again [s].
-HOLD = 1.0
 #: Places at which the whole motion is looked at for what the axes have to show.
 LOOKS = 40
 #: The one ellipsoid is drawn so much larger than the several of a still picture.
@@ -74,9 +72,8 @@ def animate(
     colours = whole_number("colours", colours, least=2, most=256)
     if not (finite_array("size", size, (2,)) > 0).all():
         raise InvalidInputError("size", size, "width and height above zero [inches]")
-    if plan.trajectory is None or plan.result is None or plan.path is None:
-        raise PlanningError(f"there is no trajectory to animate: {plan.status.value}", plan)
-    write = _write_gif if kind == ".gif" else _write_mp4
+    finished(plan)
+    assert plan.trajectory is not None
     if kind == ".mp4":
         from matplotlib.animation import FFMpegWriter
 
@@ -85,69 +82,16 @@ def animate(
     duration = plan.trajectory.duration
     times = np.minimum(np.arange(np.ceil(duration / speed * fps - 1e-9) + 1) * speed / fps, duration)
 
-    from matplotlib import rc_context
-    from matplotlib.figure import Figure
+    def write(stream: IO[bytes]) -> None:
+        from matplotlib.figure import Figure
 
-    with rc_context(style.STYLE):
         figure = Figure(figsize=size, dpi=dpi)
-        show = _stage(plan, figure)
+        film = Film(figure=figure, show=_stage(plan, figure), times=times, fps=fps, colours=colours, tell=tell)
+        (film.write_gif if kind == ".gif" else film.write_mp4)(stream)
 
-        def shown(k: int) -> None:
-            show(float(times[k]))
-            tell(k / len(times), f"frame {k + 1} of {len(times)}")
-
-        write_bytes(file, lambda stream: write(figure, shown, len(times), fps, colours, stream))
+    with style.shared():
+        write_bytes(file, write)
     tell(1.0, "done")
-
-
-def _write_gif(figure: Any, show: Callable[[int], None], count: int, fps: float, colours: int, stream: IO[bytes]) -> None:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from PIL import Image
-
-    canvas: Any = FigureCanvasAgg(figure)
-    frames = []
-    for k in range(count):
-        show(k)
-        canvas.draw()
-        frames.append(Image.fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3].copy()))
-    palette = _palette([frames[k] for k in (0, count // 2, count - 1)], colours)
-    indexed = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
-    ends = np.round(100 * np.arange(count + 1) / fps).astype(int)
-    shown = [*(10 * np.diff(ends)[:-1]).tolist(), int(1000 * HOLD)]
-    indexed[0].save(stream, format="GIF", save_all=True, append_images=indexed[1:], duration=shown, loop=0)
-
-
-def _palette(frames: list[Any], colours: int) -> Any:
-    """One palette for all frames, so that what stands still is the same in each: half of it the most frequent colours as they
-    are, the paper and the lines among them, the others for what lies between.
-    """
-    from PIL import Image
-
-    width, height = frames[0].size
-    some = Image.new("RGB", (width, len(frames) * height))
-    for k, frame in enumerate(frames):
-        some.paste(frame, (0, k * height))
-    counted: Any = sorted(some.getcolors(width * height * len(frames)) or (), reverse=True)
-    entries = [value for _, colour in counted[: colours // 2] for value in colour]
-    others = some.quantize(colours - len(entries) // 3, method=Image.Quantize.MAXCOVERAGE, kmeans=1, dither=Image.Dither.NONE)
-    palette = Image.new("P", (1, 1))
-    palette.putpalette((entries + (others.getpalette() or []))[: 3 * colours])
-    return palette
-
-
-def _write_mp4(figure: Any, show: Callable[[int], None], count: int, fps: float, _colours: int, stream: IO[bytes]) -> None:
-    from matplotlib.animation import FFMpegWriter
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    FigureCanvasAgg(figure)
-    writer = FFMpegWriter(fps=fps)  # type: ignore[arg-type]  # ffmpeg takes any rate
-    with tempfile.TemporaryDirectory() as folder:  # ffmpeg goes back to its file's begin, which a stream may not allow
-        film = Path(folder) / "film.mp4"
-        with writer.saving(figure, str(film), figure.dpi):
-            for k in range(count):
-                show(k)
-                writer.grab_frame()
-        stream.write(film.read_bytes())
 
 
 def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
@@ -185,7 +129,9 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
     for name, path in paths.items():
         q = trajectory(t) if path is ours else ghost(t)
         over_time.plot(t, index.manipulability(q), color=colours[name], label=name)
-    over_time.set(xlabel="time [s]", xlim=(0, trajectory.duration), ylim=(0, None))
+    over_time.set(xlabel="time [s]", xlim=(0, trajectory.duration))
+    if over_time.dataLim.ymin >= 0:
+        over_time.set_ylim(0, None)
     over_time.set_ylabel(style.with_unit(index.measure.name, index.measure.unit(index.task)))
     over_time.legend(loc="best")
     figure.draw_without_rendering()  # the layout is made once, so that nothing trembles

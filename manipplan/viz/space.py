@@ -1,6 +1,6 @@
 """Drawing in space: lit surfaces, skeletons and names on axes with projection="3d", and what these show."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -40,6 +40,12 @@ def draw_skeleton(ax: Any, points: Array, *, alpha: float = 1.0, colour: str = s
         *ax.plot(*points.T, color=colour, linewidth=1.4, alpha=alpha, solid_capstyle="round", zorder=LINES),
         *ax.plot(*points[:-1].T, "o", color=colour, markersize=2.5, alpha=alpha, zorder=LINES),
     ]
+
+
+def draw_ways(ax: Any, ways: Mapping[str, Array]) -> None:
+    """Draw one or two ways of the tool (k, 2) or (k, 3), each by what it is called; the second is what the first began from."""
+    for (name, way), colour, width in zip(ways.items(), (style.OPTIMUM, style.SEED), (2.0, 1.3), strict=False):
+        ax.plot(*way.T, color=colour, linewidth=width, label=f"tool, {name}", zorder=LINES)
 
 
 def write(ax: Any, at: Array, text: str, colour: str) -> None:

@@ -194,6 +194,16 @@ def test_flat_ends_are_closed_and_other_shapes_boxed():
     assert len(np.unique(surface_of(coal.Cone(0.1, 0.4)).points.round(9), axis=0)) == 8
 
 
+def test_a_flat_mesh_is_drawn_by_its_triangles():
+    corners = np.array([[0.0, 0.0, 0.1], [1.0, 0.0, 0.1], [0.0, 1.0, 0.1], [1.0, 1.0, 0.1]])
+    mesh = coal.BVHModelOBBRSS()
+    mesh.beginModel(2, 4)
+    mesh.addSubModel(corners, np.array([[0, 1, 2], [1, 3, 2]]))
+    mesh.endModel()
+    surface = surface_of(mesh)
+    np.testing.assert_array_equal(surface.faces, [corners[[0, 1, 2]], corners[[1, 3, 2]]])
+
+
 def test_planes_are_cut_to_the_picture():
     tilted = mp.Plane(name="ramp", position=(0.0, 0.0, 0.1), rotation=(0.4, 0.2, 0.0))
     scene = mp.Scene([tilted, mp.Plane(name="far", position=(0.0, 0.0, -9.0))])
@@ -445,6 +455,8 @@ def test_what_cannot_be_animated_is_said_before_anything_is_drawn(planar_plan, t
         viz.animate(planar_plan, tmp_path / "nowhere" / "plan.gif")
     with pytest.raises(mp.PlanningError, match="no trajectory"):
         viz.animate(replace(planar_plan, trajectory=None), tmp_path / "plan.gif")
+    with pytest.raises(mp.InvalidInputError, match="plan"):
+        viz.animate(planar_plan.trajectory, tmp_path / "plan.gif")
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(mp.MissingProgramError, match="sudo apt-get install ffmpeg"):
         viz.animate(planar_plan, tmp_path / "plan.mp4")
