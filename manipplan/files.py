@@ -2,7 +2,7 @@
 
 import os
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import IO
 
@@ -37,6 +37,19 @@ def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
     except BaseException:
         part.unlink()
         raise
+
+
+def absolute_and_relative(path: Path, folder: Path) -> dict[str, str]:
+    """`path` as a file in `folder` remembers it: where it is, and where it is as seen from the folder."""
+    whole = path.expanduser().resolve()
+    return {"path": str(whole), "relative": os.path.relpath(whole, folder)}
+
+
+def found_again(remembered: Mapping[str, str], folder: Path) -> Path:
+    """The path that `absolute_and_relative` remembered: where it was, or if nothing is there, as seen from `folder`."""
+    whole = Path(remembered["path"])
+    beside = folder / remembered["relative"]
+    return beside if not whole.exists() and beside.exists() else whole
 
 
 def writable_folder(argument: str, folder: str | Path) -> Path:

@@ -2,10 +2,12 @@
 
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from manipplan.checks import Array
 from manipplan.errors import PlanningError
 from manipplan.files import writable_folder, write_text
+from manipplan.measures.measure import Measure
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation
@@ -20,6 +22,9 @@ from manipplan.search.result import SearchResult
 from manipplan.status import Status
 from manipplan.tracking.relaxation import Tolerance
 from manipplan.tracking.track import Tracking
+
+if TYPE_CHECKING:
+    from manipplan.viz.viewer import PlanViewer
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,10 +62,14 @@ class Plan:
     message: str = ""
 
     def save(self, folder: str | Path) -> list[Path]:
-        """Write trajectory.csv, .json and .yaml (ROS), report.json, report.txt and plan.png; returns the files.
+        """Write trajectory.csv, .json and .yaml (ROS), report.json, report.txt, plan.png and plan.json; returns the files.
+
+        plan.json is what `load` reads. What cannot be written there (a measure, obstacle or workspace path of a class of your
+        own, a robot put together by hand) is told in the log, and has to be given when the plan is loaded.
 
         Raises InvalidInputError when the folder cannot be written and PlanningError when there is no trajectory.
         """
+        from manipplan.jobs import archive
         from manipplan.viz import save_plan
 
         if self.trajectory is None or self.report is None:
@@ -72,8 +81,42 @@ class Plan:
         self.report.to_json(to / "report.json")
         write_text(to / "report.txt", f"{self.report}\n")
         save_plan(self, to / "plan.png")
-        names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png")
+        archive.write_plan(self, to / archive.NAME)
+        names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png", archive.NAME)
         return [to / name for name in names]
+
+    @classmethod
+    def load(
+        cls, file: str | Path, *, robot: Robot | None = None, scene: Scene | None = None, measure: Measure | None = None
+    ) -> "Plan":
+        """Read a plan that `save` wrote, to show it, to check it or to save it again: every number is the same.
+
+        What only the solvers need is not kept: `search`, `tracking`, and the `history` and `rivals` of `result`.
+
+        Args:
+            file: the folder, or plan.json in it.
+            robot, scene, measure: in place of the stored ones, where the files of robot or meshes have gone, or where they are
+                of a class of your own. The robot has to be the one that was planned for.
+
+        Raises:
+            FileFormatError: not a result, cut off, of another version; a robot or mesh file is gone or was changed.
+            MissingExtraError: the robot is of the catalogue, whose package is not installed.
+        """
+        from manipplan.jobs import archive
+
+        return archive.read_plan(file, robot=robot, scene=scene, measure=measure)
+
+    def show(self, *, port: int = 8080, host: str = "localhost", open_browser: bool = True) -> "PlanViewer":
+        """Show the motion in the browser; see `manipplan.viz.viewer.show`. In a script: `plan.show().wait()`."""
+        from manipplan.viz.viewer import show
+
+        return show(self, port=port, host=host, open_browser=open_browser)
+
+    def record(self, file: str | Path) -> Path:
+        """Write the motion as an HTML file that plays in any browser; see `manipplan.viz.viewer.record`."""
+        from manipplan.viz.viewer import record
+
+        return record(self, file)
 
 
 def checked(

@@ -14,6 +14,9 @@ from manipplan.measures.indices import REGULARISATION
 from manipplan.measures.measure import JacobianMeasure, row_unit
 from manipplan.measures.task import Task
 
+#: A direction whose length differs from 1 by rounding alone has length 1.
+UNIT = 1e-15
+
 
 @dataclass(frozen=True, kw_only=True)
 class _Transmission(JacobianMeasure):
@@ -22,7 +25,8 @@ class _Transmission(JacobianMeasure):
     def __post_init__(self) -> None:
         direction = finite_array("direction", self.direction, (None,))
         size = number("the length of direction", float(np.linalg.norm(direction)), above=1e-9)
-        object.__setattr__(self, "direction", tuple((direction / size).tolist()))
+        unit = direction if abs(size - 1.0) <= UNIT else direction / size  # dividing again would change the last digit
+        object.__setattr__(self, "direction", tuple(unit.tolist()))
 
     def check(self, m: int, n: int) -> None:
         super().check(m, n)

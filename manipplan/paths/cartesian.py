@@ -172,3 +172,7 @@ class Spline(CartesianPath):
         positions = CubicSpline(self.s, self.poses[:, :3, 3])(s)
         turns = RotationSpline(self.s, Rotation.from_matrix(self.poses[:, :3, :3]))(s)
         return np.asarray(positions), np.asarray(turns.as_matrix()).reshape(-1, 3, 3)
+
+
+#: The kinds by the names of their classes.
+PATHS: dict[str, type[CartesianPath]] = {kind.__name__: kind for kind in (Line, Arc, Spline)}

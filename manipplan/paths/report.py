@@ -143,14 +143,15 @@ class Report:
 
     def __str__(self) -> str:
         unit = f" {self.index_unit}" if self.index_unit != "1" else ""
+        first = _first_path(self.status)
         lines = [
             f"{self.robot}, tool {self.tool}, task {self.task}: {'all checks passed' if self.passed else 'CHECK FAILED'}",
             f"  status       {self.status}",
             f"  duration     {self.duration:.3f} s",
-            f"  least index  {self.min_manipulability:.4g}{unit} ({self.measure}; seed "
+            f"  least index  {self.min_manipulability:.4g}{unit} ({self.measure}; {first} "
             f"{self.seed_min_manipulability:.4g}, straight {self.straight_min_manipulability:.4g}): {self.index_note}",
-            f"  g            {self.g:.5g} (seed {self.seed_g:.5g}), exponent {self.power:g}",
-            f"  length       {self.length:.4g} rad (seed {self.seed_length:.4g})",
+            f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
+            f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
         ]
         if self.nearest_pair:
             lines.append(
@@ -164,25 +165,34 @@ class Report:
         for kind, use in self.limits.items():
             if not use.joint:
                 continue
-            worst = f"{use.ratio:.2e} beyond" if kind == "position" else f"{100 * use.ratio:.2f} %"
+            worst = f"{use.ratio:.2e} rad or m beyond" if kind == "position" else f"{100 * use.ratio:.2f} %"
             if kind == "position" and use.ratio <= 0:
-                worst = f"{-use.ratio:.3f} inside"
+                worst = f"{-use.ratio:.3f} rad or m inside"
             lines.append(f"  {kind:<12} {worst} of the limit, {use.joint} at {use.time:.2f} s")
         return "\n".join(lines)
 
     def to_json(self, file: str | Path) -> None:
         """Write all figures as JSON."""
-        write_text(file, json.dumps(_json_ready(asdict(self)), indent=1, allow_nan=False) + "\n")
+        write_text(file, json.dumps(self.to_data(), indent=1, allow_nan=False) + "\n")
+
+    def to_data(self) -> dict[str, Any]:
+        """All figures as JSON takes them; infinite ones as text."""
+        data: dict[str, Any] = _json_ready(asdict(self))
+        return data
+
+    @classmethod
+    def from_data(cls, data: Mapping[str, Any]) -> "Report":
+        """The report of `to_data`."""
+        data = {name: float(value) if value in ("inf", "-inf") else value for name, value in data.items()}
+        uses = {kind: LimitUse(**{**use, "ratio": float(use["ratio"])}) for kind, use in data["limits"].items()}
+        return cls(**{**data, "limits": uses, "nearest_pair": tuple(data["nearest_pair"])})
 
     @classmethod
     def from_json(cls, file: str | Path) -> "Report":
         """Read what `to_json` wrote; raises FileFormatError for another file."""
         path = existing_file("file", file)
         try:
-            data = json.loads(path.read_text())
-            data = {name: float(value) if value in ("inf", "-inf") else value for name, value in data.items()}
-            uses = {kind: LimitUse(**{**use, "ratio": float(use["ratio"])}) for kind, use in data["limits"].items()}
-            return cls(**{**data, "limits": uses, "nearest_pair": tuple(data["nearest_pair"])})
+            return cls.from_data(json.loads(path.read_text()))
         except (ValueError, TypeError, KeyError, AttributeError) as error:
             raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
 
@@ -193,6 +203,11 @@ def _straight_cost(path: JointPath, objective: PathObjective) -> PathCost:
         index = float(objective.kinematics.manipulability(path.start))
         return PathCost(g=0.0, length=0.0, min_manipulability=index, at=0.0)
     return objective.cost(JointPath.line(path.start, path.goal))
+
+
+def _first_path(status: str) -> str:
+    """What the path is compared with."""
+    return "recorded" if status in (Status.IMPROVED.value, Status.NOT_BETTER.value) else "seed"
 
 
 def _json_ready(value: Any) -> Any:
@@ -207,7 +222,8 @@ def _index_note(cost: PathCost, result: PathResult, straight: PathCost) -> str:
     least = cost.min_manipulability
     if result.status is Status.FOLLOWED:
         return "seed: the best path among the samples; straight: a line between the ends, which leaves the workspace path"
-    others = {"seed": result.seed_cost.min_manipulability, "straight path": straight.min_manipulability}
+    first = _first_path(result.status.value)
+    others = {first: result.seed_cost.min_manipulability, "straight path": straight.min_manipulability}
     note = ", ".join(
         f"{least / other:.3g} times the {name}'s" if other > 0 else f"the {name}'s is zero" for name, other in others.items()
     )
@@ -216,5 +232,5 @@ def _index_note(cost: PathCost, result: PathResult, straight: PathCost) -> str:
     if cost.at <= AT_END or cost.at >= 1 - AT_END:
         return f"{note}; it is at the {'start' if cost.at <= AT_END else 'goal'}, which every path between the two shares"
     if result.path is result.seed:
-        return f"{note}; this is the seed itself"
+        return f"{note}; this is the {first} itself"
     return f"{note}; no path with a larger one and a g as low was found"

@@ -14,6 +14,7 @@ from manipplan.errors import InvalidInputError, MissingExtraError, UnknownNameEr
 from manipplan.robots.description import frame_index
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
+from manipplan.robots.source import RobotSource
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -165,8 +166,8 @@ def load_robot(name: str | Path, **options: object) -> Robot:
     published = {"acceleration": entry.acceleration, "jerk": entry.jerk}
     published = {kind: value for kind, value in published.items() if value is not None and kind not in options}
     if published and robot_options["joints"] is None:
-        return robot.with_limits(source=entry.data_sheet, **published)  # type: ignore[arg-type]
-    return robot
+        robot = robot.with_limits(source=entry.data_sheet, **published)  # type: ignore[arg-type]
+    return replace(robot, source=RobotSource.of("catalogue", folder / entry.urdf, options, name=str(name)))
 
 
 def planar_arm(lengths: ArrayLike, *, radius: float | None = None) -> Robot:
@@ -220,6 +221,7 @@ def planar_arm(lengths: ArrayLike, *, radius: float | None = None) -> Robot:
         neutral=neutral,
         disabled_pairs=frozenset(frozenset((f"link{i + 1}", f"link{j + 1}")) for i in range(n) for j in range(i)),
         planar=True,
+        source=RobotSource.of("planar", None, {"lengths": size, "radius": radius}),
     )
 
 

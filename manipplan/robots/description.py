@@ -39,15 +39,18 @@ class Mimic:
 
 @dataclass(frozen=True, kw_only=True)
 class Semantics:
-    """What an SRDF says: the end effector, pairs not to check, and named postures."""
+    """What an SRDF says: the end effector, pairs not to check, and named states.
+
+    `states` holds name and joint values in the order of the file; groups of one robot may use the same name.
+    """
 
     end_effector: str | None
     disabled: frozenset[frozenset[str]]
-    postures: Mapping[str, Mapping[str, float]]
+    states: tuple[tuple[str, Mapping[str, float]], ...]
 
     def posture(self, joints: Sequence[str], limits: JointLimits) -> Array | None:
         """The first named posture that gives each of `joints` a value inside its limits."""
-        for values in self.postures.values():
+        for _, values in self.states:
             if all(joint in values for joint in joints):
                 q = np.array([values[joint] for joint in joints])
                 if not limits.outside(q).any():
@@ -92,25 +95,26 @@ def read_mjcf(file: Path) -> Description:
 
 
 def read_srdf(file: Path) -> Semantics:
-    """End effector, disabled pairs and named postures of an SRDF."""
+    """End effector, disabled pairs and named states of an SRDF."""
     root = _xml("srdf", file, "robot")
     effector = root.find("end_effector")
     disabled = {frozenset((str(pair.get("link1")), str(pair.get("link2")))) for pair in root.findall("disable_collisions")}
-    postures = {}
+    states = []
     for state in root.findall("group_state"):
         # a floating base has several values: it is no joint of an arm
         single = [j for j in state.findall("joint") if len(str(j.get("value")).split()) == 1]
         try:
-            postures[str(state.get("name"))] = {str(j.get("name")): float(str(j.get("value"))) for j in single}
+            values = {str(j.get("name")): float(str(j.get("value"))) for j in single}
         except ValueError as error:
             raise FileFormatError("srdf", str(file), f"numbers as joint values ({error})") from error
-        for name, value in postures[str(state.get("name"))].items():
+        for name, value in values.items():
             if not np.isfinite(value):
                 raise FileFormatError("srdf", str(file), f"finite joint values; {name} is {value}")
+        states.append((str(state.get("name")), values))
     return Semantics(
         end_effector=effector.get("parent_link") if effector is not None else None,
         disabled=frozenset(disabled),
-        postures=postures,
+        states=tuple(states),
     )
 
 

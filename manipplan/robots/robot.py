@@ -10,10 +10,12 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.checks import Array, configurations, existing_file, instance, number, whole_number
-from manipplan.errors import InvalidInputError, UnknownNameError, UnsupportedJointError
-from manipplan.robots import description
+from manipplan.checks import Array, configurations, existing_file, instance, whole_number
+from manipplan.errors import InvalidInputError
+from manipplan.robots import description, parts
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
+from manipplan.robots.source import RobotSource
+from manipplan.robots.states import NamedStates
 
 if TYPE_CHECKING:
     from manipplan.kinematics.kinematics import Kinematics
@@ -42,6 +44,8 @@ class Robot:
         disabled_pairs: pairs of bodies that need no self-collision check (from an SRDF); None without one.
         adjacent_pairs: pairs of geometry objects (by name) that one joint of the whole description connects, or none.
         planar: True when the arm moves in the x-y plane alone.
+        named_states: of an SRDF's named postures those that give every active joint a value: (n,) by name [rad or m].
+        source: what the arm was read from, which builds it again; None for one that was put together by hand.
         cache: what was built for this robot once and is used again (kinematics, fitted primitives).
     """
 
@@ -55,6 +59,8 @@ class Robot:
     disabled_pairs: frozenset[frozenset[str]] | None = None
     adjacent_pairs: frozenset[frozenset[str]] = frozenset()
     planar: bool = False
+    named_states: Mapping[str, Array] = field(default_factory=NamedStates)
+    source: RobotSource | None = None
     cache: dict[object, Any] = field(default_factory=dict, init=False, repr=False)
 
     @classmethod
@@ -92,7 +98,16 @@ class Robot:
             InvalidInputError: joints out of order, or limits that are not positive.
         """
         read = description.read_urdf(existing_file("file", file), package_dirs)
-        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits)
+        robot = cls._cut(read, tool, joints, srdf, name, locked, neutral, limits)
+        given: dict[str, Any] = {
+            "tool": tool,
+            "joints": joints,
+            "srdf": srdf,
+            "name": name,
+            "locked": locked,
+            "neutral": neutral,
+        }
+        return replace(robot, source=RobotSource.of("urdf", file, {**given, "package_dirs": package_dirs, **limits}))
 
     @classmethod
     def from_mjcf(
@@ -112,7 +127,16 @@ class Robot:
         MJCF states no velocity limits: they are infinite unless `velocity` is given.
         """
         read = description.read_mjcf(existing_file("file", file))
-        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits)
+        robot = cls._cut(read, tool, joints, srdf, name, locked, neutral, limits)
+        given: dict[str, Any] = {
+            "tool": tool,
+            "joints": joints,
+            "srdf": srdf,
+            "name": name,
+            "locked": locked,
+            "neutral": neutral,
+        }
+        return replace(robot, source=RobotSource.of("mjcf", file, {**given, **limits}))
 
     @classmethod
     def _cut(
@@ -128,12 +152,12 @@ class Robot:
     ) -> "Robot":
         semantic = description.read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
         whole = read.model
-        tool = _choose_tool(whole, tool, semantic)
+        tool = parts.choose_tool(whole, tool, semantic)
         chain = [whole.names[i] for i in whole.supports[whole.frames[description.frame_index(whole, tool)].parentJoint]][1:]
-        active = _choose_joints(whole, tool, chain, joints, read.mimics)
-        held = _locked_values(whole, active, dict(locked or {}), semantic, read.mimics)
+        active = parts.choose_joints(whole, tool, chain, joints, read.mimics)
+        held = parts.locked_values(whole, active, dict(locked or {}), semantic, read.mimics)
         model, geometry = description.reduce(whole, read.geometry, active, held)
-        base = _limits_of(model, read.source, limits)
+        base = parts.limits_of(model, read.source, limits)
         if "acceleration" not in limits:
             ramp = {"acceleration": base.velocity / DEFAULT_RAMP_TIME}
             base = base.with_changes(ramp, source=f"default: full speed in {DEFAULT_RAMP_TIME:g} s")
@@ -145,10 +169,11 @@ class Robot:
             geometry=geometry,
             tool=tool,
             limits=base,
-            neutral=_neutral(base, neutral),
+            neutral=parts.usual_posture(base, neutral),
             locked=held,
             disabled_pairs=semantic.disabled if semantic is not None else None,
             adjacent_pairs=description.adjacent_pairs(whole, read.geometry),
+            named_states=NamedStates.of(semantic.states, active) if semantic is not None else NamedStates(),
         )
         if held:
             log.info("%s: locked joints: %s", robot.name, ", ".join(held))
@@ -287,112 +312,3 @@ class Robot:
             more = f", ... ({len(self.locked)} in all)" if len(self.locked) > 6 else ""
             lines.append(f"locked: {', '.join(shown)}{more}")
         return "\n".join(lines)
-
-
-def _choose_tool(model: pin.Model, tool: str | None, semantic: description.Semantics | None) -> str:
-    bodies = [frame.name for frame in model.frames if frame.name != "universe"]
-    if tool is None and semantic is not None and semantic.end_effector is not None:
-        tool = semantic.end_effector
-    if tool is None:
-        leaves = description.leaf_bodies(model)
-        if len(leaves) != 1:
-            raise InvalidInputError("tool", None, f"a frame name; the description has several ends: {', '.join(leaves[:8])}")
-        tool = leaves[0]
-    if tool not in bodies:
-        raise UnknownNameError("tool", str(tool), bodies)
-    return str(tool)
-
-
-def _choose_joints(
-    model: pin.Model, tool: str, chain: list[str], joints: Sequence[str] | None, mimics: Mapping[str, description.Mimic]
-) -> list[str]:
-    if isinstance(joints, str):
-        raise InvalidInputError("joints", joints, "a list of names")
-    active = list(chain) if joints is None else list(joints)
-    for joint in active:
-        if joint not in list(model.names)[1:]:
-            raise UnknownNameError("joints", str(joint), list(model.names)[1:])
-        if joint not in chain:
-            raise InvalidInputError("joints", joint, f"joints that move the tool {tool}: {', '.join(chain)}")
-        if joint in mimics:
-            raise UnsupportedJointError("joints", joint, f"independent joints; this one mimics {mimics[joint].leader}")
-        followers = [follower for follower, mimic in mimics.items() if mimic.leader == joint]
-        if followers:
-            raise UnsupportedJointError("joints", joint, f"joints that no other follows; {followers[0]} mimics it")
-        kind = model.joints[model.getJointId(joint)]
-        if kind.nv != 1 or not (description.is_prismatic(kind) or description.is_revolute(kind)):
-            raise UnsupportedJointError(
-                "joints", f"{joint} ({kind.shortname()})", "revolute, continuous and prismatic joints; lock it or choose others"
-            )
-    ordered = [joint for joint in chain if joint in active]
-    if active != ordered:
-        raise InvalidInputError("joints", active, f"each joint once, from base to tool: {', '.join(ordered)}")
-    if not active:
-        raise InvalidInputError("joints", active, f"at least one joint that moves the tool {tool}")
-    return active
-
-
-def _locked_values(
-    model: pin.Model,
-    active: list[str],
-    given: dict[str, float],
-    semantic: description.Semantics | None,
-    mimics: Mapping[str, description.Mimic],
-) -> dict[str, float]:
-    others = [name for name in list(model.names)[1:] if name not in active]
-    for name, value in given.items():
-        if name not in others:
-            raise UnknownNameError("locked", name, others)
-        number(f"locked[{name!r}]", value)
-        joint = model.joints[model.getJointId(name)]
-        if joint.nq != 1:
-            raise InvalidInputError(f"locked[{name!r}]", value, f"no value: a {joint.shortname()} stays at its origin")
-        low, high = model.lowerPositionLimit[joint.idx_q], model.upperPositionLimit[joint.idx_q]
-        if not low <= value <= high:
-            raise InvalidInputError(f"locked[{name!r}]", value, f"{low:g} to {high:g}")
-    usual = next(iter(semantic.postures.values()), {}) if semantic is not None else {}
-    held = {}
-    for name in others:
-        joint = model.joints[model.getJointId(name)]
-        if joint.nq == 1:
-            low, high = model.lowerPositionLimit[joint.idx_q], model.upperPositionLimit[joint.idx_q]
-            held[name] = float(given.get(name, np.clip(usual.get(name, 0.0), low, high)))
-        else:
-            held[name] = float(given.get(name, 0.0))
-    for name, mimic in mimics.items():
-        if name in held and name not in given and mimic.leader in held:
-            held[name] = mimic.multiplier * held[mimic.leader] + mimic.offset
-    return held
-
-
-def _limits_of(model: pin.Model, source: str, given: Mapping[str, ArrayLike]) -> JointLimits:
-    """The limits of the description, with those that were given in their place."""
-    inf = np.full(model.nv, np.inf)
-    lower, upper, velocity = model.lowerPositionLimit, model.upperPositionLimit, model.velocityLimit
-    for i, name in enumerate(list(model.names)[1:]):
-        if "velocity" not in given and not velocity[i] > 0:
-            raise InvalidInputError(f"velocity limit of {name}", float(velocity[i]), "above zero; give velocity= to set it")
-        if not {"lower", "upper"} & set(given) and not lower[i] < upper[i]:
-            raise InvalidInputError(
-                f"position limits of {name}", [lower[i], upper[i]], "lower below upper; give lower= and upper= to set them"
-            )
-    described = JointLimits(
-        lower=-inf if "lower" in given else lower,
-        upper=inf if "upper" in given else upper,
-        velocity=inf if "velocity" in given else velocity,
-        acceleration=inf,
-        jerk=inf,
-        effort=np.where(model.effortLimit > 0, model.effortLimit, np.inf),
-        sources=dict.fromkeys(("lower", "upper", "velocity", "effort"), source),
-    )
-    return described.with_changes(given) if given else described
-
-
-def _neutral(limits: JointLimits, given: ArrayLike | None) -> Array:
-    lower = np.where(np.isfinite(limits.lower), limits.lower, -np.pi)
-    upper = np.where(np.isfinite(limits.upper), limits.upper, np.pi)
-    neutral = (lower + upper) / 2 if given is None else configurations("neutral", given, limits.n)
-    if (limits.outside(neutral) > 0).any():
-        raise InvalidInputError("neutral", neutral.tolist(), "a posture inside the position limits")
-    neutral.flags.writeable = False
-    return neutral

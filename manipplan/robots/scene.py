@@ -191,24 +191,41 @@ class Scene:
             raise FileFormatError("scene", str(path), f"YAML ({' '.join(str(error).split())})") from error
         if not isinstance(data, dict) or set(data) != {"obstacles"} or not isinstance(data["obstacles"], list):
             raise FileFormatError("scene", str(path), "one key, obstacles, with a list")
-        return cls([_obstacle(f"obstacles[{i}]", entry, path.parent) for i, entry in enumerate(data["obstacles"])])
+        return cls.from_entries(data["obstacles"], path.parent)
 
     def to_yaml(self, file: str | Path) -> None:
         """Write the scene so that `from_yaml` reads it back."""
         import yaml
 
+        folder = Path(file).expanduser().resolve().parent
+        entries = [
+            {key: os.path.relpath(value, folder) if isinstance(value, Path) else value for key, value in entry.items()}
+            for entry in self.entries()
+        ]
+        write_text(file, yaml.safe_dump({"obstacles": entries}, sort_keys=False, default_flow_style=None))
+
+    @classmethod
+    def from_entries(cls, entries: Sequence[Any], folder: str | Path = ".") -> "Scene":
+        """The scene of `entries`, each a mapping as in a YAML file; mesh files are looked for from `folder`."""
+        return cls([_obstacle(f"obstacles[{i}]", entry, Path(folder)) for i, entry in enumerate(entries)])
+
+    def entries(self) -> list[dict[str, Any]]:
+        """Name, shape and numbers of every obstacle as plain values; the file of a mesh as a Path.
+
+        Raises InvalidInputError for an obstacle of another class than those of this package.
+        """
         entries = []
         for name, obstacle in zip(self.names, self.obstacles, strict=True):
+            if OBSTACLES.get(obstacle.shape_name) is not type(obstacle):
+                kinds = ", ".join(kind.__name__ for kind in OBSTACLES.values())
+                raise InvalidInputError("obstacles", f"{name}, a {type(obstacle).__name__}", f"obstacles of the kinds {kinds}")
             entry: dict[str, Any] = {"name": name, "shape": obstacle.shape_name}
             for each in fields(obstacle):
                 value = getattr(obstacle, each.name)
-                if each.name == "name" or value is None or not each.init:
-                    continue
-                if isinstance(value, Path):
-                    value = os.path.relpath(value, Path(file).expanduser().resolve().parent)
-                entry[each.name] = value.tolist() if isinstance(value, np.ndarray) else value
+                if each.name != "name" and value is not None and each.init:
+                    entry[each.name] = value.tolist() if isinstance(value, np.ndarray) else value
             entries.append(entry)
-        write_text(file, yaml.safe_dump({"obstacles": entries}, sort_keys=False, default_flow_style=None))
+        return entries
 
     def collision_model(self, robot: "Robot") -> "CollisionModel":
         """The robot among these obstacles, built once."""

@@ -41,7 +41,7 @@ def test_a_demonstration_of_positions_alone_is_read(panda, recording, tmp_path):
     file.write_text(f"time,{names}\n" + "\n".join(",".join(map(repr, map(float, row))) for row in rows))
     plan = mp.improve(panda, file)
     assert plan.status is mp.Status.IMPROVED
-    assert len(plan.save(tmp_path / "out")) == 6
+    assert len(plan.save(tmp_path / "out")) == 7
 
 
 def test_a_planned_path_is_timed_first(panda):

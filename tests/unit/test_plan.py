@@ -30,7 +30,7 @@ def test_the_same_seed_gives_the_same_plan(demo_problem, demo_plan):
 def test_files_have_a_way_back(tmp_path, demo_plan):
     files = demo_plan.save(tmp_path / "out")
     assert {file.name for file in files} == {
-        "trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png",
+        "trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png", "plan.json",
     }  # fmt: skip
     for name, read in (("csv", "from_csv"), ("json", "from_json"), ("yaml", "from_ros")):
         again = getattr(mp.Trajectory, read)(tmp_path / "out" / f"trajectory.{name}")

@@ -196,9 +196,12 @@ def test_flat_ends_are_closed_and_other_shapes_boxed():
 
 def test_a_flat_mesh_is_drawn_by_its_triangles():
     corners = np.array([[0.0, 0.0, 0.1], [1.0, 0.0, 0.1], [0.0, 1.0, 0.1], [1.0, 1.0, 0.1]])
+    vertices, triangles = coal.StdVec_Vec3s(), coal.StdVec_Triangle()
+    vertices.extend(list(corners))
+    triangles.extend([coal.Triangle(0, 1, 2), coal.Triangle(1, 3, 2)])
     mesh = coal.BVHModelOBBRSS()
     mesh.beginModel(2, 4)
-    mesh.addSubModel(corners, np.array([[0, 1, 2], [1, 3, 2]]))
+    mesh.addSubModel(vertices, triangles)
     mesh.endModel()
     surface = surface_of(mesh)
     np.testing.assert_array_equal(surface.faces, [corners[[0, 1, 2]], corners[[1, 3, 2]]])

@@ -1,0 +1,252 @@
+"""Plans to one JSON file and back: everything that is needed to show a plan, to check it again and to play it.
+
+The file says what the robot was read from, not the robot itself; beside it stand the joints' names, limits and screws, by
+which another robot is noticed. Numbers keep all their digits. Infinite ones are texts, since JSON has none.
+"""
+
+import json
+import logging
+from collections.abc import Callable, Mapping
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from manipplan.checks import existing_file, instance
+from manipplan.errors import FileFormatError, InvalidInputError
+from manipplan.files import write_text
+from manipplan.measures.measure import Measure
+from manipplan.measures.names import MEASURES
+from manipplan.measures.task import Task
+from manipplan.optimize.certificate import Certificate, LimitApproach
+from manipplan.optimize.objective import PathCost
+from manipplan.optimize.result import PathResult
+from manipplan.paths.cartesian import PATHS, CartesianPath
+from manipplan.paths.deviation import Deviation
+from manipplan.paths.joint import JointPath
+from manipplan.paths.report import Report
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.robot import Robot
+from manipplan.robots.scene import Scene
+from manipplan.robots.stored import robot_data, robot_of, scene_data, scene_of, stored_array
+from manipplan.search.refine import Refinement
+from manipplan.status import Status
+from manipplan.tracking.relaxation import Tolerance
+
+if TYPE_CHECKING:
+    from manipplan.jobs.result import Plan
+
+log = logging.getLogger("manipplan")
+
+FORMAT, VERSION = "manipplan-plan", 1
+#: Name of the file in a result's folder.
+NAME = "plan.json"
+
+
+def write_plan(plan: "Plan", file: Path) -> None:
+    """Write a plan that has a trajectory. What cannot be written is named in the log, and again when the file is read."""
+    import manipplan
+
+    result = instance("plan.result", plan.result, PathResult)
+    folder = file.expanduser().resolve().parent
+    figures = ("g", "length", "min_manipulability", "min_at", "status", "seed_cost", "certificate")
+    data = {
+        "format": FORMAT,
+        "version": VERSION,
+        "manipplan": manipplan.__version__,
+        "robot": robot_data(plan.robot, folder),
+        "scene": scene_data(plan.scene, folder),
+        "task": result.task,
+        "measure": _measure_data(result.measure),
+        "power": result.power,
+        "metric": result.metric,
+        "status": plan.status,
+        "message": plan.message,
+        "path": plan.path,
+        "seed": result.seed,
+        "result": {name: getattr(result, name) for name in figures},
+        "trajectory": plan.trajectory,
+        "report": plan.report,
+        "workspace_path": _workspace_data(plan.workspace_path),
+        "tolerance": plan.tolerance,
+        "refinement": plan.refinement,
+        "deviation": plan.deviation,
+    }
+    for part in ("robot", "scene", "measure", "workspace_path"):
+        if isinstance(data[part], dict) and "missing" in data[part]:
+            log.warning("%s: not written: %s, %s", file, part, data[part]["missing"])
+    write_text(file, json.dumps(_plain(data), allow_nan=False) + "\n")
+
+
+def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, measure: Measure | None) -> "Plan":
+    """Read `write_plan`'s file; see `Plan.load`."""
+    from manipplan.jobs.result import Plan
+
+    path = _plan_file(file)
+    data = _checked_json(path)
+    folder = path.resolve().parent
+    try:
+        arm = robot_of(path, data["robot"], folder, robot)
+        world = scene_of(path, data["scene"], folder, scene)
+        index = _measure(path, data["measure"], measure)
+        joints = JointPath(**data["path"])
+        seed = _maybe(data["seed"], lambda each: JointPath(**each))
+        numbers = data["result"]
+        result = PathResult(
+            path=joints,
+            seed=seed,
+            g=float(numbers["g"]),
+            length=float(numbers["length"]),
+            min_manipulability=float(numbers["min_manipulability"]),
+            min_at=float(numbers["min_at"]),
+            power=float(data["power"]),
+            task=_task(data["task"]),
+            measure=index,
+            metric=_maybe(data["metric"], stored_array),
+            seed_cost=_numbers(PathCost, numbers["seed_cost"]),
+            history=(),
+            status=Status[numbers["status"]],
+            certificate=_maybe(numbers["certificate"], _certificate),
+        )
+        return Plan(
+            robot=arm,
+            scene=world,
+            status=Status[data["status"]],
+            message=str(data["message"]),
+            path=joints,
+            trajectory=Trajectory(**data["trajectory"]),
+            report=Report.from_data(data["report"]),
+            result=result,
+            workspace_path=_maybe(data["workspace_path"], _workspace),
+            tolerance=_maybe(data["tolerance"], lambda each: Tolerance(**each)),
+            refinement=_maybe(data["refinement"], _refinement),
+            deviation=_maybe(data["deviation"], lambda each: _numbers(Deviation, each)),
+        )
+    except FileFormatError:
+        raise
+    except (InvalidInputError, KeyError, TypeError, ValueError, AttributeError) as error:
+        reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
+        raise FileFormatError("file", str(path), f"a result written by Plan.save, unchanged since ({reason})") from error
+
+
+def _measure_data(measure: Measure) -> dict[str, Any]:
+    kind = type(measure)
+    if MEASURES.get(kind.name) is not kind:
+        return {"missing": f"a measure of your own, {kind.__name__}", "name": kind.name}
+    options: dict[str, Any] = (
+        {each.name: getattr(measure, each.name) for each in fields(measure)} if is_dataclass(measure) else {}
+    )
+    inner = {key: _measure_data(value) for key, value in options.items() if isinstance(value, Measure)}
+    lost = next((each["missing"] for each in inner.values() if "missing" in each), None)
+    return {"name": kind.name, "options": {**options, **inner}, **({"missing": lost} if lost else {})}
+
+
+def _measure(path: Path, data: Mapping[str, Any], given: Measure | None) -> Measure:
+    if given is not None:
+        if not isinstance(given, Measure) or given.name != data["name"]:
+            raise InvalidInputError("measure", given, f"the measure of the plan, {data['name']}")
+        return given
+    if "missing" in data:
+        raise FileFormatError("file", str(path), f"a result with its measure, but it has {data['missing']}; give measure=")
+    stored: dict[str, Any] = data["options"]
+    options = {key: _measure(path, value, None) if isinstance(value, dict) else value for key, value in stored.items()}
+    kind: Callable[..., Measure] = MEASURES[data["name"]]
+    return kind(**options)
+
+
+def _workspace_data(workspace: CartesianPath | None) -> Any:
+    if workspace is None:
+        return None
+    kind = type(workspace)
+    if PATHS.get(kind.__name__) is not kind:
+        return {"missing": f"a path of a class of your own, {kind.__name__}"}
+    return {"kind": kind.__name__, **{each.name: getattr(workspace, each.name) for each in fields(workspace)}}  # type: ignore[arg-type]
+
+
+def _workspace(data: Mapping[str, Any]) -> CartesianPath | None:
+    """The workspace path; None for one of a class that cannot be stored, of which the log told when it was saved."""
+    if "missing" in data:
+        log.warning("the workspace path is missing: %s", data["missing"])
+        return None
+    values: dict[str, Any] = {
+        key: stored_array(value) if isinstance(value, list) else value for key, value in data.items() if key != "kind"
+    }
+    return PATHS[data["kind"]](**values)
+
+
+def _task(data: Mapping[str, Any]) -> Task:
+    rows = {key: tuple(tuple(map(float, row)) for row in data[key]) for key in ("world_rows", "tool_rows")}
+    return Task(name=data["name"], length=float(data["length"]), **rows)
+
+
+def _certificate(data: Mapping[str, Any]) -> Certificate:
+    texts = {"status", "solver", "measure", "unit", "nearest_pair", "limits"}
+    values: dict[str, Any] = {key: value if key in texts else float(value) for key, value in data.items()}
+    values["status"] = Status[data["status"]]
+    values["nearest_pair"] = tuple(data["nearest_pair"])
+    values["limits"] = tuple(LimitApproach(**each) for each in data["limits"])
+    return Certificate(**values)
+
+
+def _refinement(data: Mapping[str, Any]) -> Refinement:
+    values: dict[str, Any] = {
+        key: stored_array(value) if isinstance(value, list) else float(value) for key, value in data.items()
+    }
+    return Refinement(**{**values, "history": tuple(map(float, data["history"]))})
+
+
+def _numbers(kind: Callable[..., Any], data: Mapping[str, Any]) -> Any:
+    return kind(**{key: float(value) for key, value in data.items()})
+
+
+def _maybe(data: Any, build: Callable[[Any], Any]) -> Any:
+    return None if data is None else build(data)
+
+
+def _plan_file(file: str | Path) -> Path:
+    """The plan's file itself, or that in a result's folder."""
+    if isinstance(file, str | Path) and Path(file).expanduser().is_dir():
+        inside = Path(file).expanduser() / NAME
+        if not inside.is_file():
+            raise FileFormatError("file", str(file), f"a folder written by Plan.save, with {NAME} in it")
+        return inside
+    return existing_file("file", file)
+
+
+def _checked_json(path: Path) -> dict[str, Any]:
+    try:
+        data = json.loads(path.read_text())
+    except (ValueError, OSError) as error:
+        wanted = f"a whole result ({error}); it was cut off or is no {NAME}: save the plan again"
+        raise FileFormatError("file", str(path), wanted) from error
+    if not isinstance(data, dict) or data.get("format") != FORMAT:
+        raise FileFormatError("file", str(path), f"a result written by Plan.save, an object with format {FORMAT!r}")
+    version = data.get("version")
+    if version != VERSION:
+        wanted = (
+            f"a result of version {VERSION}; this is version {version!r}, written by manipplan {data.get('manipplan')!r}: "
+            "read it with that one, or install it here"
+        )
+        raise FileFormatError("file", str(path), wanted)
+    return data
+
+
+def _plain(value: Any) -> Any:
+    """The same as JSON can say it: a dataclass by its fields, an enum by its name, infinite numbers and nan as texts."""
+    if isinstance(value, Report):
+        return value.to_data()
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    if isinstance(value, Enum):
+        return value.name
+    if is_dataclass(value) and not isinstance(value, type):
+        return {each.name: _plain(getattr(value, each.name)) for each in fields(value)}
+    if isinstance(value, Mapping):
+        return {key: _plain(each) for key, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(each) for each in value]
+    if isinstance(value, float | np.floating):
+        return float(value) if np.isfinite(value) else str(float(value))
+    return value

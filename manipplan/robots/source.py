@@ -1,0 +1,79 @@
+"""RobotSource: what an arm was read from, so that the same arm can be built again."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from manipplan.errors import UnknownNameError
+
+if TYPE_CHECKING:
+    from manipplan.robots.robot import Robot
+
+KINDS = ("catalogue", "urdf", "mjcf", "planar")
+#: Options of `Robot.from_urdf` that are paths of files and folders.
+FILES, FOLDERS = ("srdf",), ("package_dirs",)
+
+
+@dataclass(frozen=True, kw_only=True)
+class RobotSource:
+    """What an arm was read from, with the options that were given.
+
+    Attributes:
+        kind: "catalogue", "urdf", "mjcf" or "planar".
+        name: the catalogue's, else "".
+        file: the URDF or MJCF that was read, absolute; None for the planar arm.
+        options: what was given beside it, as plain numbers, texts, tuples and paths: tool, joints, srdf, name, locked, neutral,
+            package_dirs and limits of `Robot.from_urdf`; lengths and radius of `planar_arm`.
+    """
+
+    kind: str
+    name: str = ""
+    file: Path | None = None
+    options: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.kind not in KINDS:
+            raise UnknownNameError("kind of a robot's source", str(self.kind), KINDS)
+
+    @classmethod
+    def of(cls, kind: str, file: str | Path | None, options: Mapping[str, Any], *, name: str = "") -> "RobotSource":
+        """The source for options as the user gave them; those that are None or empty are left out."""
+        plain = {key: _plain(key, value) for key, value in options.items() if value is not None}
+        kept = {key: value for key, value in plain.items() if value not in ((), {})}
+        path = Path(file).expanduser().resolve() if file is not None else None
+        return cls(kind=kind, name=name, file=path, options=kept)
+
+    @property
+    def package_dirs(self) -> tuple[Path, ...]:
+        """Folders that were given for `package://` paths; those above `file` are searched as well."""
+        return tuple(self.options.get("package_dirs", ()))
+
+    def load(self) -> "Robot":
+        """The arm again, with the limits and the neutral posture with which it was read.
+
+        Raises FileFormatError or another InvalidInputError when a file is no longer there, or no longer fits the options.
+        """
+        from manipplan.robots.catalog import load_robot, planar_arm
+        from manipplan.robots.robot import Robot
+
+        if self.kind == "planar":
+            return planar_arm(**self.options)
+        if self.kind == "catalogue" or self.file is None:
+            return load_robot(self.name, **self.options)
+        return Robot.from_mjcf(self.file, **self.options) if self.kind == "mjcf" else Robot.from_urdf(self.file, **self.options)
+
+
+def _plain(key: str, value: Any) -> Any:
+    """The value of an option as one that nobody changes afterwards."""
+    if key in FILES:
+        return Path(value).expanduser().resolve()
+    if key in FOLDERS:
+        return tuple(Path(folder).expanduser().resolve() for folder in value)
+    if isinstance(value, Mapping):
+        return {str(name): float(each) for name, each in value.items()}
+    if isinstance(value, str):
+        return value
+    return tuple(_plain("", each) for each in value) if np.ndim(value) else float(value)
