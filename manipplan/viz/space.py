@@ -15,6 +15,8 @@ LIGHT = np.array([0.35, -0.5, 0.8])
 MARGIN, LEAST = 0.04, 0.3
 #: What is drawn over surfaces.
 LINES, NAMES = 60, 70
+#: A way ends where it began when its ends are no further apart than this share of its extent.
+CLOSED = 0.05
 
 
 def draw_surface(ax: Any, surface: Surface, colour: str, *, alpha: float, edges: bool = False) -> list[Any]:
@@ -54,6 +56,15 @@ def write(ax: Any, at: Array, text: str, colour: str) -> None:
 
     rim = [withStroke(linewidth=2, foreground="white")]
     ax.text(*at, text, color=colour, fontsize=8, ha="center", va="bottom", zorder=NAMES, path_effects=rim)
+
+
+def write_ends(ax: Any, way: Array) -> None:
+    """Write "start" and "goal" at the ends of a way (k, 2) or (k, 3), or both at once where it returns to its start."""
+    if np.linalg.norm(way[-1] - way[0]) > CLOSED * np.ptp(way, axis=0).max():
+        write(ax, way[0], "start", style.ARM)
+        write(ax, way[-1], "goal", style.ARM)
+    else:
+        write(ax, way[0], "start and goal", style.ARM)
 
 
 def look_at(ax: Any, seen: Iterable[Array], *, zoom: float = 1.0) -> None:

@@ -247,6 +247,12 @@ def test_the_arm_stands_among_named_obstacles(demo_plan, space):
     assert np.allclose(ax._box_aspect / np.ptp(np.reshape(box, (3, 2)), axis=1), ax._box_aspect[0] / (box[1] - box[0]))
 
 
+def test_a_way_that_returns_is_named_once(planar, flat):
+    there = np.array([[0.2, 0.7, 0.6], [1.0, 1.2, -0.9], [0.2, 0.7, 0.6]])
+    viz.plot_planar_arm(planar, mp.JointPath.through(there), ax=flat)
+    assert [text.get_text() for text in flat.texts] == ["start and goal"]
+
+
 def test_the_planar_arm_among_what_is_around_it(planar_plan, flat):
     wall = mp.Plane(name="wall", position=(-2.2, 0.0, 0.0), rotation=(0.0, np.pi / 2, 0.0))
     turned = mp.Box(size=(0.4, 0.2, 1.0), position=(2.0, 2.0, 0.0), rotation=(0.0, 0.0, 0.5), name="block")

@@ -72,6 +72,7 @@ _ = viz.plot_singular_values(kinematics, plan.path, ax=right)
 # ----------
 # One of any kind, here of velocity and force at a posture of the planar arm, and those along a path.
 figure = plt.figure(figsize=(11, 4.4), layout="constrained")
+figure.get_layout_engine().set(wspace=0.12)  # room for the label of z
 left, right = figure.add_subplot(1, 2, 1), figure.add_subplot(1, 2, 2, projection="3d")
 q = np.array([0.4, 0.9, 0.5])
 jacobian, tool = planar.kinematics().jacobian(q), planar.kinematics().pose(q)[:2, 3]
@@ -91,6 +92,7 @@ circle = mp.CartesianPath.circle(near, near[:3, 3] + [0.1405, 0.0, 0.0], axis=(0
 tube = mp.Tolerance(position=0.02, rotation=0.1)
 tracking = mp.track(robot, circle, start, 0.01, mp.LogDrive(), duration=4.0, tolerance=tube)
 figure = plt.figure(figsize=(11, 4.4), layout="constrained")
+figure.get_layout_engine().set(wspace=0.12)  # room for the label of z
 viz.plot_tool_path(robot, tracking, circle, ax=figure.add_subplot(1, 2, 1, projection="3d"))
 _ = viz.plot_deviation(tracking, tolerance=tube, ax=figure.add_subplot(1, 2, 2))
 
