@@ -1,6 +1,6 @@
 """Drawing in space: lit surfaces, skeletons and names on axes with projection="3d", and what these show."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,8 @@ LIGHT = np.array([0.35, -0.5, 0.8])
 MARGIN, LEAST = 0.04, 0.3
 #: What is drawn over surfaces.
 LINES, NAMES = 60, 70
+#: A way ends where it began when its ends are no further apart than this share of its extent.
+CLOSED = 0.05
 
 
 def draw_surface(ax: Any, surface: Surface, colour: str, *, alpha: float, edges: bool = False) -> list[Any]:
@@ -42,6 +44,12 @@ def draw_skeleton(ax: Any, points: Array, *, alpha: float = 1.0, colour: str = s
     ]
 
 
+def draw_ways(ax: Any, ways: Mapping[str, Array]) -> None:
+    """Draw one or two ways of the tool (k, 2) or (k, 3), each by what it is called; the second is what the first began from."""
+    for (name, way), colour, width in zip(ways.items(), (style.OPTIMUM, style.SEED), (2.0, 1.3), strict=False):
+        ax.plot(*way.T, color=colour, linewidth=width, label=f"tool, {name}", zorder=LINES)
+
+
 def write(ax: Any, at: Array, text: str, colour: str) -> None:
     """A name at a point (2,) or (3,), on a white rim so that it can be read over what it names."""
     from matplotlib.patheffects import withStroke
@@ -50,15 +58,24 @@ def write(ax: Any, at: Array, text: str, colour: str) -> None:
     ax.text(*at, text, color=colour, fontsize=8, ha="center", va="bottom", zorder=NAMES, path_effects=rim)
 
 
-def look_at(ax: Any, seen: Iterable[Array]) -> None:
+def write_ends(ax: Any, way: Array) -> None:
+    """Write "start" and "goal" at the ends of a way (k, 2) or (k, 3), or both at once where it returns to its start."""
+    if np.linalg.norm(way[-1] - way[0]) > CLOSED * np.ptp(way, axis=0).max():
+        write(ax, way[0], "start", style.ARM)
+        write(ax, way[-1], "goal", style.ARM)
+    else:
+        write(ax, way[0], "start and goal", style.ARM)
+
+
+def look_at(ax: Any, seen: Iterable[Array], *, zoom: float = 1.0) -> None:
     """Set the limits of 3D axes around points, with the same scale along all three."""
     from matplotlib.ticker import MaxNLocator
 
     low, high = box_around(seen)
     for axis, side in zip((ax.xaxis, ax.yaxis, ax.zaxis), high - low, strict=True):
-        axis.set_major_locator(MaxNLocator(max(2, round(6 * side / (high - low).max()))))
+        axis.set_major_locator(MaxNLocator(max(3, round(7 * side / (high - low).max())), steps=[1, 2, 5, 10], prune="both"))
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-    ax.set_box_aspect(high - low, zoom=1.0)
+    ax.set_box_aspect(high - low, zoom=zoom)
     ax.view_init(elev=22, azim=-55)
     style.name_axes(ax)
 

@@ -14,7 +14,7 @@ from manipplan.tracking.relaxation import Tolerance
 from manipplan.tracking.track import Tracking
 from manipplan.viz import style
 from manipplan.viz.motions import Motion, joint_path
-from manipplan.viz.space import LINES, look_at, write
+from manipplan.viz.space import LINES, look_at, write_ends
 
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan
@@ -61,9 +61,7 @@ def plot_tool_path(robot: Robot, motion: Motion, workspace_path: CartesianPath |
         else:
             ax.set_aspect("equal", adjustable="datalim")
             style.name_axes(ax)
-        write(ax, way[0, :m], "start", style.ARM)
-        if np.linalg.norm(way[-1] - way[0]) > 1e-3 * np.ptp(way, axis=0).max():
-            write(ax, way[-1, :m], "goal", style.ARM)
+        write_ends(ax, way[:, :m])
         ax.legend(loc="upper right")
     return ax
 
@@ -79,10 +77,10 @@ def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = N
 
     Returns the axes of the scale in mm. Raises InvalidInputError for a plan that follows nothing.
     """
-    if tolerance is None:
-        tolerance = getattr(motion, "tolerance", None)
-    else:
+    if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
+    elif not isinstance(motion, Tracking):
+        tolerance = getattr(motion, "tolerance", None)
     t, position, rotation = _over_time(motion)
     ax = style.axes_for(ax)
     with style.shared():

@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import manipplan as mp
-from manipplan.viz.plots import plot_arm
+from manipplan import viz
 
 # %%
 # **Six joints: a UR5.** Finitely many answers: up to eight, by shoulder left or right, elbow up or down, wrist turned or not. The limits
@@ -63,7 +63,7 @@ ax.set(xlabel=f"{curve.parameter_names[0]}, held [rad]", ylabel="panda_joint2 [r
 space = right.add_subplot(projection="3d")
 branch = curve.q[np.linalg.norm(curve.q - given, axis=1).argsort()][:60]
 branch = branch[branch[:, 0].argsort()]
-plot_arm(panda, mp.JointPath.through(branch), ax=space)
+viz.plot_arm(panda, mp.JointPath.through(branch), ax=space)
 plt.show()
 
 # %%
