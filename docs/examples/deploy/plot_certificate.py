@@ -2,8 +2,8 @@
 Do not believe us: check a plan with Pinocchio alone
 ====================================================
 
-A plan comes with a report and a certificate. Before it runs on a machine you may want to check them by means that are not ours. This page
-reads both, then computes the figures again with NumPy and Pinocchio only, from the exported file.
+A plan comes with a report and a certificate. Before it runs on a machine you may want to check them by means that are not
+ours. This page reads both, then computes the figures again with NumPy and Pinocchio only, from the exported file.
 """
 
 # %%
@@ -32,17 +32,17 @@ folder = Path(tempfile.mkdtemp())
 print("files:", ", ".join(file.name for file in plan.save(folder)))
 
 # %%
-# The **report** is measured on the finished trajectory. The **certificate** is about the path: how it came about, g and how far it is above
-# the optimum without limits and obstacles (the gap), the least distance that is *proven* for the whole curve, and the limits
-# that it comes nearest to.
+# The **report** is measured on the finished trajectory. The **certificate** is about the path: how it came about, g and
+# how far it is above the optimum without limits and obstacles (the gap), the least distance that is *proven* for the
+# whole curve, and the limits that it comes nearest to.
 
 print(plan.report)
 print()
 print(plan.result.certificate)
 
 # %%
-# **Now without manipplan.** What is read: the CSV, the report's JSON, and the arm's model. The motion between samples is the cubic spline of
-# positions and velocities, as a joint trajectory controller plays it.
+# **Now without manipplan.** What is read: the CSV, the report's JSON, and the arm's model. The motion between samples is
+# the cubic spline of positions and velocities, as a joint trajectory controller plays it.
 
 table = np.genfromtxt(folder / "trajectory.csv", delimiter=",", names=True)
 report = json.loads((folder / "report.json").read_text())
@@ -91,8 +91,8 @@ for name, (theirs, ours) in checks.items():
 assert (Q >= model.lowerPositionLimit - 1e-9).all() and (Q <= model.upperPositionLimit + 1e-9).all()
 
 # %%
-# **The clearance**, with the arm's own meshes instead of the primitives that the planner uses: the meshes are inside the primitives, so the true
-# distance has to be larger than what is proven. Coal measures every mesh against the two boxes.
+# **The clearance**, with the arm's own meshes instead of the primitives that the planner uses: the meshes are inside the
+# primitives, so the true distance has to be larger than what is proven. Coal measures every mesh against the two boxes.
 
 import coal  # noqa: E402
 
@@ -108,7 +108,9 @@ def mesh_distance(x):
         for box, centre in boxes:
             request, found = coal.DistanceRequest(), coal.DistanceResult()
             place = coal.Transform3s(placed.oMg[i].rotation, placed.oMg[i].translation)
-            coal.distance(geometry.geometryObjects[i].geometry, place, box, coal.Transform3s(np.eye(3), np.array(centre)), request, found)
+            coal.distance(
+                geometry.geometryObjects[i].geometry, place, box, coal.Transform3s(np.eye(3), np.array(centre)), request, found
+            )
             least = min(least, found.min_distance)
     return least
 
@@ -131,5 +133,6 @@ bottom.legend(frameon=False, fontsize=8)
 plt.show()
 
 # %%
-# When a figure disagrees: check first that the tool frame, the characteristic length and the payload are the same. A report whose
-# ``passed`` is false says which check failed in its first lines; such a plan is returned only with ``throw=False``.
+# When a figure disagrees: check first that the tool frame, the characteristic length and the payload are the same. A
+# report whose ``passed`` is false says which check failed in its first lines; such a plan is returned only with
+# ``throw=False``.

@@ -2,14 +2,15 @@
 Sweep on a Dask cluster
 =======================
 
-One plan takes a second; a study of a cell takes thousands of them: every pick with every place, several robots, several mounting
-positions. Everything here that does many independent things takes an ``executor=``, any of ``concurrent.futures``. A Dask
-client's ``get_executor()`` is one, and behind it may be this machine or a hundred others.
+One plan takes a second; a study of a cell takes thousands of them: every pick with every place, several robots, several
+mounting positions. Everything here that does many independent things takes an ``executor=``, any of
+``concurrent.futures``. A Dask client's ``get_executor()`` is one, and behind it may be this machine or a hundred others.
 """
 
 # %%
-# A cluster. Here the scheduler and two workers are processes of this machine, started as on others: ``dask scheduler`` on one of them,
-# ``dask worker tcp://...:8786`` on each of the rest, and ``Client("tcp://...:8786")`` where you sit. Nothing else on this page changes.
+# A cluster. Here the scheduler and two workers are processes of this machine, started as on others: ``dask scheduler`` on
+# one of them, ``dask worker tcp://...:8786`` on each of the rest, and ``Client("tcp://...:8786")`` where you sit. Nothing
+# else on this page changes.
 
 import subprocess
 import sys
@@ -32,8 +33,8 @@ executor = client.get_executor()
 print(f"{len(client.scheduler_info()['workers'])} workers")
 
 # %%
-# **One problem, many first paths.** ``seeds=`` first paths are looked for and solved side by side. The result does not depend on where
-# that happens, so that it is the same as without an executor.
+# **One problem, many first paths.** ``seeds=`` first paths are looked for and solved side by side. The result does not
+# depend on where that happens, so that it is the same as without an executor.
 
 arm = mp.planar_arm([1.0, 1.0, 1.0])
 posts = [(0.0, 2.3), (-1.9, 0.5), (1.2, -1.6)]
@@ -50,10 +51,10 @@ print(f"g {here.g:.9f} and {there.g:.9f}")
 assert np.isclose(here.g, there.g, rtol=1e-9)
 
 # %%
-# **Many problems.** A sweep is a function and a list. Here: where should a UR5 stand, so that its way from one place of a table to another is
-# farthest from singularities? A task is one row of the map, so that it takes about a second and loads the robot once; it returns numbers,
-# not robots, so that little travels. Start and goal are the configurations of the two poses that have the same sign of det J and are nearest to
-# each other.
+# **Many problems.** A sweep is a function and a list. Here: where should a UR5 stand, so that its way from one place of a
+# table to another is farthest from singularities? A task is one row of the map, so that it takes about a second and loads
+# the robot once; it returns numbers, not robots, so that little travels. Start and goal are the configurations of the two
+# poses that have the same sign of det J and are nearest to each other.
 
 
 def row_of_map(y, xs):
@@ -115,6 +116,6 @@ client.shutdown()
 print("workers ended with", [worker.wait(timeout=30) for worker in workers])
 
 # %%
-# When it fails: workers need the same versions of manipplan, CasADi and Pinocchio as the client (Dask warns of differences), and files that a
-# scene names, such as meshes, at the same paths. Compiled objectives are kept in the cache folder of each machine, so the first case on a
-# new worker takes some seconds longer.
+# When it fails: workers need the same versions of manipplan, CasADi and Pinocchio as the client (Dask warns of
+# differences), and files that a scene names, such as meshes, at the same paths. Compiled objectives are kept in the cache
+# folder of each machine, so the first case on a new worker takes some seconds longer.

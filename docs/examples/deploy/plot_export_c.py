@@ -2,9 +2,9 @@
 Export C for a controller
 =========================
 
-The machine that drives the robot runs C, perhaps without an operating system that knows Python. ``Controller.export_c`` writes the whole
-control step as a C project: kinematics, limits and the QP solver, without allocation in a step. This page writes it, builds it with CMake,
-runs it, and compares each digit with Python.
+The machine that drives the robot runs C, perhaps without an operating system that knows Python. ``Controller.export_c``
+writes the whole control step as a C project: kinematics, limits and the QP solver, without allocation in a step. This
+page writes it, builds it with CMake, runs it, and compares each digit with Python.
 """
 
 import os
@@ -33,7 +33,8 @@ header = (folder / "controller.h").read_text()
 print(header[header.index("int controller_step") : header.index("/* Many steps")])
 
 # %%
-# ``example.c`` is a client: the tool of the arm moves along 10 cm in one second. It prints the joints after each step, with 17 digits.
+# ``example.c`` is a client: the tool of the arm moves along 10 cm in one second. It prints the joints after each step,
+# with 17 digits.
 
 if not (shutil.which("cmake") and shutil.which("cc")):
     raise SystemExit("this page needs CMake and a C compiler: sudo apt-get install cmake gcc")
@@ -60,7 +61,9 @@ for k in range(len(q_c)):
     q = q + 0.01 * qd
     q_python[k], index_python[k] = q, controller.report.manipulability
 difference = np.abs(q_c - q_python).max()
-print(f"largest difference between C and Python: {difference:.1e} rad in {len(q_c)} steps; index: {np.abs(index_c - index_python).max():.1e}")
+print(
+    f"largest difference between C and Python: {difference:.1e} rad in {len(q_c)} steps; index: {np.abs(index_c - index_python).max():.1e}"
+)
 assert (status_c == 0).all() and difference < 1e-12
 
 t = 0.01 * np.arange(1, len(q_c) + 1)
@@ -104,7 +107,9 @@ int main(int argc, char** argv) {
     return argc < 1;
 }
 """
-(folder / "clock.c").write_text("#define _POSIX_C_SOURCE 199309L\n" + client.replace("STIFFNESS,", f"{controller.stiffness!r},"))
+(folder / "clock.c").write_text(
+    "#define _POSIX_C_SOURCE 199309L\n" + client.replace("STIFFNESS,", f"{controller.stiffness!r},")
+)
 build = folder / "build"
 flags = ["-O2", "-I", folder, folder / "clock.c", build / "libcontroller.a", folder / "lib" / "libdaqpstat.a", "-lm"]
 subprocess.run(["cc", *flags, "-o", build / "clock"], **quiet)

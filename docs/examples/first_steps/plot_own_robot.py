@@ -2,13 +2,14 @@
 Load my own URDF
 ================
 
-You have the URDF of an arm, and perhaps the SRDF that MoveIt's setup assistant wrote. You want to plan with it. This page writes a
-small arm of six joints as text, loads it, reads the table that comes out, plans a motion, and shows what goes wrong most often.
+You have the URDF of an arm, and perhaps the SRDF that MoveIt's setup assistant wrote. You want to plan with it. This page
+writes a small arm of six joints as text, loads it, reads the table that comes out, plans a motion, and shows what goes
+wrong most often.
 """
 
 # %%
-# The arm: six revolute joints, links made of cylinders and spheres (no mesh files), and a frame ``torch`` 12 cm beyond the last
-# joint. A URDF of a maker looks the same, only longer.
+# The arm: six revolute joints, links made of cylinders and spheres (no mesh files), and a frame ``torch`` 12 cm beyond
+# the last joint. A URDF of a maker looks the same, only longer.
 
 import tempfile
 from pathlib import Path
@@ -77,15 +78,16 @@ robot = mp.Robot.from_urdf(urdf, tool="torch", srdf=srdf)
 print(robot)
 
 # %%
-# Read the last lines: they say where each number comes from. A URDF has no acceleration limits, so the default lets each joint reach
-# full speed in 0.2 s, and there is no jerk limit. Give what the data sheet says; one number serves all joints.
+# Read the last lines: they say where each number comes from. A URDF has no acceleration limits, so the default lets each
+# joint reach full speed in 0.2 s, and there is no jerk limit. Give what the data sheet says; one number serves all
+# joints.
 
 robot = mp.Robot.from_urdf(urdf, tool="torch", srdf=srdf, acceleration=[6, 6, 8, 12, 12, 15], jerk=200.0)
 print(robot.limits.sources["acceleration"], robot.limits.acceleration, robot.limits.jerk)
 
 # %%
-# Is the model the arm that you have? Compare one pose with the maker's: here all joints are zero and the arm stands upright, so
-# that the height of the tool is the sum of the offsets.
+# Is the model the arm that you have? Compare one pose with the maker's: here all joints are zero and the arm stands
+# upright, so that the height of the tool is the sum of the offsets.
 
 height = robot.kinematics().pose(np.zeros(6))[2, 3]
 print(f"height of the torch: {height:.3f} m")

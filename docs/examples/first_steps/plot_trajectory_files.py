@@ -2,8 +2,8 @@
 Trajectories in and out of files
 ================================
 
-A motion comes from somewhere and has to go somewhere: a recording as CSV, a controller that wants ROS messages, a script that wants NumPy.
-This page writes one trajectory in each format, reads it back, and shows what a broken file says.
+A motion comes from somewhere and has to go somewhere: a recording as CSV, a controller that wants ROS messages, a script
+that wants NumPy. This page writes one trajectory in each format, reads it back, and shows what a broken file says.
 """
 
 import tempfile
@@ -20,8 +20,8 @@ trajectory = mp.retime(path, robot.limits, joint_names=robot.joint_names)
 print(f"{trajectory.duration:.3f} s, {len(trajectory.t)} samples of {trajectory.n} joints")
 
 # %%
-# Four formats. CSV for people and spreadsheets, JSON for programs, YAML as ROS 2 takes a ``trajectory_msgs/JointTrajectory``, and a NumPy
-# archive. Each holds times, positions and velocities with all digits.
+# Four formats. CSV for people and spreadsheets, JSON for programs, YAML as ROS 2 takes a
+# ``trajectory_msgs/JointTrajectory``, and a NumPy archive. Each holds times, positions and velocities with all digits.
 
 folder = Path(tempfile.mkdtemp())
 formats = {"csv": "motion.csv", "json": "motion.json", "ros": "motion.yaml", "npz": "motion.npz"}
@@ -40,8 +40,8 @@ print()
 print("\n".join(line[:110] for line in (folder / "motion.yaml").read_text().splitlines()[:16]))
 
 # %%
-# Between the samples the motion is the cubic spline of positions and velocities: what a joint trajectory controller plays. So a file gives the
-# same motion as the object, at any time. ``order`` asks for derivatives.
+# Between the samples the motion is the cubic spline of positions and velocities: what a joint trajectory controller
+# plays. So a file gives the same motion as the object, at any time. ``order`` asks for derivatives.
 
 read = mp.Trajectory.from_csv(folder / "motion.csv")
 t = np.linspace(0, read.duration, 400)
@@ -55,8 +55,8 @@ panels[0].legend(frameon=False, fontsize=7)
 plt.show()
 
 # %%
-# **A recording** of times and positions alone is read, too; its velocities are those of the spline through the samples. Here the motion
-# is sampled at 50 Hz and read again.
+# **A recording** of times and positions alone is read, too; its velocities are those of the spline through the samples.
+# Here the motion is sampled at 50 Hz and read again.
 
 t = np.arange(0, trajectory.duration, 0.02)
 header = ",".join(["time", *(f"q_{name}" for name in robot.joint_names)])

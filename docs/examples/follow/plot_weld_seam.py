@@ -2,14 +2,14 @@
 Weld a seam with a free tool axis
 =================================
 
-The torch of a UR5 follows a seam of 60 cm. A pose has six numbers, and so has the arm: if the whole pose is prescribed there is nothing to
-choose but one of eight postures. But the torch is round: its turn about its own axis does not matter. That one freedom makes
-the difference.
+The torch of a UR5 follows a seam of 60 cm. A pose has six numbers, and so has the arm: if the whole pose is prescribed
+there is nothing to choose but one of eight postures. But the torch is round: its turn about its own axis does not matter.
+That one freedom makes the difference.
 """
 
 # %%
-# The torch is mounted at 45 degrees to the flange, as torches are, so that a turn about it moves the whole wrist. Cables keep every joint within half
-# a turn.
+# The torch is mounted at 45 degrees to the flange, as torches are, so that a turn about it moves the whole wrist. Cables
+# keep every joint within half a turn.
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -30,8 +30,9 @@ seam = mp.CartesianPath.line(start, end)
 print(f"length of the seam: {seam.length:.3f} m")
 
 # %%
-# ``Task.pointing`` leaves the turn about an axis of the tool free. All configurations at 30 positions of the seam are enumerated, the turn in
-# steps of 4 degrees. The search finds the continuous motion whose least index is the highest, ``refine`` raises it between the samples.
+# ``Task.pointing`` leaves the turn about an axis of the tool free. All configurations at 30 positions of the seam are
+# enumerated, the turn in steps of 4 degrees. The search finds the continuous motion whose least index is the highest,
+# ``refine`` raises it between the samples.
 
 task = mp.Task.pointing(axis)
 positions, epsilon = 30, np.deg2rad(9)
@@ -41,7 +42,8 @@ refined = mp.refine(layers, found)
 print(f"{layers.count} candidates; {refined}")
 
 # %%
-# With the turn held where it is in the first pose, judged by the same index. There is no parameter to sample, only the eight postures.
+# With the turn held where it is in the first pose, judged by the same index. There is no parameter to sample, only the
+# eight postures.
 
 held = mp.max_min_search(mp.sample_layers(robot, seam, positions), epsilon, prefer="first")
 index_held = robot.kinematics(task).manipulability(held.q)
@@ -49,8 +51,8 @@ print(f"least index with the turn held: {index_held.min():.4f} m^5, free: {refin
 assert refined.refined > index_held.min()
 
 # %%
-# Grey: every candidate. The more of them lie above a line, the more room there is; the best of each position (dotted) can not all be
-# joined by one continuous motion unless the blue line reaches them.
+# Grey: every candidate. The more of them lie above a line, the more room there is; the best of each position (dotted) can
+# not all be joined by one continuous motion unless the blue line reaches them.
 
 fig, ax = plt.subplots(figsize=(7.5, 4), layout="constrained")
 for position, index in enumerate(layers.m):
@@ -65,8 +67,8 @@ ax.legend(loc="lower right", fontsize=8)
 plt.show()
 
 # %%
-# The whole job in one call: the motion, timed, and compared with the seam pose by pose. The turn of the torch along the seam is what the job
-# chose; the deviation says that point and axis are kept.
+# The whole job in one call: the motion, timed, and compared with the seam pose by pose. The turn of the torch along the
+# seam is what the job chose; the deviation says that point and axis are kept.
 
 plan = mp.follow(robot, seam, positions, task=task, samples=90, epsilon=epsilon)
 print(plan.report)
@@ -86,6 +88,6 @@ ax.legend(frameon=False, fontsize=8)
 plt.show()
 
 # %%
-# What to do when it fails: *no continuous motion* names the positions between which the candidates break apart and the smallest ε that would
-# join them. More ``samples`` and more positions help; a seam that crosses the arm's shoulder may have to be welded in two parts. A
-# tolerance (``tolerance=mp.Tolerance(...)``) buys more index where the seam allows it.
+# What to do when it fails: *no continuous motion* names the positions between which the candidates break apart and the
+# smallest ε that would join them. More ``samples`` and more positions help; a seam that crosses the arm's shoulder may
+# have to be welded in two parts. A tolerance (``tolerance=mp.Tolerance(...)``) buys more index where the seam allows it.

@@ -34,8 +34,8 @@ panels[0].legend(loc="upper left", frameon=False)
 figure.tight_layout()
 
 # %%
-# The Panda in space: velocity in green, and in blue the accelerations that joint torques of norm 1 give from rest, which count
-# the links' inertia as well.
+# The Panda in space: velocity in green, and in blue the accelerations that joint torques of norm 1 give from rest, which
+# count the links' inertia as well.
 
 panda = mp.load_robot("panda")
 position = panda.kinematics(mp.Task.position())

@@ -2,14 +2,15 @@
 Add your own measure
 ====================
 
-The twelve measures of the library may not be the one that your task needs. A measure is a class with two methods: its value as a
-CasADi expression, and its unit. Gradient, Hessian, machine code, batches and the path optimiser come by themselves.
+The twelve measures of the library may not be the one that your task needs. A measure is a class with two methods: its
+value as a CasADi expression, and its unit. Gradient, Hessian, machine code, batches and the path optimiser come by
+themselves.
 """
 
 # %%
-# The task of this page: an arm that deburrs presses along the tool's axis z and slides along x. It should be **strong** in z and **fast**
-# in x at once. With the rows of the position Jacobian, (a J Jᵀ a)^(1/2) is how fast joints of unit speed move the tool along a; the ratio
-# below is large where sliding is fast and pressing is strong.
+# The task of this page: an arm that deburrs presses along the tool's axis z and slides along x. It should be **strong**
+# in z and **fast** in x at once. With the rows of the position Jacobian, (a J Jᵀ a)^(1/2) is how fast joints of unit
+# speed move the tool along a; the ratio below is large where sliding is fast and pressing is strong.
 
 from dataclasses import dataclass
 
@@ -53,17 +54,21 @@ step = 1e-6
 differences = np.array(
     [(kinematics.manipulability(q + step * e) - kinematics.manipulability(q - step * e)) / (2 * step) for e in np.eye(robot.n)]
 )
-curvature = np.array([(kinematics.gradient(q + step * e) - kinematics.gradient(q - step * e)) / (2 * step) for e in np.eye(robot.n)])
+curvature = np.array(
+    [(kinematics.gradient(q + step * e) - kinematics.gradient(q - step * e)) / (2 * step) for e in np.eye(robot.n)]
+)
 print(f"value {kinematics.manipulability(q):.4f} {measure.unit(task)}")
 print("gradient:", gradient.round(4))
-print(f"gradient against differences: {np.abs(gradient - differences).max():.1e}, Hessian: {np.abs(hessian - curvature).max():.1e}")
+print(
+    f"gradient against differences: {np.abs(gradient - differences).max():.1e}, Hessian: {np.abs(hessian - curvature).max():.1e}"
+)
 assert np.allclose(gradient, differences, atol=1e-7)
 assert np.allclose(hessian, curvature, atol=1e-6)
 
 # %%
 # Optimise a path for it, and compare with the path that is best for Yoshikawa's index. ``grows = True``, the default of a
-# measure, says that larger is better, which the optimiser needs. ``compiled=False`` spares the compiler, which pays only when the same
-# robot and measure are used again and again.
+# measure, says that larger is better, which the optimiser needs. ``compiled=False`` spares the compiler, which pays only
+# when the same robot and measure are used again and again.
 
 start, goal = [-0.6, -0.2, 0.1, -2.3, 0.0, 2.1, 0.8], [0.7, 0.3, 0.2, -1.9, 0.2, 2.3, 0.8]
 options = {"task": task, "power": 2, "compiled": False}
@@ -92,5 +97,6 @@ panels[0].legend(frameon=False, fontsize=8)
 plt.show()
 
 # %%
-# When it fails: a measure that is not differentiable somewhere (``fabs``, ``if_else``) stops the optimiser there, so round it off, as the
-# floor above does. One that is better when smaller needs ``grows = False``; it can be evaluated, not maximised: take its inverse.
+# When it fails: a measure that is not differentiable somewhere (``fabs``, ``if_else``) stops the optimiser there, so
+# round it off, as the floor above does. One that is better when smaller needs ``grows = False``; it can be evaluated, not
+# maximised: take its inverse.

@@ -2,8 +2,9 @@
 The best posture of a planar arm, with proof
 ============================================
 
-For the planar arm much is known in closed form. Which posture has the highest index, at a given distance or under given limits? Here
-*all* stationary postures are found, and it is proven that none is missing, so the best of them is the best there is.
+For the planar arm much is known in closed form. Which posture has the highest index, at a given distance or under given
+limits? Here *all* stationary postures are found, and it is proven that none is missing, so the best of them is the best
+there is.
 """
 
 import matplotlib.pyplot as plt

@@ -17,8 +17,8 @@ robot = mp.load_robot("xarm7")
 kinematics = robot.kinematics(mp.Task.position())
 
 # %%
-# A million random configurations inside the limits. All methods take arrays of any leading shape. Where there is a C compiler,
-# large batches run in vectorised machine code over all cores.
+# A million random configurations inside the limits. All methods take arrays of any leading shape. Where there is a C
+# compiler, large batches run in vectorised machine code over all cores.
 
 rng = np.random.default_rng(0)
 q = robot.random_configuration(rng, size=1_000_000)
@@ -38,8 +38,8 @@ low, high = np.quantile(index, [0.05, 0.95])
 print(f"5 % are below {low:.4f} m³, 5 % above {high:.4f} m³, the largest is {index.max():.4f} m³")
 
 # %%
-# The arm turns about its first axis, so distance from that axis and height say it all. In each cell of 2.5 cm: the highest index that
-# any of its configurations has, and the share of configurations that are nearly singular.
+# The arm turns about its first axis, so distance from that axis and height say it all. In each cell of 2.5 cm: the
+# highest index that any of its configurations has, and the share of configurations that are nearly singular.
 
 reach, height = np.hypot(position[:, 0], position[:, 1]), position[:, 2]
 edges = np.arange(0.0, 0.95, 0.025), np.arange(-0.6, 1.25, 0.025)
@@ -53,7 +53,9 @@ count = np.bincount(cell, minlength=highest.size)
 poor = np.bincount(cell, weights=index[inside] < low, minlength=highest.size) / np.maximum(count, 1)
 poor[count < 20] = np.nan
 best = np.unravel_index(np.nanargmax(highest), shape)
-print(f"best cell: {edges[0][best[0]]:.2f} m from the axis, {edges[1][best[1]]:.2f} m above the base, index {np.nanmax(highest):.4f} m³")
+print(
+    f"best cell: {edges[0][best[0]]:.2f} m from the axis, {edges[1][best[1]]:.2f} m above the base, index {np.nanmax(highest):.4f} m³"
+)
 
 figure, (left, middle, right) = plt.subplots(1, 3, figsize=(11.5, 4.4), layout="constrained", width_ratios=(1, 1, 1))
 left.hist(index, bins=120, color="#0072B2")
@@ -65,6 +67,6 @@ for ax, values, label in ((middle, highest, "highest index [m³]"), (right, poor
 plt.show()
 
 # %%
-# Read it so: put the work where the middle picture is bright. Near the edge of the reach every configuration is poor, whatever the
-# elbow does. For a task that needs orientation as well use ``Task.pose()``; for one wall or table, ask
+# Read it so: put the work where the middle picture is bright. Near the edge of the reach every configuration is poor,
+# whatever the elbow does. For a task that needs orientation as well use ``Task.pose()``; for one wall or table, ask
 # ``mp.inverse_kinematics`` for the poses on it.

@@ -2,8 +2,8 @@
 What to choose: power, degree, measure, shifts
 ==============================================
 
-``optimize_path`` has few numbers to choose. On the planar arm of three unit links each answer takes less than a second, so this
-page tries them: what each does to the path, and what it costs.
+``optimize_path`` has few numbers to choose. On the planar arm of three unit links each answer takes less than a second,
+so this page tries them: what each does to the path, and what it costs.
 """
 
 import matplotlib.pyplot as plt
@@ -24,8 +24,8 @@ def mean(path, measure="yoshikawa"):
 
 
 # %%
-# **Power.** The path minimises g = ∫ ‖q'‖ / m^power ds. With a power near 0 it is the shortest path; the higher the power, the more
-# length it pays to stay where the index is high.
+# **Power.** The path minimises g = ∫ ‖q'‖ / m^power ds. With a power near 0 it is the shortest path; the higher the
+# power, the more length it pays to stay where the index is high.
 
 by_power = {power: mp.optimize_path(arm, start, goal, degree=8, power=power) for power in (0.25, 1, 2, 4, 8)}
 print("power  length [rad]  least index [m²]  mean index [m²]")
@@ -42,8 +42,8 @@ print("degree:", *(f"{degree:7d}" for degree in by_degree))
 print("g:     ", *(f"{result.g:7.3f}" for result in by_degree.values()))
 
 # %%
-# **Measure.** What m is. Yoshikawa's index is a volume; the inverse condition asks for a round ellipsoid; the smallest singular
-# value for a fast slowest direction. A path that is best for one is judged here by all.
+# **Measure.** What m is. Yoshikawa's index is a volume; the inverse condition asks for a round ellipsoid; the smallest
+# singular value for a fast slowest direction. A path that is best for one is judged here by all.
 
 names = ("yoshikawa", "inverse_condition", "smallest_singular_value")
 by_measure = {name: mp.optimize_path(arm, start, goal, degree=8, power=2, measure=name) for name in names}
@@ -53,9 +53,9 @@ for name, result in by_measure.items():
     print(f"{name:25s}  {result.length:6.3f}" + "".join(f"{value:31.3f}" for value in values))
 
 # %%
-# **Shifts.** A goal a full turn away is the same posture. ``shifts="within-limits"`` tries every such goal inside the joint limits;
-# the torus has shorter ways round, and ways through better postures. The joints of this arm turn without end, so there are
-# 27 goals.
+# **Shifts.** A goal a full turn away is the same posture. ``shifts="within-limits"`` tries every such goal inside the
+# joint limits; the torus has shorter ways round, and ways through better postures. The joints of this arm turn without
+# end, so there are 27 goals.
 
 shifted = mp.optimize_path(arm, start, goal, degree=8, power=2, shifts="within-limits")
 turns = np.round((shifted.path.goal - goal) / (2 * np.pi)).astype(int)
@@ -86,5 +86,5 @@ right.legend(fontsize=8, frameon=False)
 plt.show()
 
 # %%
-# Start with ``power=1``. Raise it to 2 or 4 where the least index matters more than the time; beyond that a path hardly changes, and
-# numbers grow large. Use shifts for arms whose joints turn far, and seeds among obstacles.
+# Start with ``power=1``. Raise it to 2 or 4 where the least index matters more than the time; beyond that a path hardly
+# changes, and numbers grow large. Use shifts for arms whose joints turn far, and seeds among obstacles.

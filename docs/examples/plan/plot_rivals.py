@@ -19,7 +19,8 @@ best = mp.optimize_path(arm, start, goal, degree=8, power=2, scene=scene, cleara
 print(best.certificate)
 
 # %%
-# Where the tool goes, and the index along the way. A rival can be shorter and still be worse: it comes nearer to a singularity.
+# Where the tool goes, and the index along the way. A rival can be shorter and still be worse: it comes nearer to a
+# singularity.
 kinematics = arm.kinematics()
 s = np.linspace(0, 1, 400)
 fig, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2), layout="constrained")

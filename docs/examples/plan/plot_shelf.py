@@ -2,9 +2,9 @@
 Plan through a shelf
 ====================
 
-A Panda takes a part from the upper board of a shelf and puts it on the lower one. What you have: two poses of the hand and the
-boards' sizes. What you want: a motion that keeps 2 cm from everything, and does not pass near a singularity where the
-boards force the arm to fold.
+A Panda takes a part from the upper board of a shelf and puts it on the lower one. What you have: two poses of the hand
+and the boards' sizes. What you want: a motion that keeps 2 cm from everything, and does not pass near a singularity where
+the boards force the arm to fold.
 """
 
 # %%
@@ -22,9 +22,10 @@ sides = [mp.Box(size=(0.32, 0.02, 0.75), position=(0.70, y, 0.475), name=f"side 
 scene = mp.Scene([*boards, *sides])
 
 # %%
-# Two poses of the hand, pointing forward into the shelf. A pose is reached by many configurations; which of them is the start is
-# a decision that no path can undo. So all are listed, and those too near to something are dropped. Of the others the start is the one
-# of the highest index, and the goal the nearest to it among those whose index is at least three quarters of the highest.
+# Two poses of the hand, pointing forward into the shelf. A pose is reached by many configurations; which of them is the
+# start is a decision that no path can undo. So all are listed, and those too near to something are dropped. Of the others
+# the start is the one of the highest index, and the goal the nearest to it among those whose index is at least three
+# quarters of the highest.
 
 forward = np.array([[0.0, 0.0, 1.0], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0]])  # columns: the tool's axes; z points forward
 kinematics = robot.kinematics()
@@ -48,12 +49,15 @@ goals = goals[index >= 0.75 * index.max()]
 goal = goals[np.linalg.norm(goals - start, axis=1).argmin()]
 
 # %%
-# ``seeds=3`` looks for three first paths. Those that can be deformed into each other without touching anything are of one class, of
-# which only the best is optimised. Of different classes each is optimised, and those that lose are kept as rivals.
+# ``seeds=3`` looks for three first paths. Those that can be deformed into each other without touching anything are of one
+# class, of which only the best is optimised. Of different classes each is optimised, and those that lose are kept as
+# rivals.
 
 plan = mp.plan(robot, start, goal, scene, clearance=clearance, seeds=3)
 print(plan.report)
-print(f"g of the best {plan.result.g:.1f}; of {len(plan.result.rivals)} rivals: {[round(rival.g, 1) for rival in plan.result.rivals]}")
+print(
+    f"g of the best {plan.result.g:.1f}; of {len(plan.result.rivals)} rivals: {[round(rival.g, 1) for rival in plan.result.rivals]}"
+)
 assert plan.report.passed
 assert plan.report.proven_clearance > 0
 
@@ -66,8 +70,8 @@ plot_arm(robot, plan.path, scene, seed=plan.result.seed, ax=left.add_subplot(pro
 plot_index(kinematics, {"optimised": plan.path, "seed": plan.result.seed}, ax=right.subplots())
 
 # %%
-# How near it comes: the least distance to any board or link along the motion, at each moment. The dotted line is what was asked for.
-# The report's *proven* figure holds between these samples, too.
+# How near it comes: the least distance to any board or link along the motion, at each moment. The dotted line is what was
+# asked for. The report's *proven* figure holds between these samples, too.
 
 t = np.linspace(0, plan.trajectory.duration, 200)
 least = scene.distances(robot, plan.trajectory(t)).min(axis=1)
@@ -80,7 +84,8 @@ plt.show()
 # %%
 # What to do when it fails:
 #
-# - *start touches ...*: the message names the two bodies; take another configuration of the same pose, or less ``clearance``.
-# - *no collision-free path was found*: the boards may leave no room. Try with less clearance first: if that works, the gap is too
-#   narrow, otherwise allow more ``time_limit`` or another ``seed``.
+# - *start touches ...*: the message names the two bodies; take another configuration of the same pose, or less
+#   ``clearance``.
+# - *no collision-free path was found*: the boards may leave no room. Try with less clearance first: if that works, the
+#   gap is too narrow, otherwise allow more ``time_limit`` or another ``seed``.
 # - the status ends in *seed ... is returned*: the planner's path is free but nothing better was found; raise ``degree``.

@@ -32,9 +32,10 @@ signs = {name: np.sign(np.linalg.det(kinematics.jacobian(q))) for name, q in (("
 print({name: f"{sign:+.0f}" for name, sign in signs.items()})
 
 # %%
-# The remedy: the tool's pose is what matters, and other configurations reach it. Take those with the sign of the start, and of these the
-# one to which the path of least g leads. The same sign is needed, but not enough: the index of this arm is a product of three
-# factors, one each of shoulder, elbow and wrist, and a change of two of them leaves the sign as it was.
+# The remedy: the tool's pose is what matters, and other configurations reach it. Take those with the sign of the start,
+# and of these the one to which the path of least g leads. The same sign is needed, but not enough: the index of this arm
+# is a product of three factors, one each of shoulder, elbow and wrist, and a change of two of them leaves the sign as it
+# was.
 
 solutions = mp.inverse_kinematics(robot, kinematics.pose(goal)).q
 same = np.array([q for q in solutions if np.sign(np.linalg.det(kinematics.jacobian(q))) == signs["start"]])
@@ -42,7 +43,9 @@ nearest = same[np.argsort(np.linalg.norm(same - start, axis=1))][:6]
 print(f"{len(solutions)} configurations reach the goal's pose, {len(same)} of them on the side of the start")
 tried = [mp.optimize_path(robot, start, q, throw=False) for q in nearest]
 for candidate in tried:
-    print(f"goal {candidate.path.goal.round(2)}: {candidate.status.name}, g {candidate.g:.1f}, length {candidate.length:.2f} rad")
+    print(
+        f"goal {candidate.path.goal.round(2)}: {candidate.status.name}, g {candidate.g:.1f}, length {candidate.length:.2f} rad"
+    )
 best = min(tried, key=lambda candidate: candidate.g)
 assert np.isfinite(best.g)
 assert np.allclose(kinematics.pose(best.path.goal), kinematics.pose(goal), atol=1e-9)
@@ -64,8 +67,9 @@ ax.legend(frameon=False)
 plt.show()
 
 # %%
-# **Which limit binds?** A path can also be worse than need be because of a limit. The certificate says how near it comes to each, and
-# by how much g is above that of the same problem without limits: the gap. On a planar arm, joint 3 is held below a stop:
+# **Which limit binds?** A path can also be worse than need be because of a limit. The certificate says how near it comes
+# to each, and by how much g is above that of the same problem without limits: the gap. On a planar arm, joint 3 is held
+# below a stop:
 
 arm = mp.planar_arm([1.0, 1.0, 1.0])
 start, goal = [2.0, -2.6, 1.3], [-1.8, 2.0, 0.2]
@@ -75,5 +79,7 @@ held = mp.optimize_path(stopped, start, goal, power=2)
 for name, result in (("no limits", free), ("joint 3 below 1.4 rad", held)):
     print(f"{name:22s} g {result.g:.3f}, gap {result.certificate.gap:7.2%}, joint 3 up to {result.path.bounds()[1][2]:.3f} rad")
 for approach in held.certificate.limits[:3]:
-    print(f"{approach.joint} comes within {approach.distance:.4f} {approach.unit} of its {approach.side} limit, at s = {approach.at:.2f}")
+    print(
+        f"{approach.joint} comes within {approach.distance:.4f} {approach.unit} of its {approach.side} limit, at s = {approach.at:.2f}"
+    )
 assert held.g > free.g

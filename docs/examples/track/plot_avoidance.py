@@ -2,9 +2,9 @@
 A controller in a loop, with something in the way
 =================================================
 
-Your robot's interface wants joint velocities every few milliseconds, from where the tool should be now. You have a target, perhaps from a
-teleoperation device or a camera, and things that move about. ``mp.Controller`` gives the velocities, keeps the limits, keeps away,
-and raises the index meanwhile.
+Your robot's interface wants joint velocities every few milliseconds, from where the tool should be now. You have a
+target, perhaps from a teleoperation device or a camera, and things that move about. ``mp.Controller`` gives the
+velocities, keeps the limits, keeps away, and raises the index meanwhile.
 """
 
 import matplotlib.pyplot as plt
@@ -19,8 +19,8 @@ q = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 2.0, 0.785])
 start = kinematics.pose(q)
 
 # %%
-# The controller is built once. A ball moves; the floor stands still. Within ``influence`` things may approach only so fast, down to
-# ``security``.
+# The controller is built once. A ball moves; the floor stands still. Within ``influence`` things may approach only so
+# fast, down to ``security``.
 
 ball = mp.Sphere(radius=0.07, position=(0.60, 0.45, 0.62), name="ball")
 scene = mp.Scene([ball, mp.Plane(position=(0.0, 0.0, -0.02), name="floor")])
@@ -38,8 +38,8 @@ controller = mp.Controller(robot, mp.LogDrive(), dt, tolerance=tube, avoidance=a
 print(f"compiled: {controller.compiled}; {len(controller.pairs)} pairs are kept apart")
 
 # %%
-# The loop: the tool is to go sideways and back while the ball flies through the wrist's place. At each step the controller gets the
-# state, the target, and where the ball is and how fast.
+# The loop: the tool is to go sideways and back while the ball flies through the wrist's place. At each step the
+# controller gets the state, the target, and where the ball is and how fast.
 
 steps = 1200
 log = {name: np.empty(steps) for name in ("index", "clearance", "deviation", "solved")}
@@ -85,7 +85,7 @@ controller.rollout(q, targets)
 print(f"one step in a rollout: {1e6 * (time.perf_counter() - begin) / 2000:.0f} µs")
 
 # %%
-# The ball comes, the arm gives way inside its tube, and further where it has to, then returns.
+# The ball comes, the arm gives way inside its tube, and then returns to its target.
 
 t = dt * np.arange(steps)
 figure, panels = plt.subplots(3, 1, figsize=(7.5, 6.4), sharex=True, layout="constrained")

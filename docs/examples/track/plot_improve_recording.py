@@ -2,14 +2,14 @@
 Improve a recorded path
 =======================
 
-Somebody has led the arm by hand, or a planner of another kind has made a motion, and you have it as a CSV file: times and joint
-angles. The tool's way is what you want; how the elbow moved meanwhile is chance. ``mp.improve`` follows the recorded poses inside a
-tolerance and uses what the arm has to spare to stay farther from singularities.
+Somebody has led the arm by hand, or a planner of another kind has made a motion, and you have it as a CSV file: times and
+joint angles. The tool's way is what you want; how the elbow moved meanwhile is chance. ``mp.improve`` follows the
+recorded poses inside a tolerance and uses what the arm has to spare to stay farther from singularities.
 """
 
 # %%
-# The recording of this page is made up: a Panda's hand is led along an arc near the edge of its reach, sampled at 50 Hz with the noise
-# of a hand. Yours has the same columns: ``time`` [s], then ``q_<joint>`` [rad].
+# The recording of this page is made up: a Panda's hand is led along an arc near the edge of its reach, sampled at 50 Hz
+# with the noise of a hand. Yours has the same columns: ``time`` [s], then ``q_<joint>`` [rad].
 
 import tempfile
 from pathlib import Path
@@ -43,8 +43,9 @@ print(plan.report)
 assert plan.status.ok
 
 # %%
-# Before and after. The upper picture is the index, the middle one how far the tool is from the recorded poses, and the lower one
-# which joints move otherwise. A step knows the tool's motion to first order, so that the wall of the tube is kept to some micrometres.
+# Before and after. The upper picture is the index, the middle one how far the tool is from the recorded poses, and the
+# lower one which joints move otherwise. A step knows the tool's motion to first order, so that the wall of the tube is
+# kept to some micrometres.
 
 recorded = mp.Trajectory.from_csv(file)
 index = robot.kinematics().manipulability
@@ -76,6 +77,6 @@ plt.show()
 # %%
 # The result goes back to a file that a controller reads: ``plan.trajectory.to_csv``, ``to_json``, ``to_ros``.
 #
-# What to do when it fails: *NOT_BETTER* says that the tube leaves nothing to gain, so allow more tolerance, or a task with fewer rows
-# (``task=mp.Task.position()`` if the orientation was chance, too). *NOT_FOLLOWED* says that the limits do not let the arm stay in the
-# tube: allow more time (``duration=``) or more tolerance.
+# What to do when it fails: *NOT_BETTER* says that the tube leaves nothing to gain, so allow more tolerance, or a task
+# with fewer rows (``task=mp.Task.position()`` if the orientation was chance, too). *NOT_FOLLOWED* says that the limits do
+# not let the arm stay in the tube: allow more time (``duration=``) or more tolerance.
