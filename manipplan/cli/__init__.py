@@ -14,6 +14,7 @@ from manipplan.cli.improve import improve
 from manipplan.cli.plan import plan
 from manipplan.cli.robots import robots
 from manipplan.cli.study import study
+from manipplan.cli.view import view
 from manipplan.errors import InvalidInputError, ManipplanError, MissingExtraError
 
 COMMANDS: dict[str, Callable[..., None]] = {
@@ -21,6 +22,7 @@ COMMANDS: dict[str, Callable[..., None]] = {
     "plan": plan,
     "follow": follow,
     "improve": improve,
+    "view": view,
     "study": study,
     "robots": robots,
 }
