@@ -45,6 +45,7 @@ nitpicky = True
 sphinx_gallery_conf = {
     "examples_dirs": "examples",
     "gallery_dirs": "gallery",
+    "subsection_order": [f"examples/{section}" for section in ("first_steps", "plan", "follow", "track", "measure", "deploy")],
     "filename_pattern": "plot_",
     "abort_on_example_error": True,
     "show_memory": False,

@@ -88,7 +88,7 @@ print(f"{'figure':30s} {'Pinocchio':>12s} {'report':>12s}")
 for name, (theirs, ours) in checks.items():
     print(f"{name:30s} {theirs:12.6g} {ours:12.6g}")
     assert np.isclose(theirs, ours, rtol=2e-3), name
-assert (Q >= model.lowerPositionLimit - 1e-9).all() and (Q <= model.upperPositionLimit + 1e-9).all()
+assert (Q - model.lowerPositionLimit >= -1e-9).all() and (model.upperPositionLimit - Q >= -1e-9).all()
 
 # %%
 # **The clearance**, with the arm's own meshes instead of the primitives that the planner uses: the meshes are inside the

@@ -7,7 +7,6 @@ writes the whole control step as a C project: kinematics, limits and the QP solv
 page writes it, builds it with CMake, runs it, and compares each digit with Python.
 """
 
-import os
 import shutil
 import subprocess
 import tempfile
@@ -38,10 +37,15 @@ print(header[header.index("int controller_step") : header.index("/* Many steps")
 
 if not (shutil.which("cmake") and shutil.which("cc")):
     raise SystemExit("this page needs CMake and a C compiler: sudo apt-get install cmake gcc")
-quiet = {"check": True, "capture_output": True, "text": True}
-subprocess.run(["cmake", "-S", folder, "-B", folder / "build"], **quiet)
-subprocess.run(["cmake", "--build", folder / "build"], **quiet)
-printed = subprocess.run([folder / "build" / "example"], **quiet).stdout
+
+
+def run(*command):
+    return subprocess.run(list(map(str, command)), check=True, capture_output=True, text=True).stdout
+
+
+run("cmake", "-S", folder, "-B", folder / "build")
+run("cmake", "--build", folder / "build")
+printed = run(folder / "build" / "example")
 table = np.array([[float(word) for word in line.split()] for line in printed.splitlines()])
 q_c, status_c, index_c = table[:, : robot.n], table[:, robot.n], table[:, robot.n + 1]
 print(f"{len(table)} steps; the last: {q_c[-1].round(6)}")
@@ -61,9 +65,8 @@ for k in range(len(q_c)):
     q = q + 0.01 * qd
     q_python[k], index_python[k] = q, controller.report.manipulability
 difference = np.abs(q_c - q_python).max()
-print(
-    f"largest difference between C and Python: {difference:.1e} rad in {len(q_c)} steps; index: {np.abs(index_c - index_python).max():.1e}"
-)
+print(f"largest difference between C and Python in {len(q_c)} steps: {difference:.1e} rad,")
+print(f"and of the index {np.abs(index_c - index_python).max():.1e} m^6")
 assert (status_c == 0).all() and difference < 1e-12
 
 t = 0.01 * np.arange(1, len(q_c) + 1)
@@ -112,7 +115,7 @@ int main(int argc, char** argv) {
 )
 build = folder / "build"
 flags = ["-O2", "-I", folder, folder / "clock.c", build / "libcontroller.a", folder / "lib" / "libdaqpstat.a", "-lm"]
-subprocess.run(["cc", *flags, "-o", build / "clock"], **quiet)
+run("cc", *flags, "-o", build / "clock")
 arguments = [repr(float(x)) for x in (*robot.neutral, *pose.ravel())]
-microseconds = subprocess.run([build / "clock", *arguments], **quiet, env=os.environ).stdout
+microseconds = run(build / "clock", *arguments)
 print(f"one step in C, on the machine that built this page: {microseconds} µs")

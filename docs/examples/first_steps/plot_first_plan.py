@@ -11,7 +11,7 @@ From a start and a goal to a trajectory that a robot could play: the demo, step 
 import matplotlib.pyplot as plt
 
 import manipplan as mp
-from manipplan.viz.plots import plan_figure
+from manipplan import viz
 
 robot = mp.load_robot("panda")
 print(robot)
@@ -38,7 +38,7 @@ print(plan.report)
 # %%
 # The straight motion would pass close to a singularity, and the planner's own path is not much better. The optimised path
 # stays far from both.
-_ = plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
+_ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 
 # %%
 # The trajectory is a cubic spline in time: positions, velocities and accelerations at any moment.

@@ -18,7 +18,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import manipplan as mp
-from manipplan.viz.plots import plan_figure
+from manipplan import viz
 
 JOINTS = [  # name, parent, child, origin of the joint, axis, lower, upper, velocity, effort
     ("turn", "base", "column", "0 0 0.15", "0 0 1", -3.0, 3.0, 2.0, 120.0),
@@ -106,7 +106,7 @@ scene = mp.Scene(
 plan = mp.plan(robot, start, goal, scene, clearance=0.01)
 print(plan.report)
 assert plan.report.passed
-_ = plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
+_ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 
 # %%
 # What goes wrong most often. Each message names the argument, what was given, and what is allowed.

@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import manipplan as mp
-from manipplan.viz.plots import plot_arm
+from manipplan import viz
 
 # %%
 # **Six joints: a UR5.** Finitely many answers: up to eight, by shoulder left or right, elbow up or down, wrist turned or
@@ -70,7 +70,7 @@ for value in np.unique(curve.parameters[curve.parameters[:, 0] > given[6], 0]):
     near = near[np.linalg.norm(near - branch[-1], axis=1).argmin()]
     if np.linalg.norm(near - branch[-1]) < 0.4:  # the same family
         branch.append(near)
-plot_arm(panda, mp.JointPath.through(branch), ax=space)
+viz.plot_arm(panda, mp.JointPath.through(branch), ax=space)
 plt.show()
 
 # %%

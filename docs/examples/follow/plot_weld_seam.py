@@ -15,6 +15,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import manipplan as mp
+from manipplan import viz
 
 robot = mp.load_robot("ur5").with_limits(lower=-np.pi, upper=np.pi, source="cables")
 axis = np.array([1.0, 0.0, 1.0]) / np.sqrt(2)  # of the torch, in the frame of the flange
@@ -51,29 +52,26 @@ print(f"least index with the turn held: {index_held.min():.4f} m^5, free: {refin
 assert refined.refined > index_held.min()
 
 # %%
-# Grey: every candidate. The more of them lie above a line, the more room there is; the best of each position (dotted) can
-# not all be joined by one continuous motion unless the blue line reaches them.
+# Grey: the candidates. No motion can be above the highest of them at the worst position, which is the bound.
 
 fig, ax = plt.subplots(figsize=(7.5, 4), layout="constrained")
-for position, index in enumerate(layers.m):
-    ax.plot(np.full(len(index), position), index, ".", color="0.8", markersize=2, rasterized=True)
-ax.plot([index.max() for index in layers.m], color="0.4", linestyle=":", label="highest of each position")
-ax.plot(found.manipulability, color="#E69F00", label="best continuous path of the samples")
-ax.plot(refined.manipulability, color="#0072B2", label="refined")
-ax.plot(index_held, color="#009E73", label="turn held")
-ax.axhline(refined.bound, color="0.2", linewidth=0.8, label="bound")
-ax.set(xlabel="position on the seam", ylabel=r"index [$\mathrm{m}^5$]", xlim=(0, positions - 1), ylim=(0, None))
-ax.legend(loc="lower right", fontsize=8)
+viz.plot_layers(layers, refined, ax=ax)
+ax.plot(index_held, color="#009E73", linestyle="--", label="turn held")
+ax.legend(loc="lower left", fontsize=8)
 plt.show()
 
 # %%
-# The whole job in one call: the motion, timed, and compared with the seam pose by pose. The turn of the torch along the
-# seam is what the job chose; the deviation says that point and axis are kept.
+# The whole job in one call: the motion, timed, and compared with the seam pose by pose. The deviation says that the
+# point and the axis are kept.
 
 plan = mp.follow(robot, seam, positions, task=task, samples=90, epsilon=epsilon)
 print(plan.report)
 print(plan.deviation)
 assert plan.report.passed and plan.deviation.position < 1e-4
+_ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
+
+# %%
+# How the torch turns about itself along the seam.
 
 s = np.linspace(0, 1, 200)
 poses = robot.kinematics().pose(plan.trajectory(s * plan.trajectory.duration))

@@ -13,7 +13,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import manipplan as mp
-from manipplan.viz.ellipsoids import plot_ellipsoid
+from manipplan import viz
 
 arm = mp.planar_arm([1.0, 1.0, 1.0])
 kin = arm.kinematics()
@@ -24,8 +24,8 @@ for ax, (name, q) in zip(panels, postures.items(), strict=True):
     joints = np.vstack([np.zeros(2), np.cumsum(np.stack([np.cos(angles), np.sin(angles)], axis=1), axis=0)])
     ax.plot(*joints.T, "o-", color="#333333", linewidth=2)
     jacobian = kin.jacobian(q)
-    plot_ellipsoid(mp.velocity_ellipsoid(jacobian), joints[-1], ax=ax, scale=0.25, label="velocity", axes=True)
-    plot_ellipsoid(mp.force_ellipsoid(jacobian), joints[-1], ax=ax, scale=0.25, color="#D55E00", label="force", axes=True)
+    viz.plot_ellipsoid(mp.velocity_ellipsoid(jacobian), joints[-1], ax=ax, scale=0.25, label="velocity", axes=True)
+    viz.plot_ellipsoid(mp.force_ellipsoid(jacobian), joints[-1], ax=ax, scale=0.25, color="#D55E00", label="force", axes=True)
     ax.set_title(f"{name}: index {kin.manipulability(q):.2f} m²", fontsize=10)
     ax.set_aspect("equal")
     ax.set_xlabel("x [m]")
@@ -46,8 +46,10 @@ velocity = mp.velocity_ellipsoid(jacobian)
 acceleration = mp.dynamic_ellipsoid(jacobian, position.mass_matrix(q))
 figure = plt.figure(figsize=(5.5, 4.6))
 ax = figure.add_subplot(projection="3d")
-plot_ellipsoid(velocity, centre, ax=ax, scale=0.3, alpha=0.35)
-plot_ellipsoid(acceleration, centre, ax=ax, scale=0.3 * velocity.radii[0] / acceleration.radii[0], color="#0072B2", alpha=0.35)
+viz.plot_ellipsoid(velocity, centre, ax=ax, scale=0.3, alpha=0.35)
+viz.plot_ellipsoid(
+    acceleration, centre, ax=ax, scale=0.3 * velocity.radii[0] / acceleration.radii[0], color="#0072B2", alpha=0.35
+)
 ax.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
 ax.set_aspect("equal")
 ax.locator_params(nbins=4)

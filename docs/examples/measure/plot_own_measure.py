@@ -60,7 +60,7 @@ curvature = np.array(
 print(f"value {kinematics.manipulability(q):.4f} {measure.unit(task)}")
 print("gradient:", gradient.round(4))
 print(
-    f"gradient against differences: {np.abs(gradient - differences).max():.1e}, Hessian: {np.abs(hessian - curvature).max():.1e}"
+    f"against differences: gradient {np.abs(gradient - differences).max():.1e}, Hessian {np.abs(hessian - curvature).max():.1e}"
 )
 assert np.allclose(gradient, differences, atol=1e-7)
 assert np.allclose(hessian, curvature, atol=1e-6)

@@ -53,9 +53,7 @@ count = np.bincount(cell, minlength=highest.size)
 poor = np.bincount(cell, weights=index[inside] < low, minlength=highest.size) / np.maximum(count, 1)
 poor[count < 20] = np.nan
 best = np.unravel_index(np.nanargmax(highest), shape)
-print(
-    f"best cell: {edges[0][best[0]]:.2f} m from the axis, {edges[1][best[1]]:.2f} m above the base, index {np.nanmax(highest):.4f} m³"
-)
+print(f"best cell: {edges[0][best[0]]:.2f} m from the axis, {edges[1][best[1]]:.2f} m high, index {np.nanmax(highest):.4f} m³")
 
 figure, (left, middle, right) = plt.subplots(1, 3, figsize=(11.5, 4.4), layout="constrained", width_ratios=(1, 1, 1))
 left.hist(index, bins=120, color="#0072B2")

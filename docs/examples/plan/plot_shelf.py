@@ -14,7 +14,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import manipplan as mp
-from manipplan.viz.plots import plot_arm, plot_index
+from manipplan import viz
 
 robot = mp.load_robot("panda")
 boards = [mp.Box(size=(0.32, 0.90, 0.02), position=(0.70, 0.0, z), name=f"board at {z} m") for z in (0.10, 0.45, 0.85)]
@@ -56,7 +56,7 @@ goal = goals[np.linalg.norm(goals - start, axis=1).argmin()]
 plan = mp.plan(robot, start, goal, scene, clearance=clearance, seeds=3)
 print(plan.report)
 print(
-    f"g of the best {plan.result.g:.1f}; of {len(plan.result.rivals)} rivals: {[round(rival.g, 1) for rival in plan.result.rivals]}"
+    f"g of the best {plan.result.g:.1f}; of {len(plan.result.rivals)} rivals: {[f'{rival.g:.1f}' for rival in plan.result.rivals]}"
 )
 assert plan.report.passed
 assert plan.report.proven_clearance > 0
@@ -66,8 +66,8 @@ assert plan.report.proven_clearance > 0
 
 figure = plt.figure(figsize=(11, 4.8), layout="constrained")
 left, right = figure.subfigures(1, 2, width_ratios=(1.1, 1))
-plot_arm(robot, plan.path, scene, seed=plan.result.seed, ax=left.add_subplot(projection="3d"))
-plot_index(kinematics, {"optimised": plan.path, "seed": plan.result.seed}, ax=right.subplots())
+viz.plot_arm(robot, plan.path, scene, seed=plan.result.seed, names=("optimised", "seed"), ax=left.add_subplot(projection="3d"))
+viz.plot_index(kinematics, {"optimised": plan.path, "seed": plan.result.seed}, ax=right.subplots())
 
 # %%
 # How near it comes: the least distance to any board or link along the motion, at each moment. The dotted line is what was

@@ -79,7 +79,5 @@ held = mp.optimize_path(stopped, start, goal, power=2)
 for name, result in (("no limits", free), ("joint 3 below 1.4 rad", held)):
     print(f"{name:22s} g {result.g:.3f}, gap {result.certificate.gap:7.2%}, joint 3 up to {result.path.bounds()[1][2]:.3f} rad")
 for approach in held.certificate.limits[:3]:
-    print(
-        f"{approach.joint} comes within {approach.distance:.4f} {approach.unit} of its {approach.side} limit, at s = {approach.at:.2f}"
-    )
+    print(f"{approach.joint}: {approach.distance:.4f} {approach.unit} to its {approach.side} limit, at s = {approach.at:.2f}")
 assert held.g > free.g
