@@ -17,8 +17,13 @@ import manipplan as mp
 from manipplan import viz
 
 robot = mp.load_robot("panda")
-boards = [mp.Box(size=(0.32, 0.90, 0.02), position=(0.70, 0.0, z), name=f"board at {z} m") for z in (0.10, 0.45, 0.85)]
-sides = [mp.Box(size=(0.32, 0.02, 0.75), position=(0.70, y, 0.475), name=f"side at {y} m") for y in (-0.45, 0.45)]
+boards = [
+    mp.Box(size=(0.32, 0.90, 0.02), position=(0.70, 0.0, z), name=name)
+    for name, z in (("bottom", 0.10), ("middle", 0.45), ("top", 0.85))
+]
+sides = [
+    mp.Box(size=(0.32, 0.02, 0.75), position=(0.70, y, 0.475), name=name) for name, y in (("right", -0.45), ("left", 0.45))
+]
 scene = mp.Scene([*boards, *sides])
 
 # %%
@@ -55,9 +60,8 @@ goal = goals[np.linalg.norm(goals - start, axis=1).argmin()]
 
 plan = mp.plan(robot, start, goal, scene, clearance=clearance, seeds=3)
 print(plan.report)
-print(
-    f"g of the best {plan.result.g:.1f}; of {len(plan.result.rivals)} rivals: {[f'{rival.g:.1f}' for rival in plan.result.rivals]}"
-)
+rivals = [f"{rival.g:.1f}" for rival in plan.result.rivals]
+print(f"g of the best {plan.result.g:.1f}; of {len(rivals)} rivals: {', '.join(rivals)}")
 assert plan.report.passed
 assert plan.report.proven_clearance > 0
 
@@ -66,7 +70,7 @@ assert plan.report.proven_clearance > 0
 
 figure = plt.figure(figsize=(11, 4.8), layout="constrained")
 left, right = figure.subfigures(1, 2, width_ratios=(1.1, 1))
-viz.plot_arm(robot, plan.path, scene, seed=plan.result.seed, names=("optimised", "seed"), ax=left.add_subplot(projection="3d"))
+viz.plot_arm(robot, plan.path, scene, ax=left.add_subplot(projection="3d"))
 viz.plot_index(kinematics, {"optimised": plan.path, "seed": plan.result.seed}, ax=right.subplots())
 
 # %%
