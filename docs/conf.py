@@ -52,6 +52,7 @@ sphinx_gallery_conf = {
     "download_all_examples": False,
     "show_signature": False,
     "write_computation_times": False,
+    "capture_repr": (),  # pages print what they show
 }
 html_domain_indices = False
 suppress_warnings = ["config.cache"]
