@@ -66,15 +66,12 @@ by_measure = {
     name: mp.optimize_path(arm, start, goal, degree=8, power=2, measure=name)
     for name in names
 }
-print(
-    f"{'path made for':25s}  length"
-    + "".join(f"{'mean ' + name:>31s}" for name in names)
-)
+print(f"{'means; path for':25s}  length" + "".join(f"{name:>25s}" for name in names))
 for name, result in by_measure.items():
     values = [mean(result.path, other) for other in names]
     print(
         f"{name:25s}  {result.length:6.3f}"
-        + "".join(f"{value:31.3f}" for value in values)
+        + "".join(f"{value:25.3f}" for value in values)
     )
 
 # %%
