@@ -3,24 +3,32 @@ PYTHON ?= python3
 BIN := .venv/bin
 READY := .venv/.ready
 
-.PHONY: demo test test-long browser lint types docs benchmark benchmark-peers benchmark-paths clean
+.PHONY: demo test test-long browser ffmpeg lint types docs pictures benchmark benchmark-peers benchmark-paths clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
 
-test: $(READY) browser
+test: $(READY) browser ffmpeg
 	$(BIN)/python -m pytest
 
 test-long: $(READY)
 	$(BIN)/python -m pytest -m long
 
-# The tests of the interactive planar page drive it; without it they fail and say the same line.
+# Tests drive the interactive planar page, and read films back; without these programs they fail and say the same line.
 browser:
-	@for name in chromium chromium-browser google-chrome; do command -v $$name >/dev/null && exit 0; done; \
-	if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
-	  apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends chromium && exit 0; \
-	fi; \
-	echo "no Chromium was found; install it with: sudo apt-get install chromium   (as root: make browser)"
+	$(call program,chromium chromium-browser google-chrome,chromium)
+
+ffmpeg:
+	$(call program,ffmpeg,ffmpeg)
+
+# Installs package $(2) unless one of the programs $(1) is there.
+define program
+@for name in $(1); do command -v $$name >/dev/null && exit 0; done; \
+if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+  apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $(2) && exit 0; \
+fi; \
+echo "$(2) was not found; install it with: sudo apt-get install $(2)   (as root: make $@)"
+endef
 
 lint: $(READY)
 	$(BIN)/ruff check .
@@ -32,6 +40,10 @@ types: $(READY)
 docs: $(READY)
 	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
 	@echo "open docs/_build/html/index.html"
+
+# The picture and the animation of the README.
+pictures: $(READY)
+	$(BIN)/python docs/make_pictures.py
 
 benchmark: $(READY)
 	$(BIN)/python benchmarks/panda_boxes.py

@@ -1,14 +1,13 @@
-"""A plan in motion, as a GIF or an MP4 file: the arm beside its index over time."""
+"""A plan in motion: the arm beside its index over time."""
 
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 
-from manipplan.checks import Array, number
-from manipplan.errors import InvalidInputError, MissingProgramError, PlanningError
+from manipplan.checks import Array, finite_array, number, whole_number
+from manipplan.errors import InvalidInputError, MissingProgramError
 from manipplan.files import write_bytes
 from manipplan.measures.ellipsoid import velocity_ellipsoid
 from manipplan.measures.task import Task
@@ -16,8 +15,9 @@ from manipplan.progress import Progress, teller
 from manipplan.viz import style
 from manipplan.viz.arm import draw_scene
 from manipplan.viz.ellipsoids import default_scale, plot_ellipsoid
+from manipplan.viz.film import Film
 from manipplan.viz.motions import length_shares, skeleton, tool_way
-from manipplan.viz.plan import named_paths
+from manipplan.viz.plan import finished, named_paths
 from manipplan.viz.planar import draw_flat_bodies, draw_flat_scene
 from manipplan.viz.shapes import arm_surfaces, joined
 from manipplan.viz.space import LINES, draw_skeleton, draw_surface, look_at, points_of
@@ -27,12 +27,10 @@ if TYPE_CHECKING:
 
 #: A GIF counts time in hundredths of a second, and browsers slow down what shows a frame for less than two.
 MOST_GIF_FPS = 50.0
-#: How long a GIF shows its last frame before it begins again [s].
-HOLD = 1.0
 #: Places at which the whole motion is looked at for what the axes have to show.
 LOOKS = 40
 #: The one ellipsoid is drawn so much larger than the several of a still picture.
-LARGER = 1.5
+LARGER = 1.8
 
 
 def animate(
@@ -71,10 +69,11 @@ def animate(
         raise InvalidInputError("file", file, "a file whose name ends in .gif or .mp4")
     fps = number("fps", fps, above=0.0, most=MOST_GIF_FPS if kind == ".gif" else 1000.0)
     speed, dpi = number("speed", speed, above=0.0), number("dpi", dpi, above=0.0)
-    colours = int(number("colours", colours, least=2, most=256))
-    if plan.trajectory is None or plan.result is None or plan.path is None:
-        raise PlanningError(f"there is no trajectory to animate: {plan.status.value}", plan)
-    write = _write_gif if kind == ".gif" else _write_mp4
+    colours = whole_number("colours", colours, least=2, most=256)
+    if not (finite_array("size", size, (2,)) > 0).all():
+        raise InvalidInputError("size", size, "width and height above zero [inches]")
+    finished(plan)
+    assert plan.trajectory is not None
     if kind == ".mp4":
         from matplotlib.animation import FFMpegWriter
 
@@ -83,55 +82,16 @@ def animate(
     duration = plan.trajectory.duration
     times = np.minimum(np.arange(np.ceil(duration / speed * fps - 1e-9) + 1) * speed / fps, duration)
 
-    from matplotlib import rc_context
-    from matplotlib.figure import Figure
+    def write(stream: IO[bytes]) -> None:
+        from matplotlib.figure import Figure
 
-    with rc_context(style.STYLE):
         figure = Figure(figsize=size, dpi=dpi)
-        show = _stage(plan, figure)
+        film = Film(figure=figure, show=_stage(plan, figure), times=times, fps=fps, colours=colours, tell=tell)
+        (film.write_gif if kind == ".gif" else film.write_mp4)(stream)
 
-        def shown(k: int) -> None:
-            show(float(times[k]))
-            tell(k / len(times), f"frame {k + 1} of {len(times)}")
-
-        write_bytes(file, lambda stream: write(figure, shown, len(times), fps, colours, stream))
+    with style.shared():
+        write_bytes(file, write)
     tell(1.0, "done")
-
-
-def _write_gif(figure: Any, show: Callable[[int], None], count: int, fps: float, colours: int, stream: IO[bytes]) -> None:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from PIL import Image
-
-    canvas: Any = FigureCanvasAgg(figure)
-    frames = []
-    for k in range(count):
-        show(k)
-        canvas.draw()
-        frames.append(Image.fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3].copy()))
-    width, height = frames[0].size
-    some = Image.new("RGB", (width, 3 * height))  # one palette for all frames: what stands still is the same in each
-    for k, at in enumerate((0, count // 2, count - 1)):
-        some.paste(frames[at], (0, k * height))
-    palette = some.quantize(colours, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
-    indexed = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
-    ends = np.round(100 * np.arange(count + 1) / fps).astype(int)
-    shown = [*(10 * np.diff(ends)[:-1]).tolist(), int(1000 * HOLD)]
-    indexed[0].save(stream, format="GIF", save_all=True, append_images=indexed[1:], duration=shown, loop=0)
-
-
-def _write_mp4(figure: Any, show: Callable[[int], None], count: int, fps: float, _colours: int, stream: IO[bytes]) -> None:
-    from matplotlib.animation import FFMpegWriter
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    FigureCanvasAgg(figure)
-    writer = FFMpegWriter(fps=fps)  # type: ignore[arg-type]  # ffmpeg takes any rate
-    with tempfile.TemporaryDirectory() as folder:  # ffmpeg goes back to its file's begin, which a stream may not allow
-        film = Path(folder) / "film.mp4"
-        with writer.saving(figure, str(film), figure.dpi):
-            for k in range(count):
-                show(k)
-                writer.grab_frame()
-        stream.write(film.read_bytes())
 
 
 def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
@@ -157,7 +117,8 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
         style.name_axes(space)
     else:
         ends = [joined(arm_surfaces(robot, q)) for q in (looks[0], looks[-1])]
-        look_at(space, draw_scene(space, plan.scene, [*seen, *points_of(ends)]))
+        look_at(space, draw_scene(space, plan.scene, [*seen, *points_of(ends)]), zoom=1.2)
+        space.set(xticklabels=[], yticklabels=[], zticklabels=[], xlabel="", ylabel="", zlabel="")
         space.computed_zorder = False  # the arm over the obstacles, and the ellipsoid over both: what moves is always seen
     for name, way in ways.items():
         space.plot(*way.T, color=colours[name], linewidth=1.3, alpha=0.7, label=f"tool, {name}", zorder=LINES)
@@ -168,7 +129,9 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
     for name, path in paths.items():
         q = trajectory(t) if path is ours else ghost(t)
         over_time.plot(t, index.manipulability(q), color=colours[name], label=name)
-    over_time.set(xlabel="time [s]", xlim=(0, trajectory.duration), ylim=(0, None))
+    over_time.set(xlabel="time [s]", xlim=(0, trajectory.duration))
+    if over_time.dataLim.ymin >= 0:
+        over_time.set_ylim(0, None)
     over_time.set_ylabel(style.with_unit(index.measure.name, index.measure.unit(index.task)))
     over_time.legend(loc="best")
     figure.draw_without_rendering()  # the layout is made once, so that nothing trembles
@@ -189,7 +152,7 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
         else:
             draw_surface(space, joined(arm_surfaces(robot, q)), style.BODY_LAST, alpha=0.95)
         draw_skeleton(space, skeleton(robot, q)[:, :m])
-        plot_ellipsoid(velocity_ellipsoid(linear.jacobian(q)), skeleton(robot, q)[-1, :m], ax=space, scale=scale)
+        plot_ellipsoid(velocity_ellipsoid(linear.jacobian(q)), skeleton(robot, q)[-1, :m], ax=space, scale=scale, alpha=0.55)
         over_time.plot(time, index.manipulability(q), "o", color=style.OPTIMUM, clip_on=False)
         if len(paths) > 1:
             draw_skeleton(space, skeleton(robot, ghost(time))[:, :m], colour=style.SEED, alpha=0.6)

@@ -13,7 +13,7 @@ from manipplan.viz import style
 from manipplan.viz.ellipsoids import plot_ellipsoids
 from manipplan.viz.motions import Motion, joint_path, skeleton, tool_way
 from manipplan.viz.shapes import Surface, arm_surfaces, feet_on_planes, joined, obstacle_surfaces, plane_patches
-from manipplan.viz.space import LINES, box_around, draw_skeleton, draw_surface, look_at, points_of, write
+from manipplan.viz.space import box_around, draw_skeleton, draw_surface, draw_ways, look_at, points_of, write
 
 #: Figures drawn of the arm along a path.
 PLACES = 7
@@ -59,10 +59,7 @@ def plot_arm(
         for share, q in zip(shares, curve(shares), strict=True):
             draw_skeleton(ax, skeleton(robot, q), alpha=0.25 + 0.6 * share)
         plot_ellipsoids(robot.kinematics(Task.position()), curve, places, ax=ax)
-        for (name, way), colour in zip(ways.items(), (style.OPTIMUM, style.SEED), strict=False):
-            ax.plot(
-                *way.T, color=colour, linewidth=2.0 if colour == style.OPTIMUM else 1.3, label=f"tool, {name}", zorder=LINES
-            )
+        draw_ways(ax, ways)
         for text, place in (("start", curve.start), ("goal", curve.goal)):
             write(ax, skeleton(robot, place)[-1], text, style.ARM)
         look_at(ax, seen)

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from manipplan.checks import instance
 from manipplan.errors import PlanningError
 from manipplan.files import write_bytes
 from manipplan.interrupts import uninterrupted
@@ -35,8 +36,11 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
     from matplotlib import rc_context
     from matplotlib.figure import Figure
 
-    if plan.trajectory is None or plan.result is None or plan.report is None or plan.path is None:
-        raise PlanningError(f"there is no trajectory to draw: {plan.status.value}", plan)
+    finished(plan)
+    assert plan.trajectory is not None
+    assert plan.result is not None
+    assert plan.report is not None
+    assert plan.path is not None
     paths = named_paths(plan)
     seed, names = plan.result.seed if len(paths) > 1 else None, (next(iter(paths)), list(paths)[-1])
     with rc_context(style.STYLE):
@@ -60,6 +64,15 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
         ranged = bool(np.isfinite([limits.lower, limits.upper]).all())
         plot_joints(plan.trajectory, limits, share=ranged, unit=joint_unit(plan.robot), ax=bottom)
     return figure
+
+
+def finished(plan: "Plan") -> None:
+    """Raises InvalidInputError for what is not a plan, and PlanningError for one without a trajectory and its report."""
+    from manipplan.jobs.result import Plan
+
+    instance("plan", plan, Plan)
+    if plan.trajectory is None or plan.result is None or plan.report is None or plan.path is None:
+        raise PlanningError(f"there is no trajectory to draw: {plan.status.value}", plan)
 
 
 def named_paths(plan: "Plan") -> dict[str, JointPath]:

@@ -14,7 +14,7 @@ from manipplan.viz.arm import PLACES, checked
 from manipplan.viz.ellipsoids import plot_ellipsoids
 from manipplan.viz.motions import Motion, skeleton, tool_way
 from manipplan.viz.shapes import arm_surfaces, feet_on_planes, obstacle_surfaces
-from manipplan.viz.space import LINES, draw_skeleton, write
+from manipplan.viz.space import draw_skeleton, draw_ways, write
 
 
 def plot_planar_arm(
@@ -48,10 +48,7 @@ def plot_planar_arm(
         for share, q in zip(shares, curve(shares), strict=True):
             draw_skeleton(ax, skeleton(robot, q)[:, :2], alpha=0.25 + 0.6 * share)
         plot_ellipsoids(robot.kinematics(Task.planar()), curve, places, ax=ax)
-        for (name, way), colour in zip(ways.items(), (style.OPTIMUM, style.SEED), strict=False):
-            ax.plot(
-                *way.T, color=colour, linewidth=2.0 if colour == style.OPTIMUM else 1.3, label=f"tool, {name}", zorder=LINES
-            )
+        draw_ways(ax, ways)
         for text, place in (("start", curve.start), ("goal", curve.goal)):
             write(ax, skeleton(robot, place)[-1, :2], text, style.ARM)
         style.name_axes(ax)

@@ -9,7 +9,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.checks import Array
-from manipplan.robots.primitives import core_of
+from manipplan.robots.primitives import core_of, mesh_triangles
 from manipplan.robots.scene import Plane, Scene
 
 #: Flat pieces around a round shape, and from one pole of a ball to the other.
@@ -59,6 +59,8 @@ def surface_of(shape: coal.CollisionGeometry) -> Surface:
         return _revolved(np.array([0.0, r, r, 0.0]), np.array([-z, -z, z, z]), rings=(1, 2))
     points, _ = core_of(shape)
     if isinstance(shape, coal.BVHModelBase):
+        if np.linalg.matrix_rank(points - points[0], tol=1e-9) < 3:  # a flat mesh has no hull
+            return Surface(faces=tuple(mesh_triangles(shape)), edges=())
         points = points[np.unique((points @ _directions().T).argmax(axis=0))]
     return _hull(points)
 

@@ -1,6 +1,6 @@
 """Drawing in space: lit surfaces, skeletons and names on axes with projection="3d", and what these show."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -42,6 +42,12 @@ def draw_skeleton(ax: Any, points: Array, *, alpha: float = 1.0, colour: str = s
     ]
 
 
+def draw_ways(ax: Any, ways: Mapping[str, Array]) -> None:
+    """Draw one or two ways of the tool (k, 2) or (k, 3), each by what it is called; the second is what the first began from."""
+    for (name, way), colour, width in zip(ways.items(), (style.OPTIMUM, style.SEED), (2.0, 1.3), strict=False):
+        ax.plot(*way.T, color=colour, linewidth=width, label=f"tool, {name}", zorder=LINES)
+
+
 def write(ax: Any, at: Array, text: str, colour: str) -> None:
     """A name at a point (2,) or (3,), on a white rim so that it can be read over what it names."""
     from matplotlib.patheffects import withStroke
@@ -50,15 +56,15 @@ def write(ax: Any, at: Array, text: str, colour: str) -> None:
     ax.text(*at, text, color=colour, fontsize=8, ha="center", va="bottom", zorder=NAMES, path_effects=rim)
 
 
-def look_at(ax: Any, seen: Iterable[Array]) -> None:
+def look_at(ax: Any, seen: Iterable[Array], *, zoom: float = 1.0) -> None:
     """Set the limits of 3D axes around points, with the same scale along all three."""
     from matplotlib.ticker import MaxNLocator
 
     low, high = box_around(seen)
     for axis, side in zip((ax.xaxis, ax.yaxis, ax.zaxis), high - low, strict=True):
-        axis.set_major_locator(MaxNLocator(max(2, round(6 * side / (high - low).max()))))
+        axis.set_major_locator(MaxNLocator(max(3, round(7 * side / (high - low).max())), steps=[1, 2, 5, 10], prune="both"))
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-    ax.set_box_aspect(high - low, zoom=1.0)
+    ax.set_box_aspect(high - low, zoom=zoom)
     ax.view_init(elev=22, azim=-55)
     style.name_axes(ax)
 

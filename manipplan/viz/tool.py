@@ -79,10 +79,10 @@ def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = N
 
     Returns the axes of the scale in mm. Raises InvalidInputError for a plan that follows nothing.
     """
-    if tolerance is None:
-        tolerance = getattr(motion, "tolerance", None)
-    else:
+    if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
+    elif not isinstance(motion, Tracking):
+        tolerance = getattr(motion, "tolerance", None)
     t, position, rotation = _over_time(motion)
     ax = style.axes_for(ax)
     with style.shared():

@@ -1,0 +1,163 @@
+"""
+Every picture
+=============
+
+Each function of `viz` on one page. All draw into Matplotlib axes: those given as `ax=`, or those of a new figure, which they
+return. Everything is drawn as vectors; save a figure with `savefig("picture.svg")` or `.pdf`.
+"""
+
+import tempfile
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from PIL import Image
+
+import manipplan as mp
+from manipplan import viz
+from manipplan.demo import panda_among_boxes
+
+# %%
+# A plan in one figure
+# --------------------
+# What `plan.save` writes as plan.png.
+problem = panda_among_boxes()
+robot, scene = problem.robot, problem.scene
+plan = mp.plan(robot, problem.start, problem.goal, scene)
+_ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
+
+# %%
+# The arm among what stands around it
+# -----------------------------------
+# Obstacles are drawn as what they are, with their names. The arm has its links at the start (light) and at the goal (dark),
+# and is a skeleton between. The green ellipsoids show how fast the tool can move in each direction.
+shapes = mp.Scene(
+    [
+        mp.Plane(name="floor", position=(0.0, 0.0, -0.06)),
+        mp.Cylinder(radius=0.07, length=0.45, position=(0.5, 0.0, 0.22), name="post"),
+        mp.Capsule(
+            radius=0.05,
+            length=0.3,
+            position=(0.55, 0.42, 0.5),
+            rotation=(0.0, 1.3, 0.4),
+            name="bar",
+        ),
+        mp.Sphere(radius=0.12, position=(0.5, -0.45, 0.12), name="ball"),
+        mp.Box(
+            size=(0.3, 0.3, 0.06),
+            position=(0.25, 0.0, 1.15),
+            rotation=(0.2, 0.0, 0.5),
+            name="lamp",
+        ),
+    ]
+)
+ax = viz.plot_arm(
+    robot, plan.path, shapes, seed=plan.result.seed, names=("optimised", "seed")
+)
+print("free:", shapes.path_clearance(robot, plan.path).proven)
+
+# %%
+# A planar arm is seen from above.
+planar = mp.planar_arm([1.0, 1.0, 1.0])
+wall = mp.Plane(name="wall", position=(-2.4, 0.0, 0.0), rotation=(0.0, np.pi / 2, 0.0))
+ball = mp.Sphere(radius=0.25, position=(0.9, -0.9, 0.0), name="ball")
+flat = mp.plan(
+    planar, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], mp.Scene([wall, ball]), power=2.0
+)
+ax = viz.plot_planar_arm(
+    planar, flat.path, flat.scene, seed=flat.result.seed, names=("optimised", "seed")
+)
+
+# %%
+# Joints
+# ------
+# Positions, velocities, accelerations or jerks, with the limits as dashed lines in the joint's colour, or as a share of them.
+_, (left, right) = plt.subplots(1, 2, figsize=(11, 4), layout="constrained")
+viz.plot_joints(plan.trajectory, robot.limits, ax=left)
+_ = viz.plot_joints(plan.trajectory, robot.limits, order=1, share=True, ax=right)
+
+# %%
+# Index and singular values
+# -------------------------
+kinematics = robot.kinematics()
+_, (left, right) = plt.subplots(1, 2, figsize=(11, 4), layout="constrained")
+viz.plot_index(kinematics, {"optimised": plan.path, "seed": plan.result.seed}, ax=left)
+_ = viz.plot_singular_values(kinematics, plan.path, ax=right)
+
+# %%
+# Ellipsoids
+# ----------
+# One of any kind, here of velocity and force at a posture of the planar arm, and those along a path.
+figure = plt.figure(figsize=(11, 4.4), layout="constrained")
+left, right = figure.add_subplot(1, 2, 1), figure.add_subplot(1, 2, 2, projection="3d")
+q = np.array([0.4, 0.9, 0.5])
+jacobian, tool = planar.kinematics().jacobian(q), planar.kinematics().pose(q)[:2, 3]
+viz.plot_ellipsoid(
+    mp.velocity_ellipsoid(jacobian),
+    tool,
+    ax=left,
+    scale=0.2,
+    axes=True,
+    label="velocity",
+)
+viz.plot_ellipsoid(
+    mp.force_ellipsoid(jacobian),
+    tool,
+    ax=left,
+    scale=0.2,
+    axes=True,
+    color="#E69F00",
+    label="force",
+)
+left.set_aspect("equal", adjustable="datalim")
+left.legend()
+_ = viz.plot_ellipsoids(robot.kinematics(mp.Task.position()), plan.path, 9, ax=right)
+
+# %%
+# The way of the tool
+# -------------------
+# A circle followed inside a tube of 2 cm, which the arm uses to stay able to move.
+start = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 2.0, 0.785])
+near = kinematics.pose(start)
+circle = mp.CartesianPath.circle(
+    near, near[:3, 3] + [0.1405, 0.0, 0.0], axis=(0.0, 0.0, 1.0)
+)
+tube = mp.Tolerance(position=0.02, rotation=0.1)
+tracking = mp.track(
+    robot, circle, start, 0.01, mp.LogDrive(), duration=4.0, tolerance=tube
+)
+figure = plt.figure(figsize=(11, 4.4), layout="constrained")
+viz.plot_tool_path(
+    robot, tracking, circle, ax=figure.add_subplot(1, 2, 1, projection="3d")
+)
+_ = viz.plot_deviation(tracking, tolerance=tube, ax=figure.add_subplot(1, 2, 2))
+
+# %%
+# How an answer was found
+# -----------------------
+# The layered search: each dot is a configuration that reaches a position of the path; the line is the continuous path whose
+# least index is the highest. The optimiser: g after each solve, filled where that path was free.
+seam = mp.CartesianPath.line(
+    near,
+    near @ np.array([[1, 0, 0, 0.0], [0, 1, 0, 0.25], [0, 0, 1, 0.1], [0, 0, 0, 1]]),
+)
+layers = mp.sample_layers(robot, seam, 25, samples=240)
+found = mp.max_min_search(layers, np.deg2rad(12))
+_, (left, right) = plt.subplots(1, 2, figsize=(11, 4.4), layout="constrained")
+viz.plot_layers(layers, found, ax=left)
+_ = viz.plot_convergence(plan.result, ax=right)
+
+# %%
+# In motion
+# ---------
+# `viz.animate` writes a GIF, or with ffmpeg an MP4: the suffix says which. Three of its frames:
+figure, panels = plt.subplots(3, 1, figsize=(7, 10), layout="constrained")
+with tempfile.TemporaryDirectory() as folder:
+    film = Path(folder) / "plan.gif"
+    viz.animate(flat, film, fps=10)
+    print(f"{film.name}: {film.stat().st_size // 1000} kB")
+    with Image.open(film) as frames:
+        for panel, frame in zip(panels, (0, 8, 16), strict=True):
+            frames.seek(frame)
+            panel.imshow(frames.convert("RGB"))
+            panel.set_axis_off()
