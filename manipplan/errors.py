@@ -61,6 +61,33 @@ class MissingExtraError(ManipplanError, ImportError):
         return type(self), (self.package, self.extra)
 
 
+class MissingSourcesError(ManipplanError, ImportError):
+    """What is part of the sources alone, and not of the installed package."""
+
+    def __init__(self, subject: str) -> None:
+        self.subject = subject
+        super().__init__(
+            f"{subject} are part of the sources, not of the installed package; in a clone of the repository: "
+            "make demo, then .venv/bin/manipplan study"
+        )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.subject,)
+
+
+class MissingProgramError(ManipplanError):
+    """A program that is no Python package is not installed; the message holds the line that installs it."""
+
+    def __init__(self, program: str, install: str, otherwise: str) -> None:
+        self.program = program
+        self.install = install
+        self.otherwise = otherwise
+        super().__init__(f"{program} is not installed; install it with: {install}   ({otherwise})")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.program, self.install, self.otherwise)
+
+
 class CompilerError(ManipplanError):
     """Machine code could not be made: there is no compiler, or it failed. `output` is what it said."""
 

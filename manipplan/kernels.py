@@ -1,6 +1,7 @@
 """Numba kernels: compiled once for each state of the package, and kept in the user's cache folder."""
 
 import hashlib
+import logging
 import tempfile
 import warnings
 from collections.abc import Callable
@@ -13,6 +14,7 @@ import numba
 from manipplan.errors import CompilerWarning
 from manipplan.kinematics.compile import cache_folder
 
+log = logging.getLogger(__name__)
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
@@ -36,6 +38,8 @@ def _folder() -> Path | None:
     """Where machine code is kept; None, with a CompilerWarning, where nothing can be."""
     folder = cache_folder() / f"numba-{_sources()}"
     try:
+        if not folder.exists():
+            log.info("... compiling kernels, once for this version of manipplan: about half a minute")
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=folder):
             return folder

@@ -29,7 +29,7 @@ class Status(Enum):
         "between configurations at which det J has different signs: choose another solution of inverse_kinematics as goal"
     )
     INTERRUPTED = "interrupted: the best checked path so far, optimised or the seed; run it again to get further"
-    IMPROVED = "improved: the recorded motion was followed with a higher index, and every check passed"
+    IMPROVED = "improved: the recorded motion was followed with a higher least or mean index, and every check passed"
     NOT_BETTER = (
         "recorded: following it raised neither its least nor its mean index, so the recording itself is returned; "
         "allow more tolerance"
@@ -42,7 +42,6 @@ class Status(Enum):
         "failed: no continuous motion along the workspace path was found; take more positions, more samples or a larger epsilon"
     )
     NO_PATH = "failed: no collision-free path was found; allow more time_limit, less clearance, or check the goal"
-
     NO_TIMING = "failed: no motion along the path obeys the limits; raise effort or acceleration, or choose another path"
     CHECK_FAILED = (
         "failed: the finished trajectory did not pass its own check of limits, collisions or goal; "

@@ -1,50 +1,59 @@
-"""The command of a study: its options, a bar, where it writes, and what is not as expected."""
+"""A study as a command: where it writes, how far it is, and what is not as expected."""
 
 import argparse
 import tempfile
-import time
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TypeVar
+from typing import Generic, TypeVar
 
-from rich.console import Console
-from rich.progress import Progress
+from manipplan.cli import terminal
+from manipplan.progress import Progress
 
 Claims = TypeVar("Claims")
 #: What is done, about how long it takes [s], and how it is done.
 Stage = tuple[str, float, Callable[[], object]]
 
 
-def run(
-    pages: Path,
-    quick: str,
-    study: Callable[[Path, bool, Progress], Claims],
-    differences: Callable[[Claims, bool], list[str]],
-    arguments: list[str] | None,
-) -> list[str]:
-    """Run `study` and return what is not as expected; `pages` is its folder in the docs, `quick` what --quick leaves."""
-    parser = argparse.ArgumentParser(prog=f"python -m studies.{pages.name}", description="The whole study in one command.")
-    parser.add_argument("--quick", action="store_true", help=quick)
-    where = f"folder for tables and figures (default: docs/studies/{pages.name}; a temporary one with --quick)"
-    parser.add_argument("--out", type=Path, help=where)
-    options = parser.parse_args(arguments)
-    out = options.out or (Path(tempfile.mkdtemp(prefix=f"{pages.name}-")) if options.quick else pages)
-    out.mkdir(parents=True, exist_ok=True)
-    console = Console()
-    began = time.monotonic()
-    with Progress(console=console, transient=True) as progress:
-        found = study(out, options.quick, progress)
-    wrong = differences(found, options.quick)
-    console.print(f"{out} written in {time.monotonic() - began:.0f} s")
-    for line in wrong or ["all figures are as expected"]:
-        console.print(line, markup=False)
-    return wrong
+@dataclass(frozen=True, kw_only=True)
+class Study(Generic[Claims]):
+    """All tables and figures of a paper.
+
+    Attributes:
+        pages: folder of its tables and figures in the docs; the page itself lies beside it, with the same name.
+        quick: what --quick leaves.
+        make: writes tables and figures into a folder, --quick or not; returns what it found.
+        differences: of what was found, --quick or not, a line for each figure that is not as expected.csv has it.
+    """
+
+    pages: Path
+    quick: str
+    make: Callable[[Path, bool, Progress], Claims]
+    differences: Callable[[Claims, bool], list[str]]
+
+    def run(self, out: Path, *, quick: bool, progress: Progress) -> list[str]:
+        """Write tables and figures into `out`; returns what is not as expected."""
+        out.mkdir(parents=True, exist_ok=True)
+        return self.differences(self.make(out, quick, progress), quick)
+
+    def main(self, arguments: list[str] | None = None) -> list[str]:
+        """Run it with the options of a shell and return what is not as expected."""
+        parser = argparse.ArgumentParser(prog=f"python -m studies.{self.pages.name}", description=self.__doc__)
+        parser.add_argument("--quick", action="store_true", help=self.quick)
+        where = f"folder for tables and figures (default: docs/studies/{self.pages.name}; a temporary one with --quick)"
+        parser.add_argument("--out", type=Path, help=where)
+        options = parser.parse_args(arguments)
+        out = options.out or (Path(tempfile.mkdtemp(prefix=f"{self.pages.name}-")) if options.quick else self.pages)
+        with terminal.progress() as tell:
+            wrong = self.run(out, quick=options.quick, progress=tell)
+        terminal.show_result("\n".join(wrong or ["all figures are as expected"]), [out])
+        return wrong
 
 
-def in_stages(name: str, stages: Sequence[Stage], progress: Progress) -> None:
-    """Do one after the other, and show how far it is."""
-    bar = progress.add_task(name, total=sum(weight for _, weight, _ in stages))
+def in_stages(stages: Sequence[Stage], tell: Progress) -> None:
+    """Do one after the other, and tell how far it is."""
+    whole, done = sum(weight for _, weight, _ in stages), 0.0
     for text, weight, do in stages:
-        progress.update(bar, description=text)
+        tell(done / whole, text)
         do()
-        progress.update(bar, advance=weight)
+        done += weight

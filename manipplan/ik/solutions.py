@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.checks import Array, pose_matrix
+from manipplan.checks import Array, instance, pose_matrix
 from manipplan.measures.task import Task
 from manipplan.robots.robot import Robot
 
@@ -69,6 +69,7 @@ def inverse_kinematics(
     samples: int | Sequence[int] | None = None,
     held: Sequence[str] | None = None,
     method: str = "auto",
+    turns: bool = True,
     seed: int = 0,
 ) -> SolutionSet:
     """Every configuration that reaches a pose.
@@ -91,6 +92,7 @@ def inverse_kinematics(
         samples: points of that grid, one number or one for each parameter.
         held: names of the joints that are held instead of the ones that the arm's closed form prefers.
         method: "closed-form", "newton", or "auto": the closed form where there is one.
+        turns: False lists configurations that differ by full turns of joints once: the one with the smallest angles.
         seed: of the random starts.
 
     Raises:
@@ -109,6 +111,9 @@ def inverse_kinematics(
     owners = np.repeat(np.arange(len(poses)), len(values))
     found = solver.solve(poses, owners, np.tile(values, (len(poses), 1)))
     keep = distinct(found.q, found.source)
+    if not instance("turns", turns, bool):
+        keep = keep[np.argsort(np.linalg.norm(found.q[keep], axis=1), kind="stable")]
+        keep = np.sort(keep[distinct(_directions(robot, found.q[keep]), found.source[keep])])
     return SolutionSet(
         q=found.q[keep],
         pose_index=owners[found.source[keep]],
@@ -142,3 +147,9 @@ def _is_matrix(value: Any) -> bool:
         return np.ndim(value) == 2
     except ValueError:  # rows of different lengths
         return False
+
+
+def _directions(robot: Robot, q: Array) -> Array:
+    """Equal for configurations (k, n) that differ by full turns: lengths as they are, for angles their cosine and sine."""
+    revolute = np.array([kind != "prismatic" for kind in robot.joint_types])
+    return np.hstack([q[:, ~revolute], np.cos(q[:, revolute]), np.sin(q[:, revolute])])

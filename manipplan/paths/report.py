@@ -143,14 +143,15 @@ class Report:
 
     def __str__(self) -> str:
         unit = f" {self.index_unit}" if self.index_unit != "1" else ""
+        first = _first_path(self.status)
         lines = [
             f"{self.robot}, tool {self.tool}, task {self.task}: {'all checks passed' if self.passed else 'CHECK FAILED'}",
             f"  status       {self.status}",
             f"  duration     {self.duration:.3f} s",
-            f"  least index  {self.min_manipulability:.4g}{unit} ({self.measure}; seed "
+            f"  least index  {self.min_manipulability:.4g}{unit} ({self.measure}; {first} "
             f"{self.seed_min_manipulability:.4g}, straight {self.straight_min_manipulability:.4g}): {self.index_note}",
-            f"  g            {self.g:.5g} (seed {self.seed_g:.5g}), exponent {self.power:g}",
-            f"  length       {self.length:.4g} rad (seed {self.seed_length:.4g})",
+            f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
+            f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
         ]
         if self.nearest_pair:
             lines.append(
@@ -164,9 +165,9 @@ class Report:
         for kind, use in self.limits.items():
             if not use.joint:
                 continue
-            worst = f"{use.ratio:.2e} beyond" if kind == "position" else f"{100 * use.ratio:.2f} %"
+            worst = f"{use.ratio:.2e} rad or m beyond" if kind == "position" else f"{100 * use.ratio:.2f} %"
             if kind == "position" and use.ratio <= 0:
-                worst = f"{-use.ratio:.3f} inside"
+                worst = f"{-use.ratio:.3f} rad or m inside"
             lines.append(f"  {kind:<12} {worst} of the limit, {use.joint} at {use.time:.2f} s")
         return "\n".join(lines)
 
@@ -204,6 +205,11 @@ def _straight_cost(path: JointPath, objective: PathObjective) -> PathCost:
     return objective.cost(JointPath.line(path.start, path.goal))
 
 
+def _first_path(status: str) -> str:
+    """What the path is compared with."""
+    return "recorded" if status in (Status.IMPROVED.value, Status.NOT_BETTER.value) else "seed"
+
+
 def _json_ready(value: Any) -> Any:
     """The same with infinite numbers as text, since JSON has none."""
     if isinstance(value, dict):
@@ -216,7 +222,8 @@ def _index_note(cost: PathCost, result: PathResult, straight: PathCost) -> str:
     least = cost.min_manipulability
     if result.status is Status.FOLLOWED:
         return "seed: the best path among the samples; straight: a line between the ends, which leaves the workspace path"
-    others = {"seed": result.seed_cost.min_manipulability, "straight path": straight.min_manipulability}
+    first = _first_path(result.status.value)
+    others = {first: result.seed_cost.min_manipulability, "straight path": straight.min_manipulability}
     note = ", ".join(
         f"{least / other:.3g} times the {name}'s" if other > 0 else f"the {name}'s is zero" for name, other in others.items()
     )
@@ -225,5 +232,5 @@ def _index_note(cost: PathCost, result: PathResult, straight: PathCost) -> str:
     if cost.at <= AT_END or cost.at >= 1 - AT_END:
         return f"{note}; it is at the {'start' if cost.at <= AT_END else 'goal'}, which every path between the two shares"
     if result.path is result.seed:
-        return f"{note}; this is the seed itself"
+        return f"{note}; this is the {first} itself"
     return f"{note}; no path with a larger one and a g as low was found"

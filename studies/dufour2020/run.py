@@ -2,8 +2,7 @@
 
 from pathlib import Path
 
-from rich.progress import Progress
-
+from manipplan.progress import Progress
 from studies import command
 from studies.dufour2020 import claims, config, figures, numerics, pareto
 from studies.dufour2020.courses import Array
@@ -16,19 +15,15 @@ STEPS = 11
 TIMED = 20
 
 
-def main(arguments: list[str] | None = None) -> list[str]:
-    """Run it and return what is not as expected.csv has it."""
-    quick = "Pareto figure of scenario 1 only, no comparison of step times"
-    return command.run(config.PAGES, quick, study, lambda found, _: claims.differences(found), arguments)
-
-
-def study(out: Path, quick: bool, progress: Progress) -> list[claims.Claim]:
+def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
     """Make everything; returns the claims."""
     names = QUICK if quick else ("S1", "S2", *config.TABLE_1)
-    bar = progress.add_task("dufour2020", total=STEPS + len(names) + (0 if quick else TIMED))
+    whole, done, doing = STEPS + len(names) + (0 if quick else TIMED), 0, ""
 
     def advance(text: str | None = None) -> None:
-        progress.update(bar, advance=1, description=text)
+        nonlocal done, doing
+        done, doing = done + 1, text or doing
+        tell(done / whole, doing)
 
     arm = Arm()
     first, second = Scenario.of(arm, "S1"), Scenario.of(arm, "S2")
@@ -71,7 +66,7 @@ def study(out: Path, quick: bool, progress: Progress) -> list[claims.Claim]:
     for name in names:
         figures.pareto(fronts, name, out / f"pareto_{name}.png")
     if not quick:
-        progress.update(bar, description="step times")
+        tell(done / whole, "step times")
         numerics.real_time(arm, sphere.avoidance, advance)[0].write(out)
     return found
 
@@ -82,3 +77,11 @@ def _times(arm: Arm) -> dict[str, Array]:
         for compiled, made in ((False, "no compiler"), (True, "compiled"))
         for name in ("S1", "S2")
     }
+
+
+STUDY = command.Study(
+    pages=config.PAGES,
+    quick="Pareto figure of scenario 1 only, no comparison of step times",
+    make=study,
+    differences=lambda found, _: claims.differences(found),
+)

@@ -2,8 +2,7 @@
 
 from pathlib import Path
 
-from rich.progress import Progress
-
+from manipplan.progress import Progress
 from studies import command
 from studies.guilamo2006 import claims, config, figures, tables
 from studies.guilamo2006.courses import courses, second_courses
@@ -11,17 +10,11 @@ from studies.guilamo2006.results import Results
 from studies.guilamo2006.runs import Runs, warm
 
 
-def main(arguments: list[str] | None = None) -> list[str]:
-    """Run it and return what is not as expected.csv has it."""
-    quick = "the coarse grids only"
-    return command.run(config.PAGES, quick, study, lambda found, quick: claims.differences(found, quick=quick), arguments)
-
-
-def study(out: Path, quick: bool, progress: Progress) -> list[claims.Claim]:
+def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
     """Make everything; returns the claims."""
     results = Results(runs=Runs(), courses=courses(), second=second_courses(), quick=quick)
     found: list[claims.Claim] = []
-    command.in_stages("guilamo2006", stages(results, out, found), progress)
+    command.in_stages(stages(results, out, found), tell)
     return found
 
 
@@ -46,3 +39,11 @@ def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[comma
         ("claims", 0.5, lambda: found.extend(claims.claims(results))),
         ("claims", 0.1, lambda: claims.table(found).write(out)),
     ]
+
+
+STUDY = command.Study(
+    pages=config.PAGES,
+    quick="the coarse grids only",
+    make=study,
+    differences=lambda found, quick: claims.differences(found, quick=quick),
+)

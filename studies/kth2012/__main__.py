@@ -1,6 +1,8 @@
 """`python -m studies.kth2012 [--quick] [--out DIR]`: all tables and figures of the study."""
 
-from studies.kth2012.run import main
+import sys
+
+from studies.kth2012.run import STUDY
 
 if __name__ == "__main__":
-    main()
+    sys.exit(bool(STUDY.main()))

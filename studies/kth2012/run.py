@@ -2,8 +2,7 @@
 
 from pathlib import Path
 
-from rich.progress import Progress
-
+from manipplan.progress import Progress
 from studies import command
 from studies.kth2012 import claims, config, tables_beyond, tables_paths, tables_postures
 from studies.kth2012.figures import FULL_ONLY, figures
@@ -11,16 +10,10 @@ from studies.kth2012.results import Results
 from studies.tables import Table
 
 
-def main(arguments: list[str] | None = None) -> list[str]:
-    """Run it and return what is not as expected.csv has it."""
-    quick = "chapters 4 to 6 and the shortest classes only"
-    return command.run(config.PAGES, quick, study, lambda found, quick: claims.differences(found, quick=quick), arguments)
-
-
-def study(out: Path, quick: bool, progress: Progress) -> list[claims.Claim]:
+def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
     """Make everything; returns the claims."""
     results, found = Results(quick=quick), []
-    command.in_stages("kth2012", stages(results, out, found), progress)
+    command.in_stages(stages(results, out, found), tell)
     return found
 
 
@@ -53,3 +46,11 @@ def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[comma
         ("claims", 1.0, lambda: found.extend(claims.claims(results))),
         ("claims", 0.1, lambda: written(claims.table(found))),
     ]
+
+
+STUDY = command.Study(
+    pages=config.PAGES,
+    quick="chapters 4 to 6 and the shortest classes only",
+    make=study,
+    differences=lambda found, quick: claims.differences(found, quick=quick),
+)

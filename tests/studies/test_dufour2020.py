@@ -17,7 +17,7 @@ def arm():
 
 
 def test_the_quick_study_makes_what_is_expected(tmp_path):
-    assert run.main(["--quick", "--out", str(tmp_path)]) == []
+    assert run.STUDY.main(["--quick", "--out", str(tmp_path)]) == []
     assert {file.name for file in tmp_path.glob("*.png")} == {
         *(f"scenario{k}.png" for k in (1, 2, 3, 4)),
         "claim1.png",

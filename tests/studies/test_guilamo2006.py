@@ -12,13 +12,13 @@ FIGURES = {"circle.png", "line.png", "index.png", "search.png", "sampling.png", 
 
 
 def test_the_quick_study_makes_what_is_expected(tmp_path):
-    assert run.main(["--quick", "--out", str(tmp_path)]) == []
+    assert run.STUDY.main(["--quick", "--out", str(tmp_path)]) == []
     assert {file.name for file in tmp_path.glob("*.png")} == FIGURES
 
 
 @pytest.mark.long
 def test_the_whole_study_makes_what_is_expected(tmp_path):
-    assert run.main(["--out", str(tmp_path)]) == []
+    assert run.STUDY.main(["--out", str(tmp_path)]) == []
     assert {file.name for file in tmp_path.iterdir()} == {
         file.name for file in config.PAGES.iterdir() if file.suffix in (".png", ".md", ".csv")
     }

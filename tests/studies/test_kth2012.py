@@ -2,6 +2,8 @@
 
 import csv
 import itertools
+import re
+from dataclasses import replace
 
 import mpmath
 import numpy as np
@@ -9,6 +11,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import manipplan as mp
+from manipplan import cli
 from manipplan.planar import PlanarArm, manipulability
 from studies.kth2012 import claims, classes, config, figures, geodesics, polynomials, results, run, starts, tables_postures
 
@@ -17,14 +20,32 @@ def quick_figures():
     return set(figures.figures(results.Results(quick=True))) - set(figures.FULL_ONLY)
 
 
-def test_the_quick_study_makes_what_is_expected(tmp_path):
-    assert run.main(["--quick", "--out", str(tmp_path)]) == []
+def test_the_quick_study_makes_what_is_expected(tmp_path, capsys):
+    assert cli.main(["study", "kth2012", "--quick", "--out", str(tmp_path)]) == 0
+    assert "kth2012: all figures are as expected" in capsys.readouterr().out
     assert {file.stem for file in tmp_path.glob("*.svg")} == quick_figures()
+    report = (tmp_path / "report.html").read_text()
+    assert report.count("<img ") == len(quick_figures())
+    assert report.count("<table>") == len(list(tmp_path.glob("*.md")))
+    left = {file.stem for file in config.PAGES.iterdir()} - {file.stem for file in tmp_path.iterdir()}
+    assert set(figures.FULL_ONLY) < left
+    assert set(re.findall(r">(\w+): --quick leaves it", report)) == left
+    assert not re.search(r'(?:src|href)="(?!data:)', report)
+    for value in ("2.63463340", "2.2222", "Chapter 6"):
+        assert value in report
+
+
+def test_differences_are_told_in_report_and_exit_code(tmp_path, capsys, monkeypatch):
+    made = replace(run.STUDY, make=lambda _out, _quick, _tell: [], differences=lambda _found, _quick: ["Table <6.1>: 2, not 3"])
+    monkeypatch.setattr(run, "STUDY", made)
+    assert cli.main(["study", "kth2012", "--out", str(tmp_path)]) == 1
+    assert "1 figures of kth2012 are not as expected" in capsys.readouterr().err
+    assert "Table &lt;6.1&gt;: 2, not 3" in (tmp_path / "report.html").read_text()
 
 
 @pytest.mark.long
 def test_the_whole_study_makes_what_is_expected(tmp_path):
-    assert run.main(["--out", str(tmp_path)]) == []
+    assert run.STUDY.main(["--out", str(tmp_path)]) == []
     assert {file.name for file in tmp_path.iterdir()} == {file.name for file in config.PAGES.iterdir()}
 
 

@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import numpy as np
 import pinocchio as pin
@@ -116,6 +117,20 @@ def seam(six_file, tmp_path_factory):
     return str(file)
 
 
+def test_improve_writes_all_files(six_file, tmp_path, capsys):
+    start, goal = ["0.2", "0.5", "1.0", "0.3", "0.6", "0.1"], ["0.9", "0.7", "0.6", "0.1", "0.8", "0.4"]
+    assert main(plan_arguments(six_file, tmp_path / "plan", start=start, goal=goal)) == 0
+    recorded = str(tmp_path / "plan" / "trajectory.csv")
+    arguments = ["improve", six_file, recorded, "--out", str(tmp_path / "out"), "--tolerance", "0.05", "0.5"]
+    assert main(arguments) == 0
+    shown = capsys.readouterr().out
+    assert "improved: " in shown and "recorded" in shown and "deviation" in shown
+    before, after = (mp.Trajectory.from_csv(tmp_path / name / "trajectory.csv") for name in ("plan", "out"))
+    kinematics = mp.load_robot(six_file).kinematics()
+    np.testing.assert_allclose(kinematics.pose(after.q[-1])[:3, 3], kinematics.pose(before.q[-1])[:3, 3], atol=1e-4)
+    assert kinematics.manipulability(after.q).mean() > kinematics.manipulability(before.q).mean()
+
+
 def follow_arguments(six_file, seam, folder, **changes):
     options = {"positions": ["3"], "epsilon": ["0.8"], "out": [str(folder)], **changes}
     return ["follow", six_file, seam, *[word for key, values in options.items() for word in (f"--{key}", *values)]]
@@ -160,6 +175,34 @@ def test_wrong_input_to_follow_is_one_line(six_file, seam, tmp_path, capsys, cha
     assert len(errors) == 1
     assert message in errors[0]
     assert list(tmp_path.rglob("trajectory*")) == []
+
+
+def test_improve_refuses_what_is_no_recording(arm_file, tmp_path, capsys):
+    wrong = tmp_path / "wrong.csv"
+    wrong.write_text("time,a\n0,1\n")
+    assert main(["improve", arm_file, str(wrong), "--out", str(tmp_path / "out")]) == 2
+    assert "a CSV with columns time, q_<joint>" in capsys.readouterr().err
+    assert list((tmp_path / "out").iterdir()) == []
+
+
+def test_a_study_outside_its_sources_tells_where_they_are(tmp_path):
+    """As for somebody who installed the package alone: `studies` is not on the path."""
+    root = Path(mp.__file__).parents[1]
+    (tmp_path / "manipplan").symlink_to(root / "manipplan")
+    code = (
+        "import sys; from pathlib import Path; sys.path = [p for p in sys.path if Path(p).resolve() != Path(sys.argv[1])]\n"
+        "from manipplan.cli import main; sys.exit(main(['study', 'kth2012', '--out', sys.argv[2]]))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(root), str(tmp_path / "out")],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(tmp_path)},
+    )
+    assert done.returncode == 1
+    assert "in a clone of the repository" in done.stderr and "Traceback" not in done.stderr
 
 
 @pytest.mark.parametrize(

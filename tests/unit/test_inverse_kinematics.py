@@ -158,6 +158,15 @@ def test_random_starts_find_what_the_swivel_finds(arm, rng):
             assert apart(robot, mp.inverse_kinematics(robot, pose_of(robot, q), swivel).q, each).min() < 1e-6
 
 
+def test_without_turns_sliding_joints_and_held_ones_stay(arm, rng):
+    tiago = arm("tiago")
+    pose = pose_of(tiago, tiago.random_configuration(rng))
+    found, once = (mp.inverse_kinematics(tiago, pose, samples=3, turns=turns) for turns in (True, False))
+    assert len(once) <= len(found)
+    assert {tuple(np.round(row, 9)) for row in once.q} <= {tuple(np.round(row, 9)) for row in found.q}
+    assert set(map(tuple, once.parameters)) == set(map(tuple, found.parameters))
+
+
 def test_every_full_turn_is_listed(ur5, rng):
     q = rng.uniform(0.1, 3.0, 6)
     pose = pose_of(ur5, q)
@@ -169,6 +178,11 @@ def test_every_full_turn_is_listed(ur5, rng):
     assert 1 < len(once) <= 8 and len(found) == len(once) * turns.prod()
     shift = np.where(turns == 2, 2 * np.pi, 0.0)
     assert apart(ur5, found.q, q - shift).min() < 1e-9
+    without = mp.inverse_kinematics(ur5, pose, turns=False)
+    assert len(without) == len(once)
+    assert np.abs(without.q).max() <= np.pi
+    for row in once.q:
+        assert apart(ur5, without.q, row).min() < 1e-9
 
 
 @pytest.mark.parametrize(
@@ -456,6 +470,7 @@ def test_matrices_that_are_no_pose(panda, kind):
         ({"task": mp.Task.position()}, r"^task: .*allowed: Task.pose\(\), or Task.pointing"),
         ({"task": "pose"}, r"^task: .*allowed: a Task"),
         ({"method": "closed_form"}, r"^method: .*did you mean closed-form"),
+        ({"turns": "no"}, "^turns: got 'no'"),
         ({"method": "newtn"}, r"^method: .*did you mean newton"),
         ({"seed": -1}, r"^seed: got -1; allowed: a whole number, at least 0"),
         ({"held": ["panda_joint2"], "method": "closed-form"}, r"^method: got .closed-form.; allowed: .newton."),

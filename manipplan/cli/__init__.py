@@ -1,0 +1,58 @@
+"""The command `manipplan`: the jobs from a shell. Exit codes: 0 done, 1 no result, 2 wrong input, 130 interrupted."""
+
+import logging
+import sys
+from collections.abc import Callable, Sequence
+
+import tyro
+from rich.console import Console
+from rich.markup import escape
+
+from manipplan.cli.demo import demo
+from manipplan.cli.follow import follow
+from manipplan.cli.improve import improve
+from manipplan.cli.plan import plan
+from manipplan.cli.robots import robots
+from manipplan.cli.study import study
+from manipplan.cli.view import view
+from manipplan.errors import InvalidInputError, ManipplanError, MissingExtraError
+
+COMMANDS: dict[str, Callable[..., None]] = {
+    "demo": demo,
+    "plan": plan,
+    "follow": follow,
+    "improve": improve,
+    "view": view,
+    "study": study,
+    "robots": robots,
+}
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command; returns its exit code and prints errors in one line, without a traceback."""
+    logging.basicConfig(level=logging.WARNING, format="%(message)s")
+    logging.getLogger("toppra").setLevel(logging.ERROR)
+    logging.getLogger("manipplan.kernels").setLevel(logging.INFO)
+    errors = Console(stderr=True)
+    try:
+        tyro.extras.subcommand_cli_from_dict(
+            COMMANDS,
+            prog="manipplan",
+            description="Robot-arm motion that stays far from singularities.",
+            args=arguments,
+        )
+    except (InvalidInputError, MissingExtraError) as error:
+        errors.print(f"manipplan: {escape(str(error))}", style="red", highlight=False, soft_wrap=True)
+        return 2
+    except ManipplanError as error:
+        errors.print(f"manipplan: {escape(str(error))}", style="red", highlight=False, soft_wrap=True)
+        return 1
+    except KeyboardInterrupt:
+        errors.print("manipplan: interrupted; finished files are whole, nothing half-written is left", style="red")
+        return 130
+    return 0
+
+
+def run() -> None:
+    """Entry point of the console script."""
+    sys.exit(main())

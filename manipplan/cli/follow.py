@@ -1,0 +1,79 @@
+"""`manipplan follow`: along a path of the tool with the highest least index."""
+
+from pathlib import Path
+
+from tyro.conf import Positional
+
+from manipplan.cli import terminal
+from manipplan.cli.arm import load_arm
+from manipplan.files import writable_folder
+from manipplan.jobs.following import follow as follow_job
+from manipplan.measures.task import Task
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.progress import part
+from manipplan.robots.scene import Scene
+from manipplan.tracking.relaxation import Tolerance
+
+
+def follow(
+    robot: Positional[str],
+    poses: Positional[Path],
+    /,
+    positions: int = 50,
+    epsilon: float = 0.2,
+    samples: tuple[int, ...] = (),
+    pointing: tuple[float, float, float] | None = None,
+    tolerance: tuple[float, float] | None = None,
+    scene: Path | None = None,
+    out: Path = Path("follow"),
+    tool: str | None = None,
+    srdf: Path | None = None,
+    clearance: float = 0.0,
+    closed: bool = False,
+    torque: bool = False,
+    seed: int = 0,
+) -> None:
+    """Follow a workspace path with the highest least index, and write the motion as CSV, JSON and ROS JointTrajectory.
+
+    Args:
+        robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
+        poses: CSV file with the columns x, y, z [m], qw, qx, qy, qz.
+        positions: At which configurations are enumerated.
+        epsilon: Longest step of a joint between neighbouring positions [rad or m].
+        samples: Of what the arm has to spare, a number or one for each parameter.
+        pointing: Tool axis about which the tool may turn.
+        tolerance: How far the tool may leave the path [m] [rad].
+        scene: YAML file with obstacles.
+        out: Folder for what is written.
+        tool: Frame whose motion counts, when the robot is a file.
+        srdf: Semantic description, when the robot is a file.
+        clearance: Distance [m] to keep.
+        closed: The path returns to its start, and so does the motion.
+        torque: Limit the motion by the joints' effort, too.
+        seed: Of random starts, for arms without a closed form.
+    """
+    folder = writable_folder("out", out)
+    path = CartesianPath.from_csv(poses)
+    with terminal.progress() as tell:
+        tell(0.0, "loading the robot")
+        arm = load_arm(robot, tool, srdf)
+        world = Scene.from_yaml(scene) if scene is not None else Scene()
+        made = follow_job(
+            arm,
+            path,
+            positions,
+            epsilon=epsilon,
+            task=Task.pointing(pointing) if pointing is not None else None,
+            samples=samples[0] if len(samples) == 1 else samples or None,
+            tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]) if tolerance is not None else None,
+            scene=world,
+            clearance=clearance,
+            closed=closed,
+            torque=torque,
+            seed=seed,
+            progress=part(tell, 0.0, 0.95),
+        )
+        tell(1.0, "writing files")
+        files = made.save(folder)
+    terminal.show_locked(arm.locked)
+    terminal.show_result(f"{made.report}\n  search       {made.refinement}\n  deviation    {made.deviation}", files)

@@ -1,0 +1,79 @@
+"""`manipplan plan`: from start to goal among obstacles."""
+
+from pathlib import Path
+from typing import Literal
+
+from tyro.conf import Positional
+
+from manipplan.cli import terminal
+from manipplan.cli.arm import load_arm
+from manipplan.files import writable_folder
+from manipplan.jobs.planning import plan as plan_job
+from manipplan.progress import part
+from manipplan.robots.scene import Scene
+
+
+def plan(
+    robot: Positional[str],
+    /,
+    start: tuple[float, ...],
+    goal: tuple[float, ...],
+    scene: Path | None = None,
+    out: Path = Path("plan"),
+    tool: str | None = None,
+    srdf: Path | None = None,
+    power: float = 1.0,
+    measure: str | None = None,
+    degree: int = 6,
+    shifts: Literal["none", "within-limits"] = "none",
+    clearance: float = 0.0,
+    torque: bool = False,
+    seed: int = 0,
+    seeds: int = 1,
+    time_limit: float = 10.0,
+) -> None:
+    """Plan a motion and write it as CSV, JSON and ROS JointTrajectory, with a report and a picture.
+
+    Args:
+        robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
+        start: One angle [rad] or length [m] a joint.
+        goal: One angle [rad] or length [m] a joint.
+        scene: YAML file with obstacles.
+        out: Folder for what is written.
+        tool: Frame whose motion counts, when the robot is a file.
+        srdf: Semantic description, when the robot is a file.
+        power: Exponent of the index in the objective.
+        measure: Of manipulability, by name; default Yoshikawa's.
+        degree: Of the path's polynomial.
+        shifts: within-limits tries goals a full turn away, too.
+        clearance: Distance [m] to keep.
+        torque: Limit the motion by the joints' effort, too.
+        seed: Of the planner.
+        seeds: How many first paths are looked for.
+        time_limit: For the planner's search [s].
+    """
+    folder = writable_folder("out", out)
+    with terminal.progress() as tell:
+        tell(0.0, "loading the robot")
+        arm = load_arm(robot, tool, srdf)
+        world = Scene.from_yaml(scene) if scene is not None else Scene()
+        made = plan_job(
+            arm,
+            start,
+            goal,
+            world,
+            power=power,
+            measure=measure,
+            degree=degree,
+            shifts=shifts,
+            clearance=clearance,
+            torque=torque,
+            seed=seed,
+            seeds=seeds,
+            time_limit=time_limit,
+            progress=part(tell, 0.0, 0.95),
+        )
+        tell(1.0, "writing files")
+        files = made.save(folder)
+    terminal.show_locked(arm.locked)
+    terminal.show_result(str(made.report), files)

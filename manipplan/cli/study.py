@@ -1,0 +1,40 @@
+"""`manipplan study`: the tables and figures of a paper."""
+
+import importlib
+import time
+from pathlib import Path
+from typing import Literal
+
+from tyro.conf import Positional
+
+from manipplan.cli import terminal
+from manipplan.errors import MissingSourcesError, PlanningError
+from manipplan.files import writable_folder
+
+Paper = Literal["kth2012", "dufour2020", "guilamo2006"]
+
+
+def study(paper: Positional[Paper], /, quick: bool = False, out: Path | None = None) -> None:
+    """Make all tables and figures of a paper again, and collect them in report.html.
+
+    Args:
+        paper: kth2012 (paths of a planar arm), dufour2020 (QP inverse kinematics) or guilamo2006 (search along a path).
+        quick: Leave what takes long; the report says what is left.
+        out: Folder for tables, figures and report. Default: study/PAPER.
+    """
+    folder = writable_folder("out", out if out is not None else Path("study") / paper)
+    try:
+        made = importlib.import_module(f"studies.{paper}.run").STUDY
+        write_report = importlib.import_module("studies.report").write_report
+    except ModuleNotFoundError as error:
+        if error.name != "studies":
+            raise
+        raise MissingSourcesError("the studies") from error
+    began = time.monotonic()
+    with terminal.progress() as tell:
+        wrong = made.run(folder, quick=quick, progress=tell)
+    seconds = time.monotonic() - began
+    report = write_report(made.pages.with_suffix(".md"), folder, quick=quick, seconds=seconds, differences=wrong)
+    terminal.show_result("\n".join(wrong or [f"{paper}: all figures are as expected"]), [report])
+    if wrong:
+        raise PlanningError(f"{len(wrong)} figures of {paper} are not as expected; see {report}")

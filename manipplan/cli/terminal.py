@@ -1,0 +1,47 @@
+"""What every command shows: a bar while it works, the report and the files at its end."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from rich.console import Console
+from rich.markup import escape
+
+from manipplan.progress import Progress
+
+
+@contextmanager
+def progress() -> Iterator[Progress]:
+    """A bar with the share done and the time that is left; where there is no terminal a line for every tenth."""
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        last = -1
+
+        def line(share: float, text: str) -> None:
+            nonlocal last
+            if int(10 * share) > last:
+                last = int(10 * share)
+                console.print(f"... {10 * last} % {escape(text)}", highlight=False)
+
+        yield line
+        return
+    from rich import progress as bars
+
+    columns = (bars.TextColumn("{task.description}"), bars.BarColumn(), bars.TimeElapsedColumn(), bars.TimeRemainingColumn())
+    with bars.Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task("", total=1.0)
+        yield lambda share, text: bar.update(task, completed=share, description=text)
+
+
+def show_locked(locked: Mapping[str, float]) -> None:
+    """Print which joints are held, and at what."""
+    if locked:
+        shown = ", ".join(f"{name} at {value:g}" for name, value in locked.items())
+        Console().print(f"locked joints: {escape(shown)}", style="dim", highlight=False)
+
+
+def show_result(report: str, files: Sequence[Path]) -> None:
+    """Print a report and where it lies."""
+    console = Console()
+    console.print(escape(report), highlight=False, soft_wrap=True)
+    console.print("wrote " + " ".join(escape(str(file)) for file in files) + "\n", highlight=False, soft_wrap=True)

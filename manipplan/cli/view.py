@@ -1,0 +1,39 @@
+"""`manipplan view`: a saved plan in the browser, or as a page that plays by itself."""
+
+from pathlib import Path
+
+from rich.console import Console
+from rich.markup import escape
+from tyro.conf import Positional
+
+from manipplan.jobs.result import Plan
+
+
+def view(
+    result: Positional[Path],
+    /,
+    port: int = 8080,
+    host: str = "localhost",
+    browser: bool = True,
+    record: Path | None = None,
+) -> None:
+    """Show a saved plan in the browser until Ctrl-C, or record it as an HTML file.
+
+    Args:
+        result: Folder that `manipplan plan`, `follow` or `improve` wrote, or its plan.json.
+        port: Of the page; 0 takes any free one.
+        host: Address on which the page can be seen; 0.0.0.0 lets other machines see it.
+        browser: Open the page.
+        record: Write this HTML file, which plays anywhere, instead of showing the page.
+    """
+    console = Console()
+    plan = Plan.load(result)
+    if record is not None:
+        file = plan.record(record)
+        console.print(f"wrote {escape(str(file))}; open it in a browser", highlight=False, soft_wrap=True)
+        return
+    with plan.show(port=port, host=host, open_browser=False) as page:
+        console.print(f"{escape(plan.robot.name)} at {page.url}; Ctrl-C ends it", highlight=False, soft_wrap=True)
+        if browser:
+            page.open()
+        page.wait()

@@ -1,0 +1,10 @@
+"""The 3D viewer in a browser: a plan shown and recorded, and a controller that follows a dragged target.
+
+It needs the extra `viewer`; nothing of that is imported before something is shown.
+"""
+
+from manipplan.viz.viewer.live import LiveViewer, follow_target
+from manipplan.viz.viewer.plan_viewer import PlanViewer, show
+from manipplan.viz.viewer.record import record
+
+__all__ = ["LiveViewer", "PlanViewer", "follow_target", "record", "show"]

@@ -1,0 +1,102 @@
+"""What is drawn of a robot: its visual meshes where they can be read, else its collision geometry."""
+
+import logging
+from dataclasses import dataclass
+
+import numpy as np
+import pinocchio as pin
+
+from manipplan.checks import Array
+from manipplan.robots.robot import Robot
+from manipplan.viz.viewer.triangles import Faces, triangles_of
+
+log = logging.getLogger("manipplan")
+
+#: Of geometry for which no colour is known.
+GREY = (0.72, 0.74, 0.77, 1.0)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Body:
+    """One rigid piece: vertices (v, 3) [m] in the frame of its joint, faces (f, 3), colour and opacity (4,) in [0, 1]."""
+
+    name: str
+    joint: int
+    vertices: Array
+    faces: Faces
+    colour: tuple[float, float, float, float]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Appearance:
+    """The bodies of a robot, and what they were made of, in words."""
+
+    bodies: tuple[Body, ...]
+    origin: str
+
+
+def appearance_of(robot: Robot) -> Appearance:
+    """The robot as it is drawn; built once.
+
+    Without readable visual meshes it is drawn by its collision geometry, and without that as rods from joint to joint;
+    `origin` says which, and why.
+    """
+    if "appearance" not in robot.cache:
+        robot.cache["appearance"] = _appearance(robot)
+    appearance: Appearance = robot.cache["appearance"]
+    return appearance
+
+
+def _appearance(robot: Robot) -> Appearance:
+    from manipplan.viz.viewer.visuals import visual_geometry
+
+    geometry, reason = visual_geometry(robot)
+    if geometry is not None:
+        bodies = _bodies(geometry)
+        if bodies:
+            return Appearance(bodies=bodies, origin="visual meshes")
+        reason = "the description has no visual geometry"
+    bodies = _bodies(robot.geometry)
+    origin = f"collision geometry ({reason})"
+    if not bodies:
+        bodies, origin = _rods(robot), f"rods from joint to joint ({reason}, and there is no collision geometry)"
+    log.info("%s is drawn by its %s", robot.name, origin)
+    return Appearance(bodies=bodies, origin=origin)
+
+
+def _bodies(geometry: pin.GeometryModel) -> tuple[Body, ...]:
+    made = []
+    for item in geometry.geometryObjects:
+        triangles = triangles_of(item.geometry)
+        if triangles is None:
+            continue
+        vertices, faces = triangles
+        placed = vertices @ item.placement.rotation.T + item.placement.translation
+        red, green, blue, alpha = (float(c) for c in item.meshColor)
+        colour = (red, green, blue, alpha) if item.overrideMaterial else GREY
+        made.append(Body(name=item.name, joint=item.parentJoint, vertices=placed, faces=faces, colour=colour))
+    return tuple(made)
+
+
+def _rods(robot: Robot) -> tuple[Body, ...]:
+    """A capsule from each joint to the next, and from the last to the tool."""
+    import coal
+
+    from manipplan.robots.description import frame_index
+
+    model = robot.model
+    tool = model.frames[frame_index(model, robot.tool)]
+    ends = [(model.parents[i], model.jointPlacements[i].translation) for i in range(1, model.njoints)]
+    ends.append((tool.parentJoint, tool.placement.translation))
+    lengths = [float(np.linalg.norm(end)) for _, end in ends]
+    radius = 0.03 * max(sum(lengths), 1e-3)
+    made = []
+    for k, ((joint, end), length) in enumerate(zip(ends, lengths, strict=True)):
+        if length < 1e-6:
+            continue
+        turn = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), np.asarray(end) / length).toRotationMatrix()
+        triangles = triangles_of(coal.Capsule(min(radius, 0.3 * length), length))
+        assert triangles is not None
+        placed = triangles[0] @ turn.T + np.asarray(end) / 2
+        made.append(Body(name=f"rod{k}", joint=joint, vertices=placed, faces=triangles[1], colour=GREY))
+    return tuple(made)

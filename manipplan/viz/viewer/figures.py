@@ -1,0 +1,112 @@
+"""What moves in the scene: a robot, and the velocity ellipsoid at its tool."""
+
+from typing import Any
+
+import numpy as np
+import pinocchio as pin
+
+from manipplan.checks import Array
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.ellipsoid import velocity_ellipsoid
+from manipplan.robots.robot import Robot
+from manipplan.viz import style
+from manipplan.viz.viewer.bodies import appearance_of
+
+#: Opacity of a robot that only stands for comparison.
+GHOST = 0.45
+#: An ellipse is drawn this thick, as a share of its larger radius.
+THIN = 0.02
+
+
+class RobotFigure:
+    """A robot in the scene under `root`, all in one colour and translucent where `ghost` names one.
+
+    Attributes:
+        root: viser's handle of all of it; its `visible` shows and hides.
+        frames: viser's handles of the joints' frames, the first of the world.
+    """
+
+    def __init__(self, scene: Any, root: str, robot: Robot, *, ghost: str | None = None) -> None:
+        self.robot = robot
+        self._data = robot.model.createData()
+        self.root: Any = scene.add_frame(root, show_axes=False)
+        self.frames: list[Any] = [scene.add_frame(f"{root}/{i}", show_axes=False) for i in range(robot.model.njoints)]
+        for k, body in enumerate(appearance_of(robot).bodies):
+            colour = body.colour if ghost is None else (*rgb(ghost), GHOST)
+            scene.add_mesh_simple(
+                f"{root}/{body.joint}/{k}",
+                body.vertices,
+                body.faces,
+                color=tuple(colour[:3]),
+                opacity=colour[3] if colour[3] < 1 else None,
+                side="double",
+                cast_shadow=ghost is None,
+                receive_shadow=False,
+            )
+        self.place(robot.neutral)
+
+    def place(self, q: Array) -> None:
+        """Put the robot at q (n,)."""
+        pin.forwardKinematics(self.robot.model, self._data, q)
+        for frame, placement in zip(self.frames[1:], list(self._data.oMi)[1:], strict=True):
+            put(frame, placement)
+
+
+class EllipsoidFigure:
+    """The velocity ellipsoid of the tool's position in the scene.
+
+    `scale` is how many metres are drawn for one unit of its radii.
+    """
+
+    def __init__(self, scene: Any, name: str, kinematics: Kinematics, scale: float, *, opacity: float) -> None:
+        from trimesh.creation import icosphere
+
+        ball = icosphere(subdivisions=3)
+        self._kinematics, self._scale = kinematics, scale
+        self.mesh: Any = scene.add_mesh_simple(
+            name,
+            np.asarray(ball.vertices),
+            np.asarray(ball.faces),
+            color=rgb(style.ELLIPSOID),
+            opacity=opacity,
+            cast_shadow=False,
+            receive_shadow=False,
+        )
+
+    def place(self, q: Array) -> None:
+        """Put it at the tool, for q (n,)."""
+        axes, radii = principal(self._kinematics, q)
+        self.mesh.scale = tuple(float(r) for r in self._scale * radii)
+        put(self.mesh, pin.SE3(axes, np.asarray(self._kinematics.pose(q))[:3, 3]))
+
+
+def principal(kinematics: Kinematics, q: Array) -> tuple[Array, Array]:
+    """Axes, a rotation (3, 3), and radii (3,) of the velocity ellipsoid; an ellipse is thin along z."""
+    ellipsoid = velocity_ellipsoid(kinematics.jacobian(q))
+    axes, radii = np.eye(3), np.full(3, THIN * ellipsoid.radii[0])
+    m = len(ellipsoid.radii)
+    axes[:m, :m] = ellipsoid.axes
+    radii[:m] = np.maximum(ellipsoid.radii, 0.2 * THIN * ellipsoid.radii[0])  # a flat one is still seen
+    axes[:, 2] *= np.linalg.det(axes)
+    return axes, radii
+
+
+def corners(robot: Robot, q: Array, *, moving: bool) -> Array:
+    """Lower and upper corner (2, 3) [m] of the box around the robot at q (n,), or around what moves of it."""
+    data = robot.model.createData()
+    pin.forwardKinematics(robot.model, data, q)
+    bodies = [body for body in appearance_of(robot).bodies if body.joint or not moving]
+    points = [body.vertices @ data.oMi[body.joint].rotation.T + data.oMi[body.joint].translation for body in bodies]
+    together = np.concatenate([*points, np.zeros((1, 3))])  # the base is always there
+    return np.array([together.min(axis=0), together.max(axis=0)])
+
+
+def put(handle: Any, placement: pin.SE3) -> None:
+    """Place a node of the scene."""
+    handle.position = np.asarray(placement.translation)
+    handle.wxyz = pin.Quaternion(placement.rotation).coeffs()[[3, 0, 1, 2]]
+
+
+def rgb(colour: str) -> tuple[float, float, float]:
+    """Red, green and blue in [0, 1] of "#rrggbb"."""
+    return int(colour[1:3], 16) / 255, int(colour[3:5], 16) / 255, int(colour[5:7], 16) / 255

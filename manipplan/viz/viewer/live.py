@@ -1,0 +1,222 @@
+"""follow_target: a target that is dragged in the browser, and the controller that follows it in real time."""
+
+import threading
+import time
+from collections import deque
+from typing import Any
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import ArrayLike
+
+from manipplan.checks import Array, instance, pose_matrix
+from manipplan.measures.task import Task
+from manipplan.robots.robot import Robot
+from manipplan.robots.scene import Scene
+from manipplan.tracking.avoidance import Avoidance
+from manipplan.tracking.controller import Controller
+from manipplan.tracking.formulations import Classical, Formulation, LogDrive
+from manipplan.tracking.step import StepStatus
+from manipplan.viz import style
+from manipplan.viz.viewer.chart import Chart, Curve, table
+from manipplan.viz.viewer.figures import EllipsoidFigure, RobotFigure, corners, principal, put
+from manipplan.viz.viewer.motion import LARGEST, limits_now, unit_of
+from manipplan.viz.viewer.panel import switch
+from manipplan.viz.viewer.server import HOST, PORT, Page
+from manipplan.viz.viewer.surroundings import surround
+
+#: Pictures a second, and of these every such one also draws the chart and the figures.
+RATE, EVERY = 25.0, 3
+#: How much of the past the chart shows [s].
+PAST = 10.0
+#: When steps are later than this, the clock is set anew instead of hurrying after [s].
+LATE = 0.1
+#: The camera sees this more on each side than the arm takes at first, as a share of its diagonal.
+ROOM = 0.3
+
+
+def follow_target(
+    robot: Robot,
+    formulation: Formulation | None = None,
+    *,
+    start: ArrayLike | None = None,
+    dt: float = 0.01,
+    task: Task | None = None,
+    scene: Scene | None = None,
+    port: int = PORT,
+    host: str = HOST,
+    open_browser: bool = True,
+) -> "LiveViewer":
+    """Let a target be dragged in the browser, which the tool follows in real time while the formulation raises the index.
+
+    Args:
+        robot: the arm.
+        formulation: of the controller; default LogDrive().
+        start: configuration (n,) at first; default `robot.neutral`.
+        dt: time step of the controller [s].
+        task: rows that are followed; default `robot.default_task`.
+        scene: obstacles, which the arm keeps away from; not with Classical.
+        port, host, open_browser: as for `show`.
+
+    The page lives until `stop`, or until Python ends: call `wait()` in a script.
+
+    Raises:
+        MissingExtraError: viser is not installed.
+        InvalidInputError: an argument is not usable, or the port is in use.
+    """
+    instance("robot", robot, Robot)
+    instance("open_browser", open_browser, bool)
+    scene = instance("scene", scene if scene is not None else Scene(), Scene)
+    q = robot.configuration("start", robot.neutral if start is None else start)
+    avoidance = Avoidance(scene=scene) if scene.obstacles else None
+    controller = Controller(robot, formulation or LogDrive(), dt, task=task, avoidance=avoidance)
+    viewer = LiveViewer(controller, q, scene, port=port, host=host)
+    if open_browser:
+        viewer.open()
+    return viewer
+
+
+class LiveViewer(Page):
+    """A page on which a controller follows a target.
+
+    Attributes:
+        controller: what computes the steps.
+        drive: factor on what the formulation adds; 0: it only follows.
+    """
+
+    def __init__(self, controller: Controller, start: Array, scene: Scene, *, port: int, host: str) -> None:
+        robot = controller.robot
+        super().__init__(port, host, f"{robot.name}: drag the target")
+        self.controller = controller
+        self.drive = 1.0
+        self._start, self._q, self._qd = start, start.copy(), np.zeros(robot.n)
+        self._kinematics = robot.kinematics(controller.task)
+        self._position = robot.kinematics(Task.planar() if robot.planar else Task.position())
+        self._target = np.array(self._position.pose(start))
+        self._turns = bool(np.any([row[3:] for row in (*controller.task.world_rows, *controller.task.tool_rows)]))
+        self._lock = threading.RLock()
+        self._past: deque[tuple[float, float]] = deque(maxlen=int(PAST * RATE))
+        with self.server.atomic():
+            self._furnish(scene)
+            self._fill_panel()
+        self._thread = threading.Thread(target=self._run, name="manipplan live", daemon=True)
+        self._thread.start()
+
+    @property
+    def q(self) -> Array:
+        """Where the arm is (n,)."""
+        with self._lock:
+            return self._q.copy()
+
+    @property
+    def pose(self) -> Array:
+        """Where the tool is, (4, 4)."""
+        return np.asarray(self._position.pose(self.q))
+
+    @property
+    def target(self) -> Array:
+        """The pose (4, 4) that is followed; a (4, 4) array or a pin.SE3 can be assigned."""
+        with self._lock:
+            return self._target.copy()
+
+    @target.setter
+    def target(self, value: Any) -> None:
+        pose = pose_matrix("target", value)
+        with self._lock:
+            self._target = np.array(pose)
+        put(self.handle, pin.SE3(pose))
+
+    def restart(self) -> None:
+        """Put arm and target back to the start."""
+        with self._lock:
+            self._q, self._qd = self._start.copy(), np.zeros(self.controller.robot.n)
+            self.controller.reset()
+        self.target = self._position.pose(self._start)
+
+    def stop(self) -> None:
+        super().stop()
+        if self._thread is not threading.current_thread():
+            self._thread.join(timeout=2.0)
+
+    def _furnish(self, scene: Scene) -> None:
+        robot = self.controller.robot
+        box = corners(robot, self._start, moving=True)
+        size = float(np.linalg.norm(box[1] - box[0]))
+        box[:, :2] += [[-ROOM * size], [ROOM * size]]
+        scale = LARGEST * size / 2 / max(float(principal(self._position, self._start)[1].max()), 1e-9)
+        self.robot = RobotFigure(self.server.scene, "/robot", robot)
+        self.ellipsoid = EllipsoidFigure(self.server.scene, "/ellipsoid", self._position, scale, opacity=0.5)
+        self.handle = self.server.scene.add_transform_controls(
+            "/target",
+            scale=0.18 * size,
+            active_axes=(True, True, not robot.planar),
+            disable_rotations=not self._turns,
+            depth_test=False,
+        )
+        self.target = self._target
+        self._layers = {"ellipsoid at the tool": self.ellipsoid.mesh}
+        self._layers |= surround(self.server, robot, self._start, scene, box)
+        self.handle.on_update(self._drag)
+
+    def _drag(self, event: Any) -> None:
+        dragged = np.eye(4)
+        w, x, y, z = event.target.wxyz
+        dragged[:3, :3] = pin.Quaternion(w, x, y, z).normalized().toRotationMatrix()
+        dragged[:3, 3] = event.target.position
+        with self._lock:
+            self._target = dragged
+
+    def _fill_panel(self) -> None:
+        gui, drives = self.server.gui, not isinstance(self.controller.formulation, Classical)
+        gui.add_markdown("Drag the arrows at the tool; the arm follows within its limits.")
+        back = gui.add_button("Back to the start", icon="player-skip-back")
+        raises = gui.add_checkbox("raise the index", initial_value=True, visible=drives)
+        self._picture = gui.add_html("")
+        self._values = gui.add_html("")
+        with gui.add_folder("Show"):
+            for name, handle in self._layers.items():
+                switch(gui, name, handle)
+        back.on_click(lambda _: self.restart())
+        raises.on_update(lambda _: setattr(self, "drive", float(raises.value)))
+
+    def _run(self) -> None:
+        dt = self.controller.dt
+        began = due = time.monotonic()
+        drawn, count = 0.0, 0
+        while self.running:
+            with self._lock:
+                self._qd = self.controller.step(self._q, self._qd, self._target, drive=self.drive)
+                self._q = self._q + dt * self._qd
+            due += dt
+            now = time.monotonic()
+            if now - drawn >= 1.0 / RATE:
+                drawn, count = now, count + 1
+                self._draw(now - began, figures=count % EVERY == 1)
+                now = time.monotonic()
+            if due < now - LATE:
+                due = now
+            time.sleep(max(due - now, 0.0))
+
+    def _draw(self, now: float, *, figures: bool) -> None:
+        q = self._q
+        self._past.append((now, float(self._kinematics.manipulability(q))))
+        with self.server.atomic():
+            self.robot.place(q)
+            self.ellipsoid.place(q)
+            if figures and len(self._past) > 1:
+                t, index = np.array(self._past).T
+                unit = unit_of(self._kinematics)
+                curve = Curve(name="index", colour=style.OPTIMUM, values=index)
+                self._picture.content = Chart(t=t, curves=[curve], label=f"{self._kinematics.measure.name}{unit}").html(now)
+                self._values.content = table(self._rows(q, index[-1]))
+
+    def _rows(self, q: Array, index: float) -> list[tuple[str, str]]:
+        pose, status = self._position.pose(q), self.controller.report.status
+        distance = float(np.linalg.norm(pose[:3, 3] - self._target[:3, 3]))
+        turned = np.rad2deg(np.linalg.norm(pin.log3(pose[:3, :3].T @ self._target[:3, :3])))
+        away = f"{1e3 * distance:.1f} mm" + (f", {turned:.1f}°" if self._turns else "")
+        rows = [("index now", f"{index:.4g}"), ("tool to target", away)]
+        rows += limits_now(self.controller.robot, q, self._qd)
+        if status is not StepStatus.SOLVED:
+            rows.append(("step", f"{status.name.lower().replace('_', ' ')}: the arm brakes"))
+        return rows

@@ -1,0 +1,167 @@
+"""PlanViewer: a plan in the browser, with a slider over time, play at real speed, and a switch for each layer."""
+
+import threading
+import time
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from manipplan.checks import instance, number
+from manipplan.viz import style
+from manipplan.viz.viewer.bodies import appearance_of
+from manipplan.viz.viewer.chart import Chart, Curve, table
+from manipplan.viz.viewer.motion import Motion, unit_of
+from manipplan.viz.viewer.panel import switch
+from manipplan.viz.viewer.server import HOST, PORT, Page
+from manipplan.viz.viewer.stage import Stage
+
+if TYPE_CHECKING:
+    from manipplan.jobs.result import Plan
+
+#: Pictures a second while it plays.
+RATE = 25.0
+#: Speeds that can be chosen, by their labels.
+SPEEDS = {"0.1 x": 0.1, "0.25 x": 0.25, "0.5 x": 0.5, "real speed": 1.0, "2 x": 2.0}
+
+
+def show(plan: "Plan", *, port: int = PORT, host: str = HOST, open_browser: bool = True) -> "PlanViewer":
+    """Show a plan in the browser; the page lives until `stop`, or until Python ends: `show(plan).wait()` in a script.
+
+    Args:
+        plan: with a trajectory.
+        port: of the page; 0: any free one.
+        host: "localhost", which only this machine sees, or an address of its network ("0.0.0.0": all of them).
+        open_browser: open the page; where no browser can be opened, the log says so, with the page's address.
+
+    Raises:
+        MissingExtraError: viser is not installed.
+        InvalidInputError: the port is in use.
+        PlanningError: the plan has no trajectory.
+    """
+    instance("open_browser", open_browser, bool)
+    viewer = PlanViewer(Motion.of(plan), port=port, host=host)
+    if open_browser:
+        viewer.open()
+    return viewer
+
+
+class PlanViewer(Page):
+    """A page that shows a motion.
+
+    Attributes:
+        motion: what is shown.
+        stage: the 3D scene.
+        speed: how many seconds of the motion pass in one second of play.
+    """
+
+    def __init__(self, motion: Motion, *, port: int, host: str) -> None:
+        super().__init__(port, host, motion.robot.name)
+        self.motion = motion
+        self.speed = 1.0
+        self._time = 0.0
+        self._lock = threading.RLock()
+        self._playing = threading.Event()
+        self._chart = chart_of(motion)
+        with self.server.atomic():
+            self.stage = Stage(self.server, motion)
+            self._fill_panel()
+        threading.Thread(target=self._play, name="manipplan viewer", daemon=True).start()
+
+    @property
+    def time(self) -> float:
+        """The time that is shown [s]."""
+        return self._time
+
+    @time.setter
+    def time(self, value: float) -> None:
+        self._show(number("time", value, least=0.0, most=self.motion.trajectory.duration))
+
+    @property
+    def playing(self) -> bool:
+        """Whether it plays."""
+        return self._playing.is_set()
+
+    def play(self) -> None:
+        """Play on from the time that is shown, at the end from the start."""
+        if self._time >= self.motion.trajectory.duration:
+            self._show(0.0)
+        self._button.label, self._button.icon = "Pause", "player-pause"
+        self._playing.set()
+
+    def pause(self) -> None:
+        """Stand still."""
+        self._playing.clear()
+        self._button.label, self._button.icon = "Play", "player-play"
+
+    def stop(self) -> None:
+        self._playing.clear()
+        super().stop()
+
+    def _fill_panel(self) -> None:
+        gui, duration = self.server.gui, self.motion.trajectory.duration
+        self._button = gui.add_button("Play", icon="player-play")
+        self._slider = gui.add_slider("time [s]", min=0.0, max=np.ceil(100 * duration) / 100, step=0.01, initial_value=0.0)
+        speed = gui.add_dropdown("speed", tuple(SPEEDS), initial_value="real speed")
+        self._picture = gui.add_html(self._chart.html(0.0))
+        self._values = gui.add_html(table(self.motion.values(0.0)))
+        with gui.add_folder("Show"):
+            for name, handle in self.stage.layers.items():
+                switch(gui, name, handle)
+        with gui.add_folder("About", expand_by_default=False):
+            gui.add_markdown(about(self.motion))
+
+        def slide(event: Any) -> None:
+            if event.client is not None:  # not what `_show` itself set
+                self.pause()
+                self._show(min(float(self._slider.value), duration), from_slider=True)
+
+        self._slider.on_update(slide)
+        self._button.on_click(lambda _: self.pause() if self.playing else self.play())
+        speed.on_update(lambda _: setattr(self, "speed", SPEEDS[speed.value]))
+
+    def _show(self, t: float, *, from_slider: bool = False) -> None:
+        with self._lock, self.server.atomic():
+            self._time = t
+            self.stage.place(t)
+            if not from_slider:
+                self._slider.value = round(t, 2)
+            self._picture.content = self._chart.html(t)
+            self._values.content = table(self.motion.values(t))
+
+    def _play(self) -> None:
+        duration = self.motion.trajectory.duration
+        while self.running:
+            if not self._playing.wait(0.2):
+                continue
+            start, last = self._time, time.monotonic()
+            while self.playing and self.running and start < duration:
+                time.sleep(1.0 / RATE)
+                now = time.monotonic()
+                start, last = min(start + self.speed * (now - last), duration), now
+                if self.playing:
+                    self._show(start)
+            if self.running and self.playing:
+                self.pause()
+
+
+def chart_of(motion: Motion) -> Chart:
+    """The index of the motion and of the seed over time."""
+    curves = [Curve(name=motion.name, colour=style.OPTIMUM, values=motion.index)]
+    if motion.seed_index is not None:
+        curves.append(Curve(name=motion.seed_name, colour=style.SEED, values=motion.seed_index))
+    finite = [Curve(name=c.name, colour=c.colour, values=np.nan_to_num(c.values, posinf=0.0)) for c in curves]
+    return Chart(t=motion.t, curves=finite, label=f"{motion.kinematics.measure.name}{unit_of(motion.kinematics)}")
+
+
+def about(motion: Motion) -> str:
+    """What is shown, in words."""
+    plan, robot = motion.plan, motion.robot
+    lines = [f"**{robot.name}**, tool frame {robot.tool}; drawn by its {appearance_of(robot).origin}."]
+    lines.append(plan.status.value[0].upper() + plan.status.value[1:] + ".")
+    if motion.seed_q is not None:
+        lines.append(f"The {motion.seed_name} is shown where it has covered the same share of its length.")
+    lines.append(
+        "Ellipsoids: velocities of the tool for joint speeds of norm 1, all drawn to one scale, "
+        f"{1e3 * motion.scale:.3g} mm for 1 m/s."
+    )
+    return "\n\n".join(lines)

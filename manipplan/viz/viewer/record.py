@@ -1,0 +1,71 @@
+"""A motion as one HTML file that plays in any browser without Python and without a network."""
+
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from manipplan.checks import number
+from manipplan.files import write_text
+from manipplan.viz.viewer.chart import table
+from manipplan.viz.viewer.motion import Motion
+from manipplan.viz.viewer.plan_viewer import chart_of
+from manipplan.viz.viewer.server import Page
+from manipplan.viz.viewer.stage import Stage
+
+if TYPE_CHECKING:
+    from manipplan.jobs.result import Plan
+
+#: How long the last picture stands before the motion begins again [s].
+PAUSE = 0.8
+#: On a narrow screen the panel is folded at first.
+FOLD = "<script>if (innerWidth < 700) document.getElementById('figures').open = false</script>"
+#: Where in the page viser's own part ends.
+END = "</body>"
+
+
+def record(plan: "Plan", file: str | Path, *, rate: float = 25.0) -> Path:
+    """Write the motion of a plan as a self-contained HTML file, with legend, index over time and figures; returns the file.
+
+    The page of about 2 MB plays the motion at real speed; its bar at the bottom moves it in time.
+
+    Args:
+        plan: with a trajectory.
+        file: ends in .html.
+        rate: pictures a second.
+
+    Raises:
+        MissingExtraError: viser is not installed.
+        PlanningError: the plan has no trajectory.
+        InvalidInputError: the file cannot be written.
+    """
+    rate = number("rate", rate, above=0.0, most=120.0)
+    motion = Motion.of(plan)
+    path = Path(file).expanduser()
+    with Page(0, "localhost", motion.robot.name) as page:
+        stage = Stage(page.server, motion)
+        label = page.server.scene.add_label("/time", "", anchor="bottom-left", font_screen_scale=0.8)
+        serializer = page.server.get_scene_serializer()
+        times = np.append(np.arange(0.0, motion.trajectory.duration, 1.0 / rate), motion.trajectory.duration)
+        for t, wait in zip(times, np.append(np.diff(times), PAUSE), strict=True):
+            stage.place(float(t))
+            label.text = f"{t:.2f} s, index {float(np.interp(t, motion.t, motion.index)):.3g}"
+            label.position = stage.ellipsoid.mesh.position
+            serializer.insert_sleep(float(wait))
+        html = serializer.as_html()
+    cut = html.rindex(END)
+    write_text(path, html[:cut] + _panel(motion) + html[cut:])
+    return path
+
+
+def _panel(motion: Motion) -> str:
+    """What is read beside the scene: it folds away, so that it covers nothing on a small screen."""
+    rows = [row for row in motion.values(0.0) if row[0] not in ("time", "index now", "nearest joint limit", "fastest joint")]
+    rows.insert(0, ("duration", f"{motion.trajectory.duration:.2f} s"))
+    return (
+        '<details open id="figures" style="position:fixed;left:0.8em;top:0.8em;width:min(320px,calc(100vw - 1.6em));z-index:5;'
+        'background:rgba(255,255,255,0.92);border:1px solid #ddd;border-radius:6px;padding:0.4em 0">'
+        '<summary style="font:600 13px sans-serif;padding:0.1em 0.75em;cursor:pointer">'
+        f"{escape(motion.robot.name)}</summary>{chart_of(motion).html()}{table(rows)}</details>{FOLD}"
+    )

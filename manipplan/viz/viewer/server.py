@@ -1,0 +1,140 @@
+"""The server of the page that a browser shows: its port, its address, its end."""
+
+import contextlib
+import logging
+import os
+import socket
+import sys
+import threading
+import webbrowser
+from collections.abc import Iterator
+from types import TracebackType
+from typing import Any, Self
+
+from manipplan.checks import whole_number
+from manipplan.errors import InvalidInputError, MissingExtraError
+
+log = logging.getLogger("manipplan")
+
+#: Only this machine sees the page unless another address is asked for.
+HOST = "localhost"
+PORT = 8080
+
+
+class Page:
+    """A viser server at work, usable in a `with` block, and ended by `stop`.
+
+    Attributes:
+        server: viser's server.
+        url: the page's address.
+    """
+
+    def __init__(self, port: int, host: str, title: str) -> None:
+        """Start the server.
+
+        Args:
+            port: where; 0 takes any free one.
+            host: address of the network on which it listens.
+            title: of the panel.
+
+        Raises:
+            MissingExtraError: viser is not installed.
+            InvalidInputError: the port is in use, or the address is not one of this machine.
+        """
+        viser = _viser()
+        port = whole_number("port", port, least=0, most=65535)
+        if not isinstance(host, str) or not host:
+            raise InvalidInputError("host", host, "'localhost', or '0.0.0.0' to be seen by other machines")
+        _must_be_free(port, host)
+        with _quiet():
+            self.server: Any = viser.ViserServer(host=host, port=port, verbose=False)
+        self.server.gui.set_panel_label(title)
+        self.server.gui.configure_theme(show_logo=False, show_share_button=False, control_width="medium")
+        self.server.gui.main_panel.dock_right()
+        shown = "localhost" if host in ("0.0.0.0", "127.0.0.1") else host
+        self.url = f"http://{shown}:{self.server.get_port()}"
+        self._stopped = threading.Event()
+
+    @property
+    def running(self) -> bool:
+        """Whether the page can be seen."""
+        return not self._stopped.is_set()
+
+    def open(self) -> bool:
+        """Open the page in a browser; where there is none that says so in the log, with the address, and returns False."""
+        opened = False
+        if has_display():
+            with contextlib.suppress(webbrowser.Error):
+                opened = webbrowser.open(self.url)
+        if not opened:
+            log.warning("no browser could be opened here; open %s in one yourself", self.url)
+        return opened
+
+    def wait(self) -> None:
+        """Return once the page is stopped, or at Ctrl-C, which stops it."""
+        try:
+            while not self._stopped.wait(0.2):
+                pass
+        except KeyboardInterrupt:
+            self.stop()
+
+    def stop(self) -> None:
+        """End the page; a second call does nothing."""
+        if not self._stopped.is_set():
+            self._stopped.set()
+            with _quiet():
+                self.server.stop()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        self.stop()
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.url}{'' if self.running else ', stopped'})"
+
+
+def has_display() -> bool:
+    """Whether a browser could show something: without a screen a text browser would take the terminal."""
+    if sys.platform in ("win32", "darwin"):
+        return True
+    return any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"))
+
+
+def _viser() -> Any:
+    try:
+        import viser
+    except ImportError as error:
+        raise MissingExtraError("viser", "viewer") from error
+    return viser
+
+
+def _must_be_free(port: int, host: str) -> None:
+    """viser would take another port without a word."""
+    try:
+        found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
+    except (OSError, UnicodeError) as error:
+        raise InvalidInputError("host", host, f"an address of this machine ({error})") from error
+    for family, kind, protocol, _, address in found:
+        with socket.socket(family, kind, protocol) as probe:
+            if sys.platform != "win32":
+                probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            try:
+                probe.bind(address)
+            except OSError as error:
+                allowed = f"a port that can be used ({error.strerror}); another number, or 0 for any free one"
+                raise InvalidInputError("port", port, allowed) from error
+
+
+@contextlib.contextmanager
+def _quiet() -> Iterator[None]:
+    """viser prints a banner and a farewell through rich's own console; nobody asked for them."""
+    import rich
+
+    console = rich.get_console()
+    before, console.quiet = console.quiet, True
+    try:
+        yield
+    finally:
+        console.quiet = before

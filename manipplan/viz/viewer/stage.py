@@ -1,0 +1,62 @@
+"""The 3D scene of a motion: both robots, tool paths, ellipsoids, obstacles, floor and camera."""
+
+from typing import Any
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.viz import style
+from manipplan.viz.viewer.figures import EllipsoidFigure, RobotFigure, rgb
+from manipplan.viz.viewer.motion import Motion
+from manipplan.viz.viewer.surroundings import surround
+
+#: Thickness of a drawn path [px].
+LINE = 3.0
+
+
+class Stage:
+    """What is seen of a motion in the scene of a viser server.
+
+    Attributes:
+        motion: what is shown.
+        robot, seed: the figures of the arm on its motion and on the seed, None without a seed.
+        ellipsoid: the one at the tool.
+        layers: viser's handles by the name of a switch; their `visible` shows and hides.
+    """
+
+    def __init__(self, server: Any, motion: Motion) -> None:
+        scene, plan = server.scene, motion.plan
+        self.motion = motion
+        self.robot = RobotFigure(scene, "/robot", motion.robot)
+        self.seed = None
+        if motion.seed_q is not None:
+            self.seed = RobotFigure(scene, "/seed", motion.robot, ghost=style.SEED)
+        self.ellipsoid = EllipsoidFigure(scene, "/ellipsoid", motion.position, motion.scale, opacity=0.5)
+        fixed = scene.add_frame("/ellipsoids", show_axes=False)
+        for k, q in enumerate(motion.places):
+            EllipsoidFigure(scene, f"/ellipsoids/{k}", motion.position, motion.scale, opacity=0.18).place(q)
+        self.layers: dict[str, Any] = {motion.name: self.robot.root}
+        if self.seed is not None:
+            self.layers[motion.seed_name] = self.seed.root
+        self.layers[f"path, {motion.name}"] = draw_path(scene, "/path", motion.tool, style.OPTIMUM)
+        if motion.seed_tool is not None:
+            self.layers[f"path, {motion.seed_name}"] = draw_path(scene, "/seed_path", motion.seed_tool, style.SEED)
+        self.layers["ellipsoid at the tool"] = self.ellipsoid.mesh
+        self.layers["ellipsoids on the path"] = fixed
+        self.layers |= surround(server, motion.robot, motion.q[0], plan.scene, motion.box)
+        self.place(0.0)
+
+    def place(self, t: float) -> None:
+        """Put all that moves where it is at time t [s]."""
+        q = self.motion.trajectory(t)
+        self.robot.place(q)
+        self.ellipsoid.place(q)
+        seed = self.motion.seed_at(t)
+        if self.seed is not None and seed is not None:
+            self.seed.place(seed)
+
+
+def draw_path(scene: Any, name: str, points: Array, colour: str) -> Any:
+    """A line through points (k, 3) [m]; returns viser's handle."""
+    pieces = np.stack([points[:-1], points[1:]], axis=1)
+    return scene.add_line_segments(name, pieces, rgb(colour), thickness=LINE, thickness_units="screen")

@@ -1,0 +1,31 @@
+"""The visual geometry of a robot, read from its description only when it is drawn."""
+
+import pinocchio as pin
+
+from manipplan.errors import FileFormatError
+from manipplan.robots import description
+from manipplan.robots.robot import Robot
+
+
+def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
+    """The visual geometry placed on `robot.model`, or None and the reason why there is none."""
+    source = robot.source
+    if source is None:
+        return None, "the robot was not read from a file"
+    if source.kind == "planar" or source.file is None:
+        return None, "a planar arm has no meshes"
+    file, kind = source.file, pin.GeometryType.VISUAL
+    if not file.is_file():
+        return None, f"{file} is no longer there"
+    try:
+        if source.kind == "mjcf":
+            whole = pin.buildModelFromMJCF(str(file))
+            geometry = pin.buildGeomFromMJCF(whole, str(file), kind)
+        else:
+            folders = [str(folder) for folder in (*source.package_dirs, *file.parents)]
+            whole = pin.buildModelFromUrdf(str(file))
+            geometry = pin.buildGeomFromUrdf(whole, str(file), kind, package_dirs=folders)
+        geometry = description.reduce(description.plain_angles(whole), geometry, robot.joint_names, robot.locked)[1]
+    except (ValueError, RuntimeError, IndexError, FileFormatError) as error:
+        return None, f"the visual meshes of {file.name} cannot be read: {' '.join(str(error).split())[:160]}"
+    return geometry, ""

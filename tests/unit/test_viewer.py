@@ -1,0 +1,495 @@
+"""The viewer in a real browser: what it shows is where Pinocchio says it is, and everything on it can be used."""
+
+import io
+import logging
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+
+import coal
+import numpy as np
+import pinocchio as pin
+import pytest
+import trimesh
+from PIL import Image
+from playwright.sync_api import sync_playwright
+
+import manipplan as mp
+from manipplan.cli import main
+from manipplan.status import Status
+from manipplan.viz import viewer
+from manipplan.viz.viewer import server as pages
+from manipplan.viz.viewer.bodies import appearance_of
+from manipplan.viz.viewer.chart import Chart, Curve
+from manipplan.viz.viewer.triangles import MOST, triangles_of
+
+INSTALL = "no Chromium was found; install it with: sudo apt-get install chromium   (as root: make browser)"
+FLAGS = (
+    "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-background-networking "
+    "--no-first-run --disable-component-update --disable-sync"
+)
+#: What viser's own page says about the library it uses.
+KNOWN = {"THREE.Clock: This module has been deprecated. Please use THREE.Timer instead."}
+SIZE = {"width": 720, "height": 420}
+
+
+@pytest.fixture(scope="module")
+def browser():
+    found = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+    if found is None:
+        pytest.fail(INSTALL)
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=found, args=FLAGS.split())
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture
+def open_page(browser):
+    """Opens an address; whatever the page complains about, or asks for from elsewhere, is an error at the end."""
+    said, asked, opened = [], [], []
+
+    def open_(url):
+        page = browser.new_page(viewport=SIZE)
+        page.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
+        page.on("pageerror", lambda error: said.append(str(error)))
+        page.on("request", lambda request: asked.append(request.url))
+        page.goto(url)
+        opened.append((page, url))
+        return page
+
+    yield open_
+    for page, _ in opened:
+        page.close()
+    assert set(said) <= KNOWN
+    allowed = tuple(start for _, url in opened for start in (url, f"blob:{url}", f"ws:{url.partition(':')[2]}"))
+    assert [url for url in asked if not url.startswith((*allowed, "data:", "blob:null"))] == []
+
+
+@pytest.fixture(scope="module")
+def plan():
+    arm = mp.planar_arm([1.0, 1.0, 1.0])
+    scene = mp.Scene([mp.Box(size=(0.3, 0.3, 0.3), position=(0.0, -2.0, 0.0), name="block")])
+    return mp.plan(arm, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], scene, power=2.0)
+
+
+@pytest.fixture(scope="module")
+def shown(plan):
+    with plan.show(port=0, open_browser=False) as page:
+        yield page
+
+
+def moved(robot, start=None, scene=None):
+    """A plan that was not optimised, from one posture to another nearby."""
+    start = robot.neutral if start is None else np.asarray(start)
+    path = mp.JointPath.line(start, robot.random_configuration(np.random.default_rng(1)) * 0.3 + start * 0.7)
+    motion = mp.retime(path, robot.limits, joint_names=robot.joint_names)
+    return mp.Plan(robot=robot, scene=scene or mp.Scene(), status=Status.OPTIMAL, path=path, trajectory=motion)
+
+
+def picture(page):
+    """The 3D picture as an array (h, w, 3)."""
+    return np.asarray(Image.open(io.BytesIO(page.locator("canvas").first.screenshot())).convert("RGB")).astype(int)
+
+
+def drawn(page, *, differs_from=None, seconds=15.0):
+    """The picture once there is something on it, and something else than on `differs_from`."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        image = picture(page)
+        colourful = (np.ptp(image, axis=2) > 60).mean()  # the arm's paths and ellipsoids; the floor is grey
+        if colourful > 1e-3 and (differs_from is None or (np.abs(image - differs_from).max(axis=2) > 40).mean() > 1e-3):
+            return image
+        page.wait_for_timeout(150)
+    pytest.fail("the picture stayed empty, or the same")
+
+
+def wait_until(true, seconds=10.0):
+    end = time.monotonic() + seconds
+    while not true():
+        assert time.monotonic() < end, "nothing happened"
+        time.sleep(0.02)
+
+
+def tool_of(figure):
+    """The last joint of a figure as the browser has it, (4, 4)."""
+    frame = figure.frames[-1]
+    w, x, y, z = frame.wxyz
+    return pin.SE3(pin.Quaternion(w, x, y, z).toRotationMatrix(), np.asarray(frame.position)).homogeneous
+
+
+def last_joint(robot, q):
+    data = robot.model.createData()
+    pin.forwardKinematics(robot.model, data, np.asarray(q))
+    return data.oMi[robot.model.njoints - 1].homogeneous
+
+
+def test_the_slider_moves_the_robot(shown, open_page):
+    page = open_page(shown.url)
+    before = drawn(page)
+    box = page.get_by_role("textbox").first
+    assert box.input_value() == "0"
+    for t in (0.6, 1.13):
+        box.fill(str(t))
+        box.press("Enter")
+        wait_until(lambda t=t: abs(shown.time - t) < 1e-9)
+        wait_until(
+            lambda t=t: (
+                abs(tool_of(shown.stage.robot) - last_joint(shown.motion.robot, shown.motion.trajectory(t))).max() < 1e-9
+            )
+        )
+        before = drawn(page, differs_from=before)
+    assert f"{shown.time:.2f} of {shown.motion.trajectory.duration:.2f} s" in page.content()
+    index = float(shown.motion.kinematics.manipulability(shown.motion.trajectory(1.13)))
+    assert f"{index:.4g} m²" in page.content()
+    ellipsoid, jacobian = shown.stage.ellipsoid.mesh, shown.motion.position.jacobian(shown.motion.trajectory(1.13))
+    np.testing.assert_allclose(ellipsoid.scale[:2], shown.motion.scale * np.linalg.svd(jacobian)[1], rtol=1e-9)
+    np.testing.assert_allclose(ellipsoid.position, shown.motion.position.pose(shown.motion.trajectory(1.13))[:3, 3], atol=1e-9)
+
+
+def test_it_plays_at_real_speed_and_stops(shown, open_page):
+    page = open_page(shown.url)
+    drawn(page)
+    shown.time = 0.1
+    page.get_by_role("button", name="Play").click()
+    wait_until(lambda: shown.playing)
+    start, began = shown.time, time.monotonic()
+    time.sleep(1.0)
+    passed, real = shown.time - start, time.monotonic() - began
+    assert abs(passed - real) < 0.25
+    page.get_by_role("button", name="Pause").click()
+    wait_until(lambda: not shown.playing)
+    still = shown.time
+    time.sleep(0.2)
+    assert shown.time == still
+    shown.time, shown.speed = shown.motion.trajectory.duration - 0.05, 0.25
+    began = time.monotonic()
+    shown.play()
+    wait_until(lambda: not shown.playing)
+    assert shown.time == shown.motion.trajectory.duration
+    assert 0.15 < time.monotonic() - began < 0.6
+    shown.play()  # from the start again
+    assert shown.time < 0.1
+    shown.pause()
+    shown.speed = 1.0
+
+
+def test_switches_hide_what_they_name(shown, open_page):
+    page = open_page(shown.url)
+    before = drawn(page)
+    labels = list(shown.stage.layers)
+    assert labels[:4] == ["optimised", "seed", "path, optimised", "path, seed"]
+    boxes = page.get_by_role("checkbox")
+    assert boxes.count() == len(labels)
+    for k, name in enumerate(labels[:4]):
+        boxes.nth(k).click(force=True)
+        wait_until(lambda name=name: not shown.stage.layers[name].visible)
+    drawn(page, differs_from=before)
+    for name in labels[:4]:
+        shown.stage.layers[name].visible = True
+
+
+def test_the_seed_is_where_it_has_covered_the_same_share_of_its_length(shown, plan):
+    t = 0.4 * plan.trajectory.duration
+    shown.time = t
+    covered = plan.trajectory(np.linspace(0, t, 4000))
+    share = np.linalg.norm(np.diff(covered, axis=0), axis=1).sum() / plan.trajectory.path().length
+    s = np.linspace(0, 1, 4001)
+    steps = np.linalg.norm(np.diff(plan.result.seed(s), axis=0), axis=1)
+    there = np.interp(share, np.append(0, np.cumsum(steps)) / steps.sum(), s)
+    np.testing.assert_allclose(shown.motion.seed_at(t), plan.result.seed(there), atol=2e-3)
+    np.testing.assert_allclose(tool_of(shown.stage.seed), last_joint(plan.robot, shown.motion.seed_at(t)), atol=1e-9)
+
+
+def test_a_recording_plays_without_a_network(plan, open_page, tmp_path):
+    file = plan.record(tmp_path / "motion.html")
+    text = file.read_text()
+    assert len(text) < 1_500_000
+    page = open_page(file.as_uri())  # which fails at the end where anything else was asked for
+    first = drawn(page)
+    drawn(page, differs_from=first)
+    page.keyboard.press("Space")
+    assert page.locator("#figures svg polyline").count() == 2
+    assert f"{plan.trajectory.duration:.2f} s" in page.text_content("#figures")
+    with pytest.raises(mp.InvalidInputError, match="rate"):
+        viewer.record(plan, tmp_path / "motion.html", rate=0)
+    with pytest.raises(mp.InvalidInputError, match="file"):
+        plan.record(tmp_path / "nowhere" / "motion.html")
+
+
+def test_a_dragged_target_is_followed(open_page):
+    robot = mp.planar_arm([1.0, 0.8, 0.6])
+    with viewer.follow_target(robot, start=[0.3, 0.8, 0.9], port=0, open_browser=False) as live:
+        page = open_page(live.url)
+        before = drawn(page)
+        goal = live.target
+        goal[:3, 3] += [-0.3, 0.2, 0.0]
+        live.target = goal
+        wait_until(lambda: np.linalg.norm(live.pose[:3, 3] - goal[:3, 3]) < 2e-3)
+        wait_until(lambda: abs(tool_of(live.robot) - last_joint(robot, live.q)).max() < 1e-6)
+        drawn(page, differs_from=before)
+        [client] = live.server.get_clients().values()
+        x, y = project(client.camera, page, live.target[:3, 3] + [0.6 * live.handle.scale, 0.0, 0.0])
+        there = project(client.camera, page, live.target[:3, 3] + [0.6 * live.handle.scale - 0.5, 0.0, 0.0])
+        page.mouse.move(x, y)
+        page.wait_for_timeout(500)
+        page.mouse.down()
+        page.mouse.move(*there, steps=6)
+        page.wait_for_timeout(500)
+        page.mouse.up()
+        wait_until(lambda: live.target[0, 3] < goal[0, 3] - 0.3)
+        np.testing.assert_allclose(live.target[1:3, 3], goal[1:3, 3], atol=1e-6)
+        wait_until(lambda: np.linalg.norm(live.pose[:3, 3] - live.target[:3, 3]) < 2e-3)
+        assert (np.abs(live._qd) <= robot.limits.velocity + 1e-9).all()
+        page.get_by_role("button", name="Back to the start").click()
+        wait_until(lambda: np.abs(live.target[:3, 3] - robot.kinematics().pose([0.3, 0.8, 0.9])[:3, 3]).max() < 1e-9)
+        page.get_by_role("checkbox").first.click(force=True)
+        wait_until(lambda: live.drive == 0.0)
+        with pytest.raises(mp.InvalidInputError, match="target"):
+            live.target = np.zeros((4, 4))
+    assert not live.running
+
+
+def project(camera, page, point):
+    """Where the browser draws a point of the world [px]."""
+    canvas = page.locator("canvas").first.bounding_box()
+    w, x, y, z = camera.wxyz
+    view = pin.Quaternion(w, x, y, z).toRotationMatrix().T @ (np.asarray(point) - camera.position)
+    scale = canvas["height"] / 2 / np.tan(camera.fov / 2)
+    return canvas["x"] + canvas["width"] / 2 + scale * view[0] / view[2], canvas["y"] + canvas["height"] / 2 + scale * view[
+        1
+    ] / view[2]
+
+
+def test_the_arm_follows_among_obstacles_with_a_prismatic_joint():
+    robot = mp.load_robot("tiago")
+    assert "prismatic" in robot.joint_types
+    live = viewer.follow_target(robot, mp.Classical(gain=1.0), port=0, open_browser=False)
+    try:
+        goal = live.target
+        goal[:3, 3] += [0.02, 0.05, -0.05]
+        live.target = goal
+        wait_until(lambda: np.linalg.norm(live.pose[:3, 3] - goal[:3, 3]) < 2e-3)
+    finally:
+        live.stop()
+    with pytest.raises(mp.InvalidInputError, match="Classical"):
+        viewer.follow_target(
+            robot,
+            mp.Classical(gain=1.0),
+            scene=mp.Scene([mp.Sphere(radius=0.1, position=(1, 1, 1))]),
+            port=0,
+            open_browser=False,
+        )
+
+
+def test_visual_meshes_stand_where_pinocchio_puts_them():
+    robot = mp.load_robot("panda")
+    plan = moved(robot)
+    appearance = appearance_of(robot)
+    assert appearance.origin == "visual meshes"
+    assert max(len(body.faces) for body in appearance.bodies) <= 1.01 * MOST
+    with plan.show(port=0, open_browser=False) as page:
+        page.time = 0.7 * plan.trajectory.duration
+        q = plan.trajectory(page.time)
+        whole = pin.buildModelFromUrdf(str(robot.source.file))
+        folders = [str(folder) for folder in robot.source.file.parents]
+        geometry = pin.buildGeomFromUrdf(whole, str(robot.source.file), pin.GeometryType.VISUAL, package_dirs=folders)
+        posture = np.append(q, [robot.locked[name] for name in list(whole.names)[8:]])
+        data, placed = whole.createData(), pin.GeometryData(geometry)
+        pin.updateGeometryPlacements(whole, data, geometry, placed, posture)
+        assert len(appearance.bodies) == len(geometry.geometryObjects)
+        for body, item, placement in zip(appearance.bodies, geometry.geometryObjects, placed.oMg, strict=True):
+            frame = page.stage.robot.frames[body.joint]
+            turn = pin.Quaternion(*(float(c) for c in frame.wxyz)).toRotationMatrix()
+            ours = body.vertices @ turn.T + frame.position
+            theirs = np.array(item.geometry.vertices()) @ placement.rotation.T + placement.translation
+            for side in (np.min, np.max):
+                np.testing.assert_allclose(side(ours, axis=0), side(theirs, axis=0), atol=2e-3)
+
+
+ARM = """<robot name="arm"><link name="base"/><link name="rod">{visual}{collision}</link><link name="slide"/><link name="tip"/>
+<joint name="turn" type="revolute"><parent link="base"/><child link="rod"/><axis xyz="0 0 1"/>
+<limit lower="-2" upper="2" velocity="1" effort="1"/></joint>
+<joint name="out" type="prismatic"><parent link="rod"/><child link="slide"/><origin xyz="0.4 0 0.1"/><axis xyz="1 0 0"/>
+<limit lower="0" upper="0.3" velocity="1" effort="1"/></joint>
+<joint name="end" type="fixed"><parent link="slide"/><child link="tip"/><origin xyz="0.2 0 0"/></joint></robot>"""
+BOX = '<{0}><geometry><box size="0.4 0.1 0.1"/></geometry></{0}>'
+
+
+@pytest.mark.parametrize(
+    ("visual", "collision", "origin"),
+    [
+        (BOX.format("visual"), "", "visual meshes"),
+        ('<visual><geometry><mesh filename="gone.stl"/></geometry></visual>', BOX.format("collision"), "cannot be read"),
+        ("", BOX.format("collision"), "no visual geometry"),
+        ("", "", "rods from joint to joint"),
+    ],
+)
+def test_what_cannot_be_read_is_replaced_and_told(tmp_path, caplog, visual, collision, origin):
+    file = tmp_path / "arm.urdf"
+    file.write_text(ARM.format(visual=visual, collision=collision))
+    robot = mp.Robot.from_urdf(file, tool="tip")
+    plan = moved(robot, start=[0.1, 0.1])
+    with caplog.at_level(logging.INFO, logger="manipplan"), plan.show(port=0, open_browser=False) as page:
+        told = appearance_of(robot).origin
+        assert origin in told
+        assert origin == "visual meshes" or told in caplog.text
+        assert any(told in str(message) for message in page.server._websock_server._broadcast_buffer.message_from_id.values())
+        assert ("nearest joint limit", "out, 0.100 m away") in page.motion.values(0.0)
+
+
+def test_every_kind_of_obstacle_is_drawn(tmp_path, open_page):
+    trimesh.creation.box((0.2, 0.2, 0.2)).export(tmp_path / "part.stl")
+    scene = mp.Scene(
+        [
+            mp.Sphere(radius=0.1, position=(0.9, 0.9, 0.1)),
+            mp.Capsule(radius=0.05, length=0.2, position=(-0.9, 0.9, 0.1)),
+            mp.Cylinder(radius=0.05, length=0.2, position=(-0.9, -0.9, 0.1)),
+            mp.Mesh(file=tmp_path / "part.stl", position=(0.9, -0.9, 0.1), rotation=(0.0, 0.0, 0.5), name="<part>"),
+            mp.Plane(position=(0.0, 0.0, -0.3), name="ground"),
+        ]
+    )
+    plan = moved(mp.planar_arm([0.4, 0.4]), scene=scene)
+    with plan.show(port=0, open_browser=False) as page:
+        lower, upper = surface(page, "/obstacles/3/0")
+        size = 0.2 * (np.cos(0.5) + np.sin(0.5))
+        np.testing.assert_allclose(upper - lower, [size, size, 0.2], atol=1e-6)
+        np.testing.assert_allclose((upper + lower) / 2, [0.9, -0.9, 0.1], atol=1e-6)
+        browser_page = open_page(page.url)
+        drawn(browser_page)
+        for name in scene.names:
+            browser_page.get_by_text(name, exact=True).first.wait_for(state="attached")
+
+
+def surface(page, name):
+    """Corners of a node of the scene in the world."""
+    node = page.server.scene.get_handle_by_name(name)
+    turn = pin.Quaternion(*(float(c) for c in node.wxyz)).toRotationMatrix()
+    placed = np.asarray(node.vertices) @ turn.T + node.position
+    return placed.min(axis=0), placed.max(axis=0)
+
+
+@pytest.mark.parametrize(
+    ("shape", "volume", "size"),
+    [
+        (coal.Box(0.2, 0.4, 0.6), 0.048, (0.2, 0.4, 0.6)),
+        (coal.Sphere(0.5), np.pi / 6, (1, 1, 1)),
+        (coal.Ellipsoid(0.5, 0.25, 0.1), 4 / 3 * np.pi * 0.0125, (1, 0.5, 0.2)),
+        (coal.Capsule(0.1, 0.5), np.pi * 0.01 * (0.5 + 4 / 30), (0.2, 0.2, 0.7)),
+        (coal.Cylinder(0.1, 0.5), np.pi * 0.005, (0.2, 0.2, 0.5)),
+        (coal.Cone(0.1, 0.6), np.pi * 0.002, (0.2, 0.2, 0.6)),
+    ],
+)
+def test_shapes_are_drawn_in_their_size(shape, volume, size):
+    vertices, faces = triangles_of(shape)
+    drawn_shape = trimesh.Trimesh(vertices=vertices, faces=faces)
+    assert abs(drawn_shape.volume / volume - 1) < 0.02
+    np.testing.assert_allclose(np.ptp(vertices, axis=0), size, rtol=5e-3)
+    shape.computeLocalAABB()
+    np.testing.assert_allclose(vertices.min(axis=0), np.array(shape.aabb_local.min_), atol=3e-3)
+
+
+def test_the_chart_marks_the_place():
+    chart = Chart(
+        t=np.linspace(0, 2, 5), curves=[Curve(name="a<b", colour="#123456", values=np.array([0, 1, 2, 1, 0.0]))], label="m"
+    )
+    assert 'class="now"' not in chart.svg()
+    left, right = (float(chart.svg(t).split('class="now" x1="')[1].split('"')[0]) for t in (0.0, 2.0))
+    middle = float(chart.svg(1.0).split('class="now" x1="')[1].split('"')[0])
+    assert left < middle < right
+    assert abs(middle - (left + right) / 2) < 0.06
+    assert "<b" not in chart.html()
+
+
+def test_a_port_in_use_is_an_error(plan):
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        with pytest.raises(mp.InvalidInputError, match=rf"port: got {port}.*in use.*any free one"):
+            plan.show(port=port, open_browser=False)
+    with plan.show(port=port, open_browser=False) as page:
+        assert page.url == f"http://localhost:{port}"
+        with pytest.raises(mp.InvalidInputError, match="in use"):
+            plan.show(port=port, open_browser=False)
+    with plan.show(port=port, open_browser=False):  # free again at once
+        pass
+
+
+@pytest.mark.parametrize(
+    ("argument", "value"),
+    [("port", 70_000), ("port", "x"), ("host", ""), ("host", "no.such.host.invalid"), ("open_browser", 1)],
+)
+def test_other_bad_arguments(plan, argument, value):
+    with pytest.raises(mp.InvalidInputError, match=argument):
+        plan.show(**{"open_browser": False, "port": 0, argument: value})
+
+
+def test_a_plan_without_a_motion_is_an_error(plan):
+    failed = mp.Plan(robot=plan.robot, scene=plan.scene, status=Status.NO_PATH, message="the goal is in the wall")
+    for show in (lambda: failed.show(port=0), lambda: failed.record("x.html")):
+        with pytest.raises(mp.PlanningError, match="no motion to show: the goal is in the wall"):
+            show()
+
+
+def test_without_a_browser_the_address_is_told(plan, monkeypatch, caplog):
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(pages.webbrowser, "open", lambda url: pytest.fail("a text browser would take the terminal"))
+    with plan.show(port=0) as page:
+        assert f"open {page.url} in one yourself" in caplog.text
+        monkeypatch.setenv("DISPLAY", ":0")
+        monkeypatch.setattr(pages.webbrowser, "open", lambda url: False)
+        assert page.open() is False
+        opened = []
+        monkeypatch.setattr(pages.webbrowser, "open", lambda url: opened.append(url) or True)
+        assert page.open() is True
+        assert opened == [page.url]
+
+
+def test_without_the_extra_the_install_line_is_told(plan, monkeypatch):
+    monkeypatch.setitem(sys.modules, "viser", None)
+    with pytest.raises(mp.MissingExtraError, match=r"viser is not installed; .*'manipplan\[viewer\]'"):
+        plan.show(port=0)
+    with pytest.raises(mp.MissingExtraError):
+        plan.record("x.html")
+
+
+def test_importing_it_imports_no_viewer():
+    code = "import sys, manipplan, manipplan.viz.viewer; sys.exit(bool({'viser', 'trimesh', 'matplotlib'} & set(sys.modules)))"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_view_from_a_shell(plan, tmp_path, capsys):
+    plan.save(tmp_path)
+    assert main(["view", str(tmp_path), "--record", str(tmp_path / "motion.html")]) == 0
+    assert (tmp_path / "motion.html").stat().st_size > 500_000
+    assert "motion.html" in capsys.readouterr().out
+    process = subprocess.Popen(
+        [sys.executable, "-u", "-m", "manipplan", "view", str(tmp_path), "--port", "0", "--no-browser"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "COLUMNS": "200"},
+    )
+    try:
+        line = process.stdout.readline()
+        with urllib.request.urlopen(line.split(" at ")[1].split(";")[0], timeout=10) as answer:
+            assert answer.status == 200
+        process.send_signal(signal.SIGINT)
+        out, error = process.communicate(timeout=20)
+    finally:
+        process.kill()
+    assert (process.returncode, out, error) == (0, "", "")
+
+
+def test_a_broken_result_is_told(tmp_path, capsys):
+    assert main(["view", str(tmp_path / "nothing")]) == 2
+    (tmp_path / "plan.json").write_text('{"cut off": ')
+    assert main(["view", str(tmp_path), "--no-browser"]) == 2
+    assert "plan.json" in capsys.readouterr().err
