@@ -150,7 +150,8 @@ def test_a_followed_path_comes_back(planar, small_plan, tmp_path):
             bound=np.inf, length=1.0, history=(0.1, 0.3),
         )  # fmt: skip
         deviation = mp.Deviation(position=1e-4, position_at=0.3, rotation=1e-3, rotation_at=0.7)
-        plan = replace(small_plan, workspace_path=workspace, refinement=refined, deviation=deviation, message="for a test")
+        followed = {"workspace_path": workspace, "refinement": refined, "deviation": deviation}
+        plan = replace(small_plan, **followed, tolerance=mp.Tolerance(position=0.01), message="for a test")
         plan.save(tmp_path)
         again = mp.Plan.load(tmp_path)
         assert_same(plan, again)
