@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 
 import manipplan as mp
-from manipplan import planar, viz
+from manipplan import demo, planar, viz
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "docs" / "examples"
 PAGES = sorted(EXAMPLES.glob("**/plot_*.py"))
-PUBLIC = {"manipplan": mp, "manipplan.planar": planar, "manipplan.viz": viz}
+PUBLIC = {"manipplan": mp, "manipplan.planar": planar, "manipplan.viz": viz, "manipplan.demo": demo}
 
 
 def name_of(page):

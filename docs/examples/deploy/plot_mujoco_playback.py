@@ -27,7 +27,9 @@ robot = problem.robot
 plan = mp.plan(robot, problem.start, problem.goal, problem.scene)
 folder = Path(tempfile.mkdtemp())
 plan.trajectory.to_csv(folder / "optimised.csv")
-mp.retime(plan.result.seed, robot.limits, joint_names=robot.joint_names).to_csv(folder / "seed.csv")
+mp.retime(plan.result.seed, robot.limits, joint_names=robot.joint_names).to_csv(
+    folder / "seed.csv"
+)
 
 # %%
 # MuJoCo's compiler reads the URDF. Meshes are left out, since the motion was checked for collision already, and the fingers
@@ -56,9 +58,13 @@ def simulated_arm(urdf, fixed, effort, start):
         joint.actgravcomp = True
         joint.actfrclimited = True
         joint.actfrcrange = [-limit, limit]
-        position = spec.add_actuator(target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
+        position = spec.add_actuator(
+            target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT
+        )
         position.set_to_position(kp=m * BANDWIDTH**2)
-        velocity = spec.add_actuator(target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
+        velocity = spec.add_actuator(
+            target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT
+        )
         velocity.set_to_velocity(kv=2 * m * BANDWIDTH)
     return spec.compile()
 
@@ -79,7 +85,10 @@ def recorded(file):
     with file.open() as stream:
         head, *rows = csv.reader(stream)
     data = np.array(rows, dtype=float)
-    return [data[:, [k for k, name in enumerate(head) if name.startswith(kind)]] for kind in ("time", "q_", "qd_")]
+    return [
+        data[:, [k for k, name in enumerate(head) if name.startswith(kind)]]
+        for kind in ("time", "q_", "qd_")
+    ]
 
 
 def play(model, file, *, feed_forward=False):
@@ -103,11 +112,15 @@ def play(model, file, *, feed_forward=False):
     return times, np.array(errors), np.array(torques)
 
 
-model = simulated_arm(robot.source.file, set(robot.locked), robot.limits.effort, problem.start)
+model = simulated_arm(
+    robot.source.file, set(robot.locked), robot.limits.effort, problem.start
+)
 runs = {
     "optimised": play(model, folder / "optimised.csv"),
     "seed": play(model, folder / "seed.csv"),
-    "optimised, with feed-forward": play(model, folder / "optimised.csv", feed_forward=True),
+    "optimised, with feed-forward": play(
+        model, folder / "optimised.csv", feed_forward=True
+    ),
 }
 
 # %%
@@ -117,7 +130,9 @@ for name, (times, errors, torques) in runs.items():
     share = np.abs(torques) / robot.limits.effort
     joint = robot.joint_names[int(share.max(axis=0).argmax())]
     print(f"{name}: {times[-1]:.2f} s")
-    print(f"  tracking error: mean {1e3 * np.abs(errors).mean():.2f}, at most {1e3 * np.abs(errors).max():.2f} mrad")
+    print(
+        f"  tracking error: mean {1e3 * np.abs(errors).mean():.2f}, at most {1e3 * np.abs(errors).max():.2f} mrad"
+    )
     print(f"  torque: at most {100 * share.max():.0f} % of the effort limit, {joint}")
     assert share.max() < 1
 largest = {name: np.abs(errors).max() for name, (_, errors, _) in runs.items()}
@@ -129,10 +144,19 @@ assert largest["optimised, with feed-forward"] < largest["optimised"] / 3
 # `mp.plan(..., torque=True)` keeps the effort limits, and lower `acceleration` limits lower it further.
 #
 # Above the largest error of any joint, below the largest share of an effort limit.
-figure, (above, below) = plt.subplots(2, 1, figsize=(8.0, 5.0), sharex=True, layout="constrained")
-for (name, (times, errors, torques)), colour in zip(runs.items(), ("#0072B2", "#D55E00", "#009E73"), strict=True):
+figure, (above, below) = plt.subplots(
+    2, 1, figsize=(8.0, 5.0), sharex=True, layout="constrained"
+)
+for (name, (times, errors, torques)), colour in zip(
+    runs.items(), ("#0072B2", "#D55E00", "#009E73"), strict=True
+):
     above.plot(times, 1e3 * np.abs(errors).max(axis=1), color=colour, label=name)
-    below.plot(times, 100 * (np.abs(torques) / robot.limits.effort).max(axis=1), color=colour, label=name)
+    below.plot(
+        times,
+        100 * (np.abs(torques) / robot.limits.effort).max(axis=1),
+        color=colour,
+        label=name,
+    )
 above.set(ylabel="tracking error [mrad]", ylim=(0, None))
 above.legend()
 below.set(xlabel="time [s]", ylabel="torque [% of the limit]", ylim=(0, 100))
