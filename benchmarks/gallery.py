@@ -1,6 +1,7 @@
-"""Time of each page of the gallery, alone in a new interpreter. Run with `make benchmark`.
+"""Processor time of each page of the gallery, alone in a new interpreter. Run with `make benchmark`.
 
-Each page runs twice, and the second run counts: the first one fills the cache of compiled code where it is empty.
+Processor time, of a page and of what it starts, does not change with other work on the machine. The cache of compiled code is
+as it is: the first run after a change of the sources compiles, the next one tells what a page costs from then on.
 """
 
 import os
@@ -8,7 +9,6 @@ import resource
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
@@ -18,29 +18,26 @@ OUT = ROOT / "docs" / "benchmarks" / "gallery.md"
 MOST = 20.0
 
 
-def run(page: Path) -> tuple[float, float]:
-    """Wall and processor time [s] of one page and of what it starts."""
-    before, begin = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+def processor_time(page: Path) -> float:
+    """Processor time [s] of one page and of what it starts."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     with tempfile.TemporaryDirectory() as folder:
         environment = {**os.environ, "MPLBACKEND": "Agg", "TMPDIR": folder}
         subprocess.run([sys.executable, page], check=True, cwd=folder, env=environment, stdout=subprocess.DEVNULL)
-    wall, after = time.perf_counter() - begin, resource.getrusage(resource.RUSAGE_CHILDREN)
-    return wall, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def main() -> None:
-    pages = sorted(PAGES.glob("**/plot_*.py"))
-    rows = []
-    for page in pages:
-        run(page)
-        wall, processor = run(page)
-        rows.append((page.relative_to(PAGES).with_suffix("").as_posix(), wall, processor))
-        print(f"{rows[-1][0]:40s} {wall:6.1f} s, processor {processor:6.1f} s", flush=True)
-    lines = ["| page | wall time [s] | processor time [s] |", "|---|---|---|"]
-    lines += [f"| {name} | {wall:.1f} | {processor:.1f} |" for name, wall, processor in rows]
-    lines.append(f"| all {len(rows)} | {sum(row[1] for row in rows):.0f} | {sum(row[2] for row in rows):.0f} |")
+    times = {}
+    for page in sorted(PAGES.glob("**/plot_*.py")):
+        name = page.relative_to(PAGES).with_suffix("").as_posix()
+        times[name] = processor_time(page)
+        print(f"{name:40s} {times[name]:6.1f} s", flush=True)
+    lines = ["| page | processor time [s] |", "|---|---|", *(f"| {name} | {time:.1f} |" for name, time in times.items())]
+    lines.append(f"| all {len(times)} | {sum(times.values()):.0f} |")
     OUT.write_text("\n".join(lines) + "\n")
-    slow = [name for name, wall, _ in rows if wall > MOST]
+    slow = [name for name, time in times.items() if time > MOST]
     if slow:
         sys.exit(f"longer than {MOST:g} s: {', '.join(slow)}")
 

@@ -56,6 +56,6 @@ def test_a_page_has_a_title_text_and_a_picture(page):
 
 def test_the_times_of_all_pages_were_measured():
     table = (ROOT / "docs" / "benchmarks" / "gallery.md").read_text()
-    times = {name: float(wall) for name, wall in re.findall(r"\| (\S+/plot_\w+) \| ([\d.]+) \|", table)}
+    times = {name: float(time) for name, time in re.findall(r"\| (\S+/plot_\w+) \| ([\d.]+) \|", table)}
     assert set(times) == {name_of(page) for page in PAGES}
     assert max(times.values()) < 20
