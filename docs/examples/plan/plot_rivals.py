@@ -7,6 +7,9 @@ a joint one way or the other. Each way has an optimum of its own. Several first
 paths are looked for, those of one class are solved once; the best has its rivals.
 """
 
+# %%
+# The arm, two posts, and two configurations between which there are several ways.
+
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -23,6 +26,11 @@ scene = mp.Scene(
     ]
 )
 start, goal = [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0]
+
+# %%
+# ``seeds=2`` looks for two first paths to each goal; ``shifts`` adds the goals a full
+# turn away in any joint, which are the same posture.
+
 best = mp.optimize_path(
     arm,
     start,
@@ -35,6 +43,13 @@ best = mp.optimize_path(
     shifts="within-limits",
 )
 print(best.certificate)
+print()
+print("rank       g   length [rad]   least index [m²]   turns of the goal")
+for rank, result in enumerate([best, *best.rivals]):
+    turns = np.round((result.path.goal - goal) / (2 * np.pi)).astype(int)
+    figures = f"{result.length:12.2f} {result.min_manipulability:16.3f}"
+    print(f"{rank:4d} {result.g:8.3f} {figures}        {turns}")
+assert all(rival.g >= best.g for rival in best.rivals)
 
 # %%
 # Where the tool goes, and the index along the way. A rival can be shorter and still
@@ -60,3 +75,8 @@ left.set_title("the tool among two posts", loc="left")
 right.set(xlabel="s", ylabel="index m [m²]", ylim=(0, None))
 right.legend(fontsize=8)
 plt.show()
+
+# %%
+# When the best one is not the one you want, because a cable would wind up or a post
+# is nearer than you like, take a rival: it is a full result, with path and
+# certificate. More ``seeds`` find more classes, at the price of a solve for each.
