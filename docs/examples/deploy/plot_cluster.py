@@ -102,11 +102,11 @@ def case(robot, kinematics, x, y):
     distance = np.linalg.norm(starts[:, None] - goals, axis=2)
     distance[signs[0][:, None] != signs[1]] = np.inf
     first, last = np.unravel_index(distance.argmin(), distance.shape)
-    result = mp.optimize_path(robot, starts[first], goals[last], throw=False)
+    result = mp.optimize_path(robot, starts[first], goals[last], degree=4, throw=False)
     return result.g, result.min_manipulability
 
 
-xs, ys = np.linspace(-0.4, 0.4, 7), np.linspace(-0.75, -0.25, 5)
+xs, ys = np.linspace(-0.4, 0.4, 7), np.linspace(-0.75, -0.3, 4)
 begin = time.perf_counter()
 futures = [executor.submit(row_of_map, y, xs) for y in ys]
 table = np.array([future.result() for future in futures])
