@@ -61,6 +61,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py
 	$(BIN)/python benchmarks/planar_suite.py
+	$(BIN)/python benchmarks/gallery.py
 
 benchmark-peers: $(READY)
 	$(BIN)/python benchmarks/tracking.py

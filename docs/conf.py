@@ -46,12 +46,14 @@ nitpicky = True
 sphinx_gallery_conf = {
     "examples_dirs": "examples",
     "gallery_dirs": "gallery",
+    "subsection_order": [f"examples/{section}" for section in ("first_steps", "plan", "follow", "track", "measure", "deploy")],
     "filename_pattern": "plot_",
     "abort_on_example_error": True,
     "show_memory": False,
     "download_all_examples": False,
     "show_signature": False,
     "write_computation_times": False,
+    "capture_repr": (),  # pages print what they show
 }
 html_domain_indices = False
 suppress_warnings = ["config.cache"]
