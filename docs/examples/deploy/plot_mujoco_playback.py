@@ -139,9 +139,12 @@ largest = {name: np.abs(errors).max() for name, (_, errors, _) in runs.items()}
 assert largest["optimised, with feed-forward"] < largest["optimised"] / 3
 
 # %%
-# No torque comes near its limit, so the motion is not distorted by one. The optimised path is not the one with less torque:
+# No torque reaches its limit, so the motion is not distorted by one. The optimised path is not the one with less torque:
 # both are timed to be as fast as the same limits let them be, and it moves the heavy joints faster. Where torque matters,
-# `mp.plan(..., torque=True)` keeps the effort limits, and lower `acceleration` limits lower it further.
+# ``mp.plan(..., torque=True)`` keeps the effort limits, and lower ``acceleration`` limits lower it further.
+#
+# The torque with feed-forward trembles where one joint is at its speed limit: there the planned accelerations of the others
+# zigzag from sample to sample, inside the jerk limits. Servos alone smooth that.
 #
 # Above the largest error of any joint, below the largest share of an effort limit.
 figure, (above, below) = plt.subplots(
