@@ -124,7 +124,7 @@ class LiveViewer(Page):
         pose = pose_matrix("target", value)
         with self._lock:
             self._target = np.array(pose)
-        put(self.handle, pin.SE3(pose))
+        put(self.handle, pin.SE3(pose[:3, :3] if self._turns else np.eye(3), pose[:3, 3]))
 
     def restart(self) -> None:
         """Put arm and target back to the start."""
@@ -159,9 +159,10 @@ class LiveViewer(Page):
         self.handle.on_update(self._drag)
 
     def _drag(self, event: Any) -> None:
-        dragged = np.eye(4)
+        dragged = self.target
         w, x, y, z = event.target.wxyz
-        dragged[:3, :3] = pin.Quaternion(w, x, y, z).normalized().toRotationMatrix()
+        if self._turns:  # else the arrows are those of the world
+            dragged[:3, :3] = pin.Quaternion(w, x, y, z).normalized().toRotationMatrix()
         dragged[:3, 3] = event.target.position
         with self._lock:
             self._target = dragged
