@@ -75,6 +75,19 @@ class MissingSourcesError(ManipplanError, ImportError):
         return type(self), (self.subject,)
 
 
+class MissingProgramError(ManipplanError):
+    """A program that is no Python package is not installed; the message holds the line that installs it."""
+
+    def __init__(self, program: str, install: str, otherwise: str) -> None:
+        self.program = program
+        self.install = install
+        self.otherwise = otherwise
+        super().__init__(f"{program} is not installed; install it with: {install}   ({otherwise})")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.program, self.install, self.otherwise)
+
+
 class CompilerError(ManipplanError):
     """Machine code could not be made: there is no compiler, or it failed. `output` is what it said."""
 

@@ -33,6 +33,7 @@ from manipplan.robots.scene import Scene
 from manipplan.robots.stored import robot_data, robot_of, scene_data, scene_of, stored_array
 from manipplan.search.refine import Refinement
 from manipplan.status import Status
+from manipplan.tracking.relaxation import Tolerance
 
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan
@@ -68,11 +69,12 @@ def write_plan(plan: "Plan", file: Path) -> None:
         "result": {name: getattr(result, name) for name in figures},
         "trajectory": plan.trajectory,
         "report": plan.report,
-        "workspace": _workspace_data(plan.workspace),
+        "workspace_path": _workspace_data(plan.workspace_path),
+        "tolerance": plan.tolerance,
         "refinement": plan.refinement,
         "deviation": plan.deviation,
     }
-    for part in ("robot", "scene", "measure", "workspace"):
+    for part in ("robot", "scene", "measure", "workspace_path"):
         if isinstance(data[part], dict) and "missing" in data[part]:
             log.warning("%s: not written: %s, %s", file, part, data[part]["missing"])
     write_text(file, json.dumps(_plain(data), allow_nan=False) + "\n")
@@ -117,7 +119,8 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
             trajectory=Trajectory(**data["trajectory"]),
             report=Report.from_data(data["report"]),
             result=result,
-            workspace=_maybe(data["workspace"], _workspace),
+            workspace_path=_maybe(data["workspace_path"], _workspace),
+            tolerance=_maybe(data["tolerance"], lambda each: Tolerance(**each)),
             refinement=_maybe(data["refinement"], _refinement),
             deviation=_maybe(data["deviation"], lambda each: _numbers(Deviation, each)),
         )

@@ -112,7 +112,8 @@ def follow(
         seed=seed,
         progress=part(tell, 0.0, 0.5),
     )
-    draft = Plan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace=path)
+    allowed = _allowed(tolerance)
+    draft = Plan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=allowed)
     found = max_min_search(layers, epsilon, throw=False, progress=part(tell, 0.5, 0.6))
     draft = replace(draft, search=found)
     if not found.connected:
@@ -135,7 +136,6 @@ def follow(
     deviation = deviation_from(path, pose(motion), axis)
     draft = replace(draft, deviation=deviation)
     made = checked(draft, trajectory, result, world, joints.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
-    allowed = _allowed(tolerance)
     excess = _excess(deviation, allowed, "time") or _excess(deviation_at(path, s, pose(joints(s)), axis), allowed, "path")
     if excess and made.report is not None and made.status is Status.FOLLOWED:
         report = replace(made.report, status=Status.CHECK_FAILED.value, passed=False)

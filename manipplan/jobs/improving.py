@@ -108,7 +108,15 @@ def improve(
         clearance=0.0,
         status=status,
     )
-    draft = Plan(robot=robot, scene=scene, status=status, path=result.path, result=result, tracking=tracking)
+    draft = Plan(
+        robot=robot,
+        scene=scene,
+        status=status,
+        path=result.path,
+        result=result,
+        tracking=tracking,
+        tolerance=tolerance,
+    )
     if higher and not tracking.status.ok:
         return failed(replace(draft, status=Status.NOT_FOLLOWED), throw, f"{tracking.status.value}: {tracking.message}")
     tell(0.8, "checking the result")

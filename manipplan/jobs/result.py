@@ -20,6 +20,7 @@ from manipplan.robots.scene import Scene
 from manipplan.search.refine import Refinement
 from manipplan.search.result import SearchResult
 from manipplan.status import Status
+from manipplan.tracking.relaxation import Tolerance
 from manipplan.tracking.track import Tracking
 
 if TYPE_CHECKING:
@@ -38,8 +39,10 @@ class Plan:
         report: its figures, measured on the trajectory.
         result: the optimiser's result, with seed and history; of `improve`, the motion beside the recorded one.
         tracking: what `improve` did, step by step.
-        search, refinement: of `follow`: the path found among the samples, and refined.
-        deviation, workspace: of `follow`: how far the tool leaves the workspace path, and that path.
+        search, refinement, deviation: of `follow`: the path found among the samples, refined, and how far the tool leaves
+            the workspace path.
+        workspace_path: of `follow`, and tolerance, of `follow` and `improve`: what is followed, and how far the tool may
+            leave it.
         message: why it failed, when it did.
     """
 
@@ -54,7 +57,8 @@ class Plan:
     search: SearchResult | None = None
     refinement: Refinement | None = None
     deviation: Deviation | None = None
-    workspace: CartesianPath | None = None
+    workspace_path: CartesianPath | None = None
+    tolerance: Tolerance | None = None
     message: str = ""
 
     def save(self, folder: str | Path) -> list[Path]:
@@ -66,7 +70,7 @@ class Plan:
         Raises InvalidInputError when the folder cannot be written and PlanningError when there is no trajectory.
         """
         from manipplan.jobs import archive
-        from manipplan.viz.plots import save_plan
+        from manipplan.viz import save_plan
 
         if self.trajectory is None or self.report is None:
             raise PlanningError(f"there is no trajectory to save: {self.status.value}", self)

@@ -14,7 +14,6 @@ from manipplan.measures.indices import REGULARISATION
 from manipplan.measures.measure import JacobianMeasure, row_unit
 from manipplan.measures.task import Task
 
-
 #: A direction whose length differs from 1 by rounding alone has length 1.
 UNIT = 1e-15
 

@@ -34,7 +34,12 @@ class Deviation:
 
 
 def deviation_from(path: CartesianPath, poses: Array, axis: Array | None = None) -> Deviation:
-    """Of tool poses (k, 4, 4) from a path, whatever their times; `axis` (3,) of the tool: only its direction counts.
+    """Of tool poses (k, 4, 4) from a path, whatever their times; `axis` (3,) of the tool: only its direction counts."""
+    return _largest(*deviations(path, poses, axis))
+
+
+def deviations(path: CartesianPath, poses: Array, axis: Array | None = None) -> tuple[Array, Array]:
+    """Distances [m] and angles [rad], (k,) each, of tool poses (k, 4, 4) from a path, as in `deviation_from`.
 
     Each pose is compared with the nearest piece of the path, cut into 2000.
     """
@@ -51,7 +56,7 @@ def deviation_from(path: CartesianPath, poses: Array, axis: Array | None = None)
         better = sides[0][0] + RADIAN * sides[0][1] < sides[1][0] + RADIAN * sides[1][1]
         position[begin : begin + BLOCK] = np.where(better, sides[0][0], sides[1][0])
         rotation[begin : begin + BLOCK] = np.where(better, sides[0][1], sides[1][1])
-    return _largest(position, rotation)
+    return position, rotation
 
 
 def deviation_at(path: CartesianPath, s: Array, poses: Array, axis: Array | None = None) -> Deviation:

@@ -57,7 +57,7 @@ def fit_primitives(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
 def enclose(triangles: Array, *, refine: bool = True, boxes: bool = True) -> Primitive:
     """The sphere, capsule or (with `boxes`) box of least volume found that contains `triangles` (t, 3, 3) [m]."""
     points = _hull_points(triangles.reshape(-1, 3))
-    axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=True)[2]
+    axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=len(points) < 3)[2]  # (3, 3) also of two points
     axes[2] *= np.linalg.det(axes)
     capsule = min((_capsule(points, _frame(axis)) for axis in axes), key=_volume)
     if refine:

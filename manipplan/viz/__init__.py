@@ -1,0 +1,31 @@
+"""Pictures of motions and of how they were found.
+
+Every `plot_*` draws into Matplotlib axes, `ax=`, or into those of a new figure, and returns the axes. Matplotlib is imported
+with the first picture.
+"""
+
+from manipplan.viz.animation import animate
+from manipplan.viz.arm import plot_arm
+from manipplan.viz.curves import plot_index, plot_joints, plot_singular_values
+from manipplan.viz.ellipsoids import plot_ellipsoid, plot_ellipsoids
+from manipplan.viz.found import plot_convergence, plot_layers
+from manipplan.viz.plan import plan_figure, save_plan
+from manipplan.viz.planar import plot_planar_arm
+from manipplan.viz.tool import plot_deviation, plot_tool_path
+
+__all__ = [
+    "animate",
+    "plan_figure",
+    "plot_arm",
+    "plot_convergence",
+    "plot_deviation",
+    "plot_ellipsoid",
+    "plot_ellipsoids",
+    "plot_index",
+    "plot_joints",
+    "plot_layers",
+    "plot_planar_arm",
+    "plot_singular_values",
+    "plot_tool_path",
+    "save_plan",
+]

@@ -1,44 +1,49 @@
-"""Ellipsoids of velocity, force and acceleration, in the plane and in space."""
+"""Ellipsoids of velocity, force and acceleration, in the plane and in space, alone and along a path."""
 
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import finite_array, instance, number
+from manipplan.checks import Array, finite_array, instance, number, whole_number
 from manipplan.errors import InvalidInputError
-from manipplan.measures.ellipsoid import Ellipsoid
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.ellipsoid import Ellipsoid, velocity_ellipsoid
+from manipplan.measures.task import Task
+from manipplan.robots.robot import Robot
 from manipplan.viz import style
+from manipplan.viz.motions import Motion, joint_path, skeleton, tool_way
+
+#: Without a scale the largest radius is drawn as this share of the stretched arm.
+SHARE = 0.08
 
 
 def plot_ellipsoid(
     ellipsoid: Ellipsoid,
     centre: ArrayLike,
     *,
-    ax: Any,
+    ax: Any = None,
     scale: float = 1.0,
     largest: float | None = None,
     axes: bool = False,
     **look: Any,
-) -> None:
+) -> Any:
     """Draw an ellipsoid of two rows as an ellipse, one of three as a surface on a 3D axes.
 
     Args:
         ellipsoid: with 2 or 3 radii.
         centre: where, (2,) or (3,) [m].
-        ax: Matplotlib's axes; with projection="3d" for three rows.
+        ax: Matplotlib's axes, with projection="3d" for three rows; None: those of a new figure.
         scale: metres drawn for one unit of the radii.
         largest: radii above are drawn as long as this; needed where one is infinite.
         axes: draw the principal axes too.
         **look: color, alpha, label and other properties of the patch or surface.
 
-    Raises InvalidInputError for other numbers of rows, or an infinite radius without `largest`.
+    Returns the axes. Raises InvalidInputError for other numbers of rows, or an infinite radius without `largest`.
     """
     m = len(instance("ellipsoid", ellipsoid, Ellipsoid).radii)
     if m not in (2, 3):
         raise InvalidInputError("ellipsoid", ellipsoid.radii.tolist(), "2 or 3 radii; take those rows of the Jacobian")
-    if not hasattr(ax, "plot_surface" if m == 3 else "fill"):
-        raise InvalidInputError("ax", ax, "Matplotlib's axes, with projection='3d' for three rows")
     middle = finite_array("centre", centre, (m,))
     number("scale", scale, above=0.0)
     radii = ellipsoid.radii if largest is None else np.minimum(ellipsoid.radii, number("largest", largest, above=0.0))
@@ -46,18 +51,65 @@ def plot_ellipsoid(
         raise InvalidInputError("largest", None, "a length to draw the infinite radius with")
     look = {"color": style.ELLIPSOID, "alpha": 0.3, "linewidth": 0, **look}
     spokes = scale * radii * ellipsoid.axes
-    if axes:
-        for spoke in spokes.T:
-            ax.plot(*np.stack([middle - spoke, middle + spoke]).T, color=look["color"], linewidth=1.0)
-    if m == 2:
-        around = np.linspace(0.0, 2 * np.pi, 90)
-        outline = middle + np.stack([np.cos(around), np.sin(around)], axis=1) @ spokes.T
-        ax.fill(*outline.T, **look)
-    else:
-        ax.plot_surface(*np.moveaxis(_ball() @ spokes.T + middle, 2, 0), **{"rcount": 17, "ccount": 33, **look})
+    new = ax is None
+    ax = style.axes_for(ax, solid=m == 3, size=(5.0, 5.0))
+    with style.shared():
+        if axes:
+            for spoke in spokes.T:
+                ax.plot(*np.stack([middle - spoke, middle + spoke]).T, color=look["color"], linewidth=1.0)
+        if m == 2:
+            around = np.linspace(0.0, 2 * np.pi, 90)
+            outline = middle + np.stack([np.cos(around), np.sin(around)], axis=1) @ spokes.T
+            ax.fill(*outline.T, **look)
+        else:
+            ax.plot_surface(*np.moveaxis(_ball() @ spokes.T + middle, 2, 0), **{"rcount": 11, "ccount": 19, **look})
+        if new:
+            ax.set_aspect("equal", adjustable="datalim")
+    return ax
+
+
+def plot_ellipsoids(
+    kinematics: Kinematics, path: Motion, places: int = 7, *, scale: float | None = None, ax: Any = None, **look: Any
+) -> Any:
+    """Velocity ellipsoids at the tool at places along a motion, evenly in its parameter, with the way of the tool.
+
+    Args:
+        kinematics: of the arm. A task of three rows gives ellipsoids, one of two rows ellipses in the x-y plane; of any
+            other task the tool's linear velocity is drawn.
+        path: a JointPath, Trajectory or Tracking.
+        places: how many, at least 2.
+        scale: metres drawn for one unit of the radii; default: the largest radius as a twelfth of the arm's length.
+        ax: Matplotlib's axes, with projection="3d" for three rows; None: those of a new figure.
+        **look: as in `plot_ellipsoid`.
+
+    Returns the axes.
+    """
+    robot = instance("kinematics", kinematics, Kinematics).robot
+    curve = joint_path("path", path, robot)
+    if kinematics.task.rows not in (2, 3):
+        kinematics = robot.kinematics(Task.planar() if robot.planar else Task.position())
+    m = kinematics.task.rows
+    q = curve(np.linspace(0.0, 1.0, whole_number("places", places, least=2)))
+    jacobians = kinematics.jacobian(q)
+    scale = default_scale(robot, jacobians) if scale is None else scale
+    ax = style.axes_for(ax, solid=m == 3, size=(5.5, 5.0))
+    with style.shared():
+        ax.plot(*tool_way(robot, curve)[:, :m].T, color=style.OPTIMUM, linewidth=1.2, zorder=60)
+        for jacobian, centre in zip(jacobians, kinematics.pose(q)[:, :m, 3], strict=True):
+            plot_ellipsoid(velocity_ellipsoid(jacobian), centre, ax=ax, scale=scale, **look)
+        style.name_axes(ax)
+        ax.set_aspect("equal", adjustable="datalim")
+    return ax
+
+
+def default_scale(robot: Robot, jacobians: Array) -> float:
+    """The scale that draws the largest radius of the velocity ellipsoids of Jacobians (k, m, n) as `SHARE` of the arm."""
+    arm = np.linalg.norm(np.diff(skeleton(robot, robot.neutral), axis=0), axis=1).sum()
+    largest = np.linalg.norm(jacobians, ord=2, axis=(1, 2)).max()
+    return float(SHARE * arm / max(largest, 1e-9))
 
 
 def _ball() -> Any:
-    """Points of the unit sphere, (17, 33, 3)."""
-    around, up = np.meshgrid(np.linspace(0, 2 * np.pi, 33), np.linspace(0, np.pi, 17))
+    """Points of the unit sphere, (11, 19, 3)."""
+    around, up = np.meshgrid(np.linspace(0, 2 * np.pi, 19), np.linspace(0, np.pi, 11))
     return np.stack([np.cos(around) * np.sin(up), np.sin(around) * np.sin(up), np.cos(up)], axis=2)

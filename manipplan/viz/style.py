@@ -1,17 +1,30 @@
 """Colours and lines that every picture shares; the colours are told apart also by the colour-blind [okabe2008]."""
 
+import re
+from contextlib import AbstractContextManager
 from typing import Any
+
+from manipplan.errors import InvalidInputError
 
 OPTIMUM = "#0072B2"
 SEED = "#E69F00"
 STRAIGHT = "#999999"
 OBSTACLE = "#CC79A7"
+OBSTACLE_NAME = "#7A2E5C"
 ELLIPSOID = "#009E73"
 ARM = "#333333"
+BODY_FIRST, BODY_LAST = "#DDE3EA", "#B9C4D0"
+FLOOR = "#C9C9C9"
+CANDIDATE = "#BFC5CC"
+LIMIT = "#D55E00"
 JOINTS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#000000", "#8F8F00", "#7F3C8D")
+
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 STYLE: dict[Any, Any] = {
     "font.size": 9,
+    "axes.titlesize": 9,
+    "axes.titlelocation": "left",
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.grid": True,
@@ -19,5 +32,43 @@ STYLE: dict[Any, Any] = {
     "grid.linewidth": 0.6,
     "lines.linewidth": 1.6,
     "legend.frameon": False,
+    "legend.fontsize": 8,
     "figure.dpi": 110,
 }
+
+
+def shared() -> AbstractContextManager[None]:
+    """While it lasts, Matplotlib draws in the style of all pictures."""
+    from matplotlib import rc_context
+
+    return rc_context(STYLE)
+
+
+def axes_for(ax: Any, *, solid: bool = False, size: tuple[float, float] = (7.0, 4.0)) -> Any:
+    """The axes to draw into: `ax`, or those of a new figure of `size` [inches].
+
+    `solid`: axes with projection="3d" are needed; otherwise, flat ones. Raises InvalidInputError for axes of the other kind.
+    """
+    if ax is not None:
+        if not hasattr(ax, "plot") or (getattr(ax, "name", "") == "3d") != solid:
+            kind = "with projection='3d'" if solid else "without projection='3d'"
+            raise InvalidInputError("ax", ax, f"Matplotlib's axes {kind}, or None for a new figure")
+        return ax
+    import matplotlib.pyplot as plt
+
+    with shared():
+        figure = plt.figure(figsize=size, layout="constrained")
+        return figure.add_subplot(projection="3d") if solid else figure.add_subplot()
+
+
+def with_unit(name: str, unit: str) -> str:
+    """An axis label; `unit` as a measure or task writes it, such as "m^6"; "1": none."""
+    raised = re.sub(r"\^(-?\d+)", lambda power: power[1].translate(SUPERSCRIPTS), unit)
+    return name if unit == "1" else f"{name} [{raised}]"
+
+
+def name_axes(ax: Any) -> None:
+    """Write x, y and z in metres on axes that show space."""
+    ax.set(xlabel="x [m]", ylabel="y [m]")
+    if ax.name == "3d":
+        ax.set_zlabel("z [m]")

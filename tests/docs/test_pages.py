@@ -1,19 +1,66 @@
-"""The Python of the pages runs as it stands, one page after the other."""
+"""The code of every page runs as it stands, and prints what the page says that it prints.
+
+The Python blocks of a page run one after the other, as one program. A `text` block right after a Python block holds what it
+prints; numbers may differ by a hundredth, since processors round differently. `<!-- not run: reason -->` before a block
+leaves it out. Lines of a `sh` block that begin with `manipplan` are run, too, in a folder that has the page's YAML blocks as scene.yaml.
+"""
 
 import re
+import shlex
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 PAGES = Path(__file__).parents[2] / "docs"
+BLOCK = re.compile(r"(<!-- not run: [^>]+ -->\n)?```(python|sh|yaml)\n(.*?)```(?:\n\n```text\n(.*?)```)?", re.DOTALL)
+NUMBER = re.compile(r"-?\d+(?:[.,]\d+)*(?:e[-+]?\d+)?")
+GENERATED = {"_build", "gallery", "benchmarks"}
 
 
-@pytest.mark.parametrize("page", ["how-the-optimiser-decides", "timing", "kinematics", "tracking", "best-motion"])
-def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
-    text = (PAGES / f"{page}.md").read_text()
-    blocks = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
-    # two things that cost minutes or that only a user has
-    blocks = [block for block in blocks if "pinocchio_casadi" not in block and "demonstration.csv" not in block]
+def blocks(page, language):
+    """(code, what it prints or "") of the blocks of one language that are run."""
+    found = BLOCK.findall((PAGES / page).read_text(encoding="utf-8"))
+    return [(code, printed) for skipped, kind, code, printed in found if kind == language and not skipped]
+
+
+def pages_with(language):
+    pages = (file.relative_to(PAGES) for file in sorted(PAGES.rglob("*.md")))
+    return [page.as_posix() for page in pages if page.parts[0] not in GENERATED and blocks(page, language)]
+
+
+def assert_printed(wanted, got, where):
+    """The words are the same, and numbers to a hundredth."""
+    assert NUMBER.sub("#", wanted).split() == NUMBER.sub("#", got).split(), f"{where} prints\n{got}"
+    for a, b in zip(NUMBER.findall(wanted), NUMBER.findall(got), strict=True):
+        assert float(a.replace(",", "")) == pytest.approx(float(b.replace(",", "")), rel=1e-2, abs=2e-3), f"{where} prints\n{got}"
+
+
+def test_there_is_code_on_the_pages():
+    assert {"start.md", "index.md", "howto/shell.md", "concepts/tracking.md"} <= {*pages_with("python"), *pages_with("sh")}
+
+
+@pytest.mark.parametrize("page", pages_with("python"))
+def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    exec(compile("\n".join(blocks), f"{page}.md", "exec"), {})
-    assert blocks
+    space = {"__name__": "__main__"}
+    for code, printed in blocks(page, "python"):
+        exec(compile(code, page, "exec"), space)
+        got = capsys.readouterr().out
+        if printed:
+            assert_printed(printed, got, page)
+
+
+@pytest.mark.parametrize("page", pages_with("sh"))
+def test_the_commands_of_a_page_run(page, tmp_path):
+    for scene, _ in blocks(page, "yaml"):
+        (tmp_path / "scene.yaml").write_text(scene)
+    lines = "\n".join(code for code, _ in blocks(page, "sh")).replace("\\\n", " ").splitlines()
+    commands = [shlex.split(line, comments=True) for line in lines if line.startswith("manipplan ")]
+    assert commands
+    for command in commands:
+        done = subprocess.run(
+            [sys.executable, "-m", *command], cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False
+        )
+        assert done.returncode == 0, f"{' '.join(command)}\n{done.stdout}{done.stderr}"

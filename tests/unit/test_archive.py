@@ -55,7 +55,7 @@ def assert_same(first, second, where=""):
         assert first == second, where
 
 
-def made_plan(robot, path, *, scene=None, task=None, measure=None, power=1.0, metric=None, workspace=None):
+def made_plan(robot, path, *, scene=None, task=None, measure=None, power=1.0, metric=None, workspace_path=None):
     """A plan along a path that is given, without any search."""
     scene = scene or mp.Scene()
     model = scene.collision_model(robot)
@@ -76,7 +76,7 @@ def made_plan(robot, path, *, scene=None, task=None, measure=None, power=1.0, me
         trajectory=trajectory,
         report=report,
         result=result,
-        workspace=workspace,
+        workspace_path=workspace_path,
     )
 
 
@@ -137,7 +137,7 @@ def test_every_number_survives(tmp_path, lengths, power, measure, size, turn, we
     workspace = mp.CartesianPath.circle(pin.SE3.Identity(), (0.1, size, 0.0), (0.0, 0.0, 1.0), 1.0 + turn / 2, turning=weighed)
     if measure is not None and measure != "frobenius" and not measure.grows:
         measure = mp.ForceTransmission(direction=[1.0, turn])
-    plan = made_plan(arm, path, scene=scene, measure=measure, power=power, metric=metric, workspace=workspace)
+    plan = made_plan(arm, path, scene=scene, measure=measure, power=power, metric=metric, workspace_path=workspace)
     plan.save(tmp_path)
     assert_same(plan, mp.Plan.load(tmp_path))
 
@@ -150,11 +150,12 @@ def test_a_followed_path_comes_back(planar, small_plan, tmp_path):
             bound=np.inf, length=1.0, history=(0.1, 0.3),
         )  # fmt: skip
         deviation = mp.Deviation(position=1e-4, position_at=0.3, rotation=1e-3, rotation_at=0.7)
-        plan = replace(small_plan, workspace=workspace, refinement=refined, deviation=deviation, message="for a test")
+        followed = {"workspace_path": workspace, "refinement": refined, "deviation": deviation}
+        plan = replace(small_plan, **followed, tolerance=mp.Tolerance(position=0.01), message="for a test")
         plan.save(tmp_path)
         again = mp.Plan.load(tmp_path)
         assert_same(plan, again)
-        np.testing.assert_array_equal(workspace(0.37), again.workspace(0.37))
+        np.testing.assert_array_equal(workspace(0.37), again.workspace_path(0.37))
 
 
 def test_a_robot_file_moves_with_the_result(two_link_urdf, tmp_path):

@@ -1,0 +1,93 @@
+"""The arm in space along a path, among what stands around it."""
+
+from typing import Any
+
+import numpy as np
+
+from manipplan.checks import Array, instance, whole_number
+from manipplan.measures.task import Task
+from manipplan.paths.joint import JointPath
+from manipplan.robots.robot import Robot
+from manipplan.robots.scene import Scene
+from manipplan.viz import style
+from manipplan.viz.ellipsoids import plot_ellipsoids
+from manipplan.viz.motions import Motion, joint_path, skeleton, tool_way
+from manipplan.viz.shapes import Surface, arm_surfaces, feet_on_planes, joined, obstacle_surfaces, plane_patches
+from manipplan.viz.space import LINES, box_around, draw_skeleton, draw_surface, look_at, points_of, write
+
+#: Figures drawn of the arm along a path.
+PLACES = 7
+#: An obstacle's name stands this share of its size from its middle, towards the eye: there is less in front of it.
+FORWARD = np.array([0.28, -0.28, 0.0])
+
+
+def plot_arm(
+    robot: Robot,
+    path: Motion,
+    scene: Scene | None = None,
+    *,
+    seed: Motion | None = None,
+    names: tuple[str, str] = ("path", "seed"),
+    places: int = PLACES,
+    ax: Any = None,
+) -> Any:
+    """The arm in 3D along a motion, from light to dark, with velocity ellipsoids, obstacles and the way of its tool.
+
+    At the first and the last place its collision bodies are drawn, between them its skeleton. Obstacles stand there as what
+    they are, with their names; a plane is a patch as large as the picture. All is drawn as vectors.
+
+    Args:
+        robot: the arm.
+        path: a JointPath, Trajectory or Tracking.
+        scene: obstacles; None: none.
+        seed: another motion, of which the way of the tool is drawn.
+        names: of the two in the legend.
+        places: how many figures of the arm, at least 2, evenly in the path's parameter.
+        ax: Matplotlib's axes with projection="3d"; None: those of a new figure.
+
+    Returns the axes.
+    """
+    curve, other = checked(robot, path, scene, seed)
+    shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2))
+    ways = {name: tool_way(robot, each) for name, each in zip(names, (curve, other), strict=True) if each is not None}
+    first, last = (joined(arm_surfaces(robot, q)) for q in (curve.start, curve.goal))
+    ax = style.axes_for(ax, solid=True, size=(7.0, 6.0))
+    with style.shared():
+        seen = draw_scene(ax, scene, [*ways.values(), *(skeleton(robot, q) for q in curve(shares)), *points_of((first, last))])
+        draw_surface(ax, first, style.BODY_FIRST, alpha=0.45)
+        draw_surface(ax, last, style.BODY_LAST, alpha=0.9)
+        for share, q in zip(shares, curve(shares), strict=True):
+            draw_skeleton(ax, skeleton(robot, q), alpha=0.25 + 0.6 * share)
+        plot_ellipsoids(robot.kinematics(Task.position()), curve, places, ax=ax)
+        for (name, way), colour in zip(ways.items(), (style.OPTIMUM, style.SEED), strict=False):
+            ax.plot(
+                *way.T, color=colour, linewidth=2.0 if colour == style.OPTIMUM else 1.3, label=f"tool, {name}", zorder=LINES
+            )
+        for text, place in (("start", curve.start), ("goal", curve.goal)):
+            write(ax, skeleton(robot, place)[-1], text, style.ARM)
+        look_at(ax, seen)
+        ax.legend(loc="upper right")
+    return ax
+
+
+def draw_scene(ax: Any, scene: Scene | None, seen: list[Array]) -> list[Array]:
+    """Draw obstacles and their names on 3D axes; `seen` are points (k, 3) that the picture shows, returned with theirs."""
+    seen = list(seen)
+    for name, surface in obstacle_surfaces(scene):
+        draw_surface(ax, surface, style.OBSTACLE, alpha=0.22, edges=True)
+        seen.append(surface.points)
+        low, high = surface.points.min(axis=0), surface.points.max(axis=0)
+        write(ax, np.append(((low + high) / 2 + FORWARD * (high - low))[:2], high[2]), name, style.OBSTACLE_NAME)
+    seen += [foot[None] for foot in feet_on_planes(scene, np.concatenate(seen))]
+    for name, patch in plane_patches(scene, *box_around(seen)):
+        draw_surface(ax, Surface(faces=(patch,), edges=(np.vstack([patch, patch[:1]]),)), style.FLOOR, alpha=0.35, edges=True)
+        write(ax, 0.85 * patch[0] + 0.15 * patch.mean(axis=0), name, style.OBSTACLE_NAME)
+    return seen
+
+
+def checked(robot: Robot, path: Motion, scene: Scene | None, seed: Motion | None) -> tuple[JointPath, JointPath | None]:
+    """The paths of both motions; raises InvalidInputError for what is not an arm, a scene or a motion of this arm."""
+    instance("robot", robot, Robot)
+    if scene is not None:
+        instance("scene", scene, Scene)
+    return joint_path("path", path, robot), None if seed is None else joint_path("seed", seed, robot)

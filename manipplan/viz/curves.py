@@ -1,0 +1,159 @@
+"""Curves along a motion: joints over time with their limits, the index and the singular values by share of length."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from manipplan.checks import Array, instance, whole_number
+from manipplan.errors import InvalidInputError
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.paths.joint import JointPath
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.limits import JointLimits
+from manipplan.viz import style
+from manipplan.viz.motions import Motion, joint_path, length_shares
+
+#: Points of a curve.
+POINTS = 801
+#: What the derivatives of a joint's position are called, and what their units add.
+ORDERS = (("position", ""), ("velocity", "/s"), ("acceleration", "/s²"), ("jerk", "/s³"))
+
+
+def plot_joints(
+    trajectory: Trajectory,
+    limits: JointLimits | None = None,
+    *,
+    order: int = 0,
+    share: bool = False,
+    unit: str = "rad",
+    ax: Any = None,
+) -> Any:
+    """Joint positions, velocities, accelerations or jerks over time; finite limits as dashed lines in the joint's colour.
+
+    Args:
+        trajectory: the motion.
+        limits: `robot.limits`; None: none are drawn.
+        order: 0 position, 1 velocity, 2 acceleration, 3 jerk.
+        share: draw each joint as a share of what it may do: its range for positions, ± its limit for the others.
+        unit: of the joints, for the axis label.
+        ax: Matplotlib's axes; None: those of a new figure.
+
+    Returns the axes. Raises InvalidInputError for `share` without a finite limit of every joint, or limits of other joints.
+    """
+    trajectory = instance("trajectory", trajectory, Trajectory)
+    order = whole_number("order", order, least=0, most=3)
+    low, high = np.full(trajectory.n, -np.inf), np.full(trajectory.n, np.inf)
+    if limits is not None:
+        if instance("limits", limits, JointLimits).n != trajectory.n:
+            raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of {trajectory.n} joints")
+        high = (limits.upper, limits.velocity, limits.acceleration, limits.jerk)[order]
+        low = -high if order else limits.lower
+    if share and not np.isfinite([low, high]).all():
+        raise InvalidInputError("share", share, "False where a joint has no finite limit, or no limits are given")
+    t = np.linspace(0.0, trajectory.duration, POINTS)
+    values = trajectory(t, order)
+    if share:
+        values = (values - low) / (high - low)
+    ax = style.axes_for(ax)
+    with style.shared():
+        for joint, name in enumerate(trajectory.joint_names):
+            line = ("-", "--")[joint // len(style.JOINTS) % 2]
+            colour = style.JOINTS[joint % len(style.JOINTS)]
+            ax.plot(t, values[:, joint], color=colour, linestyle=line, label=name)
+            for bound in (low[joint], high[joint]):
+                if np.isfinite(bound) and not share:
+                    ax.axhline(bound, color=colour, linestyle=(0, (4, 3)), linewidth=0.8, alpha=0.7)
+        kind, per = ORDERS[order]
+        if share:
+            ends = ["- limit", "0", "+ limit"] if order else ["lower\nlimit", "middle", "upper\nlimit"]
+            ax.set(ylim=(-0.03, 1.03), yticks=[0, 0.5, 1], yticklabels=ends)
+        else:
+            ax.set_ylabel(f"{kind} [{unit}{per}]")
+        ax.set(xlabel="time [s]", xlim=(0, trajectory.duration))
+        limited = np.isfinite([low, high]).any() and not share
+        ax.set_title(f"joint {kind}" + ("; dashed: limits" if limited else ""))
+        ax.legend(fontsize=7, ncols=4, loc="upper center", bbox_to_anchor=(0.5, -0.16))
+    return ax
+
+
+def plot_index(
+    kinematics: Kinematics,
+    paths: Mapping[str, Motion],
+    *,
+    straight: bool = True,
+    bound: float | None = None,
+    ax: Any = None,
+) -> Any:
+    """The measure of `kinematics` along motions, by share of their length; a dot where it is the least.
+
+    Args:
+        kinematics: of the arm, with task and measure.
+        paths: a JointPath, Trajectory or Tracking for each name; those along which the measure is the same share a curve.
+        straight: draw the straight line in joint space between the ends of the first for comparison.
+        bound: a value of the measure to draw as a line, such as `Refinement.bound`.
+        ax: Matplotlib's axes; None: those of a new figure.
+
+    Returns the axes.
+    """
+    instance("kinematics", kinematics, Kinematics)
+    if not isinstance(paths, Mapping) or not paths:
+        raise InvalidInputError("paths", paths, "a mapping of names to paths, at least one")
+    curves = {name: joint_path(f"paths[{name!r}]", motion, kinematics.robot) for name, motion in paths.items()}
+    colours = dict(zip(curves, (style.OPTIMUM, style.SEED, *style.JOINTS[2:]), strict=False))
+    if straight:
+        first = next(iter(curves.values()))
+        colours["straight"] = style.STRAIGHT
+        curves["straight"] = JointPath.line(first.start, first.goal)
+    s = np.linspace(0.0, 1.0, POINTS)
+    drawn: list[tuple[Array, Any]] = []
+    ax = style.axes_for(ax)
+    with style.shared():
+        for name, path in curves.items():
+            shares, index = length_shares(path, s), kinematics.manipulability(path(s))
+            same = next((line for other, line in drawn if np.allclose(index, other, atol=1e-9)), None)
+            if same is not None:
+                same.set_label(f"{same.get_label()}, {name}")
+                continue
+            colour = colours.get(name, style.STRAIGHT)
+            [line] = ax.plot(shares, index, color=colour, label=name, linestyle=":" if name == "straight" else "-")
+            ax.plot(shares[index.argmin()], index.min(), "o", color=colour, markersize=4, clip_on=False)
+            drawn.append((index, line))
+        if bound is not None:
+            ax.axhline(bound, color=style.LIMIT, linestyle=(0, (1, 1)), linewidth=1.2, label="bound")
+        measure = kinematics.measure
+        ax.set(xlabel="share of the path's length", xlim=(0, 1))
+        ax.set_ylabel(style.with_unit(measure.name, measure.unit(kinematics.task)))
+        if min(index.min() for index, _ in drawn) >= 0:
+            ax.set_ylim(0, None)
+        ax.set_title("index along the path; dots: the least")
+        ax.legend(loc="best")
+    return ax
+
+
+def plot_singular_values(kinematics: Kinematics, path: Motion, *, ax: Any = None) -> Any:
+    """All singular values of the task's Jacobian along a motion, by share of its length; a dot where each is least.
+
+    Args:
+        kinematics: of the arm, with its task.
+        path: a JointPath, Trajectory or Tracking.
+        ax: Matplotlib's axes; None: those of a new figure.
+
+    Returns the axes.
+    """
+    instance("kinematics", kinematics, Kinematics)
+    curve = joint_path("path", path, kinematics.robot)
+    s = np.linspace(0.0, 1.0, POINTS)
+    shares, values = length_shares(curve, s), np.linalg.svd(kinematics.jacobian(curve(s)), compute_uv=False)
+    ax = style.axes_for(ax)
+    with style.shared():
+        for k, value in enumerate(values.T):
+            label = f"$\\sigma_{k + 1}$" + (" (least)" if k == len(values.T) - 1 else "")
+            [line] = ax.plot(shares, value, color=style.JOINTS[k % len(style.JOINTS)], label=label)
+            ax.plot(shares[value.argmin()], value.min(), "o", color=line.get_color(), markersize=4, clip_on=False)
+        unit = "m" if kinematics.task.metres == kinematics.task.rows else "1"
+        ax.set(xlabel="share of the path's length", xlim=(0, 1), ylim=(0, None))
+        ax.set_ylabel(style.with_unit("singular value", unit))
+        ax.set_title(f"singular values of the Jacobian, task {kinematics.task.name}")
+        ax.legend(loc="best", ncols=2)
+    return ax

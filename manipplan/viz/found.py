@@ -1,0 +1,108 @@
+"""How an answer was found: the layered search with its candidates, and the optimiser from solve to solve."""
+
+from typing import Any
+
+import numpy as np
+
+from manipplan.checks import instance
+from manipplan.errors import InvalidInputError
+from manipplan.optimize.result import PathResult
+from manipplan.search.layers import Layers
+from manipplan.search.refine import Refinement
+from manipplan.search.result import SearchResult
+from manipplan.viz import style
+
+#: Candidates drawn at a position.
+CANDIDATES = 120
+
+
+def plot_layers(layers: Layers, result: SearchResult | Refinement | None = None, *, ax: Any = None) -> Any:
+    """The index of the candidates at each position, and the path that was found among them.
+
+    Args:
+        layers: the candidates; of more than 120 at a position, these are drawn, evenly by rank.
+        result: a SearchResult or a Refinement of these layers: its index at each position, its least, and its bound. Of a
+            search that found no path, the position that none reaches.
+        ax: Matplotlib's axes; None: those of a new figure.
+
+    Returns the axes. Raises InvalidInputError for a result of another number of positions.
+    """
+    instance("layers", layers, Layers)
+    if result is not None and not isinstance(result, SearchResult | Refinement):
+        raise InvalidInputError("result", result, "a SearchResult, a Refinement or None")
+    count = len(layers.m)
+    if result is not None and len(result.manipulability) not in (0, count):
+        raise InvalidInputError("result", f"{len(result.manipulability)} positions", f"a result of these {count} layers")
+    shown = [_evenly(index) for index in layers.m]
+    place = np.repeat(np.arange(count), [len(each) for each in shown])
+    ax = style.axes_for(ax)
+    with style.shared():
+        ax.plot(place, np.concatenate(shown), ".", color=style.CANDIDATE, markersize=2.5, label="candidates", zorder=1.5)
+        ax.plot([each.max() for each in layers.m], color=style.STRAIGHT, linestyle=":", label="highest of each position")
+        if result is not None and len(result.manipulability):
+            index = result.manipulability
+            name = "refined path" if isinstance(result, Refinement) else "best continuous path"
+            ax.plot(index, color=style.OPTIMUM, linewidth=2.0, label=name)
+            ax.plot(index.argmin(), index.min(), "o", color=style.OPTIMUM, markersize=5, label=f"its least: {index.min():.4g}")
+        if result is not None:
+            ax.axhline(
+                result.bound, color=style.LIMIT, linestyle=(0, (4, 3)), linewidth=1.2, label=f"bound: {result.bound:.4g}"
+            )
+        breaks_at = getattr(result, "breaks_at", None)
+        if breaks_at is not None:
+            ax.axvline(breaks_at, color=style.ARM, linewidth=1.2, label="no continuous path reaches this")
+        ax.set(xlabel="position along the path", xlim=(-0.5, count - 0.5))
+        kinematics = layers.worker.kinematics if layers.worker is not None else None
+        unit = "1" if kinematics is None else kinematics.measure.unit(kinematics.task)
+        ax.set_ylabel(style.with_unit("index" if kinematics is None else kinematics.measure.name, unit))
+        if min(each.min() for each in shown) >= 0:
+            ax.set_ylim(0, None)
+        ax.set_title(f"{layers.count} candidates at {count} positions")
+        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=3)
+    return ax
+
+
+def plot_convergence(result: PathResult, *, ax: Any = None) -> Any:
+    """g after each solve of the optimiser: filled where that path was free, hollow where it touched something.
+
+    Args:
+        result: of `optimize_path`, or `plan.result`.
+        ax: Matplotlib's axes; None: those of a new figure.
+
+    Returns the axes. Raises InvalidInputError for a result without solves.
+    """
+    history = instance("result", result, PathResult).history
+    if not history:
+        raise InvalidInputError("result", result.status.name, "the result of an optimisation that made at least one solve")
+    solve = np.arange(1, len(history) + 1)
+    g = np.array([step.g for step in history])
+    free = np.array([step.clearance > 0 for step in history])
+    first = np.array([step.first for step in history])
+    ax = style.axes_for(ax)
+    with style.shared():
+        for name, marker in zip(dict.fromkeys(first.tolist()), "osD^", strict=False):
+            for which, fill in ((free, style.OPTIMUM), (~free, "none")):
+                chosen = (first == name) & which & np.isfinite(g)
+                text = f"from {name}, {'free' if fill != 'none' else 'touching'}"
+                if chosen.any():
+                    ax.plot(solve[chosen], g[chosen], marker, color=style.OPTIMUM, markerfacecolor=fill, label=text)
+        ax.axhline(result.g, color=style.ARM, linestyle="--", linewidth=1.2, label=f"result: {result.g:.4g}")
+        values = np.append(g[np.isfinite(g)], result.g)
+        low, high = values.min(), values.max()
+        spare = max(0.15 * (high - low), 1e-3 * high)
+        ax.set_ylim(low - spare, high + spare)
+        above = result.seed_cost.g > high + spare  # mostly by far: drawn, it would leave the solves no room
+        text = f"seed: {result.seed_cost.g:.4g}" + (", above the picture" if above else "")
+        ax.axhline(result.seed_cost.g if not above else np.nan, color=style.SEED, linestyle=":", linewidth=1.2, label=text)
+        ax.set(xlabel="solve", ylabel="g, the cost of the path", xlim=(0.5, len(history) + 0.5))
+        ax.xaxis.get_major_locator().set_params(integer=True)
+        ax.set_title(f"{len(history)} solves")
+        ax.legend(loc="best")
+    return ax
+
+
+def _evenly(index: Any) -> Any:
+    """At most CANDIDATES of the indices (k,), the least and the largest among them, evenly by rank."""
+    if len(index) <= CANDIDATES:
+        return np.sort(index)
+    return np.sort(index)[np.linspace(0, len(index) - 1, CANDIDATES).round().astype(int)]

@@ -1,0 +1,86 @@
+"""The picture of a plan: the arm along the path, the index beside what it started from, and the joints over time."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from manipplan.errors import PlanningError
+from manipplan.files import write_bytes
+from manipplan.interrupts import uninterrupted
+from manipplan.paths.joint import JointPath
+from manipplan.robots.robot import Robot
+from manipplan.viz import style
+from manipplan.viz.arm import plot_arm
+from manipplan.viz.curves import plot_index, plot_joints
+from manipplan.viz.planar import plot_planar_arm
+
+if TYPE_CHECKING:
+    from manipplan.jobs.result import Plan
+
+
+def save_plan(plan: "Plan", file: str | Path) -> None:
+    """Write the picture of a plan as PNG; see `plan_figure`."""
+    with uninterrupted():  # Matplotlib and its parser of formulae are imported and built while the first figure is drawn
+        figure = plan_figure(plan)
+        write_bytes(file, lambda stream: figure.savefig(stream, format="png", dpi=110))
+
+
+def plan_figure(plan: "Plan", figure: Any = None) -> Any:
+    """Draw a plan: the arm along the path, the index against what it started from, and the joints over time.
+
+    `figure` is a Matplotlib figure to draw into; default, a new one of 11.5 x 6 inches. Returns the figure. Raises
+    PlanningError for a plan without a trajectory.
+    """
+    from matplotlib import rc_context
+    from matplotlib.figure import Figure
+
+    if plan.trajectory is None or plan.result is None or plan.report is None or plan.path is None:
+        raise PlanningError(f"there is no trajectory to draw: {plan.status.value}", plan)
+    paths = named_paths(plan)
+    seed, names = plan.result.seed if len(paths) > 1 else None, (next(iter(paths)), list(paths)[-1])
+    with rc_context(style.STYLE):
+        figure = figure if figure is not None else Figure(figsize=(11.5, 6.0))
+        figure.set_layout_engine("constrained")
+        parts: Any = figure.subfigures(1, 2, width_ratios=(1.15, 1))
+        left, right = parts
+        title = f"{plan.robot.name}: {plan.trajectory.duration:.2f} s, least index {plan.report.min_manipulability:.3g}"
+        left.suptitle(title, fontsize=11, x=0.02, ha="left")
+        if plan.robot.planar:
+            plot_planar_arm(plan.robot, plan.path, plan.scene, seed=seed, names=names, ax=left.subplots())
+        else:
+            ax = left.add_subplot(projection="3d")
+            plot_arm(plan.robot, plan.path, plan.scene, seed=seed, names=names, ax=ax)
+        top, bottom = right.subplots(2, 1)
+        kinematics = plan.robot.kinematics(plan.result.task, measure=plan.result.measure)
+        bound = plan.refinement.bound if plan.refinement is not None else None
+        started_free = plan.refinement is None and plan.tracking is None  # a tool path to follow leaves no straight line
+        plot_index(kinematics, paths, straight=started_free, bound=bound, ax=top)
+        limits = plan.robot.limits
+        ranged = bool(np.isfinite([limits.lower, limits.upper]).all())
+        plot_joints(plan.trajectory, limits, share=ranged, unit=joint_unit(plan.robot), ax=bottom)
+    return figure
+
+
+def named_paths(plan: "Plan") -> dict[str, JointPath]:
+    """A plan's path and what it started from, each by what it is called for the job that made it; one where they are one."""
+    if plan.refinement is not None:
+        ours, first = "refined", "best of the samples"
+    elif plan.tracking is not None:
+        ours, first = "improved", "recorded"
+    else:
+        ours, first = "optimised", "seed"
+    assert plan.result is not None
+    assert plan.path is not None
+    seed = plan.result.seed
+    if seed is None:
+        return {ours: plan.path}
+    if seed is plan.path:
+        return {first: plan.path}
+    return {ours: plan.path, first: seed}
+
+
+def joint_unit(robot: Robot) -> str:
+    """The unit of a robot's joint positions."""
+    units = {"m" if kind == "prismatic" else "rad" for kind in robot.joint_types}
+    return " or ".join(sorted(units, reverse=True))

@@ -1,0 +1,117 @@
+"""The planar arm along a path, seen from above."""
+
+from typing import Any
+
+import numpy as np
+
+from manipplan.checks import Array, whole_number
+from manipplan.errors import InvalidInputError
+from manipplan.measures.task import Task
+from manipplan.robots.robot import Robot
+from manipplan.robots.scene import Plane, Scene
+from manipplan.viz import style
+from manipplan.viz.arm import PLACES, checked
+from manipplan.viz.ellipsoids import plot_ellipsoids
+from manipplan.viz.motions import Motion, skeleton, tool_way
+from manipplan.viz.shapes import arm_surfaces, feet_on_planes, obstacle_surfaces
+from manipplan.viz.space import LINES, draw_skeleton, write
+
+
+def plot_planar_arm(
+    robot: Robot,
+    path: Motion,
+    scene: Scene | None = None,
+    *,
+    seed: Motion | None = None,
+    names: tuple[str, str] = ("path", "seed"),
+    places: int = PLACES,
+    ax: Any = None,
+) -> Any:
+    """The planar arm along a motion, from light to dark, with velocity ellipses, obstacles and the way of its tool.
+
+    Obstacles are seen from above; of a plane, the part of the picture that it fills at z = 0. Arguments as in `plot_arm`,
+    but for axes without projection="3d".
+
+    Returns the axes. Raises InvalidInputError for an arm that is not planar.
+    """
+    curve, other = checked(robot, path, scene, seed)
+    if not robot.planar:
+        raise InvalidInputError("robot", robot.name, "a planar arm; plot_arm draws any other")
+    shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2))
+    ways = {name: tool_way(robot, each)[:, :2] for name, each in zip(names, (curve, other), strict=True) if each is not None}
+    ax = style.axes_for(ax, size=(6.0, 6.0))
+    with style.shared():
+        seen = [*ways.values(), *(skeleton(robot, q)[:, :2] for q in curve(shares))]
+        draw_flat_scene(ax, scene, seen)
+        for q, colour, alpha in ((curve.start, style.BODY_FIRST, 0.9), (curve.goal, style.BODY_LAST, 0.9)):
+            draw_flat_bodies(ax, robot, q, colour, alpha=alpha)
+        for share, q in zip(shares, curve(shares), strict=True):
+            draw_skeleton(ax, skeleton(robot, q)[:, :2], alpha=0.25 + 0.6 * share)
+        plot_ellipsoids(robot.kinematics(Task.planar()), curve, places, ax=ax)
+        for (name, way), colour in zip(ways.items(), (style.OPTIMUM, style.SEED), strict=False):
+            ax.plot(
+                *way.T, color=colour, linewidth=2.0 if colour == style.OPTIMUM else 1.3, label=f"tool, {name}", zorder=LINES
+            )
+        for text, place in (("start", curve.start), ("goal", curve.goal)):
+            write(ax, skeleton(robot, place)[-1, :2], text, style.ARM)
+        style.name_axes(ax)
+        ax.legend(loc="best")
+    return ax
+
+
+def draw_flat_scene(ax: Any, scene: Scene | None, seen: list[Array]) -> None:
+    """Draw obstacles from above, with their names, on axes of equal scales that show them and points (k, 2) `seen`."""
+    from matplotlib.patches import Polygon
+
+    seen = list(seen)
+    for name, surface in obstacle_surfaces(scene):
+        outline = outline_of(surface.points)
+        seen.append(outline)
+        ax.fill(*outline.T, facecolor=style.OBSTACLE, edgecolor=style.OBSTACLE, alpha=0.4, linewidth=0.8)
+        write(ax, outline.mean(axis=0), name, style.OBSTACLE_NAME)
+    flat = np.concatenate(seen)
+    points = np.concatenate([flat, *(foot[None, :2] for foot in feet_on_planes(scene, np.pad(flat, ((0, 0), (0, 1)))))])
+    low, high = points.min(axis=0), points.max(axis=0)
+    size = (high - low).max()
+    for name, obstacle in zip(scene.names, scene.obstacles, strict=True) if scene is not None else ():
+        if isinstance(obstacle, Plane):
+            filled = _below(obstacle, low - size, high + size)  # more than is seen: equal scales widen the picture
+            if len(filled) >= 3:
+                patch = Polygon(filled, facecolor=style.FLOOR, edgecolor=style.OBSTACLE, alpha=0.35, zorder=0.5)
+                ax.add_artist(patch)  # as an artist it does not count for what the axes show
+                write(ax, np.clip(filled.mean(axis=0), low, high), name, style.OBSTACLE_NAME)
+    ax.update_datalim(points)
+    ax.set_aspect("equal", adjustable="datalim")
+    ax.autoscale_view()
+
+
+def draw_flat_bodies(ax: Any, robot: Robot, q: Array, colour: str, *, alpha: float) -> list[Any]:
+    """Draw the arm's collision bodies at q (n,) from above; returns what was added."""
+    return [
+        patch
+        for surface in arm_surfaces(robot, q)
+        for patch in ax.fill(*outline_of(surface.points).T, facecolor=colour, edgecolor="none", alpha=alpha)
+    ]
+
+
+def outline_of(points: Array) -> Array:
+    """Corners (m, 2) of the convex outline of points (k, 3) seen from above, in order."""
+    from scipy.spatial import ConvexHull
+
+    flat = points[:, :2]
+    return np.asarray(flat[ConvexHull(flat).vertices])
+
+
+def _below(plane: Plane, low: Array, high: Array) -> Array:
+    """The corners (m, 2) of the part of the rectangle from `low` to `high` (2,) that lies below a plane at z = 0."""
+    corners = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
+    normal = plane.pose.rotation[:, 2]
+    height = corners @ normal[:2] - normal @ plane.pose.translation
+    kept = []
+    for k in range(4):
+        a, b = height[k], height[(k + 1) % 4]
+        if a <= 0:
+            kept.append(corners[k])
+        if a * b < 0:
+            kept.append(corners[k] + a / (a - b) * (corners[(k + 1) % 4] - corners[k]))
+    return np.array(kept)

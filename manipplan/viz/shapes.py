@@ -1,0 +1,162 @@
+"""Shapes as polygons and edges: what the pictures draw of obstacles and of an arm's links."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import coal
+import numpy as np
+import pinocchio as pin
+
+from manipplan.checks import Array
+from manipplan.robots.primitives import core_of
+from manipplan.robots.scene import Plane, Scene
+
+#: Flat pieces around a round shape, and from one pole of a ball to the other.
+AROUND, UP = 28, 14
+#: A mesh is drawn as the hull of its extreme points in so many directions.
+DIRECTIONS = 50
+#: Neighbouring faces of a hull that differ by more than this have an edge between them [rad].
+CREASE = 0.35
+
+
+@dataclass(frozen=True, kw_only=True)
+class Surface:
+    """Polygons (k, 3) that make up a surface, and polylines (k, 3) along its edges [m]."""
+
+    faces: tuple[Array, ...]
+    edges: tuple[Array, ...]
+
+    def placed(self, pose: pin.SE3) -> "Surface":
+        """The same in the frame in which `pose` is given."""
+
+        def moved(lines: tuple[Array, ...]) -> tuple[Array, ...]:
+            return tuple(line @ pose.rotation.T + pose.translation for line in lines)
+
+        return Surface(faces=moved(self.faces), edges=moved(self.edges))
+
+    @property
+    def points(self) -> Array:
+        """All corners (k, 3)."""
+        return np.concatenate(self.faces)
+
+
+def surface_of(shape: coal.CollisionGeometry) -> Surface:
+    """The surface of a coal shape in its own frame; of a mesh, the hull of its extreme points in 50 directions.
+
+    A shape of a kind that neither scenes nor URDF files have is drawn as its bounding box.
+    """
+    if isinstance(shape, coal.Sphere):
+        return _ball(np.full(3, shape.radius))
+    if isinstance(shape, coal.Ellipsoid):
+        return _ball(np.array(shape.radii))
+    if isinstance(shape, coal.Capsule):
+        up = np.linspace(-np.pi / 2, np.pi / 2, UP + 2 - UP % 2)  # an even number: the equator is there twice, once an end
+        ends = np.repeat([-shape.halfLength, shape.halfLength], len(up) // 2)
+        return _revolved(shape.radius * np.cos(up), shape.radius * np.sin(up) + ends, rings=(len(up) // 2 - 1, len(up) // 2))
+    if isinstance(shape, coal.Cylinder):
+        r, z = shape.radius, shape.halfLength
+        return _revolved(np.array([0.0, r, r, 0.0]), np.array([-z, -z, z, z]), rings=(1, 2))
+    points, _ = core_of(shape)
+    if isinstance(shape, coal.BVHModelBase):
+        points = points[np.unique((points @ _directions().T).argmax(axis=0))]
+    return _hull(points)
+
+
+def obstacle_surfaces(scene: Scene | None) -> Iterator[tuple[str, Surface]]:
+    """Name and surface, in the world, of each obstacle that has an end; of a mesh, all its parts together."""
+    if scene is None:
+        return
+    for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
+        if not isinstance(obstacle, Plane):
+            parts = [surface_of(shape).placed(obstacle.pose) for shape in obstacle.shapes()]
+            yield name, joined(parts)
+
+
+def joined(parts: Iterable[Surface]) -> Surface:
+    """Several surfaces as one."""
+    parts = list(parts)
+    faces = tuple(face for part in parts for face in part.faces)
+    return Surface(faces=faces, edges=tuple(edge for part in parts for edge in part.edges))
+
+
+def plane_patches(scene: Scene | None, low: Array, high: Array) -> Iterator[tuple[str, Array]]:
+    """Name of each plane and the polygon (k, 3) in which it cuts the box from `low` to `high` (3,); none where it does not."""
+    corners = np.array(np.meshgrid(*zip(low, high, strict=True), indexing="ij")).reshape(3, -1).T
+    pairs = [(a, b) for a in range(8) for b in range(a + 1, 8) if np.count_nonzero(corners[a] != corners[b]) == 1]
+    for name, obstacle in zip(scene.names, scene.obstacles, strict=True) if scene is not None else ():
+        if not isinstance(obstacle, Plane):
+            continue
+        frame = obstacle.pose
+        height = (corners - frame.translation) @ frame.rotation[:, 2]
+        cut = [
+            corners[a] + height[a] / (height[a] - height[b]) * (corners[b] - corners[a])
+            for a, b in pairs
+            if height[a] * height[b] <= 0 and height[a] != height[b]
+        ]
+        if len(cut) >= 3:
+            flat = (np.array(cut) - np.mean(cut, axis=0)) @ frame.rotation[:, :2]
+            yield name, np.array(cut)[np.argsort(np.arctan2(flat[:, 1], flat[:, 0]))]
+
+
+def feet_on_planes(scene: Scene | None, points: Array) -> Iterator[Array]:
+    """For each plane that is no further from the middle of points (k, 3) than their extent, its nearest point (3,)."""
+    middle, size = points.mean(axis=0), np.ptp(points, axis=0).max()
+    for obstacle in scene.obstacles if scene is not None else ():
+        if isinstance(obstacle, Plane):
+            normal = obstacle.pose.rotation[:, 2]
+            height = normal @ (middle - obstacle.pose.translation)
+            if abs(height) <= size:
+                yield middle - height * normal
+
+
+def arm_surfaces(robot: Any, q: Array) -> list[Surface]:
+    """The robot's collision bodies at q (n,), in the world."""
+    key = "drawn bodies"
+    if key not in robot.cache:
+        objects = robot.geometry.geometryObjects
+        robot.cache[key] = [(each.parentJoint, surface_of(each.geometry).placed(each.placement)) for each in objects]
+    data = robot.model.createData()
+    pin.forwardKinematics(robot.model, data, q)
+    return [surface.placed(data.oMi[joint]) for joint, surface in robot.cache[key]]
+
+
+def _ball(radii: Array) -> Surface:
+    up = np.linspace(-np.pi / 2, np.pi / 2, UP + 1)
+    unit = _revolved(np.cos(up), np.sin(up), rings=(UP // 2,))
+    return Surface(faces=tuple(face * radii for face in unit.faces), edges=tuple(edge * radii for edge in unit.edges))
+
+
+def _revolved(radius: Array, height: Array, *, rings: tuple[int, ...]) -> Surface:
+    """The surface that points (radius, height) sweep about z, with edges where the points `rings` go round."""
+    turn = np.linspace(0.0, 2 * np.pi, AROUND + 1)
+    x, y = radius[:, None] * np.cos(turn), radius[:, None] * np.sin(turn)
+    grid = np.stack([x, y, np.broadcast_to(height[:, None], x.shape)], axis=2)
+    faces = []
+    for i in range(len(grid) - 1):
+        if height[i] == height[i + 1]:  # a flat end is one polygon
+            faces.append(grid[i if radius[i] > radius[i + 1] else i + 1, :-1])
+        else:
+            faces += [np.array([grid[i, j], grid[i, j + 1], grid[i + 1, j + 1], grid[i + 1, j]]) for j in range(AROUND)]
+    return Surface(faces=tuple(faces), edges=tuple(grid[ring] for ring in rings))
+
+
+def _hull(points: Array) -> Surface:
+    """The convex hull of points (k, 3): triangles, and edges where it bends."""
+    from scipy.spatial import ConvexHull
+
+    hull = ConvexHull(points)
+    faces, normals = points[hull.simplices], hull.equations[:, :3]
+    edges = []
+    for face, (corners, beside) in enumerate(zip(hull.simplices, hull.neighbors, strict=True)):
+        for k, other in enumerate(beside):  # the neighbour opposite to corner k
+            if other > face and normals[face] @ normals[other] < np.cos(CREASE):
+                edges.append(points[np.delete(corners, k)])
+    return Surface(faces=tuple(faces), edges=tuple(edges))
+
+
+def _directions() -> Array:
+    """Unit vectors spread over the sphere along a spiral (DIRECTIONS, 3)."""
+    k = np.arange(DIRECTIONS) + 0.5
+    z, turn = 1 - 2 * k / DIRECTIONS, np.pi * (1 + 5**0.5) * k
+    return np.stack([np.sqrt(1 - z**2) * np.cos(turn), np.sqrt(1 - z**2) * np.sin(turn), z], axis=1)

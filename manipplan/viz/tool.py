@@ -1,0 +1,117 @@
+"""The way of the tool: beside the path it follows, and how far it is from it."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from manipplan.checks import Array, instance
+from manipplan.errors import InvalidInputError
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.deviation import deviations
+from manipplan.robots.robot import Robot
+from manipplan.tracking.error import free_axis
+from manipplan.tracking.relaxation import Tolerance
+from manipplan.tracking.track import Tracking
+from manipplan.viz import style
+from manipplan.viz.motions import Motion, joint_path
+from manipplan.viz.space import LINES, look_at, write
+
+if TYPE_CHECKING:
+    from manipplan.jobs.result import Plan
+
+#: Places at which the tool's z axis is drawn, and its length as a share of the picture.
+AXES, LONG = 9, 0.08
+#: Times at which a plan's tool is compared with its workspace path.
+TIMES = 801
+
+
+def plot_tool_path(robot: Robot, motion: Motion, workspace_path: CartesianPath | None = None, *, ax: Any = None) -> Any:
+    """The way of the tool with its z axis at places along it, beside the workspace path that it follows.
+
+    Args:
+        robot: the arm.
+        motion: a JointPath, Trajectory or Tracking.
+        workspace_path: what is followed; None: nothing to compare with.
+        ax: Matplotlib's axes, with projection="3d" unless the arm is planar; None: those of a new figure.
+
+    Returns the axes.
+    """
+    curve = joint_path("motion", motion, instance("robot", robot, Robot))
+    if workspace_path is not None and not isinstance(workspace_path, CartesianPath):
+        raise InvalidInputError("workspace_path", workspace_path, "a CartesianPath or None")
+    m = 2 if robot.planar else 3
+    pose = robot.kinematics().pose
+    way = pose(curve(np.linspace(0.0, 1.0, 400)))[:, :3, 3]
+    seen = [way]
+    ax = style.axes_for(ax, solid=m == 3, size=(6.0, 5.0))
+    with style.shared():
+        if workspace_path is not None:
+            wanted = workspace_path.sample(400)[:, :3, 3]
+            seen.append(wanted)
+            ax.plot(*wanted[:, :m].T, color=style.STRAIGHT, linewidth=4.0, alpha=0.6, label="workspace path")
+        ax.plot(*way[:, :m].T, color=style.OPTIMUM, label="tool", zorder=LINES)
+        if m == 3:
+            long = LONG * np.ptp(np.concatenate(seen), axis=0).max()
+            for each in pose(curve(np.linspace(0.0, 1.0, AXES))):
+                ray = np.stack([each[:3, 3], each[:3, 3] + long * each[:3, 2]])
+                seen.append(ray)
+                ax.plot(*ray.T, color=style.ELLIPSOID, linewidth=1.2)
+            ax.plot([], [], [], color=style.ELLIPSOID, linewidth=1.2, label="tool's z axis")
+            look_at(ax, seen)
+        else:
+            ax.set_aspect("equal", adjustable="datalim")
+            style.name_axes(ax)
+        write(ax, way[0, :m], "start", style.ARM)
+        if np.linalg.norm(way[-1] - way[0]) > 1e-3 * np.ptp(way, axis=0).max():
+            write(ax, way[-1, :m], "goal", style.ARM)
+        ax.legend(loc="upper right")
+    return ax
+
+
+def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = None, ax: Any = None) -> Any:
+    """How far the tool is from the path it follows over time, in mm, and on a second scale in degrees.
+
+    Args:
+        motion: a Tracking, or a Plan of `follow` or `improve`, each with the targets that it followed: those of a Tracking at
+            their times, those of `follow` wherever on the workspace path the tool is nearest.
+        tolerance: drawn as dashed lines; default: that of the plan.
+        ax: Matplotlib's axes; None: those of a new figure. The scale in degrees is on axes of its own over these.
+
+    Returns the axes of the scale in mm. Raises InvalidInputError for a plan that follows nothing.
+    """
+    if tolerance is None:
+        tolerance = getattr(motion, "tolerance", None)
+    else:
+        instance("tolerance", tolerance, Tolerance)
+    t, position, rotation = _over_time(motion)
+    ax = style.axes_for(ax)
+    with style.shared():
+        ax.set(xlabel="time [s]", xlim=(0, t[-1]), title="deviation of the tool from its path")
+        limits = (None, None) if tolerance is None else (tolerance.position, tolerance.rotation)
+        kinds = [(ax, 1e3 * position, "position [mm]", style.OPTIMUM, limits[0], 1e3)]
+        if rotation.any():
+            twin = ax.twinx()
+            twin.grid(False)
+            twin.spines["right"].set_visible(True)
+            kinds.append((twin, np.rad2deg(rotation), "rotation [°]", style.LIMIT, limits[1], 180 / np.pi))
+        for axes, values, label, colour, limit, unit in kinds:
+            axes.plot(t, values, color=colour)
+            if limit is not None:
+                axes.axhline(limit * unit, color=colour, linestyle=(0, (4, 3)), linewidth=1.0)
+            axes.set_ylim(0, 1.08 * max(values.max(), 0.0 if limit is None else limit * unit, 1e-9))
+            axes.set_ylabel(label + ("; dashed: allowed" if limit is not None else ""), color=colour)
+            axes.tick_params(axis="y", colors=colour)
+    return ax
+
+
+def _over_time(motion: Any) -> tuple[Array, Array, Array]:
+    """Times [s] and deviations [m, rad], (k,) each."""
+    tracking = motion if isinstance(motion, Tracking) else getattr(motion, "tracking", None)
+    if isinstance(tracking, Tracking):
+        return tracking.t, tracking.deviation, tracking.rotation_deviation
+    workspace_path, trajectory = getattr(motion, "workspace_path", None), getattr(motion, "trajectory", None)
+    if workspace_path is None or trajectory is None:
+        raise InvalidInputError("motion", motion, "a Tracking, or a Plan of follow or improve that has a trajectory")
+    t = np.linspace(0.0, trajectory.duration, TIMES)
+    poses = motion.robot.kinematics().pose(trajectory(t))
+    return t, *deviations(workspace_path, poses, free_axis(motion.result.task))

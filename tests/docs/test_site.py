@@ -1,0 +1,109 @@
+"""The built site in a real browser: readable by all, on a phone and on a wide screen, in light and dark, and without a network.
+
+`make docs` builds the site and runs these; MANIPPLAN_SITE names a site that was built elsewhere.
+"""
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import sync_playwright
+
+pytestmark = pytest.mark.site
+SITE = Path(os.environ.get("MANIPPLAN_SITE", Path(__file__).parents[2] / "docs" / "_build" / "html"))
+#: One of each kind: start, a concept with formulas and pictures, a recipe, the gallery, one of its pages, a study, the reference.
+SAMPLE = (
+    "index.html",
+    "start.html",
+    "concepts/tracking.html",
+    "howto/status.html",
+    "gallery/index.html",
+    next((f"gallery/{file.name}" for file in sorted(SITE.glob("gallery/plot_*.html"))), "gallery/plot_first_plan.html"),
+    "studies/kth2012.html",
+    "reference/jobs.html",
+    "benchmarks.html",
+)
+#: WCAG's level AA asks 4.5 to 1 of text; axe calls what bars readers serious or critical.
+GRAVE = {"serious", "critical"}
+
+
+def pages():
+    """Every page of the site, by its name; a missing site is a failure of the first test, not a quiet nothing."""
+    return sorted(file.relative_to(SITE).as_posix() for file in SITE.rglob("*.html") if "_static" not in file.parts)
+
+
+@pytest.fixture(scope="module")
+def browser():
+    program = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+    assert program, "no Chromium was found: make browser"
+    with sync_playwright() as engine:
+        chromium = engine.chromium.launch(executable_path=program, args=["--no-sandbox"])
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture
+def open_page(browser):
+    """Opens a page of the site from its file."""
+    contexts = []
+
+    def open_(name="index.html", *, width=1280, scheme="light"):
+        contexts.append(browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme))
+        page = contexts[-1].new_page()
+        page.goto((SITE / name).as_uri())
+        return page
+
+    yield open_
+    for context in contexts:
+        context.close()
+
+
+def test_the_site_is_built():
+    assert {*SAMPLE, "search.html", "literature.html"} <= {*pages()}, f"build the site first: make docs ({SITE})"
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("name", SAMPLE)
+def test_axe_finds_nothing_grave(open_page, name, scheme):
+    found = Axe().run(open_page(name, scheme=scheme)).response
+    assert found["passes"], "axe did not run"
+    grave = [each for each in found["violations"] if each["impact"] in GRAVE]
+    told = [f"{each['id']}: {node['html'][:160]} {node['failureSummary']}" for each in grave for node in each["nodes"][:4]]
+    assert not told, "\n".join(told)
+
+
+@pytest.mark.parametrize("width", [390, 1600])
+def test_every_page_fits_the_screen_and_asks_no_other_machine(open_page, width):
+    page = open_page(width=width)
+    asked, logged, wide = [], [], {}
+    page.on("request", lambda request: asked.append(request.url) if request.url.startswith("http") else None)
+    page.on("console", lambda message: logged.append(message.text) if message.type == "error" else None)
+    page.on("pageerror", lambda error: logged.append(str(error)))
+    for name in pages():
+        page.goto((SITE / name).as_uri())
+        got = page.evaluate("document.documentElement.scrollWidth")
+        if got > width:
+            wide[name] = got
+    assert wide == {}
+    assert asked == []
+    assert logged == []
+
+
+def test_search_works_from_files(open_page):
+    page = open_page("search.html")
+    page.goto(f"{(SITE / 'search.html').as_uri()}?q=clearance")
+    page.wait_for_selector("#search-results li a", timeout=15000)
+    targets = page.eval_on_selector_all("#search-results li a", "links => links.map(link => link.href)")
+    assert any("howto/clearance.html" in target for target in targets)
+    assert all(target.startswith("file:") for target in targets)
+
+
+def test_formulas_are_drawn(open_page):
+    page = open_page("concepts/tracking.html")
+    script = "all => all.map(each => each.getBoundingClientRect()).map(box => [box.width, box.height])"
+    sizes = page.eval_on_selector_all("math[display=block]", script)
+    assert len(sizes) >= 2
+    assert all(width > 100 and height > 15 for width, height in sizes)
+    assert page.eval_on_selector_all("script[src*=mathjax], merror", "all => all.length") == 0
