@@ -22,7 +22,7 @@ from manipplan.viz.viewer.chart import Chart, Curve, table
 from manipplan.viz.viewer.figures import EllipsoidFigure, RobotFigure, corners, principal, put
 from manipplan.viz.viewer.motion import LARGEST, limits_now, unit_of
 from manipplan.viz.viewer.panel import switch
-from manipplan.viz.viewer.server import HOST, PORT, Page
+from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
 from manipplan.viz.viewer.surroundings import surround
 
 #: Pictures a second, and of these every such one also draws the chart and the figures.
@@ -64,6 +64,7 @@ def follow_target(
         MissingExtraError: viser is not installed.
         InvalidInputError: an argument is not usable, or the port is in use.
     """
+    require_extra()
     instance("robot", robot, Robot)
     instance("open_browser", open_browser, bool)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
@@ -154,7 +155,7 @@ class LiveViewer(Page):
             depth_test=False,
         )
         self.target = self._target
-        self._layers = {"ellipsoid at the tool": self.ellipsoid.mesh}
+        self._layers = {"ellipsoid, tool": self.ellipsoid.mesh}
         self._layers |= surround(self.server, robot, self._start, scene, box)
         self.handle.on_update(self._drag)
 

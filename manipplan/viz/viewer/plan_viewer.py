@@ -12,7 +12,7 @@ from manipplan.viz.viewer.bodies import appearance_of
 from manipplan.viz.viewer.chart import Chart, Curve, table
 from manipplan.viz.viewer.motion import Motion, unit_of
 from manipplan.viz.viewer.panel import switch
-from manipplan.viz.viewer.server import HOST, PORT, Page
+from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
 from manipplan.viz.viewer.stage import Stage
 
 if TYPE_CHECKING:
@@ -38,6 +38,7 @@ def show(plan: "Plan", *, port: int = PORT, host: str = HOST, open_browser: bool
         InvalidInputError: the port is in use.
         PlanningError: the plan has no trajectory.
     """
+    require_extra()
     instance("open_browser", open_browser, bool)
     viewer = PlanViewer(Motion.of(plan), port=port, host=host)
     if open_browser:

@@ -1,6 +1,7 @@
 """The server of the page that a browser shows: its port, its address, its end."""
 
 import contextlib
+import importlib
 import logging
 import os
 import socket
@@ -41,7 +42,9 @@ class Page:
             MissingExtraError: viser is not installed.
             InvalidInputError: the port is in use, or the address is not one of this machine.
         """
-        viser = _viser()
+        require_extra()
+        import viser
+
         port = whole_number("port", port, least=0, most=65535)
         if not isinstance(host, str) or not host:
             raise InvalidInputError("host", host, "'localhost', or '0.0.0.0' to be seen by other machines")
@@ -102,12 +105,13 @@ def has_display() -> bool:
     return any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"))
 
 
-def _viser() -> Any:
-    try:
-        import viser
-    except ImportError as error:
-        raise MissingExtraError("viser", "viewer") from error
-    return viser
+def require_extra() -> None:
+    """Raise MissingExtraError, before any work, when a package of the extra `viewer` is not installed."""
+    for package in ("viser", "trimesh", "fast_simplification"):
+        try:
+            importlib.import_module(package)
+        except ImportError as error:
+            raise MissingExtraError(package, "viewer") from error
 
 
 def _must_be_free(port: int, host: str) -> None:

@@ -17,7 +17,7 @@ FROM = {False: (1.0, -1.25, 0.6), True: (0.0, -0.55, 1.0)}
 #: Vertical angle of the camera's view [rad].
 VIEW = np.deg2rad(45.0)
 #: The ball around what is looked at fills a little more than the picture: its outermost parts are empty.
-FILL = 0.85
+FILL = 0.92
 #: Obstacles are looked at as far as this beyond the arm, as a share of the diagonal of the space that it takes.
 NEAR = 0.2
 
