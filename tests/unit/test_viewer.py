@@ -100,7 +100,9 @@ def moved(robot, start=None, scene=None):
 
 def picture(page):
     """The 3D picture as an array (h, w, 3)."""
-    return np.asarray(Image.open(io.BytesIO(page.locator("canvas").first.screenshot())).convert("RGB")).astype(int)
+    canvas = page.locator("canvas").first.bounding_box()
+    shot = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
+    return np.asarray(shot.crop((0, 0, round(canvas["width"]), round(canvas["height"])))).astype(int)
 
 
 def drawn(page, *, differs_from=None, seconds=15.0):

@@ -66,7 +66,7 @@ class PlanViewer(Page):
         with self.server.atomic():
             self.stage = Stage(self.server, motion)
             self._fill_panel()
-        threading.Thread(target=self._play, name="manipplan viewer", daemon=True).start()
+        self._start(self._play)
 
     @property
     def time(self) -> float:

@@ -8,7 +8,7 @@ import socket
 import sys
 import threading
 import webbrowser
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from types import TracebackType
 from typing import Any, Self
 
@@ -57,6 +57,7 @@ class Page:
         shown = "localhost" if host in ("0.0.0.0", "127.0.0.1") else host
         self.url = f"http://{shown}:{self.server.get_port()}"
         self._stopped = threading.Event()
+        self._threads: list[threading.Thread] = []
 
     @property
     def running(self) -> bool:
@@ -85,8 +86,16 @@ class Page:
         """End the page; a second call does nothing."""
         if not self._stopped.is_set():
             self._stopped.set()
+            for thread in self._threads:  # they draw on the server
+                thread.join()
             with _quiet():
                 self.server.stop()
+
+    def _start(self, work: Callable[[], None]) -> None:
+        """Let a thread work that ends when the page does not run any more."""
+        thread = threading.Thread(target=work, name=f"manipplan {type(self).__name__}", daemon=True)
+        self._threads.append(thread)
+        thread.start()
 
     def __enter__(self) -> Self:
         return self
