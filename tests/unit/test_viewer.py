@@ -429,7 +429,14 @@ def test_a_port_in_use_is_an_error(plan):
 
 @pytest.mark.parametrize(
     ("argument", "value"),
-    [("port", 70_000), ("port", "x"), ("host", ""), ("host", "no.such.host.invalid"), ("open_browser", 1)],
+    [
+        ("port", 70_000),
+        ("port", "x"),
+        ("host", ""),
+        ("host", "no.such.host.invalid"),
+        ("host", "192.0.2.1"),
+        ("open_browser", 1),
+    ],
 )
 def test_other_bad_arguments(plan, argument, value):
     with pytest.raises(mp.InvalidInputError, match=argument):

@@ -91,7 +91,8 @@ class PlanViewer(Page):
 
     def pause(self) -> None:
         """Stand still."""
-        self._playing.clear()
+        with self._lock:
+            self._playing.clear()
         self._button.label, self._button.icon = "Play", "player-play"
 
     def stop(self) -> None:
@@ -134,15 +135,16 @@ class PlanViewer(Page):
         while self.running:
             if not self._playing.wait(0.2):
                 continue
-            start, last = self._time, time.monotonic()
-            while self.playing and self.running and start < duration:
+            last = time.monotonic()
+            while self.playing and self.running:
                 time.sleep(1.0 / RATE)
                 now = time.monotonic()
-                start, last = min(start + self.speed * (now - last), duration), now
-                if self.playing:
-                    self._show(start)
-            if self.running and self.playing:
-                self.pause()
+                with self._lock:
+                    if self.playing:  # not paused meanwhile
+                        self._show(min(self._time + self.speed * (now - last), duration))
+                    if self._time >= duration:
+                        self.pause()
+                last = now
 
 
 def chart_of(motion: Motion) -> Chart:

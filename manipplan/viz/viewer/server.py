@@ -1,6 +1,7 @@
 """The server of the page that a browser shows: its port, its address, its end."""
 
 import contextlib
+import errno
 import importlib
 import logging
 import os
@@ -48,13 +49,14 @@ class Page:
         port = whole_number("port", port, least=0, most=65535)
         if not isinstance(host, str) or not host:
             raise InvalidInputError("host", host, "'localhost', or '0.0.0.0' to be seen by other machines")
-        _must_be_free(port, host)
+        address = "127.0.0.1" if host == HOST else host  # by its name it would also be ::1, which not every machine has
+        port = _free_port(port, address)
         with _quiet():
-            self.server: Any = viser.ViserServer(host=host, port=port, verbose=False)
+            self.server: Any = viser.ViserServer(host=address, port=port, verbose=False)
         self.server.gui.set_panel_label(title)
         self.server.gui.configure_theme(show_logo=False, show_share_button=False, control_width="medium")
         self.server.gui.main_panel.dock_right()
-        shown = "localhost" if host in ("0.0.0.0", "127.0.0.1") else host
+        shown = "localhost" if host in ("0.0.0.0", "::", "127.0.0.1") else host
         self.url = f"http://{shown}:{self.server.get_port()}"
         self._stopped = threading.Event()
         self._threads: list[threading.Thread] = []
@@ -123,21 +125,24 @@ def require_extra() -> None:
             raise MissingExtraError(package, "viewer") from error
 
 
-def _must_be_free(port: int, host: str) -> None:
-    """viser would take another port without a word."""
+def _free_port(port: int, host: str) -> int:
+    """`port`, or for 0 any that is free; viser would take another one than is asked for without a word."""
     try:
         found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
     except (OSError, UnicodeError) as error:
         raise InvalidInputError("host", host, f"an address of this machine ({error})") from error
-    for family, kind, protocol, _, address in found:
-        with socket.socket(family, kind, protocol) as probe:
-            if sys.platform != "win32":
-                probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            try:
-                probe.bind(address)
-            except OSError as error:
-                allowed = f"a port that can be used ({error.strerror}); another number, or 0 for any free one"
-                raise InvalidInputError("port", port, allowed) from error
+    family, kind, protocol, _, address = found[0]
+    with socket.socket(family, kind, protocol) as probe:
+        if sys.platform != "win32":  # where it would take a port that is in use
+            probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind(address)
+        except OSError as error:
+            if error.errno == errno.EADDRNOTAVAIL:
+                raise InvalidInputError("host", host, "an address of this machine") from error
+            allowed = f"a port that can be used ({error.strerror}); another number, or 0 for any free one"
+            raise InvalidInputError("port", port, allowed) from error
+        return int(probe.getsockname()[1])
 
 
 @contextlib.contextmanager
