@@ -29,8 +29,11 @@ def main() -> None:
         page.goto(viewer.url)
         page.locator(".mantine-Notification-closeButton").click(timeout=60_000)  # it tells that there is no graphics card
         viewer.time = PLACE * plan.trajectory.duration
-        page.wait_for_timeout(8000)
-        shot = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
+        before, after = b"", page.screenshot()
+        while after != before:  # without a graphics card the scene appears slowly
+            page.wait_for_timeout(4000)
+            before, after = after, page.screenshot()
+        shot = Image.open(io.BytesIO(after)).convert("RGB")
         browser.close()
     shot.quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(PICTURE, optimize=True)
     print(f"wrote {PICTURE}, {PICTURE.stat().st_size // 1000} kB")

@@ -105,7 +105,7 @@ def picture(page):
     return np.asarray(shot.crop((0, 0, round(canvas["width"]), round(canvas["height"])))).astype(int)
 
 
-def drawn(page, *, differs_from=None, seconds=15.0):
+def drawn(page, *, differs_from=None, seconds=40.0):
     """The picture once there is something on it, and something else than on `differs_from`."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
@@ -117,7 +117,7 @@ def drawn(page, *, differs_from=None, seconds=15.0):
     pytest.fail("the picture stayed empty, or the same")
 
 
-def wait_until(true, seconds=10.0):
+def wait_until(true, seconds=20.0):
     end = time.monotonic() + seconds
     while not true():
         assert time.monotonic() < end, "nothing happened"
