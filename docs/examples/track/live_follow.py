@@ -14,7 +14,9 @@ import manipplan as mp
 from manipplan.viz import viewer
 
 robot = mp.load_robot("panda")
-scene = mp.Scene([mp.Box(size=(0.2, 0.2, 0.4), position=(0.5, 0.45, 0.2), name="crate")])
+scene = mp.Scene(
+    [mp.Box(size=(0.2, 0.2, 0.4), position=(0.5, 0.45, 0.2), name="crate")]
+)
 with viewer.follow_target(robot, mp.LogDrive(), scene=scene) as page:
     print(f"drag the target at {page.url}; Ctrl-C ends it")
     page.wait()
