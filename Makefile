@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 READY := .venv/.ready
 
-.PHONY: demo test test-long browser ffmpeg lint types docs pictures benchmark benchmark-peers benchmark-paths clean
+.PHONY: demo test test-long browser ffmpeg lint types docs links pictures benchmark benchmark-peers benchmark-paths clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
@@ -37,9 +37,16 @@ lint: $(READY)
 types: $(READY)
 	$(BIN)/mypy
 
-docs: $(READY)
+# Builds the site with its gallery, checks every link and picture, and opens its pages in a browser.
+docs: $(READY) browser
 	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
+	$(BIN)/python docs/check_site.py docs/_build/html
+	$(BIN)/python -m pytest -m site tests/docs/test_site.py
 	@echo "open docs/_build/html/index.html"
+
+# Links to other sites; needs a network.
+links: $(READY)
+	$(BIN)/python -m sphinx -q -D plot_gallery=0 -b linkcheck docs docs/_build/links
 
 # The picture and the animation of the README.
 pictures: $(READY)
@@ -54,6 +61,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py
 	$(BIN)/python benchmarks/planar_suite.py
+	$(BIN)/python benchmarks/gallery.py
 
 benchmark-peers: $(READY)
 	$(BIN)/python benchmarks/tracking.py

@@ -41,20 +41,24 @@ napoleon_google_docstring = True
 napoleon_attr_annotations = False
 napoleon_custom_sections = [("Attributes", "params_style")]  # a list, not an entry of its own for each
 bibtex_bibfiles = ["references.bib"]
+default_role = "py:obj"  # `optimize_path` in a docstring leads there
 nitpicky = True
 sphinx_gallery_conf = {
     "examples_dirs": "examples",
     "gallery_dirs": "gallery",
+    "subsection_order": [f"examples/{section}" for section in ("first_steps", "plan", "follow", "track", "measure", "deploy")],
     "filename_pattern": "plot_",
     "abort_on_example_error": True,
     "show_memory": False,
     "download_all_examples": False,
     "show_signature": False,
     "write_computation_times": False,
+    "capture_repr": (),  # pages print what they show
 }
 html_domain_indices = False
 suppress_warnings = ["config.cache"]
 linkcheck_timeout = 20
+linkcheck_ignore = [r"\.\./"]  # inside the site: check_site.py
 #: Links that are written by hand must have a target; types that autodoc finds in signatures need none.
 nitpick_ignore_regex = [("py:(class|obj|exc|data|attr)", r"(?!manipplan\.(planar\.|viz\.)?\w+$).*")]
 

@@ -3,12 +3,17 @@
 Every browser of today draws MathML. The translation from LaTeX is that of docutils.
 """
 
+import re
 from typing import Any
 
 from docutils import nodes
 from docutils.utils.math import MathError
 from docutils.utils.math.latex2mathml import tex2mathml
 from sphinx.errors import ExtensionError
+
+#: Dots as an accent of their own are not drawn by every browser without a mathematical font; a letter with dots is.
+DOTTED = re.compile(r'<mover accent="true">\s*<mi>(\w)</mi>\s*<mo[^>]*>([˙¨])</mo>\s*</mover>')
+DOTS = {"˙": "\u0307", "¨": "\u0308"}
 
 
 def setup(app: Any) -> dict[str, bool]:
@@ -35,6 +40,9 @@ def _block(translator: Any, node: nodes.math_block) -> None:
 def _mathml(node: nodes.Element, *, as_block: bool) -> str:
     source = node.astext()
     try:
-        return tex2mathml(source, as_block=as_block).replace("\n", " ")
+        mathml = tex2mathml(source, as_block=as_block)
     except MathError as error:
         raise ExtensionError(f"{node.source}:{node.line}: the formula {source!r} cannot be translated: {error}") from error
+    return DOTTED.sub(lambda found: f'<mi style="font-style: italic">{found[1]}{DOTS[found[2]]}</mi>', mathml).replace(
+        "\n", " "
+    )

@@ -78,10 +78,12 @@ def frames():
             a = angle + k * np.pi / 2
             end = origin + length * np.array([np.cos(a), np.sin(a)])
             arrow(ax, origin, end, colour, linewidth=1.8, mutation_scale=12, shrinkA=0, shrinkB=0)
-            ax.text(*(origin + (length + 0.08) * np.array([np.cos(a), np.sin(a)])), axis, color=colour, ha="center", va="center")
-        shift = {"base": (0.0, -0.16), "tool": (0.22, -0.42)}.get(name, (0.12, 0.42))
+            ax.text(
+                *(origin + (length + 0.08) * np.array([np.cos(a), np.sin(a)])), axis, color=colour, ha="center", va="center"
+            )
+        shift = {"base": (0.0, -0.16), "tool": (0.22, -0.42)}.get(name, (0.2, 0.52))
         ax.text(*(origin + shift), name, color=colour, fontsize=9)
-    ax.set(xlim=(-0.35, 4.3), ylim=(-0.45, 1.6), aspect="equal")
+    ax.set(xlim=(-0.35, 4.3), ylim=(-0.3, 1.75), aspect="equal")
     ax.axis("off")
     return figure
 
@@ -91,7 +93,9 @@ def joints_of(arm, q):
     angles = np.cumsum(q)
     lengths = [np.linalg.norm(p.translation) for p in arm.model.jointPlacements[2:]]
     tool = arm.kinematics().pose(q)[:2, 3]
-    inner = np.cumsum([length * np.array([np.cos(a), np.sin(a)]) for length, a in zip(lengths, angles[:-1], strict=True)], axis=0)
+    inner = np.cumsum(
+        [length * np.array([np.cos(a), np.sin(a)]) for length, a in zip(lengths, angles[:-1], strict=True)], axis=0
+    )
     return np.vstack([np.zeros(2), inner, tool])
 
 
@@ -99,28 +103,34 @@ def ellipsoids():
     """Four postures of the arm of three links with their velocity ellipsoids."""
     arm = mp.planar_arm([1.0, 1.0, 1.0])
     kin = arm.kinematics()
-    postures = {"almost stretched": [0.4, -0.12, 0.08], "folded": [0.5, 2.4, -2.2], "large": [-0.35, 0.780, 1.132], "round": None}
+    postures = {
+        "almost stretched": [0.4, -0.12, 0.08],
+        "folded": [0.5, 2.4, -2.2],
+        "large": [-0.35, 0.780, 1.132],
+        "round": None,
+    }
     grid = np.stack(np.meshgrid(np.linspace(-np.pi, np.pi, 181), np.linspace(-np.pi, np.pi, 181)), axis=-1).reshape(-1, 2)
     shape = arm.kinematics(measure="inverse_condition")
     every = np.column_stack([np.zeros(len(grid)), grid])
     postures["round"] = [0.3, *grid[shape.manipulability(every).argmax()]]
-    figure, panels = plt.subplots(1, 4, figsize=(9.2, 2.9), sharex=True, sharey=True)
+    figure, panels = plt.subplots(1, 4, figsize=(9.2, 2.7), sharex=True, sharey=True, layout="constrained")
     for ax, (name, q) in zip(panels, postures.items(), strict=True):
-        q = np.asarray(q)
-        points = joints_of(arm, q)
+        points = joints_of(arm, np.asarray(q))
         ellipsoid = mp.velocity_ellipsoid(kin.jacobian(q))
         axes, radii = np.asarray(ellipsoid.axes), np.asarray(ellipsoid.radii)
         angle = np.degrees(np.arctan2(axes[1, 0], axes[0, 0]))
         ax.add_patch(
-            Ellipse(points[-1], *(0.6 * radii), angle=angle, facecolor=ELLIPSOID, alpha=0.25, edgecolor=ELLIPSOID, linewidth=1.5)
+            Ellipse(
+                points[-1], *(0.6 * radii), angle=angle, facecolor=ELLIPSOID, alpha=0.25, edgecolor=ELLIPSOID, linewidth=1.5
+            )
         )
         ax.plot(*points.T, "o-", color=ARM, linewidth=2.5, markersize=4)
         ax.set_title(f"{name}\nm = {kin.manipulability(q):.2f} m², κ = {shape.manipulability(q):.2f}", fontsize=9)
-        ax.set(xlim=(-1.4, 3.6), ylim=(-1.1, 2.9), aspect="equal", xticks=[], yticks=[])
+        ax.set(xlim=(-0.4, 3.4), ylim=(-0.9, 2.3), aspect="equal", xticks=[], yticks=[])
         ax.grid(visible=False)
         for side in ax.spines.values():
             side.set_visible(False)
-    figure.text(0.5, 0.02, "ellipses drawn at 0.3 of their size", ha="center", fontsize=8, color="#555555")
+    figure.supxlabel("ellipses are drawn at 0.3 of their size; κ is the condition σ₂/σ₁", fontsize=9, color="#444444")
     return figure
 
 
@@ -185,7 +195,11 @@ def drives():
     figure, ax = plt.subplots(figsize=(7.2, 3.2))
     for name, (pull, colour, dash) in pulls.items():
         ax.plot(m, pull, color=colour, linestyle=dash, label=name)
-    ax.set(xlabel="index m of Baxter's arm: singular on the left, its best posture on the right", ylabel="pull on ∇m", ylim=(10, 5e4))
+    ax.set(
+        xlabel="index m of Baxter's arm: singular on the left, its best posture on the right",
+        ylabel="pull on ∇m",
+        ylim=(10, 5e4),
+    )
     ax.set(yscale="log", xlim=(0, 0.14))
     ax.legend(loc="upper right")
     return figure
@@ -204,7 +218,9 @@ def search():
     dots = ax.scatter(s, q[:, 0], c=m, s=9, cmap="cividis", linewidths=0)
     ax.plot(layers.s, found.q[:, 0], color=JOINTS[3], linewidth=2, label=f"widest path, least index {found.minimum:.2f} m²")
     k = int(found.manipulability.argmin())
-    ax.plot(layers.s[k], found.q[k, 0], "o", color=JOINTS[3], markersize=9, fillstyle="none", markeredgewidth=1.8, label="its least")
+    ax.plot(
+        layers.s[k], found.q[k, 0], "o", color=JOINTS[3], markersize=9, fillstyle="none", markeredgewidth=1.8, label="its least"
+    )
     figure.colorbar(dots, label="index m [m²]", pad=0.02)
     ax.set(xlabel="s, position along the path of the tool", ylabel="joint 1 of each candidate [rad]", xlim=(-0.02, 1.02))
     ax.legend(loc="upper center", ncols=2, bbox_to_anchor=(0.5, 1.15))

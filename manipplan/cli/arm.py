@@ -1,7 +1,12 @@
-"""The arm that a command was given."""
+"""The arm that a command was given, and configurations of it."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.errors import InvalidInputError, UnknownNameError
 from manipplan.robots.catalog import load_robot
 from manipplan.robots.robot import Robot
 
@@ -10,3 +15,15 @@ def load_arm(name: str, tool: str | None, srdf: Path | None) -> Robot:
     """A known arm or that of a file, with the options that were given."""
     given = {"tool": tool, "srdf": srdf}
     return load_robot(name, **{key: value for key, value in given.items() if value is not None})
+
+
+def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array:
+    """The configuration that words name: one number a joint, or one named state of the robot."""
+    try:
+        return np.array([float(word) for word in words])
+    except ValueError as error:
+        if len(words) != 1:
+            raise InvalidInputError(argument, " ".join(words), "one number a joint, or the name of one state") from error
+    if words[0] not in robot.named_states:
+        raise UnknownNameError(argument, words[0], robot.named_states or ["numbers: the robot has no named states"])
+    return robot.named_states[words[0]]

@@ -6,7 +6,7 @@ from typing import Literal
 from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import load_arm
+from manipplan.cli.arm import configuration_of, load_arm
 from manipplan.files import writable_folder
 from manipplan.jobs.planning import plan as plan_job
 from manipplan.progress import part
@@ -16,8 +16,8 @@ from manipplan.robots.scene import Scene
 def plan(
     robot: Positional[str],
     /,
-    start: tuple[float, ...],
-    goal: tuple[float, ...],
+    start: tuple[str, ...],
+    goal: tuple[str, ...],
     scene: Path | None = None,
     out: Path = Path("plan"),
     tool: str | None = None,
@@ -36,8 +36,8 @@ def plan(
 
     Args:
         robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
-        start: One angle [rad] or length [m] a joint.
-        goal: One angle [rad] or length [m] a joint.
+        start: One angle [rad] or length [m] a joint, or the name of a state in the robot's SRDF.
+        goal: As `start`.
         scene: YAML file with obstacles.
         out: Folder for what is written.
         tool: Frame whose motion counts, when the robot is a file.
@@ -59,8 +59,8 @@ def plan(
         world = Scene.from_yaml(scene) if scene is not None else Scene()
         made = plan_job(
             arm,
-            start,
-            goal,
+            configuration_of("start", start, arm),
+            configuration_of("goal", goal, arm),
             world,
             power=power,
             measure=measure,

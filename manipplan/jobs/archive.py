@@ -92,7 +92,8 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
         world = scene_of(path, data["scene"], folder, scene)
         index = _measure(path, data["measure"], measure)
         joints = JointPath(**data["path"])
-        seed = _maybe(data["seed"], lambda each: JointPath(**each))
+        # a seed that is the path itself stays so: pictures tell by it that there is one path, not two
+        seed = joints if data["seed"] == data["path"] else _maybe(data["seed"], lambda each: JointPath(**each))
         numbers = data["result"]
         result = PathResult(
             path=joints,

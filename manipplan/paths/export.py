@@ -88,7 +88,10 @@ def from_json(file: str | Path) -> Trajectory:
 
 
 def to_ros(trajectory: Trajectory, file: str | Path) -> None:
-    """A trajectory_msgs/JointTrajectory: positions, velocities, accelerations, time_from_start (sec, nanosec)."""
+    """A trajectory_msgs/JointTrajectory with positions, velocities, accelerations and time_from_start.
+
+    Its stamp is zero, which controllers take as "begin at once".
+    """
     import yaml
 
     points = []
@@ -100,10 +103,12 @@ def to_ros(trajectory: Trajectory, file: str | Path) -> None:
                 "positions": q.tolist(),
                 "velocities": qd.tolist(),
                 "accelerations": qdd.tolist(),
+                "effort": [],
                 "time_from_start": {"sec": nanoseconds // 10**9, "nanosec": nanoseconds % 10**9},
             }
         )
-    message = {"joint_names": list(trajectory.joint_names), "points": points}
+    header = {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": ""}
+    message = {"header": header, "joint_names": list(trajectory.joint_names), "points": points}
     dumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
     write_text(file, yaml.dump(message, Dumper=dumper, sort_keys=False, default_flow_style=None, width=1000))
 

@@ -118,6 +118,42 @@ class Trajectory:
 
         export.to_npz(self, file)
 
+    def to_rosbag(self, file: str | Path, *, storage: str = "mcap", rate: float = 100.0) -> None:
+        """Write a ROS 2 bag for `ros2 bag play`, rviz and Foxglove: the motion as a JointTrajectory and as JointStates.
+
+        Args:
+            file: its folder; nothing may be there yet.
+            storage: "mcap" or "sqlite3".
+            rate: of the JointStates [Hz]; there is one at each sample, too.
+
+        Raises:
+            InvalidInputError: the folder exists or cannot be written, or another argument is not usable.
+            MissingExtraError: rosbags is not installed.
+        """
+        from manipplan.paths import rosbag
+
+        rosbag.to_rosbag(self, file, storage=storage, rate=rate)
+
+    @classmethod
+    def from_rosbag(cls, file: str | Path, topic: str | None = None, *, joints: Sequence[str] | None = None) -> "Trajectory":
+        """Read a recorded motion from a ROS bag: JointStates, or one JointTrajectory.
+
+        Velocities that were not recorded are those of the cubic spline through the positions.
+
+        Args:
+            file: the folder of a ROS 2 bag, or a ROS 1 .bag file.
+            topic: default, the only one with JointStates, else the only one with a JointTrajectory.
+            joints: those wanted, in this order, such as `robot.joint_names`. Default: all of the first message, in its order.
+
+        Raises:
+            FileFormatError: not a bag, stamps that do not rise, a joint without a position.
+            InvalidInputError: no such topic or joint; several topics fit.
+            MissingExtraError: rosbags is not installed.
+        """
+        from manipplan.paths import rosbag
+
+        return rosbag.from_rosbag(file, topic, joints=joints)
+
     @classmethod
     def from_csv(cls, file: str | Path) -> "Trajectory":
         """Read what `to_csv` wrote."""

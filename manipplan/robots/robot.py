@@ -291,6 +291,20 @@ class Robot:
         limits = self.limits.with_changes(changes, source=source)
         return replace(self, limits=limits, neutral=np.clip(self.neutral, limits.lower, limits.upper))
 
+    def to_srdf(self, file: str | Path, states: Mapping[str, ArrayLike] | None = None, *, group: str = "arm") -> None:
+        """Write MoveIt's semantic description: the arm as one group, its tool, named states, pairs that need no check.
+
+        Args:
+            file: what is written, whole or not at all.
+            states: configurations (n,) [rad or m] by name; default `named_states`.
+            group: name of the group.
+
+        Raises InvalidInputError when a state is no configuration, or the file cannot be written.
+        """
+        from manipplan.robots.srdf import to_srdf
+
+        to_srdf(self, file, states, group=group)
+
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "cache": {}}  # what was built holds pointers into Pinocchio
 

@@ -48,7 +48,7 @@ class RobotSource:
 
     @property
     def package_dirs(self) -> tuple[Path, ...]:
-        """Folders that were given for `package://` paths; those above `file` are searched as well."""
+        """Folders in which packages were to be looked for, as given; those above `file` are searched as well."""
         return tuple(self.options.get("package_dirs", ()))
 
     def load(self) -> "Robot":

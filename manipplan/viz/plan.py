@@ -11,6 +11,7 @@ from manipplan.files import write_bytes
 from manipplan.interrupts import uninterrupted
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
+from manipplan.status import Status
 from manipplan.viz import style
 from manipplan.viz.arm import plot_arm
 from manipplan.viz.curves import plot_index, plot_joints
@@ -18,6 +19,9 @@ from manipplan.viz.planar import plot_planar_arm
 
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan
+
+#: Of paths that `improve` made; they tell it also of a plan that was loaded, which has no `tracking`.
+RECORDED = (Status.IMPROVED, Status.NOT_BETTER)
 
 
 def save_plan(plan: "Plan", file: str | Path) -> None:
@@ -58,7 +62,7 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
         top, bottom = right.subplots(2, 1)
         kinematics = plan.robot.kinematics(plan.result.task, measure=plan.result.measure)
         bound = plan.refinement.bound if plan.refinement is not None else None
-        started_free = plan.refinement is None and plan.tracking is None  # a tool path to follow leaves no straight line
+        started_free = plan.refinement is None and plan.result.status not in RECORDED  # a tool path leaves no straight line
         plot_index(kinematics, paths, straight=started_free, bound=bound, ax=top)
         limits = plan.robot.limits
         ranged = bool(np.isfinite([limits.lower, limits.upper]).all())
@@ -77,14 +81,14 @@ def finished(plan: "Plan") -> None:
 
 def named_paths(plan: "Plan") -> dict[str, JointPath]:
     """A plan's path and what it started from, each by what it is called for the job that made it; one where they are one."""
+    assert plan.result is not None
+    assert plan.path is not None
     if plan.refinement is not None:
         ours, first = "refined", "best of the samples"
-    elif plan.tracking is not None:
+    elif plan.result.status in RECORDED:
         ours, first = "improved", "recorded"
     else:
         ours, first = "optimised", "seed"
-    assert plan.result is not None
-    assert plan.path is not None
     seed = plan.result.seed
     if seed is None:
         return {ours: plan.path}

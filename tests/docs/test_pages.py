@@ -34,7 +34,9 @@ def assert_printed(wanted, got, where):
     """The words are the same, and numbers to a hundredth."""
     assert NUMBER.sub("#", wanted).split() == NUMBER.sub("#", got).split(), f"{where} prints\n{got}"
     for a, b in zip(NUMBER.findall(wanted), NUMBER.findall(got), strict=True):
-        assert float(a.replace(",", "")) == pytest.approx(float(b.replace(",", "")), rel=1e-2, abs=2e-3), f"{where} prints\n{got}"
+        assert float(a.replace(",", "")) == pytest.approx(float(b.replace(",", "")), rel=1e-2, abs=2e-3), (
+            f"{where} prints\n{got}"
+        )
 
 
 def test_there_is_code_on_the_pages():

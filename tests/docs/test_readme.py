@@ -15,7 +15,7 @@ def test_the_first_example_prints_what_it_says(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     exec(compile(code, "README.md", "exec"), {})
     assert capsys.readouterr().out == expected
-    assert len(list((tmp_path / "plan").iterdir())) == 6
+    assert len(list((tmp_path / "plan").iterdir())) == 7
 
 
 @pytest.mark.parametrize("name", ["panda_boxes", "import_time"])

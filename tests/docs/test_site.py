@@ -20,8 +20,12 @@ SAMPLE = (
     "concepts/tracking.html",
     "howto/status.html",
     "gallery/index.html",
-    next((f"gallery/{file.name}" for file in sorted(SITE.glob("gallery/plot_*.html"))), "gallery/plot_first_plan.html"),
+    next(
+        (file.relative_to(SITE).as_posix() for file in sorted(SITE.glob("gallery/**/plot_*.html"))),
+        "gallery/plot_first_plan.html",
+    ),
     "studies/kth2012.html",
+    "studies/planar-arm.html",
     "reference/jobs.html",
     "benchmarks.html",
 )

@@ -158,6 +158,25 @@ def test_a_followed_path_comes_back(planar, small_plan, tmp_path):
         np.testing.assert_array_equal(workspace(0.37), again.workspace_path(0.37))
 
 
+def test_an_improved_recording_comes_back(planar, tmp_path):
+    """Its files are the same again, the picture with its names among them, though how it was tracked is not kept."""
+    slow = mp.retime(mp.JointPath.line([0.3, 0.5, 0.6], [0.8, 0.4, 0.8]), planar.limits, joint_names=planar.joint_names).slower(
+        4.0
+    )
+    plan = mp.improve(planar, slow)
+    nothing = replace(
+        plan, status=mp.Status.NOT_BETTER, path=plan.result.seed, result=replace(plan.result, path=plan.result.seed)
+    )
+    for name, each in (("improved", plan), ("not_better", nothing)):
+        each.save(tmp_path / name)
+        again = mp.Plan.load(tmp_path / name)
+        assert again.tracking is None
+        assert (again.result.seed is again.path) == (each.result.seed is each.path)
+        again.save(tmp_path / name / "again")
+        for file in (tmp_path / name / "again").iterdir():
+            assert file.read_bytes() == (tmp_path / name / file.name).read_bytes(), file.name
+
+
 def test_a_robot_file_moves_with_the_result(two_link_urdf, tmp_path):
     """Saved beside its URDF, both moved: the URDF is found from the result."""
     (tmp_path / "cell").mkdir()

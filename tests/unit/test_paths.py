@@ -144,7 +144,7 @@ def test_ros_message_has_the_fields_of_trajectory_msgs(tmp_path, rng):
     message = yaml.safe_load((tmp_path / "motion.yaml").read_text())
     assert message["joint_names"] == ["a", "b", "c"]
     point = message["points"][3]
-    assert set(point) == {"positions", "velocities", "accelerations", "time_from_start"}
+    assert set(point) == {"positions", "velocities", "accelerations", "effort", "time_from_start"}
     stamp = point["time_from_start"]
     assert stamp["sec"] + 1e-9 * stamp["nanosec"] == pytest.approx(trajectory.t[3], abs=1e-9)
     np.testing.assert_allclose(point["accelerations"], trajectory(trajectory.t[3], 2))

@@ -2,8 +2,9 @@
 Do not believe us: check a plan with Pinocchio alone
 ====================================================
 
-A plan comes with a report and a certificate. Before it runs on a machine you may want to check them by means that are not ours. This page
-reads both, then computes the figures again with NumPy and Pinocchio only, from the exported file.
+A plan comes with a report and a certificate. Before it runs on a machine you may
+want to check them by means that are not ours. This page reads both, then computes
+the figures again with NumPy and Pinocchio only, from the exported file.
 """
 
 # %%
@@ -26,36 +27,49 @@ scene = mp.Scene(
         mp.Box(size=(0.12, 0.12, 0.5), position=(0.5, 0.0, 0.25), name="post"),
     ]
 )
-start, goal = [-0.5, 0.3, 0.0, -2.0, 0.0, 2.3, 0.8], [0.7, 0.4, 0.1, -1.8, 0.1, 2.2, 0.9]
+start, goal = (
+    [-0.5, 0.3, 0.0, -2.0, 0.0, 2.3, 0.8],
+    [0.7, 0.4, 0.1, -1.8, 0.1, 2.2, 0.9],
+)
 plan = mp.plan(robot, start, goal, scene, clearance=0.01, torque=True)
 folder = Path(tempfile.mkdtemp())
 print("files:", ", ".join(file.name for file in plan.save(folder)))
 
 # %%
-# The **report** is measured on the finished trajectory. The **certificate** is about the path: how it came about, g and how far it is above
-# the optimum without limits and obstacles (the gap), the least distance that is *proven* for the whole curve, and the limits
-# that it comes nearest to.
+# The **report** is measured on the finished trajectory. The **certificate** is
+# about the path: how it came about, g and how far it is above the optimum without
+# limits and obstacles (the gap), the least distance that is *proven* for the whole
+# curve, and the limits that it comes nearest to.
 
 print(plan.report)
 print()
 print(plan.result.certificate)
 
 # %%
-# **Now without manipplan.** What is read: the CSV, the report's JSON, and the arm's model. The motion between samples is the cubic spline of
-# positions and velocities, as a joint trajectory controller plays it.
+# **Now without manipplan.** What is read: the CSV, the report's JSON, and the arm's
+# model. The motion between samples is the cubic spline of positions and velocities,
+# as a joint trajectory controller plays it.
 
 table = np.genfromtxt(folder / "trajectory.csv", delimiter=",", names=True)
 report = json.loads((folder / "report.json").read_text())
 names = [name.removeprefix("q_") for name in table.dtype.names if name.startswith("q_")]
 t = table["time"]
-q, qd = (np.column_stack([table[f"{kind}_{name}"] for name in names]) for kind in ("q", "qd"))
+q, qd = (
+    np.column_stack([table[f"{kind}_{name}"] for name in names]) for kind in ("q", "qd")
+)
 
 h = np.diff(t)[:, None, None]
 u = np.linspace(0, 1, 20)[None, :, None]
 a, b, va, vb = q[:-1, None], q[1:, None], qd[:-1, None] * h, qd[1:, None] * h
-position = a + va * u + (3 * (b - a) - 2 * va - vb) * u**2 + (2 * (a - b) + va + vb) * u**3
-velocity = (va + 2 * (3 * (b - a) - 2 * va - vb) * u + 3 * (2 * (a - b) + va + vb) * u**2) / h
-acceleration = (2 * (3 * (b - a) - 2 * va - vb) + 6 * (2 * (a - b) + va + vb) * u) / h**2
+position = (
+    a + va * u + (3 * (b - a) - 2 * va - vb) * u**2 + (2 * (a - b) + va + vb) * u**3
+)
+velocity = (
+    va + 2 * (3 * (b - a) - 2 * va - vb) * u + 3 * (2 * (a - b) + va + vb) * u**2
+) / h
+acceleration = (
+    2 * (3 * (b - a) - 2 * va - vb) + 6 * (2 * (a - b) + va + vb) * u
+) / h**2
 Q, V, A = (x.reshape(-1, len(names)) for x in (position, velocity, acceleration))
 
 model = robot.model  # a pinocchio.Model: the URDF with the fingers locked
@@ -66,7 +80,9 @@ weights = np.array([1, 1, 1, length, length, length])[:, None]
 
 
 def index(x):
-    J = weights * pin.computeFrameJacobian(model, data, x, tool, pin.LOCAL_WORLD_ALIGNED)
+    J = weights * pin.computeFrameJacobian(
+        model, data, x, tool, pin.LOCAL_WORLD_ALIGNED
+    )
     return np.sqrt(np.linalg.det(J @ J.T))
 
 
@@ -77,27 +93,39 @@ checks = {
     "least index [m^6]": (m.min(), report["min_manipulability"]),
     "g": (g, report["g"]),
     "duration [s]": (t[-1] - t[0], report["duration"]),
-    "largest share of velocity": ((np.abs(V) / model.velocityLimit).max(), report["limits"]["velocity"]["ratio"]),
+    "largest share of velocity": (
+        (np.abs(V) / model.velocityLimit).max(),
+        report["limits"]["velocity"]["ratio"],
+    ),
     "largest share of acceleration": (
         (np.abs(A) / robot.limits.acceleration).max(),
         report["limits"]["acceleration"]["ratio"],
     ),
-    "largest share of torque": ((np.abs(torque) / model.effortLimit).max(), report["limits"]["torque"]["ratio"]),
+    "largest share of torque": (
+        (np.abs(torque) / model.effortLimit).max(),
+        report["limits"]["torque"]["ratio"],
+    ),
 }
 print(f"{'figure':30s} {'Pinocchio':>12s} {'report':>12s}")
 for name, (theirs, ours) in checks.items():
     print(f"{name:30s} {theirs:12.6g} {ours:12.6g}")
     assert np.isclose(theirs, ours, rtol=2e-3), name
-assert (Q >= model.lowerPositionLimit - 1e-9).all() and (Q <= model.upperPositionLimit + 1e-9).all()
+assert (Q - model.lowerPositionLimit >= -1e-9).all() and (
+    model.upperPositionLimit - Q >= -1e-9
+).all()
 
 # %%
-# **The clearance**, with the arm's own meshes instead of the primitives that the planner uses: the meshes are inside the primitives, so the true
-# distance has to be larger than what is proven. Coal measures every mesh against the two boxes.
+# **The clearance**, with the arm's own meshes instead of the primitives that the
+# planner uses: the meshes are inside the primitives, so the true distance has to be
+# larger than what is proven. Coal measures every mesh against the two boxes.
 
 import coal  # noqa: E402
 
 geometry, placed = robot.geometry, pin.GeometryData(robot.geometry)
-boxes = [(coal.Box(0.9, 1.4, 0.05), [0.5, 0.0, -0.03]), (coal.Box(0.12, 0.12, 0.5), [0.5, 0.0, 0.25])]
+boxes = [
+    (coal.Box(0.9, 1.4, 0.05), [0.5, 0.0, -0.03]),
+    (coal.Box(0.12, 0.12, 0.5), [0.5, 0.0, 0.25]),
+]
 moving = [i for i, part in enumerate(geometry.geometryObjects) if part.parentJoint > 1]
 
 
@@ -108,28 +136,52 @@ def mesh_distance(x):
         for box, centre in boxes:
             request, found = coal.DistanceRequest(), coal.DistanceResult()
             place = coal.Transform3s(placed.oMg[i].rotation, placed.oMg[i].translation)
-            coal.distance(geometry.geometryObjects[i].geometry, place, box, coal.Transform3s(np.eye(3), np.array(centre)), request, found)
+            coal.distance(
+                geometry.geometryObjects[i].geometry,
+                place,
+                box,
+                coal.Transform3s(np.eye(3), np.array(centre)),
+                request,
+                found,
+            )
             least = min(least, found.min_distance)
     return least
 
 
 some = np.linspace(0, len(Q) - 1, 60).astype(int)
 mesh = np.array([mesh_distance(Q[i]) for i in some])
-print(f"meshes to boxes {1e3 * mesh.min():.1f} mm; proven by the planner: at least {1e3 * report['proven_clearance']:.1f} mm")
+print(
+    f"meshes to boxes {1e3 * mesh.min():.1f} mm; proven by the planner: at least "
+    f"{1e3 * report['proven_clearance']:.1f} mm"
+)
 assert mesh.min() > report["proven_clearance"] > 0
 
 times = (t[:-1, None] + np.diff(t)[:, None] * u[0].T).ravel()
-figure, (top, bottom) = plt.subplots(2, 1, figsize=(7.5, 5), sharex=True, layout="constrained")
+figure, (top, bottom) = plt.subplots(
+    2, 1, figsize=(7.5, 5), sharex=True, layout="constrained"
+)
 top.plot(times, m, color="#0072B2")
-top.axhline(report["min_manipulability"], color="0.4", linestyle=":", label="least index of the report")
+top.axhline(
+    report["min_manipulability"],
+    color="0.4",
+    linestyle=":",
+    label="least index of the report",
+)
 top.set(ylabel="index by Pinocchio [m⁶]", ylim=(0, None), xlim=(0, times[-1]))
 top.legend(frameon=False, fontsize=8)
 bottom.plot(times[some], 1e3 * mesh, color="#D55E00")
-bottom.axhline(1e3 * report["proven_clearance"], color="0.4", linestyle=":", label="proven clearance of the report")
+bottom.axhline(
+    1e3 * report["proven_clearance"],
+    color="0.4",
+    linestyle=":",
+    label="proven clearance of the report",
+)
 bottom.set(xlabel="time [s]", ylabel="meshes to boxes [mm]", ylim=(0, None))
 bottom.legend(frameon=False, fontsize=8)
 plt.show()
 
 # %%
-# When a figure disagrees: check first that the tool frame, the characteristic length and the payload are the same. A report whose
-# ``passed`` is false says which check failed in its first lines; such a plan is returned only with ``throw=False``.
+# When a figure disagrees: check first that the tool frame, the characteristic
+# length and the payload are the same. A report whose ``passed`` is false says which
+# check failed in its first lines; such a plan is returned only with
+# ``throw=False``.

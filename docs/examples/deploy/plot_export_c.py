@@ -2,12 +2,12 @@
 Export C for a controller
 =========================
 
-The machine that drives the robot runs C, perhaps without an operating system that knows Python. ``Controller.export_c`` writes the whole
-control step as a C project: kinematics, limits and the QP solver, without allocation in a step. This page writes it, builds it with CMake,
-runs it, and compares each digit with Python.
+The machine that drives the robot runs C, perhaps without an operating system that
+knows Python. ``Controller.export_c`` writes the whole control step as a C project:
+kinematics, limits and the QP solver, without allocation in a step. This page writes
+it, builds it with CMake, runs it, and compares each digit with Python.
 """
 
-import os
 import shutil
 import subprocess
 import tempfile
@@ -27,21 +27,34 @@ for file in controller.export_c(folder):
         print(f"{file.name:16s} {file.stat().st_size:7d} bytes")
 
 # %%
-# The interface is one function. Everything that it needs is in the folder, the solver (DAQP) as a static library.
+# The interface is one function. Everything that it needs is in the folder, the
+# solver (DAQP) as a static library.
 
 header = (folder / "controller.h").read_text()
 print(header[header.index("int controller_step") : header.index("/* Many steps")])
 
 # %%
-# ``example.c`` is a client: the tool of the arm moves along 10 cm in one second. It prints the joints after each step, with 17 digits.
+# ``example.c`` is a client: the tool of the arm moves along 10 cm in one second. It
+# prints the joints after each step, with 17 digits.
 
 if not (shutil.which("cmake") and shutil.which("cc")):
-    raise SystemExit("this page needs CMake and a C compiler: sudo apt-get install cmake gcc")
-quiet = {"check": True, "capture_output": True, "text": True}
-subprocess.run(["cmake", "-S", folder, "-B", folder / "build"], **quiet)
-subprocess.run(["cmake", "--build", folder / "build"], **quiet)
-printed = subprocess.run([folder / "build" / "example"], **quiet).stdout
-table = np.array([[float(word) for word in line.split()] for line in printed.splitlines()])
+    raise SystemExit(
+        "this page needs CMake and a C compiler: sudo apt-get install cmake gcc"
+    )
+
+
+def run(*command):
+    return subprocess.run(
+        list(map(str, command)), check=True, capture_output=True, text=True
+    ).stdout
+
+
+run("cmake", "-S", folder, "-B", folder / "build")
+run("cmake", "--build", folder / "build")
+printed = run(folder / "build" / "example")
+table = np.array(
+    [[float(word) for word in line.split()] for line in printed.splitlines()]
+)
 q_c, status_c, index_c = table[:, : robot.n], table[:, robot.n], table[:, robot.n + 1]
 print(f"{len(table)} steps; the last: {q_c[-1].round(6)}")
 
@@ -60,24 +73,43 @@ for k in range(len(q_c)):
     q = q + 0.01 * qd
     q_python[k], index_python[k] = q, controller.report.manipulability
 difference = np.abs(q_c - q_python).max()
-print(f"largest difference between C and Python: {difference:.1e} rad in {len(q_c)} steps; index: {np.abs(index_c - index_python).max():.1e}")
+print(
+    f"largest difference between C and Python in {len(q_c)} steps: {difference:.1e} "
+    "rad,"
+)
+print(f"and of the index {np.abs(index_c - index_python).max():.1e} m^6")
 assert (status_c == 0).all() and difference < 1e-12
 
 t = 0.01 * np.arange(1, len(q_c) + 1)
 figure, (left, right) = plt.subplots(1, 2, figsize=(11, 3.8), layout="constrained")
 for joint, name in enumerate(robot.joint_names):
-    [line] = left.plot(t, q_python[:, joint] - robot.neutral[joint], label=name.removeprefix("panda_"))
-    left.plot(t[::10], q_c[::10, joint] - robot.neutral[joint], "o", color=line.get_color(), markersize=4)
-left.set(xlabel="time [s]", ylabel="joints, from the start [rad]", title="lines: Python, dots: the exported C")
+    [line] = left.plot(
+        t, q_python[:, joint] - robot.neutral[joint], label=name.removeprefix("panda_")
+    )
+    left.plot(
+        t[::10],
+        q_c[::10, joint] - robot.neutral[joint],
+        "o",
+        color=line.get_color(),
+        markersize=4,
+    )
+left.set(
+    xlabel="time [s]",
+    ylabel="joints, from the start [rad]",
+    title="lines: Python, dots: the exported C",
+)
 left.legend(frameon=False, fontsize=8, ncols=2)
-right.semilogy(t, np.maximum(np.abs(q_c - q_python).max(axis=1), 1e-17), color="#0072B2")
+right.semilogy(
+    t, np.maximum(np.abs(q_c - q_python).max(axis=1), 1e-17), color="#0072B2"
+)
 right.axhline(1e-12, color="0.4", linestyle=":", label="asserted")
 right.set(xlabel="time [s]", ylabel="largest difference [rad]", ylim=(1e-18, 1e-11))
 right.legend(frameon=False, fontsize=8)
 plt.show()
 
 # %%
-# How long a step takes in C: a client of 25 lines that calls ``controller_rollout`` and reads the clock.
+# How long a step takes in C: a client that calls ``controller_rollout``
+# and reads the clock.
 
 client = r"""
 #include "controller.h"
@@ -88,26 +120,41 @@ client = r"""
 enum { STEPS = 20000 };
 int main(int argc, char** argv) {
     const int n = CONTROLLER_JOINTS;
-    double *q = calloc((STEPS + 1) * n, 8), *qd = calloc((STEPS + 1) * n, 8), *targets = calloc(STEPS * 16, 8);
-    double *stiffness = calloc(STEPS, 8), *drive = calloc(STEPS, 8), *tube = calloc(STEPS * 2, 8);
+    double *q = calloc((STEPS + 1) * n, 8), *qd = calloc((STEPS + 1) * n, 8);
+    double *targets = calloc(STEPS * 16, 8), *tube = calloc(STEPS * 2, 8);
+    double *stiffness = calloc(STEPS, 8), *drive = calloc(STEPS, 8);
     double *report = calloc(STEPS * CONTROLLER_REPORT, 8), qdd[CONTROLLER_JOINTS] = {0};
     for (int i = 0; i < n; ++i) q[i] = atof(argv[1 + i]);
     for (int k = 0; k < STEPS; ++k) {
         for (int i = 0; i < 16; ++i) targets[16 * k + i] = atof(argv[1 + n + i]);
-        stiffness[k] = STIFFNESS, drive[k] = 1, tube[2 * k] = 0.02, tube[2 * k + 1] = 0.1;
+        stiffness[k] = STIFFNESS, drive[k] = 1;
+        tube[2 * k] = 0.02, tube[2 * k + 1] = 0.1;
     }
     struct timespec a, b;
     clock_gettime(CLOCK_MONOTONIC, &a);
-    if (controller_rollout(controller_new(), STEPS, targets, stiffness, drive, tube, NULL, q, qd, qdd, report)) return 1;
+    int failed = controller_rollout(controller_new(), STEPS, targets, stiffness, drive,
+                                    tube, NULL, q, qd, qdd, report);
     clock_gettime(CLOCK_MONOTONIC, &b);
-    printf("%.3f", ((b.tv_sec - a.tv_sec) * 1e9 + (b.tv_nsec - a.tv_nsec)) / STEPS / 1e3);
-    return argc < 1;
+    double nanoseconds = (b.tv_sec - a.tv_sec) * 1e9 + (b.tv_nsec - a.tv_nsec);
+    printf("%.3f", nanoseconds / STEPS / 1e3);
+    return failed;
 }
 """
-(folder / "clock.c").write_text("#define _POSIX_C_SOURCE 199309L\n" + client.replace("STIFFNESS,", f"{controller.stiffness!r},"))
+(folder / "clock.c").write_text(
+    "#define _POSIX_C_SOURCE 199309L\n"
+    + client.replace("STIFFNESS,", f"{controller.stiffness!r},")
+)
 build = folder / "build"
-flags = ["-O2", "-I", folder, folder / "clock.c", build / "libcontroller.a", folder / "lib" / "libdaqpstat.a", "-lm"]
-subprocess.run(["cc", *flags, "-o", build / "clock"], **quiet)
+flags = [
+    "-O2",
+    "-I",
+    folder,
+    folder / "clock.c",
+    build / "libcontroller.a",
+    folder / "lib" / "libdaqpstat.a",
+    "-lm",
+]
+run("cc", *flags, "-o", build / "clock")
 arguments = [repr(float(x)) for x in (*robot.neutral, *pose.ravel())]
-microseconds = subprocess.run([build / "clock", *arguments], **quiet, env=os.environ).stdout
+microseconds = run(build / "clock", *arguments)
 print(f"one step in C, on the machine that built this page: {microseconds} µs")

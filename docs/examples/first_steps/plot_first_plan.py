@@ -6,8 +6,8 @@ From a start and a goal to a trajectory that a robot could play: the demo, step 
 """
 
 # %%
-# The robot comes from the catalogue. Its fingers are locked, and its acceleration and jerk limits are those that the
-# maker publishes.
+# The robot comes from the catalogue. Its fingers are locked, and its acceleration
+# and jerk limits are those that the maker publishes.
 import matplotlib.pyplot as plt
 
 import manipplan as mp
@@ -31,17 +31,19 @@ start = [-0.18, 0.07, -0.53, -2.09, -0.28, 1.93, -0.86]
 goal = [-1.53, -0.03, 2.63, -2.03, -0.5, 2.14, -0.63]
 
 # %%
-# One call finds a collision-free seed, improves it, times it, and checks the result again.
+# One call finds a collision-free seed, improves it, times it, and checks the result
+# again.
 plan = mp.plan(robot, start, goal, scene)
 print(plan.report)
 
 # %%
-# The straight motion would pass close to a singularity, and the planner's own path is not much better. The optimised path
-# stays far from both.
+# The straight motion would pass close to a singularity, and the planner's own path
+# is not much better. The optimised path stays far from both.
 _ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 
 # %%
-# The trajectory is a cubic spline in time: positions, velocities and accelerations at any moment.
+# The trajectory is a cubic spline in time: positions, velocities and accelerations
+# at any moment.
 trajectory = plan.trajectory
 print("duration [s]:", round(trajectory.duration, 3))
 print("joint speeds after half the time [rad/s]:")

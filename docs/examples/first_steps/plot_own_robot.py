@@ -2,13 +2,16 @@
 Load my own URDF
 ================
 
-You have the URDF of an arm, and perhaps the SRDF that MoveIt's setup assistant wrote. You want to plan with it. This page writes a
-small arm of six joints as text, loads it, reads the table that comes out, plans a motion, and shows what goes wrong most often.
+You have the URDF of an arm, and perhaps the SRDF that MoveIt's setup assistant
+wrote. You want to plan with it. This page writes a small arm of six joints as text,
+loads it, reads the table that comes out, plans a motion, and shows what goes wrong
+most often.
 """
 
 # %%
-# The arm: six revolute joints, links made of cylinders and spheres (no mesh files), and a frame ``torch`` 12 cm beyond the last
-# joint. A URDF of a maker looks the same, only longer.
+# The arm: six revolute joints, links made of cylinders and spheres (no mesh files),
+# and a frame ``torch`` 12 cm beyond the last joint. A URDF of a maker looks the
+# same, only longer.
 
 import tempfile
 from pathlib import Path
@@ -19,7 +22,8 @@ import numpy as np
 import manipplan as mp
 from manipplan import viz
 
-JOINTS = [  # name, parent, child, origin of the joint, axis, lower, upper, velocity, effort
+# name, parent, child, origin of the joint, axis, lower, upper, velocity, effort
+JOINTS = [
     ("turn", "base", "column", "0 0 0.15", "0 0 1", -3.0, 3.0, 2.0, 120.0),
     ("shoulder", "column", "upper", "0 0 0.20", "0 1 0", -2.0, 2.0, 2.0, 120.0),
     ("elbow", "upper", "fore", "0 0 0.45", "0 1 0", -2.6, 2.6, 2.5, 80.0),
@@ -43,8 +47,10 @@ def link(name, length, radius, mass):
     return f"""
   <link name="{name}">
     <inertial><origin xyz="0 0 {length / 2}"/><mass value="{mass}"/>
-      <inertia ixx="{side}" iyy="{side}" izz="{spin}" ixy="0" ixz="0" iyz="0"/></inertial>
-    <collision><origin xyz="0 0 {length / 2}"/><geometry><cylinder length="{length}" radius="{radius}"/></geometry></collision>
+      <inertia ixx="{side}" iyy="{side}" izz="{spin}" ixy="0" ixz="0" iyz="0"/>
+    </inertial>
+    <collision><origin xyz="0 0 {length / 2}"/>
+      <geometry><cylinder length="{length}" radius="{radius}"/></geometry></collision>
   </link>"""
 
 
@@ -52,24 +58,30 @@ def joint(name, parent, child, origin, axis, lower, upper, velocity, effort):
     return f"""
   <joint name="{name}" type="revolute"><parent link="{parent}"/><child link="{child}"/>
     <origin xyz="{origin}"/><axis xyz="{axis}"/>
-    <limit lower="{lower}" upper="{upper}" velocity="{velocity}" effort="{effort}"/></joint>"""
+    <limit lower="{lower}" upper="{upper}" velocity="{velocity}" effort="{effort}"/>
+  </joint>"""
 
 
 torch = """
   <link name="torch"/>
-  <joint name="torch_mount" type="fixed"><parent link="flange"/><child link="torch"/><origin xyz="0 0 0.12"/></joint>"""
-text = "".join(link(name, *shape) for name, shape in SHAPES.items()) + "".join(joint(*row) for row in JOINTS) + torch
+  <joint name="torch_mount" type="fixed">
+    <parent link="flange"/><child link="torch"/><origin xyz="0 0 0.12"/></joint>"""
+text = (
+    "".join(link(name, *shape) for name, shape in SHAPES.items())
+    + "".join(joint(*row) for row in JOINTS)
+    + torch
+)
 folder = Path(tempfile.mkdtemp())
 urdf = folder / "welder.urdf"
 urdf.write_text(f'<robot name="welder">{text}\n</robot>\n')
 
 # %%
-# The SRDF says which pairs of links need no check against each other. Neighbours on both sides of a joint are left out by
-# themselves; these two pairs overlap as well, since the links between them are short.
+# The SRDF says which pairs of links need no check against each other. Links on both
+# sides of a joint are left out by themselves. The base and the upper arm never meet
+# either, whatever the shoulder does: that saves a distance in every check.
 
 srdf = folder / "welder.srdf"
 srdf.write_text("""<robot name="welder">
-  <disable_collisions link1="wrist" link2="flange" reason="Never"/>
   <disable_collisions link1="base" link2="upper" reason="Never"/>
 </robot>
 """)
@@ -77,22 +89,30 @@ robot = mp.Robot.from_urdf(urdf, tool="torch", srdf=srdf)
 print(robot)
 
 # %%
-# Read the last lines: they say where each number comes from. A URDF has no acceleration limits, so the default lets each joint reach
-# full speed in 0.2 s, and there is no jerk limit. Give what the data sheet says; one number serves all joints.
+# Read the last lines: they say where each number comes from. A URDF has no
+# acceleration limits, so the default lets each joint reach full speed in 0.2 s, and
+# there is no jerk limit. Give what the data sheet says; one number serves all
+# joints.
 
-robot = mp.Robot.from_urdf(urdf, tool="torch", srdf=srdf, acceleration=[6, 6, 8, 12, 12, 15], jerk=200.0)
-print(robot.limits.sources["acceleration"], robot.limits.acceleration, robot.limits.jerk)
+robot = mp.Robot.from_urdf(
+    urdf, tool="torch", srdf=srdf, acceleration=[6, 6, 8, 12, 12, 15], jerk=200.0
+)
+print(
+    robot.limits.sources["acceleration"], robot.limits.acceleration, robot.limits.jerk
+)
 
 # %%
-# Is the model the arm that you have? Compare one pose with the maker's: here all joints are zero and the arm stands upright, so
-# that the height of the tool is the sum of the offsets.
+# Is the model the arm that you have? Compare one pose with the maker's: here all
+# joints are zero and the arm stands upright, so that the height of the tool is the
+# sum of the offsets.
 
 height = robot.kinematics().pose(np.zeros(6))[2, 3]
 print(f"height of the torch: {height:.3f} m")
 assert np.isclose(height, 0.15 + 0.20 + 0.45 + 0.20 + 0.20 + 0.08 + 0.12)
 
 # %%
-# A plan, past a post. The picture shows the arm from its start (light) to its goal (dark).
+# A plan, past a post. The picture shows the arm from its start (light) to its goal
+# (dark).
 
 start, goal = [-1.2, 0.5, 1.0, 0.2, 0.9, 0.0], [1.2, 0.6, 1.2, -0.4, 0.7, 0.5]
 scene = mp.Scene(
@@ -107,7 +127,8 @@ assert plan.report.passed
 _ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 
 # %%
-# What goes wrong most often. Each message names the argument, what was given, and what is allowed.
+# What goes wrong most often. Each message names the argument, what was given, and
+# what is allowed.
 
 
 def attempt(what, call):
@@ -119,8 +140,19 @@ def attempt(what, call):
 
 
 attempt("a frame that is not there", lambda: mp.Robot.from_urdf(urdf, tool="tourch"))
-attempt("a joint misspelt", lambda: mp.Robot.from_urdf(urdf, tool="torch", joints=["turn", "sholder"]))
+attempt(
+    "a joint misspelt",
+    lambda: mp.Robot.from_urdf(urdf, tool="torch", joints=["turn", "sholder"]),
+)
 attempt("a file that is not there", lambda: mp.Robot.from_urdf(folder / "welder.udrf"))
-attempt("a start outside the limits", lambda: mp.plan(robot, [4.0, 0, 0, 0, 0, 0], goal))
-attempt("degrees instead of radians", lambda: mp.plan(robot, start, [69, 34, 69, -23, 40, 29]))
-attempt("one limit too few", lambda: mp.Robot.from_urdf(urdf, tool="torch", acceleration=[6, 6, 8, 12, 12]))
+attempt(
+    "a start outside the limits", lambda: mp.plan(robot, [4.0, 0, 0, 0, 0, 0], goal)
+)
+attempt(
+    "degrees instead of radians",
+    lambda: mp.plan(robot, start, [69, 34, 69, -23, 40, 29]),
+)
+attempt(
+    "one limit too few",
+    lambda: mp.Robot.from_urdf(urdf, tool="torch", acceleration=[6, 6, 8, 12, 12]),
+)

@@ -2,8 +2,9 @@
 Trajectories in and out of files
 ================================
 
-A motion comes from somewhere and has to go somewhere: a recording as CSV, a controller that wants ROS messages, a script that wants NumPy.
-This page writes one trajectory in each format, reads it back, and shows what a broken file says.
+A motion comes from somewhere and has to go somewhere: a recording as CSV, a
+controller that wants ROS messages, a script that wants NumPy. This page writes one
+trajectory in each format, reads it back, and shows what a broken file says.
 """
 
 import tempfile
@@ -15,33 +16,60 @@ import numpy as np
 import manipplan as mp
 
 robot = mp.load_robot("ur5")
-path = mp.JointPath.line([0.0, -1.4, 1.4, -1.6, -1.5, 0.0], [1.2, -1.0, 0.9, -1.2, -1.3, 0.6])
+path = mp.JointPath.line(
+    [0.0, -1.4, 1.4, -1.6, -1.5, 0.0], [1.2, -1.0, 0.9, -1.2, -1.3, 0.6]
+)
 trajectory = mp.retime(path, robot.limits, joint_names=robot.joint_names)
-print(f"{trajectory.duration:.3f} s, {len(trajectory.t)} samples of {trajectory.n} joints")
+print(
+    f"{trajectory.duration:.3f} s, {len(trajectory.t)} samples of {trajectory.n} joints"
+)
 
 # %%
-# Four formats. CSV for people and spreadsheets, JSON for programs, YAML as ROS 2 takes a ``trajectory_msgs/JointTrajectory``, and a NumPy
-# archive. Each holds times, positions and velocities with all digits.
+# Four formats. CSV for people and spreadsheets, JSON for programs, YAML as ROS 2
+# takes a ``trajectory_msgs/JointTrajectory``, and a NumPy archive. Each holds
+# times, positions and velocities with all digits.
 
 folder = Path(tempfile.mkdtemp())
-formats = {"csv": "motion.csv", "json": "motion.json", "ros": "motion.yaml", "npz": "motion.npz"}
+formats = {
+    "csv": "motion.csv",
+    "json": "motion.json",
+    "ros": "motion.yaml",
+    "npz": "motion.npz",
+}
 for name, file in formats.items():
     getattr(trajectory, f"to_{name}")(folder / file)
     back = getattr(mp.Trajectory, f"from_{name}")(folder / file)
-    error = max(np.abs(back.t - trajectory.t).max(), np.abs(back.q - trajectory.q).max(), np.abs(back.qd - trajectory.qd).max())
-    print(f"{file:12s} {(folder / file).stat().st_size:7d} bytes, largest difference after reading {error:.1e}")
+    error = max(
+        np.abs(back.t - trajectory.t).max(),
+        np.abs(back.q - trajectory.q).max(),
+        np.abs(back.qd - trajectory.qd).max(),
+    )
+    print(
+        f"{file:12s} {(folder / file).stat().st_size:7d} bytes, largest difference "
+        f"after reading {error:.1e}"
+    )
     assert error < 1e-9 and back.joint_names == trajectory.joint_names
 
 # %%
 # The first lines of the CSV and of the ROS message.
 
-print("\n".join(line[:110] + " ..." for line in (folder / "motion.csv").read_text().splitlines()[:3]))
+print(
+    "\n".join(
+        line[:110] + " ..."
+        for line in (folder / "motion.csv").read_text().splitlines()[:3]
+    )
+)
 print()
-print("\n".join(line[:110] for line in (folder / "motion.yaml").read_text().splitlines()[:16]))
+print(
+    "\n".join(
+        line[:110] for line in (folder / "motion.yaml").read_text().splitlines()[:16]
+    )
+)
 
 # %%
-# Between the samples the motion is the cubic spline of positions and velocities: what a joint trajectory controller plays. So a file gives the
-# same motion as the object, at any time. ``order`` asks for derivatives.
+# Between the samples the motion is the cubic spline of positions and velocities:
+# what a joint trajectory controller plays. So a file gives the same motion as the
+# object, at any time. ``order`` asks for derivatives.
 
 read = mp.Trajectory.from_csv(folder / "motion.csv")
 t = np.linspace(0, read.duration, 400)
@@ -55,22 +83,35 @@ panels[0].legend(frameon=False, fontsize=7)
 plt.show()
 
 # %%
-# **A recording** of times and positions alone is read, too; its velocities are those of the spline through the samples. Here the motion
-# is sampled at 50 Hz and read again.
+# **A recording** of times and positions alone is read, too; its velocities are
+# those of the spline through the samples. Here the motion is sampled at 50 Hz and
+# read again.
 
 t = np.arange(0, trajectory.duration, 0.02)
 header = ",".join(["time", *(f"q_{name}" for name in robot.joint_names)])
-np.savetxt(folder / "recorded.csv", np.column_stack([t, trajectory(t)]), delimiter=",", header=header, comments="")
+np.savetxt(
+    folder / "recorded.csv",
+    np.column_stack([t, trajectory(t)]),
+    delimiter=",",
+    header=header,
+    comments="",
+)
 recorded = mp.Trajectory.from_csv(folder / "recorded.csv")
 between = np.linspace(0, recorded.duration, 999)
-print(f"largest error between the samples: {np.abs(recorded(between) - trajectory(between)).max():.1e} rad")
+print(
+    "largest error between the samples: "
+    f"{np.abs(recorded(between) - trajectory(between)).max():.1e} rad"
+)
 
 # %%
 # **A broken file** is refused, and the message says what is wanted.
 
 (folder / "broken.csv").write_text("t,joint_1,joint_2\n0,0.1,0.2\n1,0.3,0.4\n")
 (folder / "newer.json").write_text('{"format": "manipplan-trajectory", "version": 99}')
-for read_it, file in ((mp.Trajectory.from_csv, "broken.csv"), (mp.Trajectory.from_json, "newer.json")):
+for read_it, file in (
+    (mp.Trajectory.from_csv, "broken.csv"),
+    (mp.Trajectory.from_json, "newer.json"),
+):
     try:
         read_it(folder / file)
     except mp.FileFormatError as error:

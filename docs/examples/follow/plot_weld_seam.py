@@ -2,22 +2,26 @@
 Weld a seam with a free tool axis
 =================================
 
-The torch of a UR5 follows a seam of 60 cm. A pose has six numbers, and so has the arm: if the whole pose is prescribed there is nothing to
-choose but one of eight postures. But the torch is round: its turn about its own axis does not matter. That one freedom makes
-the difference.
+The torch of a UR5 follows a seam of 60 cm. A pose has six numbers, and so has the
+arm: if the whole pose is prescribed there is nothing to choose but one of eight
+postures. But the torch is round: its turn about its own axis does not matter. That
+one freedom makes the difference.
 """
 
 # %%
-# The torch is mounted at 45 degrees to the flange, as torches are, so that a turn about it moves the whole wrist. Cables keep every joint within half
-# a turn.
+# The torch is mounted at 45 degrees to the flange, as torches are, so that a turn
+# about it moves the whole wrist. Cables keep every joint within half a turn.
 
 import matplotlib.pyplot as plt
 import numpy as np
 
 import manipplan as mp
+from manipplan import viz
 
 robot = mp.load_robot("ur5").with_limits(lower=-np.pi, upper=np.pi, source="cables")
-axis = np.array([1.0, 0.0, 1.0]) / np.sqrt(2)  # of the torch, in the frame of the flange
+axis = np.array([1.0, 0.0, 1.0]) / np.sqrt(
+    2
+)  # of the torch, in the frame of the flange
 down = np.array([[1, 0, 0], [0, -1, 0], [0, 0, -1]])  # a flange that points down
 tilt = np.array([[1, 0, -1], [0, np.sqrt(2), 0], [1, 0, 1]]) / np.sqrt(2)
 start = np.eye(4)
@@ -30,8 +34,10 @@ seam = mp.CartesianPath.line(start, end)
 print(f"length of the seam: {seam.length:.3f} m")
 
 # %%
-# ``Task.pointing`` leaves the turn about an axis of the tool free. All configurations at 30 positions of the seam are enumerated, the turn in
-# steps of 4 degrees. The search finds the continuous motion whose least index is the highest, ``refine`` raises it between the samples.
+# ``Task.pointing`` leaves the turn about an axis of the tool free. All
+# configurations at 30 positions of the seam are enumerated, the turn in steps of 4
+# degrees. The search finds the continuous motion whose least index is the highest,
+# ``refine`` raises it between the samples.
 
 task = mp.Task.pointing(axis)
 positions, epsilon = 30, np.deg2rad(9)
@@ -41,51 +47,63 @@ refined = mp.refine(layers, found)
 print(f"{layers.count} candidates; {refined}")
 
 # %%
-# With the turn held where it is in the first pose, judged by the same index. There is no parameter to sample, only the eight postures.
+# With the turn held where it is in the first pose, judged by the same index. There
+# is no parameter to sample, only the eight postures.
 
-held = mp.max_min_search(mp.sample_layers(robot, seam, positions), epsilon, prefer="first")
+held = mp.max_min_search(
+    mp.sample_layers(robot, seam, positions), epsilon, prefer="first"
+)
 index_held = robot.kinematics(task).manipulability(held.q)
-print(f"least index with the turn held: {index_held.min():.4f} m^5, free: {refined.refined:.4f} m^5")
+print(
+    f"least index with the turn held: {index_held.min():.4f} m^5, free: "
+    f"{refined.refined:.4f} m^5"
+)
 assert refined.refined > index_held.min()
 
 # %%
-# Grey: every candidate. The more of them lie above a line, the more room there is; the best of each position (dotted) can not all be
-# joined by one continuous motion unless the blue line reaches them.
+# Grey: the candidates. No motion can be above the highest of them at the worst
+# position, which is the bound.
 
 fig, ax = plt.subplots(figsize=(7.5, 4), layout="constrained")
-for position, index in enumerate(layers.m):
-    ax.plot(np.full(len(index), position), index, ".", color="0.8", markersize=2, rasterized=True)
-ax.plot([index.max() for index in layers.m], color="0.4", linestyle=":", label="highest of each position")
-ax.plot(found.manipulability, color="#E69F00", label="best continuous path of the samples")
-ax.plot(refined.manipulability, color="#0072B2", label="refined")
-ax.plot(index_held, color="#009E73", label="turn held")
-ax.axhline(refined.bound, color="0.2", linewidth=0.8, label="bound")
-ax.set(xlabel="position on the seam", ylabel=r"index [$\mathrm{m}^5$]", xlim=(0, positions - 1), ylim=(0, None))
-ax.legend(loc="lower right", fontsize=8)
+viz.plot_layers(layers, refined, ax=ax)
+ax.plot(index_held, color="#009E73", linestyle="--", label="turn held")
+ax.legend(loc="lower left", fontsize=8)
 plt.show()
 
 # %%
-# The whole job in one call: the motion, timed, and compared with the seam pose by pose. The turn of the torch along the seam is what the job
-# chose; the deviation says that point and axis are kept.
+# The whole job in one call: the motion, timed, and compared with the seam pose by
+# pose. The deviation says that the point and the axis are kept.
 
 plan = mp.follow(robot, seam, positions, task=task, samples=90, epsilon=epsilon)
 print(plan.report)
 print(plan.deviation)
 assert plan.report.passed and plan.deviation.position < 1e-4
+_ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
+
+# %%
+# How the torch turns about itself along the seam.
 
 s = np.linspace(0, 1, 200)
 poses = robot.kinematics().pose(plan.trajectory(s * plan.trajectory.duration))
 sideways = poses[:, :3, 1]  # the flange's y axis is square to the torch
-turn = np.unwrap(np.arctan2(sideways[:, 1], sideways[:, 0])) - np.arctan2(start[1, 1], start[0, 1])
+turn = np.unwrap(np.arctan2(sideways[:, 1], sideways[:, 0])) - np.arctan2(
+    start[1, 1], start[0, 1]
+)
 travelled = np.linalg.norm(poses[:, :3, 3] - start[:3, 3], axis=1)
 fig, ax = plt.subplots(figsize=(7.5, 2.8), layout="constrained")
 ax.plot(100 * travelled, np.rad2deg(turn), color="#0072B2", label="as chosen")
 ax.axhline(0, color="#009E73", label="held")
-ax.set(xlabel="way along the seam [cm]", ylabel="turn about the\ntorch's axis [degrees]", xlim=(0, None))
+ax.set(
+    xlabel="way along the seam [cm]",
+    ylabel="turn about the\ntorch's axis [degrees]",
+    xlim=(0, None),
+)
 ax.legend(frameon=False, fontsize=8)
 plt.show()
 
 # %%
-# What to do when it fails: *no continuous motion* names the positions between which the candidates break apart and the smallest ε that would
-# join them. More ``samples`` and more positions help; a seam that crosses the arm's shoulder may have to be welded in two parts. A
-# tolerance (``tolerance=mp.Tolerance(...)``) buys more index where the seam allows it.
+# What to do when it fails: *no continuous motion* names the positions between which
+# the candidates break apart and the smallest ε that would join them. More
+# ``samples`` and more positions help; a seam that crosses the arm's shoulder may
+# have to be welded in two parts. A tolerance (``tolerance=mp.Tolerance(...)``) buys
+# more index where the seam allows it.

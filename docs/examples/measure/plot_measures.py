@@ -2,30 +2,56 @@
 Ellipsoids and measures
 =======================
 
-What a posture is good for: where the tool is fast, where it is strong, and what it can accelerate.
+What a posture is good for: where the tool is fast, where it is strong, and what it
+can accelerate.
 """
 
 # %%
-# The planar arm of three links. Velocity and force ellipsoids have the same axes and inverse radii: where the tool is fast it
-# is weak. Their shape tells at a glance what a single index hides.
+# The planar arm of three links. Velocity and force ellipsoids have the same axes
+# and inverse radii: where the tool is fast it is weak. Their shape tells at a
+# glance what a single index hides.
 
 import matplotlib.pyplot as plt
 import numpy as np
 
 import manipplan as mp
-from manipplan.viz.ellipsoids import plot_ellipsoid
+from manipplan import viz
 
 arm = mp.planar_arm([1.0, 1.0, 1.0])
 kin = arm.kinematics()
-postures = {"stretched": [0.3, 0.25, 0.2], "bent": [0.2, 1.2, 0.9], "folded": [0.4, 2.2, -2.3]}
+postures = {
+    "stretched": [0.3, 0.25, 0.2],
+    "bent": [0.2, 1.2, 0.9],
+    "folded": [0.4, 2.2, -2.3],
+}
 figure, panels = plt.subplots(1, 3, figsize=(11, 3.8), sharex=True, sharey=True)
 for ax, (name, q) in zip(panels, postures.items(), strict=True):
     angles = np.cumsum(q)
-    joints = np.vstack([np.zeros(2), np.cumsum(np.stack([np.cos(angles), np.sin(angles)], axis=1), axis=0)])
+    joints = np.vstack(
+        [
+            np.zeros(2),
+            np.cumsum(np.stack([np.cos(angles), np.sin(angles)], axis=1), axis=0),
+        ]
+    )
     ax.plot(*joints.T, "o-", color="#333333", linewidth=2)
     jacobian = kin.jacobian(q)
-    plot_ellipsoid(mp.velocity_ellipsoid(jacobian), joints[-1], ax=ax, scale=0.25, label="velocity", axes=True)
-    plot_ellipsoid(mp.force_ellipsoid(jacobian), joints[-1], ax=ax, scale=0.25, color="#D55E00", label="force", axes=True)
+    viz.plot_ellipsoid(
+        mp.velocity_ellipsoid(jacobian),
+        joints[-1],
+        ax=ax,
+        scale=0.25,
+        label="velocity",
+        axes=True,
+    )
+    viz.plot_ellipsoid(
+        mp.force_ellipsoid(jacobian),
+        joints[-1],
+        ax=ax,
+        scale=0.25,
+        color="#D55E00",
+        label="force",
+        axes=True,
+    )
     ax.set_title(f"{name}: index {kin.manipulability(q):.2f} m²", fontsize=10)
     ax.set_aspect("equal")
     ax.set_xlabel("x [m]")
@@ -34,8 +60,8 @@ panels[0].legend(loc="upper left", frameon=False)
 figure.tight_layout()
 
 # %%
-# The Panda in space: velocity in green, and in blue the accelerations that joint torques of norm 1 give from rest, which count
-# the links' inertia as well.
+# The Panda in space: velocity in green, and in blue the accelerations that joint
+# torques of norm 1 give from rest, which count the links' inertia as well.
 
 panda = mp.load_robot("panda")
 position = panda.kinematics(mp.Task.position())
@@ -46,8 +72,15 @@ velocity = mp.velocity_ellipsoid(jacobian)
 acceleration = mp.dynamic_ellipsoid(jacobian, position.mass_matrix(q))
 figure = plt.figure(figsize=(5.5, 4.6))
 ax = figure.add_subplot(projection="3d")
-plot_ellipsoid(velocity, centre, ax=ax, scale=0.3, alpha=0.35)
-plot_ellipsoid(acceleration, centre, ax=ax, scale=0.3 * velocity.radii[0] / acceleration.radii[0], color="#0072B2", alpha=0.35)
+viz.plot_ellipsoid(velocity, centre, ax=ax, scale=0.3, alpha=0.35)
+viz.plot_ellipsoid(
+    acceleration,
+    centre,
+    ax=ax,
+    scale=0.3 * velocity.radii[0] / acceleration.radii[0],
+    color="#0072B2",
+    alpha=0.35,
+)
 ax.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
 ax.set_aspect("equal")
 ax.locator_params(nbins=4)
@@ -59,20 +92,34 @@ for name in mp.available_measures():
     if "transmission" in name:
         continue
     measure = panda.kinematics(mp.Task.pose(0.5), measure=name)
-    print(f"{name:26s} {measure.manipulability(q):10.4g}  {measure.measure.unit(measure.task)}")
-for measure in (mp.VelocityTransmission(direction=(0, 0, 1)), mp.ForceTransmission(direction=(0, 0, 1))):
+    print(
+        f"{name:26s} {measure.manipulability(q):10.4g}  "
+        f"{measure.measure.unit(measure.task)}"
+    )
+for measure in (
+    mp.VelocityTransmission(direction=(0, 0, 1)),
+    mp.ForceTransmission(direction=(0, 0, 1)),
+):
     value = panda.kinematics(mp.Task.position(), measure=measure).manipulability(q)
-    print(f"{measure.name + ' along z':26s} {value:10.4g}  {measure.unit(mp.Task.position())}")
+    print(
+        f"{measure.name + ' along z':26s} {value:10.4g}  "
+        f"{measure.unit(mp.Task.position())}"
+    )
 
 # %%
-# Along one joint, the measures do not agree on where the arm is best: the index falls to zero on the elbow's singularity, the
-# Frobenius norm does not notice it.
+# Along one joint, the measures do not agree on where the arm is best: the index
+# falls to zero on the elbow's singularity, the Frobenius norm does not notice it.
 
 bend = np.linspace(panda.limits.lower[3], panda.limits.upper[3], 300)
 many = np.tile(q, (300, 1))
 many[:, 3] = bend
 figure, ax = plt.subplots(figsize=(7, 3.4))
-for name, line in (("yoshikawa", "-"), ("smallest_singular_value", "--"), ("isotropy", "-."), ("frobenius", ":")):
+for name, line in (
+    ("yoshikawa", "-"),
+    ("smallest_singular_value", "--"),
+    ("isotropy", "-."),
+    ("frobenius", ":"),
+):
     values = panda.kinematics(mp.Task.position(), measure=name).manipulability(many)
     ax.plot(bend, values / values.max(), line, label=name)
 ax.set(xlabel="elbow angle [rad]", ylabel="share of its largest value", ylim=(0, 1.05))

@@ -35,12 +35,25 @@ shapes = mp.Scene(
     [
         mp.Plane(name="floor", position=(0.0, 0.0, -0.06)),
         mp.Cylinder(radius=0.07, length=0.45, position=(0.5, 0.0, 0.22), name="post"),
-        mp.Capsule(radius=0.05, length=0.3, position=(0.55, 0.42, 0.5), rotation=(0.0, 1.3, 0.4), name="bar"),
+        mp.Capsule(
+            radius=0.05,
+            length=0.3,
+            position=(0.55, 0.42, 0.5),
+            rotation=(0.0, 1.3, 0.4),
+            name="bar",
+        ),
         mp.Sphere(radius=0.12, position=(0.5, -0.45, 0.12), name="ball"),
-        mp.Box(size=(0.3, 0.3, 0.06), position=(0.25, 0.0, 1.15), rotation=(0.2, 0.0, 0.5), name="lamp"),
+        mp.Box(
+            size=(0.3, 0.3, 0.06),
+            position=(0.25, 0.0, 1.15),
+            rotation=(0.2, 0.0, 0.5),
+            name="lamp",
+        ),
     ]
 )
-ax = viz.plot_arm(robot, plan.path, shapes, seed=plan.result.seed, names=("optimised", "seed"))
+ax = viz.plot_arm(
+    robot, plan.path, shapes, seed=plan.result.seed, names=("optimised", "seed")
+)
 print("free:", shapes.path_clearance(robot, plan.path).proven)
 
 # %%
@@ -48,8 +61,12 @@ print("free:", shapes.path_clearance(robot, plan.path).proven)
 planar = mp.planar_arm([1.0, 1.0, 1.0])
 wall = mp.Plane(name="wall", position=(-2.4, 0.0, 0.0), rotation=(0.0, np.pi / 2, 0.0))
 ball = mp.Sphere(radius=0.25, position=(0.9, -0.9, 0.0), name="ball")
-flat = mp.plan(planar, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], mp.Scene([wall, ball]), power=2.0)
-ax = viz.plot_planar_arm(planar, flat.path, flat.scene, seed=flat.result.seed, names=("optimised", "seed"))
+flat = mp.plan(
+    planar, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], mp.Scene([wall, ball]), power=2.0
+)
+ax = viz.plot_planar_arm(
+    planar, flat.path, flat.scene, seed=flat.result.seed, names=("optimised", "seed")
+)
 
 # %%
 # Joints
@@ -76,8 +93,23 @@ figure.get_layout_engine().set(wspace=0.12)  # room for the label of z
 left, right = figure.add_subplot(1, 2, 1), figure.add_subplot(1, 2, 2, projection="3d")
 q = np.array([0.4, 0.9, 0.5])
 jacobian, tool = planar.kinematics().jacobian(q), planar.kinematics().pose(q)[:2, 3]
-viz.plot_ellipsoid(mp.velocity_ellipsoid(jacobian), tool, ax=left, scale=0.2, axes=True, label="velocity")
-viz.plot_ellipsoid(mp.force_ellipsoid(jacobian), tool, ax=left, scale=0.2, axes=True, color="#E69F00", label="force")
+viz.plot_ellipsoid(
+    mp.velocity_ellipsoid(jacobian),
+    tool,
+    ax=left,
+    scale=0.2,
+    axes=True,
+    label="velocity",
+)
+viz.plot_ellipsoid(
+    mp.force_ellipsoid(jacobian),
+    tool,
+    ax=left,
+    scale=0.2,
+    axes=True,
+    color="#E69F00",
+    label="force",
+)
 left.set_aspect("equal", adjustable="datalim")
 left.legend()
 _ = viz.plot_ellipsoids(robot.kinematics(mp.Task.position()), plan.path, 9, ax=right)
@@ -88,12 +120,18 @@ _ = viz.plot_ellipsoids(robot.kinematics(mp.Task.position()), plan.path, 9, ax=r
 # A circle followed inside a tube of 2 cm, which the arm uses to stay able to move.
 start = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 2.0, 0.785])
 near = kinematics.pose(start)
-circle = mp.CartesianPath.circle(near, near[:3, 3] + [0.1405, 0.0, 0.0], axis=(0.0, 0.0, 1.0))
+circle = mp.CartesianPath.circle(
+    near, near[:3, 3] + [0.1405, 0.0, 0.0], axis=(0.0, 0.0, 1.0)
+)
 tube = mp.Tolerance(position=0.02, rotation=0.1)
-tracking = mp.track(robot, circle, start, 0.01, mp.LogDrive(), duration=4.0, tolerance=tube)
+tracking = mp.track(
+    robot, circle, start, 0.01, mp.LogDrive(), duration=4.0, tolerance=tube
+)
 figure = plt.figure(figsize=(11, 4.4), layout="constrained")
 figure.get_layout_engine().set(wspace=0.12)  # room for the label of z
-viz.plot_tool_path(robot, tracking, circle, ax=figure.add_subplot(1, 2, 1, projection="3d"))
+viz.plot_tool_path(
+    robot, tracking, circle, ax=figure.add_subplot(1, 2, 1, projection="3d")
+)
 _ = viz.plot_deviation(tracking, tolerance=tube, ax=figure.add_subplot(1, 2, 2))
 
 # %%
@@ -101,7 +139,10 @@ _ = viz.plot_deviation(tracking, tolerance=tube, ax=figure.add_subplot(1, 2, 2))
 # -----------------------
 # The layered search: each dot is a configuration that reaches a position of the path; the line is the continuous path whose
 # least index is the highest. The optimiser: g after each solve, filled where that path was free.
-seam = mp.CartesianPath.line(near, near @ np.array([[1, 0, 0, 0.0], [0, 1, 0, 0.25], [0, 0, 1, 0.1], [0, 0, 0, 1]]))
+seam = mp.CartesianPath.line(
+    near,
+    near @ np.array([[1, 0, 0, 0.0], [0, 1, 0, 0.25], [0, 0, 1, 0.1], [0, 0, 0, 1]]),
+)
 layers = mp.sample_layers(robot, seam, 25, samples=240)
 found = mp.max_min_search(layers, np.deg2rad(12))
 _, (left, right) = plt.subplots(1, 2, figsize=(11, 4.4), layout="constrained")

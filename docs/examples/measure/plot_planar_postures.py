@@ -2,8 +2,10 @@
 The best posture of a planar arm, with proof
 ============================================
 
-For the planar arm much is known in closed form. Which posture has the highest index, at a given distance or under given limits? Here
-*all* stationary postures are found, and it is proven that none is missing, so the best of them is the best there is.
+For the planar arm much is known in closed form. Which posture has the highest
+index, at a given distance or under given limits? Here *all* stationary postures are
+found, and it is proven that none is missing, so the best of them is the best there
+is.
 """
 
 import matplotlib.pyplot as plt
@@ -14,12 +16,18 @@ from manipplan import planar
 arm = planar.PlanarArm([1.0, 1.0, 1.0])
 
 # %%
-# All stationary postures of three unit links, the best first. ``complete`` says that they are proven to be all.
+# All stationary postures of three unit links, the best first. ``complete`` says
+# that they are proven to be all.
 
 free = planar.stationary_postures(arm)
 print(f"complete: {free.complete}; {len(free)} postures")
-for q, index, radius, kappa in zip(free.q, free.manipulability, free.radius, free.inverse_condition, strict=True):
-    print(f"q {np.rad2deg(q).round(2)}°  index {index:.4f} m²  distance {radius:.4f} m  1/condition {kappa:.3f}")
+for q, index, radius, kappa in zip(
+    free.q, free.manipulability, free.radius, free.inverse_condition, strict=True
+):
+    print(
+        f"q {np.rad2deg(q).round(2)}°  index {index:.4f} m²  distance {radius:.4f} "
+        f"m  1/condition {kappa:.3f}"
+    )
 assert free.complete
 
 # %%
@@ -27,7 +35,10 @@ assert free.complete
 
 rng = np.random.default_rng(0)
 sampled = planar.manipulability(arm, rng.uniform(-np.pi, np.pi, (200_000, 3))).max()
-print(f"best of 200,000 random postures: {sampled:.5f} m², proven optimum: {free.bound:.5f} m²")
+print(
+    f"best of 200,000 random postures: {sampled:.5f} m², proven optimum: "
+    f"{free.bound:.5f} m²"
+)
 assert sampled <= free.bound
 
 # %%
@@ -35,8 +46,13 @@ assert sampled <= free.bound
 
 distances = np.linspace(0.05, 2.95, 59)
 best = [planar.stationary_postures(arm, radius=r).best for r in distances]
-limited = planar.stationary_postures(arm, lower=[-np.pi, -0.5, -0.5], upper=[np.pi, 0.9, 0.9]).best
-print(f"with joints 2 and 3 in [-0.5, 0.9] rad: index {limited.manipulability[0]:.4f} m² at {limited.q[0].round(3)} rad")
+limited = planar.stationary_postures(
+    arm, lower=[-np.pi, -0.5, -0.5], upper=[np.pi, 0.9, 0.9]
+).best
+print(
+    f"with joints 2 and 3 in [-0.5, 0.9] rad: index {limited.manipulability[0]:.4f} "
+    f"m² at {limited.q[0].round(3)} rad"
+)
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
 for postures, colour, name in (
@@ -46,20 +62,45 @@ for postures, colour, name in (
     (limited, "#CC79A7", "joints limited"),
 ):
     angles = np.cumsum(postures.q[0])
-    joints = np.vstack([np.zeros(2), np.cumsum(np.stack([np.cos(angles), np.sin(angles)], axis=1), axis=0)])
-    left.plot(*joints.T, "o-", color=colour, linewidth=2.5, label=f"{name}: {postures.manipulability[0]:.3f} m²")
+    joints = np.vstack(
+        [
+            np.zeros(2),
+            np.cumsum(np.stack([np.cos(angles), np.sin(angles)], axis=1), axis=0),
+        ]
+    )
+    left.plot(
+        *joints.T,
+        "o-",
+        color=colour,
+        linewidth=2.5,
+        label=f"{name}: {postures.manipulability[0]:.3f} m²",
+    )
 left.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
 left.legend(frameon=False, fontsize=8)
 right.plot(distances, [b.manipulability[0] for b in best], color="#0072B2")
-right.axvline(planar.optimal_radius(arm), color="0.5", linestyle=":", label="distance of the free optimum")
-right.set(xlabel="distance of the tool from the base [m]", ylabel="highest index [m²]", xlim=(0, 3), ylim=(0, None))
+right.axvline(
+    planar.optimal_radius(arm),
+    color="0.5",
+    linestyle=":",
+    label="distance of the free optimum",
+)
+right.set(
+    xlabel="distance of the tool from the base [m]",
+    ylabel="highest index [m²]",
+    xlim=(0, 3),
+    ylim=(0, None),
+)
 right.legend(frameon=False, fontsize=8)
 plt.show()
 
 # %%
-# **Which link lengths?** With a total of 3 m and links of at least 0.3 m: a long first and last link beat equal ones.
+# **Which link lengths?** With a total of 3 m and links of at least 0.3 m: a long
+# first and last link beat equal ones.
 
 proportions = planar.optimal_lengths(3, total=3.0, least=0.3)
-print(f"lengths {proportions.lengths.round(3)} m: index {proportions.manipulability:.4f} m², equal lengths {free.bound:.4f} m²")
+print(
+    f"lengths {proportions.lengths.round(3)} m: index "
+    f"{proportions.manipulability:.4f} m², equal lengths {free.bound:.4f} m²"
+)
 print(f"no arm of this total length exceeds {proportions.bound:.4f} m²")
 assert free.bound < proportions.manipulability <= proportions.bound

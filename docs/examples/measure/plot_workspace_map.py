@@ -2,8 +2,9 @@
 Where in the workspace the arm is good
 ======================================
 
-Where to bolt the arm down, or at which height to put the table? A map of the index over the workspace answers that. This page
-evaluates a million configurations and looks at a slice of them.
+Where to bolt the arm down, or at which height to put the table? A map of the index
+over the workspace answers that. This page evaluates a million configurations and
+looks at a slice of them.
 """
 
 import time
@@ -17,8 +18,9 @@ robot = mp.load_robot("xarm7")
 kinematics = robot.kinematics(mp.Task.position())
 
 # %%
-# A million random configurations inside the limits. All methods take arrays of any leading shape. Where there is a C compiler,
-# large batches run in vectorised machine code over all cores.
+# A million random configurations inside the limits. All methods take arrays of any
+# leading shape. Where there is a C compiler, large batches run in vectorised
+# machine code over all cores.
 
 rng = np.random.default_rng(0)
 q = robot.random_configuration(rng, size=1_000_000)
@@ -26,20 +28,28 @@ kinematics.manipulability(q[:20_000])  # the first large batch compiles
 begin = time.perf_counter()
 index = kinematics.manipulability(q)
 seconds = time.perf_counter() - begin
-print(f"{len(q):,} indices in {1e3 * seconds:.0f} ms, {len(q) / seconds / 1e6:.0f} million a second")
+print(
+    f"{len(q):,} indices in {1e3 * seconds:.0f} ms, {len(q) / seconds / 1e6:.0f} "
+    "million a second"
+)
 begin = time.perf_counter()
 position = kinematics.pose(q)[:, :3, 3]
 print(f"poses in {1e3 * (time.perf_counter() - begin):.0f} ms")
 
 # %%
-# How the index is spread: most random configurations are mediocre, and singular ones are not rare.
+# How the index is spread: most random configurations are mediocre, and singular
+# ones are not rare.
 
 low, high = np.quantile(index, [0.05, 0.95])
-print(f"5 % are below {low:.4f} m³, 5 % above {high:.4f} m³, the largest is {index.max():.4f} m³")
+print(
+    f"5 % are below {low:.4f} m³, 5 % above {high:.4f} m³, the largest is "
+    f"{index.max():.4f} m³"
+)
 
 # %%
-# The arm turns about its first axis, so distance from that axis and height say it all. In each cell of 2.5 cm: the highest index that
-# any of its configurations has, and the share of configurations that are nearly singular.
+# The arm turns about its first axis, so distance from that axis and height say it
+# all. In each cell of 2.5 cm: the highest index that any of its configurations has,
+# and the share of configurations that are nearly singular.
 
 reach, height = np.hypot(position[:, 0], position[:, 1]), position[:, 2]
 edges = np.arange(0.0, 0.95, 0.025), np.arange(-0.6, 1.25, 0.025)
@@ -50,21 +60,38 @@ cell = np.ravel_multi_index([c[inside] for c in columns], shape)
 highest = np.full(np.prod(shape), np.nan)
 np.fmax.at(highest, cell, index[inside])
 count = np.bincount(cell, minlength=highest.size)
-poor = np.bincount(cell, weights=index[inside] < low, minlength=highest.size) / np.maximum(count, 1)
+poor = np.bincount(
+    cell, weights=index[inside] < low, minlength=highest.size
+) / np.maximum(count, 1)
 poor[count < 20] = np.nan
 best = np.unravel_index(np.nanargmax(highest), shape)
-print(f"best cell: {edges[0][best[0]]:.2f} m from the axis, {edges[1][best[1]]:.2f} m above the base, index {np.nanmax(highest):.4f} m³")
+print(
+    f"best cell: {edges[0][best[0]]:.2f} m from the axis, {edges[1][best[1]]:.2f} m "
+    f"high, index {np.nanmax(highest):.4f} m³"
+)
 
-figure, (left, middle, right) = plt.subplots(1, 3, figsize=(11.5, 4.4), layout="constrained", width_ratios=(1, 1, 1))
+figure, (left, middle, right) = plt.subplots(
+    1, 3, figsize=(11.5, 4.4), layout="constrained", width_ratios=(1, 1, 1)
+)
 left.hist(index, bins=120, color="#0072B2")
 left.set(xlabel="index [m³]", ylabel="configurations", xlim=(0, None))
-for ax, values, label in ((middle, highest, "highest index [m³]"), (right, poor, "share of nearly singular ones")):
-    image = ax.pcolormesh(*edges, values.reshape(shape).T, cmap="viridis" if ax is middle else "magma_r")
+for ax, values, label in (
+    (middle, highest, "highest index [m³]"),
+    (right, poor, "share of nearly singular ones"),
+):
+    image = ax.pcolormesh(
+        *edges, values.reshape(shape).T, cmap="viridis" if ax is middle else "magma_r"
+    )
     figure.colorbar(image, ax=ax, label=label)
-    ax.set(xlabel="distance from the first axis [m]", ylabel="height above the base [m]", aspect="equal")
+    ax.set(
+        xlabel="distance from the first axis [m]",
+        ylabel="height above the base [m]",
+        aspect="equal",
+    )
 plt.show()
 
 # %%
-# Read it so: put the work where the middle picture is bright. Near the edge of the reach every configuration is poor, whatever the
-# elbow does. For a task that needs orientation as well use ``Task.pose()``; for one wall or table, ask
+# Read it so: put the work where the middle picture is bright. Near the edge of the
+# reach every configuration is poor, whatever the elbow does. For a task that needs
+# orientation as well use ``Task.pose()``; for one wall or table, ask
 # ``mp.inverse_kinematics`` for the poses on it.

@@ -2,9 +2,13 @@
 Ways round two posts, and their rivals
 ======================================
 
-Between the same two configurations an arm can pass a post on either side, and turn a joint one way or the other. Each way has
-an optimum of its own. Several first paths are looked for, those of one class are solved once; the best has its rivals.
+Between the same two configurations an arm can pass a post on either side, and turn
+a joint one way or the other. Each way has an optimum of its own. Several first
+paths are looked for, those of one class are solved once; the best has its rivals.
 """
+
+# %%
+# The arm, two posts, and two configurations between which there are several ways.
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -13,13 +17,44 @@ import manipplan as mp
 
 arm = mp.planar_arm([1.0, 1.0, 1.0])
 posts = [(0.0, 2.3), (-1.9, 0.5)]
-scene = mp.Scene([mp.Cylinder(radius=0.15, length=1.0, position=(x, y, 0.0), name=f"post at {x}, {y}") for x, y in posts])
+scene = mp.Scene(
+    [
+        mp.Cylinder(
+            radius=0.15, length=1.0, position=(x, y, 0.0), name=f"post at {x}, {y}"
+        )
+        for x, y in posts
+    ]
+)
 start, goal = [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0]
-best = mp.optimize_path(arm, start, goal, degree=8, power=2, scene=scene, clearance=0.02, seeds=2, shifts="within-limits")
-print(best.certificate)
 
 # %%
-# Where the tool goes, and the index along the way. A rival can be shorter and still be worse: it comes nearer to a singularity.
+# ``seeds=2`` looks for two first paths to each goal; ``shifts`` adds the goals a full
+# turn away in any joint, which are the same posture.
+
+best = mp.optimize_path(
+    arm,
+    start,
+    goal,
+    degree=8,
+    power=2,
+    scene=scene,
+    clearance=0.02,
+    seeds=2,
+    shifts="within-limits",
+)
+print(best.certificate)
+print()
+print(f"{len(best.rivals)} rivals; the first of them:")
+print("rank       g   length [rad]   least index [m²]   turns of the goal")
+for rank, result in enumerate([best, *best.rivals[:9]]):
+    turns = np.round((result.path.goal - goal) / (2 * np.pi)).astype(int)
+    figures = f"{result.length:12.2f} {result.min_manipulability:16.3f}"
+    print(f"{rank:4d} {result.g:8.3f} {figures}        {turns}")
+assert all(rival.g >= best.g for rival in best.rivals)
+
+# %%
+# Where the tool goes, and the index along the way. A rival can be shorter and still
+# be worse: it comes nearer to a singularity.
 kinematics = arm.kinematics()
 s = np.linspace(0, 1, 400)
 fig, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2), layout="constrained")
@@ -31,9 +66,18 @@ for rank, result in enumerate([best, *best.rivals[:4]]):
     style = {"linewidth": 2.5 if rank == 0 else 1.2, "color": plt.cm.viridis(rank / 5)}
     left.plot(*tool.T, **style)
     right.plot(s, kinematics.manipulability(result.path(s)), label=name, **style)
-left.plot(*kinematics.pose(np.array([start, goal], dtype=float))[:, :2, 3].T, "ko", markersize=5)
+left.plot(
+    *kinematics.pose(np.array([start, goal], dtype=float))[:, :2, 3].T,
+    "ko",
+    markersize=5,
+)
 left.set(aspect="equal", xlabel="x [m]", ylabel="y [m]")
 left.set_title("the tool among two posts", loc="left")
 right.set(xlabel="s", ylabel="index m [m²]", ylim=(0, None))
 right.legend(fontsize=8)
 plt.show()
+
+# %%
+# When the best one is not the one you want, because a cable would wind up or a post
+# is nearer than you like, take a rival: it is a full result, with path and
+# certificate. More ``seeds`` find more classes, at the price of a solve for each.

@@ -2,9 +2,10 @@
 A controller in a loop, with something in the way
 =================================================
 
-Your robot's interface wants joint velocities every few milliseconds, from where the tool should be now. You have a target, perhaps from a
-teleoperation device or a camera, and things that move about. ``mp.Controller`` gives the velocities, keeps the limits, keeps away,
-and raises the index meanwhile.
+Your robot's interface wants joint velocities every few milliseconds, from where the
+tool should be now. You have a target, perhaps from a teleoperation device or a
+camera, and things that move about. ``mp.Controller`` gives the velocities, keeps
+the limits, keeps away, and raises the index meanwhile.
 """
 
 import matplotlib.pyplot as plt
@@ -19,8 +20,8 @@ q = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 2.0, 0.785])
 start = kinematics.pose(q)
 
 # %%
-# The controller is built once. A ball moves; the floor stands still. Within ``influence`` things may approach only so fast, down to
-# ``security``.
+# The controller is built once. A ball moves; the floor stands still. Within
+# ``influence`` things may approach only so fast, down to ``security``.
 
 ball = mp.Sphere(radius=0.07, position=(0.60, 0.45, 0.62), name="ball")
 scene = mp.Scene([ball, mp.Plane(position=(0.0, 0.0, -0.02), name="floor")])
@@ -34,12 +35,15 @@ avoidance = mp.Avoidance(
     itself=False,
 )
 tube = mp.Tolerance(position=0.05, rotation=0.3)
-controller = mp.Controller(robot, mp.LogDrive(), dt, tolerance=tube, avoidance=avoidance)
+controller = mp.Controller(
+    robot, mp.LogDrive(), dt, tolerance=tube, avoidance=avoidance
+)
 print(f"compiled: {controller.compiled}; {len(controller.pairs)} pairs are kept apart")
 
 # %%
-# The loop: the tool is to go sideways and back while the ball flies through the wrist's place. At each step the controller gets the
-# state, the target, and where the ball is and how fast.
+# The loop: the tool is to go sideways and back while the ball flies through the
+# wrist's place. At each step the controller gets the state, the target, and where
+# the ball is and how fast.
 
 steps = 1200
 log = {name: np.empty(steps) for name in ("index", "clearance", "deviation", "solved")}
@@ -54,7 +58,9 @@ for k in range(steps):
     centre = np.array([0.60, 0.45, 0.62]) + speed * t
     place = np.eye(4)
     place[:3, 3] = centre
-    command = controller.step(q, qd, target, obstacles={"ball": (place, [*speed, 0.0, 0.0, 0.0])})
+    command = controller.step(
+        q, qd, target, obstacles={"ball": (place, [*speed, 0.0, 0.0, 0.0])}
+    )
     report = controller.report
     largest = np.maximum(largest, np.abs(command - qd) / dt / robot.limits.acceleration)
     q, qd = q + dt * command, command
@@ -62,12 +68,16 @@ for k in range(steps):
     log["index"][k], log["clearance"][k] = report.manipulability, report.clearance
     log["deviation"][k] = np.linalg.norm(trace[k] - target[:3, 3])
     log["solved"][k] = report.status is mp.StepStatus.SOLVED
-print(f"{int(log['solved'].sum())} of {steps} steps solved; least distance {1e3 * log['clearance'].min():.1f} mm")
+print(
+    f"{int(log['solved'].sum())} of {steps} steps solved; least distance "
+    f"{1e3 * log['clearance'].min():.1f} mm"
+)
 print(f"largest share of an acceleration limit: {largest.max():.4f}")
 assert log["clearance"].min() > 0 and largest.max() <= 1 + 1e-6
 
 # %%
-# How long a step takes, measured on this machine while this page was built: the call from Python, and inside a rollout in C.
+# How long a step takes, measured on this machine while this page was built: the
+# call from Python, and inside a rollout in C.
 
 import time  # noqa: E402
 
@@ -78,17 +88,22 @@ for k in range(len(durations)):
     controller.step(q, qd, target, obstacles=around)
     durations[k] = time.perf_counter() - begin
 median, slow = 1e6 * np.quantile(durations, [0.5, 0.99])
-print(f"one step from Python: median {median:.0f} µs, 99 % below {slow:.0f} µs, of a period of {1e6 * dt:.0f} µs")
+print(
+    f"one step from Python: median {median:.0f} µs, 99 % below {slow:.0f} µs, of a "
+    f"period of {1e6 * dt:.0f} µs"
+)
 targets = np.repeat(start[None], 2000, axis=0)
 begin = time.perf_counter()
 controller.rollout(q, targets)
 print(f"one step in a rollout: {1e6 * (time.perf_counter() - begin) / 2000:.0f} µs")
 
 # %%
-# The ball comes, the arm gives way inside its tube, and further where it has to, then returns.
+# The ball comes, the arm gives way inside its tube, and then returns to its target.
 
 t = dt * np.arange(steps)
-figure, panels = plt.subplots(3, 1, figsize=(7.5, 6.4), sharex=True, layout="constrained")
+figure, panels = plt.subplots(
+    3, 1, figsize=(7.5, 6.4), sharex=True, layout="constrained"
+)
 panels[0].plot(t, 1e3 * log["clearance"], color="#D55E00")
 panels[0].axhline(30, color="0.4", linestyle=":", label="security distance")
 panels[0].set(ylabel="least distance [mm]", ylim=(0, None), xlim=(0, t[-1]))
@@ -102,7 +117,8 @@ for ax in panels[:2]:
 plt.show()
 
 # %%
-# A bad message must not stop a robot: with a target that is no number the controller brakes within all limits and says so.
+# A bad message must not stop a robot: with a target that is no number the
+# controller brakes within all limits and says so.
 
 controller.step(q, qd, np.full((4, 4), np.nan), obstacles=around)
 print(controller.report.status.name)

@@ -1,0 +1,224 @@
+"""Trajectories to ROS bags and back: written for rviz and Foxglove to play, read as demonstrations. By the package rosbags."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+
+from manipplan.checks import Array, number
+from manipplan.errors import FileFormatError, InvalidInputError, MissingExtraError, UnknownNameError
+from manipplan.paths.trajectory import Trajectory
+
+TRAJECTORY, STATE = "trajectory_msgs/msg/JointTrajectory", "sensor_msgs/msg/JointState"
+#: Topics that are written: where ros2_control's controller listens, and where joint states are looked for.
+TRAJECTORY_TOPIC, STATE_TOPIC = "/joint_trajectory_controller/joint_trajectory", "/joint_states"
+STORAGES = ("mcap", "sqlite3")
+#: Time of the first message [ns]: a stamp of zero means "no time" in ROS.
+BEGIN = 10**9
+
+
+def to_rosbag(trajectory: Trajectory, file: str | Path, *, storage: str = "mcap", rate: float = 100.0) -> None:
+    """A ROS 2 bag with the motion as one JointTrajectory and as a stream of JointStates; see `Trajectory.to_rosbag`."""
+    path = _new_folder(file)
+    if storage not in STORAGES:
+        raise UnknownNameError("storage", str(storage), STORAGES)
+    number("rate", rate, above=0.0, most=10_000.0)
+    _rosbags()
+    from rosbags.rosbag2 import StoragePlugin, Writer
+    from rosbags.typesys import Stores, get_typestore
+
+    store = get_typestore(Stores.LATEST)
+    plugin = StoragePlugin.MCAP if storage == "mcap" else StoragePlugin.SQLITE3
+    try:
+        with TemporaryDirectory(prefix=f".{path.name}.", suffix=".part", dir=path.parent) as folder:
+            part = Path(folder) / path.name
+            with Writer(part, version=9, storage_plugin=plugin) as bag:
+                command = bag.add_connection(TRAJECTORY_TOPIC, TRAJECTORY, typestore=store)
+                stream = bag.add_connection(STATE_TOPIC, STATE, typestore=store)
+                bag.write(command, BEGIN, store.serialize_cdr(_trajectory_message(trajectory, store), TRAJECTORY))
+                for stamp, message in _state_messages(trajectory, store, rate):
+                    bag.write(stream, stamp, store.serialize_cdr(message, STATE))
+            part.rename(path)
+    except OSError as error:
+        raise InvalidInputError("file", str(path), f"a place that can be written ({error.strerror or error})") from error
+
+
+def from_rosbag(file: str | Path, topic: str | None = None, *, joints: Sequence[str] | None = None) -> Trajectory:
+    """The motion of one topic of a bag; see `Trajectory.from_rosbag`."""
+    if not isinstance(file, str | Path):
+        raise InvalidInputError("file", file, "the folder of a ROS 2 bag, or a ROS 1 .bag file")
+    path = Path(file).expanduser()
+    if path.suffix in (".mcap", ".db3") or not path.exists():
+        raise FileFormatError("file", str(path), "the folder of a ROS 2 bag, with its metadata.yaml, or a ROS 1 .bag file")
+    if joints is not None and (isinstance(joints, str) or not joints or not all(isinstance(name, str) for name in joints)):
+        raise InvalidInputError("joints", joints, "a list of names")
+    _rosbags()
+    from rosbags.highlevel import AnyReader, AnyReaderError
+    from rosbags.typesys import Stores, get_typestore
+
+    try:
+        with AnyReader([path], default_typestore=get_typestore(Stores.LATEST)) as bag:
+            topics = {connection.topic: connection.msgtype for connection in bag.connections}
+            chosen = _topic(path, topics, topic)
+            connections = [connection for connection in bag.connections if connection.topic == chosen]
+            messages = [
+                (stamp, bag.deserialize(data, connection.msgtype)) for connection, stamp, data in bag.messages(connections)
+            ]
+    except (AnyReaderError, OSError) as error:
+        raise FileFormatError("file", str(path), f"a ROS bag that can be read ({error})") from error
+    where = f"{path}, {chosen}"
+    names, t, q, qd = (_commands if topics[chosen] == TRAJECTORY else _recorded)(where, messages, joints)
+    return _motion(where, names, t, q, qd)
+
+
+def _topic(path: Path, topics: dict[str, str], topic: str | None) -> str:
+    """The topic asked for; else the only one with joint states, or the only one with trajectories."""
+    fitting = {name: kind for name, kind in topics.items() if kind in (STATE, TRAJECTORY)}
+    if topic is not None:
+        if topic not in fitting:
+            raise UnknownNameError("topic", str(topic), fitting or [f"none: {path} has no JointState and no JointTrajectory"])
+        return topic
+    for kind in (STATE, TRAJECTORY):
+        found = [name for name in fitting if fitting[name] == kind]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            raise InvalidInputError("topic", None, f"one of {', '.join(found)}: {path} has several with {kind}")
+    listed = ", ".join(f"{name} ({kind})" for name, kind in topics.items()) or "nothing"
+    raise FileFormatError("file", str(path), f"a bag with a topic of {STATE} or {TRAJECTORY}; this one has {listed}")
+
+
+def _recorded(
+    where: str, messages: list[tuple[int, Any]], joints: Sequence[str] | None
+) -> tuple[tuple[str, ...], Array, Array, Array | None]:
+    """Names (n,), times (k,) [s], positions and, where every message has them, velocities (k, n) of JointStates.
+
+    The stamp is the header's, or where that is zero the bag's. Messages without any of the joints, as of a gripper that
+    publishes on the same topic, are passed over.
+    """
+    names = tuple(joints) if joints is not None else tuple(messages[0][1].name) if messages else ()
+    rows = []
+    for k, (received, message) in enumerate(messages):
+        place = {name: i for i, name in enumerate(message.name)}
+        missing = [name for name in names if name not in place]
+        if joints is None and set(place) != set(names):
+            said = f"message {k + 1} has {', '.join(place) or 'no joint'}, the first {', '.join(names)}"
+            raise FileFormatError("file", where, f"the same joints in all messages, but {said}; name those wanted by joints=")
+        if len(missing) == len(names):
+            continue
+        if missing:
+            raise FileFormatError(
+                "file", where, f"all of {', '.join(names)} in one message; {k + 1} lacks {', '.join(missing)}"
+            )
+        order = [place[name] for name in names]
+        if len(message.position) != len(message.name):
+            raise FileFormatError("file", where, f"a position for every joint; message {k + 1} has {len(message.position)}")
+        stamp = message.header.stamp.sec * 10**9 + message.header.stamp.nanosec
+        velocity = message.velocity[order] if len(message.velocity) == len(message.name) else None
+        rows.append((stamp or received, message.position[order], velocity))
+    if not rows:
+        known = {name for _, message in messages for name in message.name}
+        if joints is not None and known:
+            raise UnknownNameError("joints", names[0], known)
+        raise FileFormatError("file", where, "at least two messages with positions")
+    t = np.array([(stamp - rows[0][0]) / 1e9 for stamp, _, _ in rows])
+    late = np.flatnonzero(np.diff(t) <= 0)
+    if len(late):
+        k = int(late[0]) + 1
+        said = f"message {k + 1} is stamped {t[k]:.9f} s after the first, the one before {t[k - 1]:.9f} s"
+        raise FileFormatError("file", where, f"stamps that rise, but {said}; sort the recording, or record one source a topic")
+    known_speed = all(velocity is not None and np.isfinite(velocity).all() for _, _, velocity in rows)
+    qd = np.array([velocity for _, _, velocity in rows]) if known_speed else None
+    return names, t, np.array([position for _, position, _ in rows]), qd
+
+
+def _commands(
+    where: str, messages: list[tuple[int, Any]], joints: Sequence[str] | None
+) -> tuple[tuple[str, ...], Array, Array, Array | None]:
+    """The same of the only JointTrajectory of a topic."""
+    if len(messages) != 1:
+        raise FileFormatError("file", where, f"one JointTrajectory; the topic has {len(messages)}")
+    message = messages[0][1]
+    known = list(message.joint_names)
+    names = tuple(joints) if joints is not None else tuple(known)
+    for name in names:
+        if name not in known:
+            raise UnknownNameError("joints", name, known)
+    order = [known.index(name) for name in names]
+    for k, point in enumerate(message.points):
+        if len(point.positions) != len(known):
+            raise FileFormatError("file", where, f"a position for every joint; point {k + 1} has {len(point.positions)}")
+    stamps = [point.time_from_start.sec * 10**9 + point.time_from_start.nanosec for point in message.points]
+    t = np.array([stamp / 1e9 for stamp in stamps])
+    q = np.array([point.positions[order] for point in message.points])
+    full = all(len(point.velocities) == len(known) for point in message.points)
+    return names, t, q, np.array([point.velocities[order] for point in message.points]) if full else None
+
+
+def _motion(where: str, names: tuple[str, ...], t: Array, q: Array, qd: Array | None) -> Trajectory:
+    """The trajectory; velocities that were not recorded are those of the cubic spline through the positions."""
+    try:
+        if qd is None:
+            still = Trajectory(t=t, q=q, qd=np.zeros_like(q), joint_names=names)  # checks times and positions
+            from scipy.interpolate import CubicSpline
+
+            qd = CubicSpline(still.t, still.q)(still.t, 1)
+        return Trajectory(t=t, q=q, qd=qd, joint_names=names)
+    except FileFormatError:
+        raise
+    except InvalidInputError as error:
+        raise FileFormatError("file", where, f"a recorded motion; {error}") from error
+
+
+def _trajectory_message(trajectory: Trajectory, store: Any) -> Any:
+    """The trajectory as one JointTrajectory message of rosbags' type store."""
+    kinds = store.types
+    point, duration = kinds["trajectory_msgs/msg/JointTrajectoryPoint"], kinds["builtin_interfaces/msg/Duration"]
+    columns = (trajectory.t, trajectory.q, trajectory.qd, trajectory(trajectory.t, 2))
+    points = [
+        point(
+            positions=np.array(q),
+            velocities=np.array(qd),
+            accelerations=np.array(qdd),
+            effort=np.empty(0),
+            time_from_start=duration(**_seconds(round(float(t) * 1e9))),
+        )
+        for t, q, qd, qdd in zip(*columns, strict=True)
+    ]
+    header = kinds["std_msgs/msg/Header"](stamp=kinds["builtin_interfaces/msg/Time"](sec=0, nanosec=0), frame_id="")
+    return kinds[TRAJECTORY](header=header, joint_names=list(trajectory.joint_names), points=points)
+
+
+def _state_messages(trajectory: Trajectory, store: Any, rate: float) -> Iterator[tuple[int, Any]]:
+    """Stamps [ns] and JointState messages, at `rate` [Hz] and at the samples, so that the cubics between stay the same."""
+    kinds = store.types
+    even = np.arange(0.0, trajectory.duration, 1 / rate)
+    stamps = np.unique(np.round(np.concatenate([even, trajectory.t]) * 1e9).astype(np.int64))
+    at = np.clip(stamps / 1e9, 0.0, trajectory.duration)
+    for stamp, q, qd in zip(stamps.tolist(), trajectory(at), trajectory(at, 1), strict=True):
+        time = kinds["builtin_interfaces/msg/Time"](**_seconds(BEGIN + stamp))
+        header = kinds["std_msgs/msg/Header"](stamp=time, frame_id="")
+        names = list(trajectory.joint_names)
+        yield BEGIN + stamp, kinds[STATE](header=header, name=names, position=q, velocity=qd, effort=np.empty(0))
+
+
+def _seconds(nanoseconds: int) -> dict[str, int]:
+    return {"sec": nanoseconds // 10**9, "nanosec": nanoseconds % 10**9}
+
+
+def _new_folder(file: str | Path) -> Path:
+    if not isinstance(file, str | Path):
+        raise InvalidInputError("file", file, "the path of a folder")
+    path = Path(file).expanduser()
+    if path.exists():
+        raise InvalidInputError("file", str(path), "a path where nothing is yet: the folder of a bag is never overwritten")
+    return path
+
+
+def _rosbags() -> None:
+    try:
+        import rosbags.highlevel  # noqa: F401  # looks whether it is there
+    except ImportError as error:
+        raise MissingExtraError("rosbags", "ros") from error

@@ -1,0 +1,72 @@
+"""The reference names every public name once, and every work that the code cites is in the list of literature."""
+
+import pydoc
+import re
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+import manipplan
+import manipplan.planar
+import manipplan.viz
+
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+
+
+def documented():
+    """Full names of all autodoc entries of the reference, with how often each is there."""
+    names = []
+    for page in sorted((DOCS / "reference").glob("*.md")):
+        module = "manipplan"
+        for kind, name in re.findall(r"^\.\. (currentmodule|auto\w+):: (\S+)", page.read_text(encoding="utf-8"), re.MULTILINE):
+            if kind == "currentmodule":
+                module = name
+            elif kind != "automodule":
+                names.append(name if "." in name else f"{module}.{name}")
+    return Counter(names)
+
+
+@pytest.mark.parametrize("module", [manipplan, manipplan.planar, manipplan.viz], ids=lambda module: module.__name__)
+def test_every_public_name_is_documented_once(module):
+    found = documented()
+    wanted = [f"{module.__name__}.{name}" for name in getattr(module, "__all__", ())]
+    assert {name: found[name] for name in wanted if found[name] != 1} == {}
+
+
+def test_nothing_is_documented_that_is_not_there():
+    assert [name for name in documented() if pydoc.locate(name) is None] == []
+
+
+def test_every_reference_page_is_in_the_list():
+    index = (DOCS / "reference" / "index.md").read_text(encoding="utf-8")
+    pages = {page.stem for page in (DOCS / "reference").glob("*.md")} - {"index"}
+    assert pages == set(re.findall(r"\((\w+)\.md\)", index))
+
+
+def test_every_work_that_is_cited_is_in_the_literature():
+    known = set(re.findall(r"^@\w+\{(\w+),", (DOCS / "references.bib").read_text(encoding="utf-8"), re.MULTILINE))
+    sources = [*(ROOT / "manipplan").rglob("*.py"), *(ROOT / "studies").rglob("*.py")]
+    pages = [page for page in DOCS.rglob("*.md") if "_build" not in page.parts]
+    cited = {
+        key for file in sources for key in re.findall(r"\[([a-z]+(?:19|20)\d\d[a-z]?)[\],]", file.read_text(encoding="utf-8"))
+    }
+    cited |= {
+        key
+        for page in pages
+        for keys in re.findall(r"\{cite:\w\}`([^`]+)`", page.read_text(encoding="utf-8"))
+        for key in keys.split(",")
+    }
+    assert len(cited) > 15
+    assert cited <= known
+
+
+def test_every_status_has_its_remedy_on_the_page():
+    page = (DOCS / "howto" / "status.md").read_text(encoding="utf-8")
+    tables = dict(re.findall(r"\| \{py:class\}`~manipplan\.(\w+)` .*\n\|[-|]+\n((?:\|.*\n)+)", page))
+    for kind in (manipplan.Status, manipplan.SearchStatus, manipplan.TrackingStatus, manipplan.StepStatus):
+        rows = [row.split("|")[1:-1] for row in tables[kind.__name__].splitlines()]
+        assert [row[0].strip(" `") for row in rows] == [each.name for each in kind]
+        if hasattr(next(iter(kind)), "ok"):
+            assert {row[0].strip(" `"): row[2].strip() == "yes" for row in rows} == {each.name: each.ok for each in kind}
