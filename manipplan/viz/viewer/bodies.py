@@ -8,10 +8,12 @@ import pinocchio as pin
 
 from manipplan.checks import Array
 from manipplan.robots.robot import Robot
-from manipplan.viz.viewer.triangles import Faces, triangles_of
+from manipplan.viz.viewer.triangles import MOST, Faces, triangles_of
 
 log = logging.getLogger("manipplan")
 
+#: Meshes that do not move, such as the legs of a humanoid, are reduced to so many triangles.
+STILL = 1000
 #: Of geometry for which no colour is known.
 GREY = (0.72, 0.74, 0.77, 1.0)
 
@@ -67,7 +69,7 @@ def _appearance(robot: Robot) -> Appearance:
 def _bodies(geometry: pin.GeometryModel) -> tuple[Body, ...]:
     made = []
     for item in geometry.geometryObjects:
-        triangles = triangles_of(item.geometry)
+        triangles = triangles_of(item.geometry, MOST if item.parentJoint else STILL)
         if triangles is None:
             continue
         vertices, faces = triangles

@@ -19,7 +19,7 @@ THIN = 0.02
 
 
 class RobotFigure:
-    """A robot in the scene under `root`, all in one colour and translucent where `ghost` names one.
+    """A robot in the scene under `root`; where `ghost` names a colour, what moves of it, translucent in that colour.
 
     Attributes:
         root: viser's handle of all of it; its `visible` shows and hides.
@@ -32,6 +32,8 @@ class RobotFigure:
         self.root: Any = scene.add_frame(root, show_axes=False)
         self.frames: list[Any] = [scene.add_frame(f"{root}/{i}", show_axes=False) for i in range(robot.model.njoints)]
         for k, body in enumerate(appearance_of(robot).bodies):
+            if ghost is not None and not body.joint:
+                continue  # it would stand in the other robot's
             colour = body.colour if ghost is None else (*rgb(ghost), GHOST)
             scene.add_mesh_simple(
                 f"{root}/{body.joint}/{k}",

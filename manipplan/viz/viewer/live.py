@@ -22,7 +22,7 @@ from manipplan.viz.viewer.chart import Chart, Curve, table
 from manipplan.viz.viewer.figures import EllipsoidFigure, RobotFigure, corners, principal, put
 from manipplan.viz.viewer.motion import LARGEST, limits_now, unit_of
 from manipplan.viz.viewer.panel import switch
-from manipplan.viz.viewer.server import HOST, PORT, Page
+from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
 from manipplan.viz.viewer.surroundings import surround
 
 #: Pictures a second, and of these every such one also draws the chart and the figures.
@@ -64,6 +64,7 @@ def follow_target(
         MissingExtraError: viser is not installed.
         InvalidInputError: an argument is not usable, or the port is in use.
     """
+    require_extra()
     instance("robot", robot, Robot)
     instance("open_browser", open_browser, bool)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
@@ -89,7 +90,7 @@ class LiveViewer(Page):
         super().__init__(port, host, f"{robot.name}: drag the target")
         self.controller = controller
         self.drive = 1.0
-        self._start, self._q, self._qd = start, start.copy(), np.zeros(robot.n)
+        self._first, self._q, self._qd = start, start.copy(), np.zeros(robot.n)
         self._kinematics = robot.kinematics(controller.task)
         self._position = robot.kinematics(Task.planar() if robot.planar else Task.position())
         self._target = np.array(self._position.pose(start))
@@ -99,8 +100,7 @@ class LiveViewer(Page):
         with self.server.atomic():
             self._furnish(scene)
             self._fill_panel()
-        self._thread = threading.Thread(target=self._run, name="manipplan live", daemon=True)
-        self._thread.start()
+        self._start(self._run)
 
     @property
     def q(self) -> Array:
@@ -124,26 +124,21 @@ class LiveViewer(Page):
         pose = pose_matrix("target", value)
         with self._lock:
             self._target = np.array(pose)
-        put(self.handle, pin.SE3(pose))
+        put(self.handle, pin.SE3(pose[:3, :3] if self._turns else np.eye(3), pose[:3, 3]))
 
     def restart(self) -> None:
         """Put arm and target back to the start."""
         with self._lock:
-            self._q, self._qd = self._start.copy(), np.zeros(self.controller.robot.n)
+            self._q, self._qd = self._first.copy(), np.zeros(self.controller.robot.n)
             self.controller.reset()
-        self.target = self._position.pose(self._start)
-
-    def stop(self) -> None:
-        super().stop()
-        if self._thread is not threading.current_thread():
-            self._thread.join(timeout=2.0)
+        self.target = self._position.pose(self._first)
 
     def _furnish(self, scene: Scene) -> None:
         robot = self.controller.robot
-        box = corners(robot, self._start, moving=True)
+        box = corners(robot, self._first, moving=True)
         size = float(np.linalg.norm(box[1] - box[0]))
         box[:, :2] += [[-ROOM * size], [ROOM * size]]
-        scale = LARGEST * size / 2 / max(float(principal(self._position, self._start)[1].max()), 1e-9)
+        scale = LARGEST * size / 2 / max(float(principal(self._position, self._first)[1].max()), 1e-9)
         self.robot = RobotFigure(self.server.scene, "/robot", robot)
         self.ellipsoid = EllipsoidFigure(self.server.scene, "/ellipsoid", self._position, scale, opacity=0.5)
         self.handle = self.server.scene.add_transform_controls(
@@ -154,14 +149,15 @@ class LiveViewer(Page):
             depth_test=False,
         )
         self.target = self._target
-        self._layers = {"ellipsoid at the tool": self.ellipsoid.mesh}
-        self._layers |= surround(self.server, robot, self._start, scene, box)
+        self._layers = {"ellipsoid, tool": self.ellipsoid.mesh}
+        self._layers |= surround(self.server, robot, self._first, scene, box)
         self.handle.on_update(self._drag)
 
     def _drag(self, event: Any) -> None:
-        dragged = np.eye(4)
+        dragged = self.target
         w, x, y, z = event.target.wxyz
-        dragged[:3, :3] = pin.Quaternion(w, x, y, z).normalized().toRotationMatrix()
+        if self._turns:  # else the arrows are those of the world
+            dragged[:3, :3] = pin.Quaternion(w, x, y, z).normalized().toRotationMatrix()
         dragged[:3, 3] = event.target.position
         with self._lock:
             self._target = dragged

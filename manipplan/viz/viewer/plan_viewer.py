@@ -12,7 +12,7 @@ from manipplan.viz.viewer.bodies import appearance_of
 from manipplan.viz.viewer.chart import Chart, Curve, table
 from manipplan.viz.viewer.motion import Motion, unit_of
 from manipplan.viz.viewer.panel import switch
-from manipplan.viz.viewer.server import HOST, PORT, Page
+from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
 from manipplan.viz.viewer.stage import Stage
 
 if TYPE_CHECKING:
@@ -38,6 +38,7 @@ def show(plan: "Plan", *, port: int = PORT, host: str = HOST, open_browser: bool
         InvalidInputError: the port is in use.
         PlanningError: the plan has no trajectory.
     """
+    require_extra()
     instance("open_browser", open_browser, bool)
     viewer = PlanViewer(Motion.of(plan), port=port, host=host)
     if open_browser:
@@ -65,7 +66,7 @@ class PlanViewer(Page):
         with self.server.atomic():
             self.stage = Stage(self.server, motion)
             self._fill_panel()
-        threading.Thread(target=self._play, name="manipplan viewer", daemon=True).start()
+        self._start(self._play)
 
     @property
     def time(self) -> float:
@@ -90,7 +91,8 @@ class PlanViewer(Page):
 
     def pause(self) -> None:
         """Stand still."""
-        self._playing.clear()
+        with self._lock:
+            self._playing.clear()
         self._button.label, self._button.icon = "Play", "player-play"
 
     def stop(self) -> None:
@@ -133,15 +135,16 @@ class PlanViewer(Page):
         while self.running:
             if not self._playing.wait(0.2):
                 continue
-            start, last = self._time, time.monotonic()
-            while self.playing and self.running and start < duration:
+            last = time.monotonic()
+            while self.playing and self.running:
                 time.sleep(1.0 / RATE)
                 now = time.monotonic()
-                start, last = min(start + self.speed * (now - last), duration), now
-                if self.playing:
-                    self._show(start)
-            if self.running and self.playing:
-                self.pause()
+                with self._lock:
+                    if self.playing:  # not paused meanwhile
+                        self._show(min(self._time + self.speed * (now - last), duration))
+                    if self._time >= duration:
+                        self.pause()
+                last = now
 
 
 def chart_of(motion: Motion) -> Chart:

@@ -11,7 +11,7 @@ from manipplan.files import write_text
 from manipplan.viz.viewer.chart import table
 from manipplan.viz.viewer.motion import Motion
 from manipplan.viz.viewer.plan_viewer import chart_of
-from manipplan.viz.viewer.server import Page
+from manipplan.viz.viewer.server import Page, require_extra
 from manipplan.viz.viewer.stage import Stage
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ END = "</body>"
 def record(plan: "Plan", file: str | Path, *, rate: float = 25.0) -> Path:
     """Write the motion of a plan as a self-contained HTML file, with legend, index over time and figures; returns the file.
 
-    The page of about 2 MB plays the motion at real speed; its bar at the bottom moves it in time.
+    The page of one to two megabytes plays the motion at real speed; its bar at the bottom moves it in time.
 
     Args:
         plan: with a trajectory.
@@ -40,6 +40,7 @@ def record(plan: "Plan", file: str | Path, *, rate: float = 25.0) -> Path:
         PlanningError: the plan has no trajectory.
         InvalidInputError: the file cannot be written.
     """
+    require_extra()
     rate = number("rate", rate, above=0.0, most=120.0)
     motion = Motion.of(plan)
     path = Path(file).expanduser()

@@ -1,13 +1,15 @@
 """The server of the page that a browser shows: its port, its address, its end."""
 
 import contextlib
+import errno
+import importlib
 import logging
 import os
 import socket
 import sys
 import threading
 import webbrowser
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from types import TracebackType
 from typing import Any, Self
 
@@ -41,19 +43,23 @@ class Page:
             MissingExtraError: viser is not installed.
             InvalidInputError: the port is in use, or the address is not one of this machine.
         """
-        viser = _viser()
+        require_extra()
+        import viser
+
         port = whole_number("port", port, least=0, most=65535)
         if not isinstance(host, str) or not host:
             raise InvalidInputError("host", host, "'localhost', or '0.0.0.0' to be seen by other machines")
-        _must_be_free(port, host)
+        address = "127.0.0.1" if host == HOST else host  # by its name it would also be ::1, which not every machine has
+        port = _free_port(port, address)
         with _quiet():
-            self.server: Any = viser.ViserServer(host=host, port=port, verbose=False)
+            self.server: Any = viser.ViserServer(host=address, port=port, verbose=False)
         self.server.gui.set_panel_label(title)
         self.server.gui.configure_theme(show_logo=False, show_share_button=False, control_width="medium")
         self.server.gui.main_panel.dock_right()
-        shown = "localhost" if host in ("0.0.0.0", "127.0.0.1") else host
+        shown = "localhost" if host in ("0.0.0.0", "::", "127.0.0.1") else host
         self.url = f"http://{shown}:{self.server.get_port()}"
         self._stopped = threading.Event()
+        self._threads: list[threading.Thread] = []
 
     @property
     def running(self) -> bool:
@@ -82,8 +88,16 @@ class Page:
         """End the page; a second call does nothing."""
         if not self._stopped.is_set():
             self._stopped.set()
+            for thread in self._threads:  # they draw on the server
+                thread.join()
             with _quiet():
                 self.server.stop()
+
+    def _start(self, work: Callable[[], None]) -> None:
+        """Let a thread work that ends when the page does not run any more."""
+        thread = threading.Thread(target=work, name=f"manipplan {type(self).__name__}", daemon=True)
+        self._threads.append(thread)
+        thread.start()
 
     def __enter__(self) -> Self:
         return self
@@ -102,29 +116,33 @@ def has_display() -> bool:
     return any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"))
 
 
-def _viser() -> Any:
-    try:
-        import viser
-    except ImportError as error:
-        raise MissingExtraError("viser", "viewer") from error
-    return viser
+def require_extra() -> None:
+    """Raise MissingExtraError, before any work, when a package of the extra `viewer` is not installed."""
+    for package in ("viser", "trimesh", "fast_simplification"):
+        try:
+            importlib.import_module(package)
+        except ImportError as error:
+            raise MissingExtraError(package, "viewer") from error
 
 
-def _must_be_free(port: int, host: str) -> None:
-    """viser would take another port without a word."""
+def _free_port(port: int, host: str) -> int:
+    """`port`, or for 0 any that is free; viser would take another one than is asked for without a word."""
     try:
         found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
     except (OSError, UnicodeError) as error:
         raise InvalidInputError("host", host, f"an address of this machine ({error})") from error
-    for family, kind, protocol, _, address in found:
-        with socket.socket(family, kind, protocol) as probe:
-            if sys.platform != "win32":
-                probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            try:
-                probe.bind(address)
-            except OSError as error:
-                allowed = f"a port that can be used ({error.strerror}); another number, or 0 for any free one"
-                raise InvalidInputError("port", port, allowed) from error
+    family, kind, protocol, _, address = found[0]
+    with socket.socket(family, kind, protocol) as probe:
+        if sys.platform != "win32":  # where it would take a port that is in use
+            probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind(address)
+        except OSError as error:
+            if error.errno == errno.EADDRNOTAVAIL:
+                raise InvalidInputError("host", host, "an address of this machine") from error
+            allowed = f"a port that can be used ({error.strerror}); another number, or 0 for any free one"
+            raise InvalidInputError("port", port, allowed) from error
+        return int(probe.getsockname()[1])
 
 
 @contextlib.contextmanager

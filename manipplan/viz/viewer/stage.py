@@ -41,8 +41,8 @@ class Stage:
         self.layers[f"path, {motion.name}"] = draw_path(scene, "/path", motion.tool, style.OPTIMUM)
         if motion.seed_tool is not None:
             self.layers[f"path, {motion.seed_name}"] = draw_path(scene, "/seed_path", motion.seed_tool, style.SEED)
-        self.layers["ellipsoid at the tool"] = self.ellipsoid.mesh
-        self.layers["ellipsoids on the path"] = fixed
+        self.layers["ellipsoid, tool"] = self.ellipsoid.mesh
+        self.layers["ellipsoids, path"] = fixed
         self.layers |= surround(server, motion.robot, motion.q[0], plan.scene, motion.box)
         self.place(0.0)
 

@@ -17,8 +17,9 @@ FROM = {False: (1.0, -1.25, 0.6), True: (0.0, -0.55, 1.0)}
 #: Vertical angle of the camera's view [rad].
 VIEW = np.deg2rad(45.0)
 #: The ball around what is looked at fills a little more than the picture: its outermost parts are empty.
-FILL = 0.85
-#: Obstacles are looked at as far as this beyond the arm, as a share of the diagonal of the space that it takes.
+FILL = 0.92
+#: Obstacles, and parts of the robot that do not move, are looked at as far as this beyond the arm, as a share of the diagonal
+#: of the space that it takes.
 NEAR = 0.2
 
 
@@ -108,6 +109,7 @@ def surround(server: Any, robot: Robot, q: Array, obstacles: Scene, box: Array) 
         layers["obstacles"], layers["names"], around = draw_obstacles(scene, obstacles)
     whole = corners(robot, q, moving=False)
     layers["floor"] = draw_floor(scene, float(min(whole[0, 2], *around[:, 2], box[0, 2])), size)
-    seen = np.concatenate([box, np.clip(around, box[0] - NEAR * size, box[1] + NEAR * size)])
+    near = np.clip(np.concatenate([around, whole]), box[0] - NEAR * size, box[1] + NEAR * size)
+    seen = np.concatenate([box, near])
     look_at(server, np.array([seen.min(axis=0), seen.max(axis=0)]), planar=robot.planar)
     return layers

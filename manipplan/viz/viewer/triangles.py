@@ -19,15 +19,15 @@ PLANE = 1.5
 Faces = NDArray[np.int64]
 
 
-def triangles_of(shape: coal.CollisionGeometry) -> tuple[Array, Faces] | None:
-    """Vertices (v, 3) [m] in the shape's frame and faces (f, 3); None for an empty mesh.
+def triangles_of(shape: coal.CollisionGeometry, most: int = MOST) -> tuple[Array, Faces] | None:
+    """Vertices (v, 3) [m] in the shape's frame and faces (f, 3), of a mesh about `most`; None for an empty mesh.
 
     A shape that is not known is drawn as its bounding box.
     """
     from trimesh import creation
 
     if isinstance(shape, coal.BVHModelBase):
-        return _reduced(*_mesh(shape))
+        return _reduced(*_mesh(shape), most)
     if isinstance(shape, coal.ConvexBase):
         return _hull(core_of(shape)[0])
     if isinstance(shape, coal.Halfspace | coal.Plane):
@@ -62,13 +62,13 @@ def _mesh(shape: Any) -> tuple[Array, Faces]:
     return vertices, faces[~flat]
 
 
-def _reduced(vertices: Array, faces: Faces) -> tuple[Array, Faces] | None:
+def _reduced(vertices: Array, faces: Faces, most: int) -> tuple[Array, Faces] | None:
     import fast_simplification
 
     if not len(faces):
         return None
-    if len(faces) > MOST:
-        fewer = fast_simplification.simplify(vertices.astype(np.float32), faces.astype(np.int32), target_count=MOST)
+    if len(faces) > most:
+        fewer = fast_simplification.simplify(vertices.astype(np.float32), faces.astype(np.int32), target_count=most)
         vertices, faces = np.asarray(fewer[0], dtype=float), np.asarray(fewer[1], dtype=int)
     return _creased(vertices, faces)
 
