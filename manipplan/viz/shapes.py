@@ -113,10 +113,11 @@ def feet_on_planes(scene: Scene | None, points: Array) -> Iterator[Array]:
 
 
 def arm_surfaces(robot: Any, q: Array) -> list[Surface]:
-    """The robot's collision bodies at q (n,), in the world."""
+    """The robot's collision bodies at q (n,), in the world, without planes such as the floor of an MJCF, which have no end."""
     key = "drawn bodies"
     if key not in robot.cache:
-        objects = robot.geometry.geometryObjects
+        endless = coal.Halfspace | coal.Plane
+        objects = [each for each in robot.geometry.geometryObjects if not isinstance(each.geometry, endless)]
         robot.cache[key] = [(each.parentJoint, surface_of(each.geometry).placed(each.placement)) for each in objects]
     data = robot.model.createData()
     pin.forwardKinematics(robot.model, data, q)
