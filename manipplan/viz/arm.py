@@ -82,7 +82,7 @@ def draw_scene(ax: Any, scene: Scene, seen: list[Array]) -> list[Array]:
 
 
 def checked(robot: Robot, path: Motion, scene: Scene | None, seed: Motion | None) -> tuple[JointPath, JointPath | None, Scene]:
-    """The paths of both motions and the scene; raises InvalidInputError for what is not an arm, or no motion of it, or no scene."""
-    instance("robot", robot, Robot)
     """The paths of both motions, and the scene; raises InvalidInputError for what is no arm, scene or motion of this arm."""
+    instance("robot", robot, Robot)
+    world = Scene() if scene is None else instance("scene", scene, Scene)
     return joint_path("path", path, robot), None if seed is None else joint_path("seed", seed, robot), world
