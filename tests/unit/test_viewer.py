@@ -206,8 +206,8 @@ def test_the_seed_is_where_it_has_covered_the_same_share_of_its_length(shown, pl
     s = np.linspace(0, 1, 4001)
     steps = np.linalg.norm(np.diff(plan.result.seed(s), axis=0), axis=1)
     there = np.interp(share, np.append(0, np.cumsum(steps)) / steps.sum(), s)
-    np.testing.assert_allclose(shown.motion.seed_at(t), plan.result.seed(there), atol=2e-3)
-    np.testing.assert_allclose(tool_of(shown.stage.seed), last_joint(plan.robot, shown.motion.seed_at(t)), atol=1e-9)
+    np.testing.assert_allclose(shown.motion.seed.at(t), plan.result.seed(there), atol=2e-3)
+    np.testing.assert_allclose(tool_of(shown.stage.seed), last_joint(plan.robot, shown.motion.seed.at(t)), atol=1e-9)
 
 
 def test_a_recording_plays_without_a_network(plan, open_page, tmp_path):
