@@ -3,7 +3,6 @@
 import io
 import logging
 import os
-import shutil
 import signal
 import socket
 import subprocess
@@ -17,7 +16,6 @@ import pinocchio as pin
 import pytest
 import trimesh
 from PIL import Image
-from playwright.sync_api import sync_playwright
 
 import manipplan as mp
 from manipplan.cli import main
@@ -28,7 +26,6 @@ from manipplan.viz.viewer.bodies import appearance_of
 from manipplan.viz.viewer.chart import Chart, Curve
 from manipplan.viz.viewer.triangles import MOST, triangles_of
 
-INSTALL = "no Chromium was found; install it with: sudo apt-get install chromium   (as root: make browser)"
 FLAGS = (
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-background-networking "
     "--no-first-run --disable-component-update --disable-sync"
@@ -36,17 +33,6 @@ FLAGS = (
 #: What viser's own page says about the library it uses.
 KNOWN = {"THREE.Clock: This module has been deprecated. Please use THREE.Timer instead."}
 SIZE = {"width": 640, "height": 320}
-
-
-@pytest.fixture(scope="module")
-def browser():
-    found = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-    if found is None:
-        pytest.fail(INSTALL)
-    with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=found, args=FLAGS.split())
-        yield chromium
-        chromium.close()
 
 
 @pytest.fixture(scope="module")
