@@ -97,20 +97,24 @@ def to_ros(trajectory: Trajectory, file: str | Path) -> None:
     points = []
     accelerations = trajectory(trajectory.t, 2)
     for t, q, qd, qdd in zip(trajectory.t, trajectory.q, trajectory.qd, accelerations, strict=True):
-        nanoseconds = round(float(t) * 1e9)
         points.append(
             {
                 "positions": q.tolist(),
                 "velocities": qd.tolist(),
                 "accelerations": qdd.tolist(),
                 "effort": [],
-                "time_from_start": {"sec": nanoseconds // 10**9, "nanosec": nanoseconds % 10**9},
+                "time_from_start": ros_time(round(float(t) * 1e9)),
             }
         )
-    header = {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": ""}
+    header = {"stamp": ros_time(0), "frame_id": ""}
     message = {"header": header, "joint_names": list(trajectory.joint_names), "points": points}
     dumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
     write_text(file, yaml.dump(message, Dumper=dumper, sort_keys=False, default_flow_style=None, width=1000))
+
+
+def ros_time(nanoseconds: int) -> dict[str, int]:
+    """The fields of ROS's Time and Duration."""
+    return {"sec": nanoseconds // 10**9, "nanosec": nanoseconds % 10**9}
 
 
 def from_ros(file: str | Path) -> Trajectory:
