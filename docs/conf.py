@@ -32,6 +32,7 @@ html_show_sourcelink = False
 # code in colours that also those see who tell few apart, and with a contrast of 7 to 1
 pygments_style = "a11y-high-contrast-light"
 pygments_dark_style = "a11y-high-contrast-dark"
+highlight_language = "none"  # a block that names no language is no Python
 exclude_patterns = ["studies/*/*", "_build", "examples", "benchmarks/*", "pictures/*", "**sg_execution_times.rst"]
 myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_heading_anchors = 3
@@ -47,6 +48,7 @@ sphinx_gallery_conf = {
     "examples_dirs": "examples",
     "gallery_dirs": "gallery",
     "subsection_order": [f"examples/{section}" for section in ("first_steps", "plan", "follow", "track", "measure", "deploy")],
+    "within_subsection_order": "gallery_order.TaughtOrder",
     "filename_pattern": "plot_",
     "abort_on_example_error": True,
     "show_memory": False,
