@@ -52,6 +52,8 @@ def _nearer(problem: JerkProblem, z: Array) -> Array | None:
     parts: list[tuple[csr_array, Array, Array]] = []  # matrix · c <= right + excess · limit
     finite = problem.fastest < UNLIMITED
     parts.append((matrix(problem.a_rows)[finite], problem.fastest[finite], problem.fastest[finite]))
+    limited = problem.most_c < UNLIMITED / 4
+    parts.append((matrix((np.ones(count),))[limited], problem.most_c[limited], problem.most_c[limited]))
     for left, right, constant in zip(*(each.T for each in problem.demand_rows), problem.constant.T, strict=True):
         for sign in (1.0, -1.0):
             parts.append((sign * matrix((left, right)), 1.0 - sign * constant, np.ones(count - 1)))

@@ -48,11 +48,13 @@ class Pace:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Slacks:
-    """What limits leave of a; of each row of the demands up to 1 and down to -1; of the rise and the fall of each acceleration
-    over an interval; of b at the first and the last point; and c itself, which is above zero. With the pace of c.
+    """What limits leave of a, and of c between grid points; of each row of the demands up to 1 and down to -1; of the rise and
+    the fall of each acceleration over an interval; of b at the first and the last point; and c itself, which is above zero.
+    With the pace of c.
     """
 
     fastest: Array
+    between: Array
     above: Array
     below: Array
     rise: Array
@@ -64,7 +66,7 @@ class Slacks:
     @property
     def every(self) -> tuple[Array, ...]:
         """All of them; inf where there is no limit."""
-        return self.fastest, self.above, self.below, self.rise, self.fall, self.ends, self.c
+        return self.fastest, self.between, self.above, self.below, self.rise, self.fall, self.ends, self.c
 
 
 class JerkProblem:
@@ -94,6 +96,8 @@ class JerkProblem:
         for k, fixed in ((0, start), (-1, end)):
             if fixed:  # given, and checked before
                 self.fastest[k] = np.inf
+        # c between two points, too: a spline held at points alone swings about the limit, and b with it from one to the next
+        self.most_c = np.concatenate([[np.inf], (self.fastest[:-1] + self.fastest[1:]) / 2, [np.inf]])
         self.constant = demands.constant[self.inner]
         self.demand_rows = self._combined(demands.u[self.inner], demands.x[self.inner])
         limited = np.isfinite(jerk).any(axis=0)
@@ -116,7 +120,7 @@ class JerkProblem:
     @property
     def count(self) -> int:
         """Number of slacks in a barrier."""
-        return 2 * self.constant.size + 2 * self.jerk.size + 2 * len(self.fastest) + 3
+        return 2 * self.constant.size + 2 * self.jerk.size + 3 * len(self.fastest) + 3
 
     def coefficients(self, z: Array) -> Array:
         """All spline coefficients of the free ones."""
@@ -151,6 +155,7 @@ class JerkProblem:
         change = np.diff(applied(self.qdd_rows, c), axis=0)
         found = Slacks(
             fastest=self.fastest - applied(self.a_rows, c),
+            between=self.most_c - c,
             above=1.0 - demand,
             below=1.0 + demand,
             rise=room - change,
@@ -175,6 +180,7 @@ class JerkProblem:
             bend[k] += weight * 2.25 * size / pace.root[k] ** 5
         model.add(self.a_rows, slope, bend)
         model.barrier((np.ones(len(c)),), c)
+        model.barrier((-np.ones(len(c)),), slacks.between)
         above, below = 1 / slacks.above, 1 / slacks.below
         model.add(self.demand_rows, above - below, above**2 + below**2)
         gains = [self.jerk * (pace.first * row)[:, None] for row in pace.sum_rows]

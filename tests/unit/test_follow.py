@@ -94,6 +94,8 @@ def test_a_line(panda, start, line):
     shares = [share for share, _ in told]
     assert shares == sorted(shares) and shares[-1] == 1.0 and told[-1][1] == "done"
     assert plan.deviation.position < BETWEEN[0] and plan.deviation.rotation < BETWEEN[1]
+    assert plan.workspace_path is line
+    assert (plan.tolerance.position, plan.tolerance.rotation) == BETWEEN
     assert plan.report.min_manipulability > 0.9 * plan.refinement.refined
     np.testing.assert_allclose(plan.path(0.0), plan.refinement.q[0], atol=1e-12)
 

@@ -24,6 +24,7 @@ def recording(panda):
 
 def test_the_index_rises_and_the_last_pose_is_reached(panda, recording):
     plan = mp.improve(panda, recording, tolerance=mp.Tolerance(position=0.03, rotation=0.2))
+    assert plan.tolerance == mp.Tolerance(position=0.03, rotation=0.2)
     assert plan.status is mp.Status.IMPROVED and plan.report.passed
     assert plan.report.min_manipulability > 1.1 * plan.report.seed_min_manipulability
     kinematics = panda.kinematics()

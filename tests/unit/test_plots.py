@@ -363,7 +363,8 @@ def legends(figure):
     return [[text.get_text() for text in ax.get_legend().get_texts()] for ax in figure.axes[:2]]
 
 
-def test_each_job_names_its_paths_alike_on_both_sides(demo_plan, tracked):
+def test_each_job_names_its_paths_alike_on_both_sides(demo_plan):
+    improved = replace(demo_plan.result, status=mp.Status.IMPROVED)
     nothing = np.zeros((1, 7))
     refinement = Refinement(
         q=nothing, manipulability=nothing[0], discrete=0.0, resampled=0.0, refined=0.0, bound=0.02, length=0.0, history=()
@@ -371,7 +372,7 @@ def test_each_job_names_its_paths_alike_on_both_sides(demo_plan, tracked):
     for plan, ours, first, more in (
         (demo_plan, "optimised", "seed", ["straight"]),
         (replace(demo_plan, refinement=refinement), "refined", "best of the samples", ["bound"]),
-        (replace(demo_plan, tracking=tracked[0]), "improved", "recorded", []),
+        (replace(demo_plan, result=improved), "improved", "recorded", []),
     ):
         assert legends(viz.plan_figure(plan)) == [[f"tool, {ours}", f"tool, {first}"], [ours, first, *more]]
     kept = replace(demo_plan, path=demo_plan.result.seed)

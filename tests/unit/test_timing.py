@@ -201,6 +201,25 @@ def test_jerk_holds_and_acceleration_is_continuous(panda, rng, jerk):
         assert np.abs(dense - q).max(axis=1).min() < 2e-4
 
 
+def test_acceleration_does_not_swing_where_a_speed_limit_holds(panda):
+    """Under a jerk limit that hardly counts, a spline held at its knots alone swings about the limit between them."""
+    path = polynomial(
+        [
+            [-0.2, 0.1, -0.5, -2.1, -0.3, 1.9, -0.9],
+            [0.4, 0.9, 0.6, -1.2, 0.3, 1.2, 0.4],
+            [-1.5, 0.0, 2.6, -2.0, -0.5, 2.1, -0.6],
+        ]
+    )
+    trajectory = mp.retime(path, panda.limits)
+    inner = (trajectory.t > 0.1) & (trajectory.t < trajectory.duration - 0.1)
+    qdd = trajectory(trajectory.t, 2)[inner]
+    held = np.abs(trajectory.qd[inner] / panda.limits.velocity).max(axis=1) > 0.99
+    assert held.sum() > 50
+    rises = np.diff(qdd, axis=0)
+    turning = (rises[1:] * rises[:-1] < 0) & (np.minimum(np.abs(rises[1:]), np.abs(rises[:-1])) > 0.1) & held[1:-1, None]
+    assert turning.sum() < 10
+
+
 @pytest.mark.parametrize("kind", ["csv", "json", "ros", "npz"])
 def test_files_keep_the_jerk_limit(planar, tmp_path, kind):
     limits = jerk_limited(planar, jerk=30.0)

@@ -143,9 +143,6 @@ assert largest["optimised, with feed-forward"] < largest["optimised"] / 3
 # both are timed to be as fast as the same limits let them be, and it moves the heavy joints faster. Where torque matters,
 # ``mp.plan(..., torque=True)`` keeps the effort limits, and lower ``acceleration`` limits lower it further.
 #
-# The torque with feed-forward trembles where one joint is at its speed limit: there the planned accelerations of the others
-# zigzag from sample to sample, inside the jerk limits. Servos alone smooth that.
-#
 # Above the largest error of any joint, below the largest share of an effort limit.
 figure, (above, below) = plt.subplots(
     2, 1, figsize=(8.0, 5.0), sharex=True, layout="constrained"

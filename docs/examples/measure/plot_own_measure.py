@@ -122,7 +122,9 @@ for name, result, colour in (
 labels = ("slide and press [m³]", "speed along x [m/s]", "force along z [N]")
 for ax, label in zip(panels, labels, strict=True):
     ax.set(xlabel="s", ylabel=label, xlim=(0, 1))
-panels[0].legend(frameon=False, fontsize=8)
+figure.legend(
+    *panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=2
+)
 plt.show()
 
 # %%

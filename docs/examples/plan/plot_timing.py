@@ -63,8 +63,7 @@ assert mp.jerk_use(motions["and a twentieth of that jerk"], gentle).ratio <= 1 +
 # A jerk of "inf" means that acceleration jumps somewhere. The torque of all these
 # motions is within the effort limits already, so that asking for it changes little
 # here; with a heavy load in the hand it does. The two tighter parts are timed with
-# the low jerk limit: where a limit of speed holds for long, a high one lets
-# acceleration chatter from sample to sample.
+# the low jerk limit.
 #
 # Speed of the tool and of the fastest joint, by time.
 
