@@ -80,7 +80,7 @@ def _docstring(_app, what, _name, _obj, _options, lines):
     """
     lines[:] = [CITED.sub(_cite, line) for line in lines]
     if what in ("attribute", "property"):
-        lines.insert(0, "")
+        lines.insert(0, "\\")  # an escaped end of line: nothing in reStructuredText, but no colon for napoleon
 
 
 def _caption_levels(_app, _page, _template, context, _doctree):
