@@ -55,6 +55,7 @@ sphinx_gallery_conf = {
     "download_all_examples": False,
     "show_signature": False,
     "write_computation_times": False,
+    "remove_config_comments": True,
     "capture_repr": (),  # pages print what they show
 }
 html_domain_indices = False
