@@ -104,10 +104,10 @@ def to_ros(trajectory: Trajectory, file: str | Path) -> None:
                 "velocities": qd.tolist(),
                 "accelerations": qdd.tolist(),
                 "effort": [],
-                "time_from_start": {"sec": nanoseconds // 10**9, "nanosec": nanoseconds % 10**9},
+                "time_from_start": ros_time(nanoseconds),
             }
         )
-    header = {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": ""}
+    header = {"stamp": ros_time(0), "frame_id": ""}
     message = {"header": header, "joint_names": list(trajectory.joint_names), "points": points}
     dumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
     write_text(file, yaml.dump(message, Dumper=dumper, sort_keys=False, default_flow_style=None, width=1000))
@@ -125,6 +125,11 @@ def nanoseconds_of(trajectory: Trajectory) -> list[int]:
         if after <= before:
             raise InvalidInputError("trajectory.t", t, "times that differ by whole nanoseconds, in which ROS counts")
     return stamps
+
+
+def ros_time(nanoseconds: int) -> dict[str, int]:
+    """The fields of ROS's Time and Duration."""
+    return {"sec": nanoseconds // 10**9, "nanosec": nanoseconds % 10**9}
 
 
 def from_ros(file: str | Path) -> Trajectory:

@@ -18,7 +18,7 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.continuous import path_clearance
 from manipplan.seeds.ompl import CHECK_STEP
-from manipplan.status import Status
+from manipplan.status import RECORDED, Status
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 
 T = TypeVar("T")
@@ -223,7 +223,7 @@ def _straight_cost(path: JointPath, objective: PathObjective) -> PathCost:
 
 def _first_path(status: str) -> str:
     """What the path is compared with."""
-    return "recorded" if status in (Status.IMPROVED.value, Status.NOT_BETTER.value) else "seed"
+    return "recorded" if status in {each.value for each in RECORDED} else "seed"
 
 
 def _json_ready(value: Any) -> Any:

@@ -9,7 +9,7 @@ import numpy as np
 
 from manipplan.checks import Array, number
 from manipplan.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError, UnknownNameError
-from manipplan.paths.export import nanoseconds_of
+from manipplan.paths.export import nanoseconds_of, ros_time
 from manipplan.paths.trajectory import Trajectory
 
 TRAJECTORY, STATE = "trajectory_msgs/msg/JointTrajectory", "sensor_msgs/msg/JointState"
@@ -180,8 +180,6 @@ def _motion(where: str, names: tuple[str, ...], t: Array, q: Array, qd: Array | 
 
             qd = CubicSpline(still.t, still.q)(still.t, 1)
         return Trajectory(t=t, q=q, qd=qd, joint_names=names)
-    except FileFormatError:
-        raise
     except InvalidInputError as error:
         raise FileFormatError("file", where, f"a recorded motion; {error}") from error
 
@@ -197,11 +195,11 @@ def _trajectory_message(trajectory: Trajectory, store: Any) -> Any:
             velocities=np.array(qd),
             accelerations=np.array(qdd),
             effort=np.empty(0),
-            time_from_start=duration(**_seconds(nanoseconds)),
+            time_from_start=duration(**ros_time(nanoseconds)),
         )
         for nanoseconds, q, qd, qdd in zip(*columns, strict=True)
     ]
-    header = kinds["std_msgs/msg/Header"](stamp=kinds["builtin_interfaces/msg/Time"](sec=0, nanosec=0), frame_id="")
+    header = kinds["std_msgs/msg/Header"](stamp=kinds["builtin_interfaces/msg/Time"](**ros_time(0)), frame_id="")
     return kinds[TRAJECTORY](header=header, joint_names=list(trajectory.joint_names), points=points)
 
 
@@ -212,14 +210,10 @@ def _state_messages(trajectory: Trajectory, store: Any, rate: float) -> Iterator
     stamps = np.unique(np.round(np.concatenate([even, trajectory.t]) * 1e9).astype(np.int64))
     at = np.clip(stamps / 1e9, 0.0, trajectory.duration)
     for stamp, q, qd in zip(stamps.tolist(), trajectory(at), trajectory(at, 1), strict=True):
-        time = kinds["builtin_interfaces/msg/Time"](**_seconds(BEGIN + stamp))
+        time = kinds["builtin_interfaces/msg/Time"](**ros_time(BEGIN + stamp))
         header = kinds["std_msgs/msg/Header"](stamp=time, frame_id="")
         names = list(trajectory.joint_names)
         yield BEGIN + stamp, kinds[STATE](header=header, name=names, position=q, velocity=qd, effort=np.empty(0))
-
-
-def _seconds(nanoseconds: int) -> dict[str, int]:
-    return {"sec": nanoseconds // 10**9, "nanosec": nanoseconds % 10**9}
 
 
 def _new_folder(file: str | Path) -> Path:

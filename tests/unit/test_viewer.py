@@ -4,7 +4,6 @@ import io
 import logging
 import os
 import re
-import shutil
 import signal
 import socket
 import subprocess
@@ -19,7 +18,6 @@ import pinocchio as pin
 import pytest
 import trimesh
 from PIL import Image
-from playwright.sync_api import sync_playwright
 
 import manipplan as mp
 from manipplan.cli import main
@@ -31,7 +29,6 @@ from manipplan.viz.viewer.bodies import appearance_of
 from manipplan.viz.viewer.chart import Chart, Curve
 from manipplan.viz.viewer.triangles import MOST, triangles_of
 
-INSTALL = "no Chromium was found; install it with: sudo apt-get install chromium   (as root: make browser)"
 FLAGS = (
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-background-networking "
     "--no-first-run --disable-component-update --disable-sync"
@@ -39,17 +36,6 @@ FLAGS = (
 #: What viser's own page says about the library it uses.
 KNOWN = {"THREE.Clock: This module has been deprecated. Please use THREE.Timer instead."}
 SIZE = {"width": 640, "height": 320}
-
-
-@pytest.fixture(scope="module")
-def browser():
-    found = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-    if found is None:
-        pytest.fail(INSTALL)
-    with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=found, args=FLAGS.split())
-        yield chromium
-        chromium.close()
 
 
 @pytest.fixture(scope="module")
@@ -209,8 +195,8 @@ def test_the_seed_is_where_it_has_covered_the_same_share_of_its_length(shown, pl
     s = np.linspace(0, 1, 4001)
     steps = np.linalg.norm(np.diff(plan.result.seed(s), axis=0), axis=1)
     there = np.interp(share, np.append(0, np.cumsum(steps)) / steps.sum(), s)
-    np.testing.assert_allclose(shown.motion.seed_at(t), plan.result.seed(there), atol=2e-3)
-    np.testing.assert_allclose(tool_of(shown.stage.seed), last_joint(plan.robot, shown.motion.seed_at(t)), atol=1e-9)
+    np.testing.assert_allclose(shown.motion.seed.at(t), plan.result.seed(there), atol=2e-3)
+    np.testing.assert_allclose(tool_of(shown.stage.seed), last_joint(plan.robot, shown.motion.seed.at(t)), atol=1e-9)
 
 
 def test_a_recording_plays_without_a_network(plan, open_page, tmp_path):
