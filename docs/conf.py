@@ -32,6 +32,7 @@ html_show_sourcelink = False
 # code in colours that also those see who tell few apart, and with a contrast of 7 to 1
 pygments_style = "a11y-high-contrast-light"
 pygments_dark_style = "a11y-high-contrast-dark"
+highlight_language = "none"  # a block that names no language is no Python
 exclude_patterns = ["studies/*/*", "_build", "examples", "benchmarks/*", "pictures/*", "**sg_execution_times.rst"]
 myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_heading_anchors = 3
@@ -47,12 +48,14 @@ sphinx_gallery_conf = {
     "examples_dirs": "examples",
     "gallery_dirs": "gallery",
     "subsection_order": [f"examples/{section}" for section in ("first_steps", "plan", "follow", "track", "measure", "deploy")],
+    "within_subsection_order": "gallery_order.TaughtOrder",
     "filename_pattern": "plot_",
     "abort_on_example_error": True,
     "show_memory": False,
     "download_all_examples": False,
     "show_signature": False,
     "write_computation_times": False,
+    "remove_config_comments": True,
     "capture_repr": (),  # pages print what they show
 }
 html_domain_indices = False
@@ -78,7 +81,7 @@ def _docstring(_app, what, _name, _obj, _options, lines):
     """
     lines[:] = [CITED.sub(_cite, line) for line in lines]
     if what in ("attribute", "property"):
-        lines.insert(0, "")
+        lines.insert(0, "\\")  # an escaped end of line: nothing in reStructuredText, but no colon for napoleon
 
 
 def _caption_levels(_app, _page, _template, context, _doctree):

@@ -10,3 +10,16 @@ function reachable() {
 }
 addEventListener("load", reachable);
 addEventListener("resize", reachable);
+// A picture that the page shows smaller than it is opens in full when it is clicked.
+function zoomable() {
+  for (const picture of document.querySelectorAll(".content img")) {
+    if (!picture.closest("a, .sphx-glr-thumbcontainer") && picture.naturalWidth > 1.1 * picture.clientWidth) {
+      const link = document.createElement("a");
+      link.href = picture.src;
+      link.className = "full-size";
+      picture.replaceWith(link);
+      link.append(picture);
+    }
+  }
+}
+addEventListener("load", zoomable);

@@ -26,6 +26,8 @@ def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array
     except ValueError as error:
         if len(words) != 1:
             raise InvalidInputError(argument, " ".join(words), "one number a joint, or the name of one state") from error
+    if not robot.named_states:
+        raise InvalidInputError(argument, words[0], "one number a joint: the robot has no named states")
     if words[0] not in robot.named_states:
-        raise UnknownNameError(argument, words[0], robot.named_states or ["numbers: the robot has no named states"])
+        raise UnknownNameError(argument, words[0], robot.named_states)
     return robot.named_states[words[0]]

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 #: A GIF counts time in hundredths of a second, and browsers slow down what shows a frame for less than two.
 MOST_GIF_FPS = 50.0
+#: Pixels of a side: on fewer nothing can be read, and more are larger than any screen.
+SIDES = (50, 8192)
 #: Places at which the whole motion is looked at for what the axes have to show.
 LOOKS = 40
 #: The one ellipsoid is drawn so much larger than the several of a still picture.
@@ -53,7 +55,7 @@ def animate(
         file: its suffix says what is written: .gif, by Pillow, or .mp4, by the program ffmpeg.
         fps: frames a second; of a GIF at most 50.
         speed: 0.5 shows the motion at half its speed.
-        size: of the picture [inches], and `dpi`: pixels an inch.
+        size: of the picture [inches], and `dpi`: pixels an inch, 10 to 1000; each side has 50 to 8192 pixels.
         colours: of a GIF, from 2 to 256: fewer make a smaller file.
         progress: called with the share done in [0, 1] and a text.
 
@@ -67,10 +69,12 @@ def animate(
     if kind not in (".gif", ".mp4"):
         raise InvalidInputError("file", file, "a file whose name ends in .gif or .mp4")
     fps = number("fps", fps, above=0.0, most=MOST_GIF_FPS if kind == ".gif" else 1000.0)
-    speed, dpi = number("speed", speed, above=0.0), number("dpi", dpi, above=0.0)
+    speed, dpi = number("speed", speed, above=0.0), number("dpi", dpi, least=10.0, most=1000.0)
     colours = whole_number("colours", colours, least=2, most=256)
-    if not (finite_array("size", size, (2,)) > 0).all():
-        raise InvalidInputError("size", size, "width and height above zero [inches]")
+    pixels = dpi * finite_array("size", size, (2,))
+    if not ((pixels >= SIDES[0]) & (pixels <= SIDES[1])).all():
+        allowed = f"width and height [inches] that make {SIDES[0]} to {SIDES[1]} pixels at {dpi:g} an inch"
+        raise InvalidInputError("size", size, allowed)
     finished(plan)
     assert plan.trajectory is not None
     if kind == ".mp4":

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 import urllib.request
+from dataclasses import replace
 
 import coal
 import numpy as np
@@ -21,6 +22,7 @@ import manipplan as mp
 from manipplan.cli import main
 from manipplan.status import Status
 from manipplan.viz import viewer
+from manipplan.viz.viewer import plan_viewer
 from manipplan.viz.viewer import server as pages
 from manipplan.viz.viewer.bodies import appearance_of
 from manipplan.viz.viewer.chart import Chart, Curve
@@ -210,6 +212,10 @@ def test_a_recording_plays_without_a_network(plan, open_page, tmp_path):
         viewer.record(plan, tmp_path / "motion.html", rate=0)
     with pytest.raises(mp.InvalidInputError, match="file"):
         plan.record(tmp_path / "nowhere" / "motion.html")
+    for name in (tmp_path / "motion.txt", tmp_path / "motion", tmp_path, 7, ""):
+        with pytest.raises(mp.InvalidInputError, match="file: got .* ends in .html"):
+            plan.record(name)
+    assert [file.name for file in tmp_path.iterdir()] == ["motion.html"]
 
 
 def test_a_dragged_target_is_followed(open_page):
@@ -434,6 +440,63 @@ def test_a_plan_without_a_motion_is_an_error(plan):
     for show in (lambda: failed.show(port=0), lambda: failed.record("x.html")):
         with pytest.raises(mp.PlanningError, match="no motion to show: the goal is in the wall"):
             show()
+
+
+def test_a_speed_that_is_none_does_not_end_the_play(plan):
+    with plan.show(port=0, open_browser=False) as page:
+        for value in (-3.0, 0, "fast", np.nan):
+            with pytest.raises(mp.InvalidInputError, match="speed"):
+                page.speed = value
+        page.speed = 0.5
+        page.play()
+        wait_until(lambda: page.time > 0.1)
+    with viewer.follow_target(mp.planar_arm([1.0, 1.0]), port=0, open_browser=False) as page:
+        for value in (-1.0, "much", np.inf):
+            with pytest.raises(mp.InvalidInputError, match="drive"):
+                page.drive = value
+
+
+def test_a_page_may_end_itself(plan, monkeypatch):
+    """From the thread that plays: it cannot wait for itself."""
+    page = plan.show(port=0, open_browser=False)
+    ended = []
+    monkeypatch.setattr(page, "_show", lambda t: ended.append(page.stop()))
+    page.play()
+    wait_until(lambda: ended)
+    wait_until(lambda: not any(thread.is_alive() for thread in page._threads))
+    assert not page.running
+    with socket.socket() as probe:
+        assert probe.connect_ex(("127.0.0.1", page.server.get_port())) != 0
+
+
+def test_a_page_that_cannot_be_filled_leaves_its_port(plan, monkeypatch):
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    monkeypatch.setattr(plan_viewer, "about", lambda motion: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        plan.show(port=port, open_browser=False)
+    monkeypatch.undo()
+    with plan.show(port=port, open_browser=False) as page:
+        assert page.running
+
+
+def test_the_address_of_ipv6_is_one(plan):
+    try:
+        with socket.socket(socket.AF_INET6) as probe:
+            probe.bind(("::1", 0))
+    except OSError:
+        pytest.skip("this machine has no IPv6")
+    with plan.show(port=0, host="::1", open_browser=False) as page:
+        assert urllib.request.urlopen(page.url, timeout=10).status == 200
+
+
+def test_a_motion_of_other_joints_is_told(plan):
+    other = moved(mp.planar_arm([1.0, 1.0])).trajectory
+    with pytest.raises(
+        mp.InvalidInputError, match=r"plan.trajectory: got 'a motion of 2 joints'; allowed: one of the robot's 3"
+    ):
+        replace(plan, trajectory=other).show(port=0, open_browser=False)
 
 
 def test_without_a_browser_the_address_is_told(plan, monkeypatch, caplog):

@@ -124,14 +124,15 @@ for row, column in zip(*np.unravel_index(order[:5], table.shape[:2]), strict=Tru
     print(f"({xs[column]:5.2f}, {ys[row]:5.2f})  {g:8.1f}  {least:12.4f}")
 
 # %%
-# A row computed here is the same to rounding: nothing depends on the worker.
+# A row computed here is the same to rounding: nothing depends on the worker. In the
+# picture white is out of reach.
 
 row, column = np.unravel_index(order[0], table.shape[:2])
 assert np.allclose(
     row_of_map(ys[row], xs[column : column + 1]), table[row, column], rtol=1e-6
 )
 
-figure, ax = plt.subplots(figsize=(7.5, 3.8), layout="constrained")
+figure, ax = plt.subplots(figsize=(5.6, 4.4), layout="constrained")
 g = np.where(np.isfinite(table[..., 0]), table[..., 0], np.nan)
 image = ax.pcolormesh(xs, ys, np.log10(g), cmap="viridis_r", shading="nearest")
 figure.colorbar(image, ax=ax, label=r"$\log_{10} g$: low is good")

@@ -69,20 +69,18 @@ print(
 
 # %%
 # The self-motion: the hand stays, the elbow goes round. Left, all answers by the
-# held joint and the elbow, coloured by their index.
+# held joint and by joint 2, coloured by their index; the star is the best. Right,
+# one branch of them, from the configuration given.
 
 figure = plt.figure(figsize=(11, 4.6), layout="constrained")
 left, right = figure.subfigures(1, 2)
 ax = left.subplots()
 dots = ax.scatter(curve.parameters[:, 0], curve.q[:, 1], c=index, s=10)
-ax.plot(
-    *[[best[panda.joint_names.index(curve.parameter_names[0])]], [best[1]]],
-    "*",
-    color="#D55E00",
-    markersize=14,
-)
+[name] = curve.parameter_names
+held = panda.joint_names.index(name)
+ax.plot(best[held], best[1], "*", color="#D55E00", markersize=14)
 left.colorbar(dots, ax=ax, label="index [m⁶]")
-ax.set(xlabel=f"{curve.parameter_names[0]}, held [rad]", ylabel="panda_joint2 [rad]")
+ax.set(xlabel=f"{name}, held [rad]", ylabel="panda_joint2 [rad]")
 space = right.add_subplot(projection="3d")
 branch = [given]
 for value in np.unique(curve.parameters[curve.parameters[:, 0] > given[6], 0]):

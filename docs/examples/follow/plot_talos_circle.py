@@ -64,15 +64,8 @@ assert step < epsilon
 # All candidates by position and by the angle of the joint that was sampled,
 # coloured by their index, with the path through them.
 
-joint = int(
-    np.argmax(
-        [
-            len(np.unique(np.concatenate(layers.q)[:, i].round(6))) <= 360
-            for i in range(robot.n)
-        ]
-    )
-)
-name = robot.joint_names[joint]
+[name] = mp.inverse_kinematics(robot, pose, samples=240).parameter_names
+joint = robot.joint_names.index(name)
 figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.4), layout="constrained")
 at = np.concatenate([np.full(len(m), position) for position, m in enumerate(layers.m)])
 dots = left.scatter(

@@ -79,6 +79,7 @@ print(plan.report)
 print(plan.deviation)
 assert plan.report.passed and plan.deviation.position < 1e-4
 _ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
+# sphinx_gallery_thumbnail_number = 2
 
 # %%
 # How the torch turns about itself along the seam.

@@ -84,6 +84,7 @@ viz.plot_ellipsoid(
 ax.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
 ax.set_aspect("equal")
 ax.locator_params(nbins=4)
+# sphinx_gallery_thumbnail_number = 2
 
 # %%
 # Every measure on the same posture.
@@ -107,8 +108,9 @@ for measure in (
     )
 
 # %%
-# Along one joint, the measures do not agree on where the arm is best: the index
-# falls to zero on the elbow's singularity, the Frobenius norm does not notice it.
+# Along one joint, here the elbow, the measures do not agree on where the arm is best.
+# The Frobenius norm adds up the speeds of all directions, so that it is highest next
+# to the limit, where the other three have fallen already.
 
 bend = np.linspace(panda.limits.lower[3], panda.limits.upper[3], 300)
 many = np.tile(q, (300, 1))
@@ -122,6 +124,7 @@ for name, line in (
 ):
     values = panda.kinematics(mp.Task.position(), measure=name).manipulability(many)
     ax.plot(bend, values / values.max(), line, label=name)
+    print(f"{name:24s} highest at {bend[values.argmax()]:6.2f} rad")
 ax.set(xlabel="elbow angle [rad]", ylabel="share of its largest value", ylim=(0, 1.05))
 ax.legend(frameon=False, fontsize=8)
 figure.tight_layout()

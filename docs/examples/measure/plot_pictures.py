@@ -72,6 +72,7 @@ ax = viz.plot_planar_arm(
 # Joints
 # ------
 # Positions, velocities, accelerations or jerks, with the limits as dashed lines in the joint's colour, or as a share of them.
+# sphinx_gallery_thumbnail_number = 3
 _, (left, right) = plt.subplots(1, 2, figsize=(11, 4), layout="constrained")
 viz.plot_joints(plan.trajectory, robot.limits, ax=left)
 _ = viz.plot_joints(plan.trajectory, robot.limits, order=1, share=True, ax=right)
@@ -110,6 +111,7 @@ viz.plot_ellipsoid(
     color="#E69F00",
     label="force",
 )
+left.set(xlabel="x [m]", ylabel="y [m]")
 left.set_aspect("equal", adjustable="datalim")
 left.legend()
 _ = viz.plot_ellipsoids(robot.kinematics(mp.Task.position()), plan.path, 9, ax=right)
@@ -129,9 +131,9 @@ tracking = mp.track(
 )
 figure = plt.figure(figsize=(11, 4.4), layout="constrained")
 figure.get_layout_engine().set(wspace=0.12)  # room for the label of z
-viz.plot_tool_path(
-    robot, tracking, circle, ax=figure.add_subplot(1, 2, 1, projection="3d")
-)
+way = figure.add_subplot(1, 2, 1, projection="3d")
+viz.plot_tool_path(robot, tracking, circle, ax=way)
+way.locator_params(nbins=4)
 _ = viz.plot_deviation(tracking, tolerance=tube, ax=figure.add_subplot(1, 2, 2))
 
 # %%

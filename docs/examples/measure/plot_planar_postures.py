@@ -76,7 +76,7 @@ for postures, colour, name in (
         label=f"{name}: {postures.manipulability[0]:.3f} m²",
     )
 left.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
-left.legend(frameon=False, fontsize=8)
+left.legend(frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
 right.plot(distances, [b.manipulability[0] for b in best], color="#0072B2")
 right.axvline(
     planar.optimal_radius(arm),

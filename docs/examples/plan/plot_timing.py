@@ -65,7 +65,8 @@ assert mp.jerk_use(motions["and a twentieth of that jerk"], gentle).ratio <= 1 +
 # here; with a heavy load in the hand it does. The two tighter parts are timed with
 # the low jerk limit.
 #
-# Speed of the tool and of the fastest joint, by time.
+# Above the speed of the tool by time, below the largest share of an acceleration
+# limit.
 
 velocity = robot.kinematics(mp.Task.position())
 

@@ -10,6 +10,8 @@ This page was not run: it waits for your hand. Run it with ``python docs/example
 needs the extra ``viewer``.
 """
 
+# sphinx_gallery_thumbnail_path = "_static/viewer.png"
+
 import manipplan as mp
 from manipplan.viz import viewer
 

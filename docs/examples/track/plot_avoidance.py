@@ -111,7 +111,9 @@ panels[1].plot(t, 1e3 * log["deviation"], color="#0072B2")
 panels[1].axhline(50, color="0.4", linestyle=":", label="tube")
 panels[1].set(ylabel="deviation [mm]", ylim=(0, None))
 panels[2].plot(t, log["index"], color="#009E73")
-panels[2].set(xlabel="time [s]", ylabel="index [m⁶]", ylim=(0, None))
+panels[2].set(
+    xlabel="time [s]", ylabel="index [m⁶]", ylim=(0, 1.15 * log["index"].max())
+)
 for ax in panels[:2]:
     ax.legend(frameon=False, fontsize=8)
 plt.show()

@@ -74,7 +74,7 @@ figure, (top, middle, bottom) = plt.subplots(
 )
 top.plot(share, before, color="#E69F00", label="recorded")
 top.plot(share, after, color="#0072B2", label="improved")
-top.set(ylabel="index [m⁶]", ylim=(0, None), xlim=(0, 1))
+top.set(ylabel="index [m⁶]", ylim=(0, 1.15 * after.max()), xlim=(0, 1))
 top.legend(frameon=False)
 middle.plot(tracking.t / tracking.t[-1], 1e3 * tracking.deviation, color="#0072B2")
 middle.axhline(1e3 * tube.position, color="0.4", linestyle=":", label="tolerance")
@@ -87,8 +87,10 @@ for joint in np.argsort(-np.abs(change).max(axis=0)):
     bottom.plot(
         share, change[:, joint], label=robot.joint_names[joint].removeprefix("panda_")
     )
+low, high = bottom.get_ylim()
+bottom.set(ylim=(low - 0.35 * (high - low), high))  # room for the legend
 bottom.set(xlabel="share of the time", ylabel="change of joint [rad]")
-bottom.legend(frameon=False, ncols=4, fontsize=8)
+bottom.legend(frameon=False, ncols=4, fontsize=8, loc="lower center")
 plt.show()
 
 # %%

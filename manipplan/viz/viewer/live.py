@@ -9,7 +9,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, instance, pose_matrix
+from manipplan.checks import Array, instance, number, pose_matrix
 from manipplan.measures.task import Task
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
@@ -83,14 +83,14 @@ class LiveViewer(Page):
 
     Attributes:
         controller: what computes the steps.
-        drive: factor on what the formulation adds; 0: it only follows.
+        drive: factor >= 0 on what the formulation adds; 0: it only follows.
     """
 
     def __init__(self, controller: Controller, start: Array, scene: Scene, *, port: int, host: str) -> None:
         robot = controller.robot
         super().__init__(port, host, f"{robot.name}: drag the target")
         self.controller = controller
-        self.drive = 1.0
+        self._drive = 1.0
         self._first, self._q, self._qd = start, start.copy(), np.zeros(robot.n)
         self._kinematics = robot.kinematics(controller.task)
         self._position = linear_kinematics(robot)
@@ -98,10 +98,19 @@ class LiveViewer(Page):
         self._turns = bool(np.any([row[3:] for row in (*controller.task.world_rows, *controller.task.tool_rows)]))
         self._lock = threading.RLock()
         self._past: deque[tuple[float, float]] = deque(maxlen=int(PAST * RATE))
-        with self.server.atomic():
+        with self._furnishing():
             self._furnish(scene)
             self._fill_panel()
         self._start(self._run)
+
+    @property
+    def drive(self) -> float:
+        """Factor on what the formulation adds."""
+        return self._drive
+
+    @drive.setter
+    def drive(self, value: float) -> None:
+        self._drive = number("drive", value, least=0.0)
 
     @property
     def q(self) -> Array:

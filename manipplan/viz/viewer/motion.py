@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from manipplan.checks import Array, instance
-from manipplan.errors import PlanningError
+from manipplan.errors import InvalidInputError, PlanningError
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
@@ -78,6 +78,8 @@ class Motion:
         robot, trajectory, result = plan.robot, plan.trajectory, plan.result
         if trajectory is None:
             raise PlanningError(f"there is no motion to show: {plan.message or plan.status.value}", plan)
+        if trajectory.n != robot.n:
+            raise InvalidInputError("plan.trajectory", f"a motion of {trajectory.n} joints", f"one of the robot's {robot.n}")
         kinematics = robot.kinematics(result.task, measure=result.measure) if result is not None else robot.kinematics()
         position = linear_kinematics(robot)
         t = np.linspace(0.0, trajectory.duration, SAMPLES)

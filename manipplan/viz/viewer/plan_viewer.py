@@ -52,18 +52,18 @@ class PlanViewer(Page):
     Attributes:
         motion: what is shown.
         stage: the 3D scene.
-        speed: how many seconds of the motion pass in one second of play.
+        speed: how many seconds of the motion pass in one second of play, above zero.
     """
 
     def __init__(self, motion: Motion, *, port: int, host: str) -> None:
         super().__init__(port, host, motion.robot.name)
         self.motion = motion
-        self.speed = 1.0
+        self._speed = 1.0
         self._time = 0.0
         self._lock = threading.RLock()
         self._playing = threading.Event()
         self._chart = chart_of(motion)
-        with self.server.atomic():
+        with self._furnishing():
             self.stage = Stage(self.server, motion)
             self._fill_panel()
         self._start(self._play)
@@ -76,6 +76,15 @@ class PlanViewer(Page):
     @time.setter
     def time(self, value: float) -> None:
         self._show(number("time", value, least=0.0, most=self.motion.trajectory.duration))
+
+    @property
+    def speed(self) -> float:
+        """How many seconds of the motion pass in one second of play."""
+        return self._speed
+
+    @speed.setter
+    def speed(self, value: float) -> None:
+        self._speed = number("speed", value, above=0.0)
 
     @property
     def playing(self) -> bool:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from manipplan.checks import number
+from manipplan.errors import InvalidInputError
 from manipplan.files import write_text
 from manipplan.viz.viewer.motion import Motion
 from manipplan.viz.viewer.panel import table
@@ -38,12 +39,14 @@ def record(plan: "Plan", file: str | Path, *, rate: float = 25.0) -> Path:
     Raises:
         MissingExtraError: viser is not installed.
         PlanningError: the plan has no trajectory.
-        InvalidInputError: the file cannot be written.
+        InvalidInputError: the name of the file ends otherwise, or it cannot be written.
     """
     require_extra()
     rate = number("rate", rate, above=0.0, most=120.0)
-    motion = Motion.of(plan)
+    if not isinstance(file, str | Path) or Path(file).suffix.lower() not in (".html", ".htm"):
+        raise InvalidInputError("file", file, "a file whose name ends in .html")
     path = Path(file).expanduser()
+    motion = Motion.of(plan)
     with Page(0, "localhost", motion.robot.name) as page:
         stage = Stage(page.server, motion)
         label = page.server.scene.add_label("/time", "", anchor="bottom-left", font_screen_scale=0.8)
