@@ -175,16 +175,11 @@ class Report:
 
     def to_json(self, file: str | Path) -> None:
         """Write all figures as JSON."""
-        write_text(file, json.dumps(self.to_data(), indent=1, allow_nan=False) + "\n")
-
-    def to_data(self) -> dict[str, Any]:
-        """All figures as JSON takes them; infinite ones as text."""
-        data: dict[str, Any] = _json_ready(asdict(self))
-        return data
+        write_text(file, json.dumps(_json_ready(asdict(self)), indent=1, allow_nan=False) + "\n")
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> "Report":
-        """The report of `to_data`; raises KeyError, TypeError or ValueError for data of another kind."""
+        """The report of what JSON holds of it; raises KeyError, TypeError or ValueError for data of another kind."""
         uses = {kind: _record(LimitUse, use) for kind, use in data["limits"].items()}
         pair = tuple(data["nearest_pair"])
         if not all(isinstance(name, str) for name in pair):
