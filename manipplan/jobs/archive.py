@@ -9,16 +9,14 @@ import hashlib
 import json
 import logging
 from collections.abc import Callable, Mapping
-from dataclasses import fields, is_dataclass
-from enum import Enum
+from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from manipplan.checks import existing_file, instance
 from manipplan.errors import FileFormatError, InvalidInputError
 from manipplan.files import write_text
+from manipplan.json_ready import json_ready
 from manipplan.measures.measure import Measure
 from manipplan.measures.stored import measure_data, measure_of
 from manipplan.measures.task import Task
@@ -79,7 +77,7 @@ def write_plan(plan: "Plan", file: Path) -> None:
     for part in ("robot", "scene", "measure", "workspace_path"):
         if isinstance(data[part], dict) and "missing" in data[part]:
             log.warning("%s: not written: %s, %s", file, part, data[part]["missing"])
-    plain = _plain(data)
+    plain = json_ready(data)
     write_text(file, json.dumps({**plain, "sha256": checksum(plain)}, allow_nan=False) + "\n")
 
 
@@ -219,20 +217,3 @@ def _checked_json(path: Path) -> dict[str, Any]:
             "file", str(path), "a result as Plan.save wrote it; this one was changed since: save the plan again"
         )
     return data
-
-
-def _plain(value: Any) -> Any:
-    """The same as JSON can say it: a dataclass by its fields, an enum by its name, infinite numbers and nan as texts."""
-    if isinstance(value, np.ndarray):
-        value = value.tolist()
-    if isinstance(value, Enum):
-        return value.name
-    if is_dataclass(value) and not isinstance(value, type):
-        return {each.name: _plain(getattr(value, each.name)) for each in fields(value)}
-    if isinstance(value, Mapping):
-        return {key: _plain(each) for key, each in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(each) for each in value]
-    if isinstance(value, float | np.floating):
-        return float(value) if np.isfinite(value) else str(float(value))
-    return value

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -11,6 +11,7 @@ import numpy as np
 from manipplan.checks import Array, existing_file
 from manipplan.errors import FileFormatError
 from manipplan.files import write_text
+from manipplan.json_ready import json_ready
 from manipplan.optimize.objective import PathCost, PathObjective
 from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import SHORTEST, JointPath
@@ -175,7 +176,7 @@ class Report:
 
     def to_json(self, file: str | Path) -> None:
         """Write all figures as JSON."""
-        write_text(file, json.dumps(_json_ready(asdict(self)), indent=1, allow_nan=False) + "\n")
+        write_text(file, json.dumps(json_ready(self), indent=1, allow_nan=False) + "\n")
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> "Report":
@@ -219,13 +220,6 @@ def _straight_cost(path: JointPath, objective: PathObjective) -> PathCost:
 def _first_path(status: str) -> str:
     """What the path is compared with."""
     return "recorded" if status in {each.value for each in RECORDED} else "seed"
-
-
-def _json_ready(value: Any) -> Any:
-    """The same with infinite numbers as text, since JSON has none."""
-    if isinstance(value, dict):
-        return {key: _json_ready(item) for key, item in value.items()}
-    return str(value) if isinstance(value, float) and not np.isfinite(value) else value
 
 
 def _index_note(cost: PathCost, result: PathResult, straight: PathCost) -> str:
