@@ -1,4 +1,4 @@
-"""Files that are written whole or not at all."""
+"""Files that are written whole or not at all, and files that are found again when their folder has moved."""
 
 import os
 import tempfile
@@ -52,6 +52,17 @@ def found_again(remembered: Mapping[str, str], folder: Path) -> Path:
     whole = Path(remembered["path"])
     beside = folder / remembered["relative"]
     return beside if not whole.exists() and beside.exists() else whole
+
+
+def place_for(argument: str, folder: str | Path) -> Path:
+    """`folder`, which need not be there yet; raises InvalidInputError when it could not be made and written."""
+    path = Path(folder).expanduser()
+    there = next(each for each in (path, *path.absolute().parents) if each.exists())
+    try:
+        with tempfile.TemporaryFile(dir=there):
+            return path
+    except OSError as error:
+        raise InvalidInputError(argument, str(path), f"a folder that can be written ({error.strerror})") from error
 
 
 def writable_folder(argument: str, folder: str | Path) -> Path:

@@ -146,8 +146,9 @@ class Robot:
         if "acceleration" not in limits:
             ramp = {"acceleration": base.velocity / DEFAULT_RAMP_TIME}
             base = base.with_changes(ramp, source=f"default: full speed in {DEFAULT_RAMP_TIME:g} s")
-        if semantic is not None and neutral is None:
-            neutral = semantic.posture(active, base)
+        states = NamedStates.of(semantic.states if semantic is not None else (), active)
+        if neutral is None:
+            neutral = next((q for q in states.values() if not base.outside(q).any()), None)
         robot = cls(
             name=name or model.name or read.file.stem,
             model=model,
@@ -158,7 +159,7 @@ class Robot:
             locked=held,
             disabled_pairs=semantic.disabled if semantic is not None else None,
             adjacent_pairs=description.adjacent_pairs(whole, read.geometry),
-            named_states=NamedStates.of(semantic.states, active) if semantic is not None else NamedStates(),
+            named_states=states,
             source=RobotSource.of(read.source.lower(), read.file, given),
         )
         if held:
@@ -262,9 +263,18 @@ class Robot:
             raise InvalidInputError(
                 f"{argument}[{i}] ({self.joint_names[i]})",
                 float(q[i]),
-                f"{self.limits.lower[i]:g} to {self.limits.upper[i]:g}",
+                f"{self.limits.lower[i]:g} to {self.limits.upper[i]:g} {self._unit_hint(i, q[i])}",
             )
         return q
+
+    def _unit_hint(self, joint: int, value: float) -> str:
+        """The joint's unit, and what a value beyond a full turn would be if it was meant in degrees."""
+        if self.joint_types[joint] == "prismatic":
+            return "m"
+        turned = np.deg2rad(value)
+        if abs(value) > 2 * np.pi and self.limits.lower[joint] <= turned <= self.limits.upper[joint]:
+            return f"rad; {value:g} degrees are {turned:.4g} rad"
+        return "rad"
 
     def random_configuration(self, rng: np.random.Generator, *, size: int | None = None) -> Array:
         """Uniform configurations inside the limits, (n,) or (size, n); continuous joints in [-π, π]."""
