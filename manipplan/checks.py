@@ -108,9 +108,13 @@ def existing_file(argument: str, path: str | Path) -> Path:
     if not isinstance(path, str | Path):
         raise InvalidInputError(argument, path, "the path of a file")
     path = Path(path).expanduser()
-    if path.is_file():
-        return path
-    if path.is_dir():
+    try:
+        if path.is_file():
+            return path
+        folder = path.is_dir()
+    except OSError as error:  # a name that is too long
+        raise FileFormatError(argument, str(path), f"an existing file ({error.strerror})") from error
+    if folder:
         raise FileFormatError(argument, str(path), "a file, not a folder")
     import difflib
 

@@ -26,8 +26,10 @@ def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
         if path.is_dir():
             raise InvalidInputError("file", str(path), "a file, not a folder")
         handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
-    except OSError as error:
-        raise InvalidInputError("file", str(path), f"a place that can be written ({error.strerror})") from error
+    except InvalidInputError:
+        raise
+    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
+        raise InvalidInputError("file", str(path), f"a place that can be written ({_reason(error)})") from error
     part = Path(name)
     try:
         with os.fdopen(handle, "wb") as stream:
@@ -54,11 +56,17 @@ def found_again(remembered: Mapping[str, str], folder: Path) -> Path:
 
 def writable_folder(argument: str, folder: str | Path) -> Path:
     """`folder`, made if it is not there; raises InvalidInputError when it cannot be written."""
+    if not isinstance(folder, str | Path):
+        raise InvalidInputError(argument, folder, "the path of a folder")
     path = Path(folder).expanduser()
     try:
         path.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=path):
             pass
-    except OSError as error:
-        raise InvalidInputError(argument, str(path), f"a folder that can be written ({error.strerror})") from error
+    except (OSError, ValueError) as error:
+        raise InvalidInputError(argument, str(path), f"a folder that can be written ({_reason(error)})") from error
     return path
+
+
+def _reason(error: Exception) -> str:
+    return getattr(error, "strerror", None) or str(error)

@@ -57,3 +57,7 @@ class Status(Enum):
     def has_path(self) -> bool:
         """Whether there is a checked path that a robot could play."""
         return not self.value.startswith("failed")
+
+
+#: Of motions that `improve` returned: they began from a recording, not from a planner's seed.
+RECORDED = (Status.IMPROVED, Status.NOT_BETTER)

@@ -38,7 +38,8 @@ class Study(Generic[Claims]):
 
     def main(self, arguments: list[str] | None = None) -> list[str]:
         """Run it with the options of a shell and return what is not as expected."""
-        parser = argparse.ArgumentParser(prog=f"python -m studies.{self.pages.name}", description=self.__doc__)
+        command, what = f"python -m studies.{self.pages.name}", "Make all tables and figures of the paper again."
+        parser = argparse.ArgumentParser(prog=command, description=what)
         parser.add_argument("--quick", action="store_true", help=self.quick)
         where = f"folder for tables and figures (default: docs/studies/{self.pages.name}; a temporary one with --quick)"
         parser.add_argument("--out", type=Path, help=where)

@@ -1,5 +1,7 @@
 """What the tests share: real robots, loaded once, and the scene of five boxes."""
 
+import shutil
+
 import numpy as np
 import pytest
 
@@ -31,6 +33,19 @@ def demo_problem():
 @pytest.fixture(scope="session")
 def demo_plan(demo_problem):
     return mp.plan(demo_problem.robot, demo_problem.start, demo_problem.goal, demo_problem.scene)
+
+
+@pytest.fixture(scope="module")
+def browser(request):
+    """Chromium with the FLAGS of the test's module."""
+    from playwright.sync_api import sync_playwright
+
+    found = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+    assert found, "no Chromium was found; install it with: sudo apt-get install chromium   (as root: make browser)"
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=found, args=request.module.FLAGS.split())
+        yield chromium
+        chromium.close()
 
 
 @pytest.fixture

@@ -41,12 +41,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             description="Robot-arm motion that stays far from singularities.",
             args=arguments,
         )
-    except (InvalidInputError, MissingExtraError) as error:
-        errors.print(f"manipplan: {escape(str(error))}", style="red", highlight=False, soft_wrap=True)
-        return 2
     except ManipplanError as error:
         errors.print(f"manipplan: {escape(str(error))}", style="red", highlight=False, soft_wrap=True)
-        return 1
+        return 2 if isinstance(error, InvalidInputError | MissingExtraError) else 1
     except KeyboardInterrupt:
         errors.print("manipplan: interrupted; finished files are whole, nothing half-written is left", style="red")
         return 130

@@ -1,4 +1,4 @@
-"""The arm that a command was given, and configurations of it."""
+"""The arm and the scene that a command was given, and configurations of the arm."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,12 +9,14 @@ from manipplan.checks import Array
 from manipplan.errors import InvalidInputError, UnknownNameError
 from manipplan.robots.catalog import load_robot
 from manipplan.robots.robot import Robot
+from manipplan.robots.scene import Scene
 
 
-def load_arm(name: str, tool: str | None, srdf: Path | None) -> Robot:
-    """A known arm or that of a file, with the options that were given."""
+def load_cell(name: str, tool: str | None, srdf: Path | None, scene: Path | None) -> tuple[Robot, Scene]:
+    """A known arm or that of a file, with the options that were given, and the obstacles around it."""
     given = {"tool": tool, "srdf": srdf}
-    return load_robot(name, **{key: value for key, value in given.items() if value is not None})
+    robot = load_robot(name, **{key: value for key, value in given.items() if value is not None})
+    return robot, Scene.from_yaml(scene) if scene is not None else Scene()
 
 
 def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array:
@@ -24,6 +26,8 @@ def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array
     except ValueError as error:
         if len(words) != 1:
             raise InvalidInputError(argument, " ".join(words), "one number a joint, or the name of one state") from error
+    if not robot.named_states:
+        raise InvalidInputError(argument, words[0], "one number a joint: the robot has no named states")
     if words[0] not in robot.named_states:
-        raise UnknownNameError(argument, words[0], robot.named_states or ["numbers: the robot has no named states"])
+        raise UnknownNameError(argument, words[0], robot.named_states)
     return robot.named_states[words[0]]

@@ -37,5 +37,4 @@ def _solve(problem: Problem, folder: Path, seed: int) -> None:
         )
         tell(1.0, "writing files")
         files = made.save(folder)
-    terminal.show_locked(problem.robot.locked)
-    terminal.show_result(str(made.report), files)
+    terminal.show_plan(made, files)

@@ -5,13 +5,12 @@ from pathlib import Path
 from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import load_arm
+from manipplan.cli.arm import load_cell
 from manipplan.files import writable_folder
 from manipplan.jobs.following import follow as follow_job
 from manipplan.measures.task import Task
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.progress import part
-from manipplan.robots.scene import Scene
 from manipplan.tracking.relaxation import Tolerance
 
 
@@ -56,8 +55,7 @@ def follow(
     path = CartesianPath.from_csv(poses)
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
-        arm = load_arm(robot, tool, srdf)
-        world = Scene.from_yaml(scene) if scene is not None else Scene()
+        arm, world = load_cell(robot, tool, srdf, scene)
         made = follow_job(
             arm,
             path,
@@ -75,5 +73,4 @@ def follow(
         )
         tell(1.0, "writing files")
         files = made.save(folder)
-    terminal.show_locked(arm.locked)
-    terminal.show_result(f"{made.report}\n  search       {made.refinement}\n  deviation    {made.deviation}", files)
+    terminal.show_plan(made, files, f"search       {made.refinement}", f"deviation    {made.deviation}")

@@ -5,11 +5,10 @@ from pathlib import Path
 from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import load_arm
+from manipplan.cli.arm import load_cell
 from manipplan.files import writable_folder
 from manipplan.jobs.improving import improve as improve_job
 from manipplan.progress import part
-from manipplan.robots.scene import Scene
 from manipplan.tracking.relaxation import Tolerance
 
 
@@ -41,8 +40,7 @@ def improve(
     folder = writable_folder("out", out)
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
-        arm = load_arm(robot, tool, srdf)
-        world = Scene.from_yaml(scene) if scene is not None else Scene()
+        arm, world = load_cell(robot, tool, srdf, scene)
         made = improve_job(
             arm,
             recorded,
@@ -54,5 +52,4 @@ def improve(
         )
         tell(1.0, "writing files")
         files = made.save(folder)
-    terminal.show_locked(arm.locked)
-    terminal.show_result(f"{made.report}\n  tracking     {made.tracking}", files)
+    terminal.show_plan(made, files, f"tracking     {made.tracking}")

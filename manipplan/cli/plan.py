@@ -6,11 +6,10 @@ from typing import Literal
 from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import configuration_of, load_arm
+from manipplan.cli.arm import configuration_of, load_cell
 from manipplan.files import writable_folder
 from manipplan.jobs.planning import plan as plan_job
 from manipplan.progress import part
-from manipplan.robots.scene import Scene
 
 
 def plan(
@@ -55,8 +54,7 @@ def plan(
     folder = writable_folder("out", out)
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
-        arm = load_arm(robot, tool, srdf)
-        world = Scene.from_yaml(scene) if scene is not None else Scene()
+        arm, world = load_cell(robot, tool, srdf, scene)
         made = plan_job(
             arm,
             configuration_of("start", start, arm),
@@ -75,5 +73,4 @@ def plan(
         )
         tell(1.0, "writing files")
         files = made.save(folder)
-    terminal.show_locked(arm.locked)
-    terminal.show_result(str(made.report), files)
+    terminal.show_plan(made, files)

@@ -1,12 +1,13 @@
 """What every command shows: a bar while it works, the report and the files at its end."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
 from rich.console import Console
 from rich.markup import escape
 
+from manipplan.jobs.result import Plan
 from manipplan.progress import Progress
 
 
@@ -33,11 +34,12 @@ def progress() -> Iterator[Progress]:
         yield lambda share, text: bar.update(task, completed=share, description=text)
 
 
-def show_locked(locked: Mapping[str, float]) -> None:
-    """Print which joints are held, and at what."""
-    if locked:
-        shown = ", ".join(f"{name} at {value:g}" for name, value in locked.items())
+def show_plan(plan: Plan, files: Sequence[Path], *lines: str) -> None:
+    """Print which joints are held, and at what, then the plan's report with more lines below it, and where it lies."""
+    if plan.robot.locked:
+        shown = ", ".join(f"{name} at {value:g}" for name, value in plan.robot.locked.items())
         Console().print(f"locked joints: {escape(shown)}", style="dim", highlight=False)
+    show_result("\n  ".join((str(plan.report), *lines)), files)
 
 
 def show_result(report: str, files: Sequence[Path]) -> None:

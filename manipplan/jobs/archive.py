@@ -1,9 +1,11 @@
 """Plans to one JSON file and back: everything that is needed to show a plan, to check it again and to play it.
 
-The file says what the robot was read from, not the robot itself; beside it stand the joints' names, limits and screws, by
-which another robot is noticed. Numbers keep all their digits. Infinite ones are texts, since JSON has none.
+The file says what the robot was read from, not the robot itself; beside it stand the joints' names, limits and screws and the
+outlines of the bodies, by which another robot is noticed. A checksum tells a file that was changed. Numbers keep all their
+digits. Infinite ones are texts, since JSON has none.
 """
 
+import hashlib
 import json
 import logging
 from collections.abc import Callable, Mapping
@@ -77,7 +79,8 @@ def write_plan(plan: "Plan", file: Path) -> None:
     for part in ("robot", "scene", "measure", "workspace_path"):
         if isinstance(data[part], dict) and "missing" in data[part]:
             log.warning("%s: not written: %s, %s", file, part, data[part]["missing"])
-    write_text(file, json.dumps(_plain(data), allow_nan=False) + "\n")
+    plain = _plain(data)
+    write_text(file, json.dumps({**plain, "sha256": checksum(plain)}, allow_nan=False) + "\n")
 
 
 def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, measure: Measure | None) -> "Plan":
@@ -127,9 +130,14 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
         )
     except FileFormatError:
         raise
-    except (InvalidInputError, KeyError, TypeError, ValueError, AttributeError) as error:
+    except (InvalidInputError, KeyError, TypeError, ValueError, AttributeError, OverflowError) as error:
         reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
         raise FileFormatError("file", str(path), f"a result written by Plan.save, unchanged since ({reason})") from error
+
+
+def checksum(data: Mapping[str, Any]) -> str:
+    """Of all values of a file beside it, in hexadecimal digits."""
+    return hashlib.sha256(json.dumps(data).encode()).hexdigest()
 
 
 def _measure_data(measure: Measure) -> dict[str, Any]:
@@ -219,7 +227,7 @@ def _plan_file(file: str | Path) -> Path:
 def _checked_json(path: Path) -> dict[str, Any]:
     try:
         data = json.loads(path.read_text())
-    except (ValueError, OSError) as error:
+    except (ValueError, OSError, RecursionError) as error:
         wanted = f"a whole result ({error}); it was cut off or is no {NAME}: save the plan again"
         raise FileFormatError("file", str(path), wanted) from error
     if not isinstance(data, dict) or data.get("format") != FORMAT:
@@ -231,6 +239,10 @@ def _checked_json(path: Path) -> dict[str, Any]:
             "read it with that one, or install it here"
         )
         raise FileFormatError("file", str(path), wanted)
+    if data.pop("sha256", None) != checksum(data):
+        raise FileFormatError(
+            "file", str(path), "a result as Plan.save wrote it; this one was changed since: save the plan again"
+        )
     return data
 
 

@@ -91,15 +91,18 @@ class Plan:
     ) -> "Plan":
         """Read a plan that `save` wrote, to show it, to check it or to save it again: every number is the same.
 
-        What only the solvers need is not kept: `search`, `tracking`, and the `history` and `rivals` of `result`.
+        The report is the record of what was measured before it was saved; nothing is measured again. A file that was changed
+        since is refused, and so is a robot that moves otherwise or whose bodies have other outlines. What only the solvers
+        need is not kept: `search`, `tracking`, and the `history` and `rivals` of `result`.
 
         Args:
             file: the folder, or plan.json in it.
             robot, scene, measure: in place of the stored ones, where the files of robot or meshes have gone, or where they are
-                of a class of your own. The robot has to be the one that was planned for.
+                of a class of your own. The robot has to be the one that was planned for; if its limits are others, the log
+                says so. Whether the scene is the same is not looked at.
 
         Raises:
-            FileFormatError: not a result, cut off, of another version; a robot or mesh file is gone or was changed.
+            FileFormatError: not a result, cut off, changed, of another version; a robot or mesh file is gone or was changed.
             MissingExtraError: the robot is of the catalogue, whose package is not installed.
         """
         from manipplan.jobs import archive

@@ -16,6 +16,8 @@ SINGULAR = 1e-9
 ACCURACY = 1e-10
 #: ... at most so often.
 HALVINGS = 25
+#: More than 2 to this times the first panels are open only where the integrand is rounding errors.
+NOISE = 6
 #: Gauss points of a panel.
 POINTS = 10
 
@@ -111,7 +113,11 @@ def _weighed_speed(path: JointPath, s: Array, kinematics: Kinematics, power: flo
 
 
 def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Array | None, panels: int) -> float:
-    """g to ACCURACY: a dip of the index can be a thousand times narrower than any even panel."""
+    """g to ACCURACY: a dip of the index can be a thousand times narrower than any even panel.
+
+    Infinite where the index is nothing but rounding errors, as on a path that is singular all along: a dip stays narrow,
+    these are everywhere.
+    """
     nodes, weights = np.polynomial.legendre.leggauss(POINTS)
 
     def gained(begin: Array, end: Array) -> Array:
@@ -123,6 +129,7 @@ def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Arr
     counts = np.maximum(1, np.ceil(panels * np.diff(path.breaks)).astype(int))
     edges = [np.linspace(a, b, k + 1) for a, b, k in zip(path.breaks[:-1], path.breaks[1:], counts, strict=True)]
     begin, end = np.concatenate([each[:-1] for each in edges]), np.concatenate([each[1:] for each in edges])
+    most = len(begin) * 2**NOISE
     whole, settled = gained(begin, end), 0.0
     for _ in range(HALVINGS):
         middle = (begin + end) / 2
@@ -133,6 +140,8 @@ def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Arr
         whole = np.concatenate([left[open_], right[open_]])
         if not len(whole):
             break
+        if len(whole) > most:
+            return float(np.inf)
     return settled + float(whole.sum())
 
 

@@ -16,6 +16,8 @@ from manipplan.paths.trajectory import Trajectory
 
 FORMAT = "manipplan-trajectory"
 VERSION = 1
+#: ROS counts whole seconds in 32 bits; the first message of a bag is stamped 1 s.
+LONGEST = 2**31 - 2
 
 
 def to_csv(trajectory: Trajectory, file: str | Path) -> None:
@@ -81,8 +83,7 @@ def from_json(file: str | Path) -> Trajectory:
         data = json.loads(path.read_text())
         if not isinstance(data, dict) or (data.get("format"), data.get("version")) != (FORMAT, VERSION):
             raise FileFormatError("file", str(path), wanted)
-        names = tuple(data["joint_names"])
-        return Trajectory(t=data["time"], q=data["position"], qd=data["velocity"], joint_names=names)
+        return Trajectory(t=data["time"], q=data["position"], qd=data["velocity"], joint_names=data["joint_names"])
 
     return _reading(path, wanted, read)
 
@@ -95,22 +96,40 @@ def to_ros(trajectory: Trajectory, file: str | Path) -> None:
     import yaml
 
     points = []
-    accelerations = trajectory(trajectory.t, 2)
-    for t, q, qd, qdd in zip(trajectory.t, trajectory.q, trajectory.qd, accelerations, strict=True):
-        nanoseconds = round(float(t) * 1e9)
+    columns = (nanoseconds_of(trajectory), trajectory.q, trajectory.qd, trajectory(trajectory.t, 2))
+    for nanoseconds, q, qd, qdd in zip(*columns, strict=True):
         points.append(
             {
                 "positions": q.tolist(),
                 "velocities": qd.tolist(),
                 "accelerations": qdd.tolist(),
                 "effort": [],
-                "time_from_start": {"sec": nanoseconds // 10**9, "nanosec": nanoseconds % 10**9},
+                "time_from_start": ros_time(nanoseconds),
             }
         )
-    header = {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": ""}
+    header = {"stamp": ros_time(0), "frame_id": ""}
     message = {"header": header, "joint_names": list(trajectory.joint_names), "points": points}
     dumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
     write_text(file, yaml.dump(message, Dumper=dumper, sort_keys=False, default_flow_style=None, width=1000))
+
+
+def nanoseconds_of(trajectory: Trajectory) -> list[int]:
+    """The sample times as ROS writes them, in whole nanoseconds.
+
+    Raises InvalidInputError when two of them become one, or when they are too large for ROS.
+    """
+    if trajectory.duration > LONGEST:
+        raise InvalidInputError("trajectory.t", trajectory.duration, f"times up to {LONGEST} s: ROS counts seconds in 32 bits")
+    stamps = [round(t * 1e9) for t in trajectory.t.tolist()]
+    for before, after, t in zip(stamps, stamps[1:], trajectory.t[1:].tolist(), strict=False):
+        if after <= before:
+            raise InvalidInputError("trajectory.t", t, "times that differ by whole nanoseconds, in which ROS counts")
+    return stamps
+
+
+def ros_time(nanoseconds: int) -> dict[str, int]:
+    """The fields of ROS's Time and Duration."""
+    return {"sec": nanoseconds // 10**9, "nanosec": nanoseconds % 10**9}
 
 
 def from_ros(file: str | Path) -> Trajectory:
@@ -130,7 +149,7 @@ def from_ros(file: str | Path) -> Trajectory:
             t=np.array([(stamp["sec"] * 10**9 + stamp["nanosec"]) / 1e9 for stamp in stamps]),
             q=np.array([point["positions"] for point in message["points"]], dtype=float),
             qd=np.array([point["velocities"] for point in message["points"]], dtype=float),
-            joint_names=tuple(message["joint_names"]),
+            joint_names=message["joint_names"],
         )
 
     return _reading(path, wanted, read)
@@ -164,6 +183,6 @@ def _reading(path: Path, wanted: str, read: Callable[[], Trajectory]) -> Traject
         raise
     except InvalidInputError as error:
         raise FileFormatError("file", str(path), f"{wanted}; {error}") from error
-    except (KeyError, IndexError, TypeError, ValueError, EOFError, zipfile.BadZipFile, yaml.YAMLError) as error:
+    except (KeyError, IndexError, TypeError, ValueError, EOFError, RecursionError, zipfile.BadZipFile, yaml.YAMLError) as error:
         reason = " ".join(f"{type(error).__name__}: {error}".split())[:160]
         raise FileFormatError("file", str(path), f"{wanted} ({reason})") from error

@@ -2,9 +2,9 @@
 
 import json
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -18,8 +18,10 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.continuous import path_clearance
 from manipplan.seeds.ompl import CHECK_STEP
-from manipplan.status import Status
+from manipplan.status import RECORDED, Status
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
+
+T = TypeVar("T")
 
 #: A limit counts as kept when it is exceeded by no more than this [rad, m] or this share.
 TOLERANCE = 1e-6
@@ -182,10 +184,12 @@ class Report:
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> "Report":
-        """The report of `to_data`."""
-        data = {name: float(value) if value in ("inf", "-inf") else value for name, value in data.items()}
-        uses = {kind: LimitUse(**{**use, "ratio": float(use["ratio"])}) for kind, use in data["limits"].items()}
-        return cls(**{**data, "limits": uses, "nearest_pair": tuple(data["nearest_pair"])})
+        """The report of `to_data`; raises KeyError, TypeError or ValueError for data of another kind."""
+        uses = {kind: _record(LimitUse, use) for kind, use in data["limits"].items()}
+        pair = tuple(data["nearest_pair"])
+        if not all(isinstance(name, str) for name in pair):
+            raise TypeError(f"nearest_pair is {pair}")
+        return _record(cls, {**data, "limits": uses, "nearest_pair": pair})
 
     @classmethod
     def from_json(cls, file: str | Path) -> "Report":
@@ -193,8 +197,20 @@ class Report:
         path = existing_file("file", file)
         try:
             return cls.from_data(json.loads(path.read_text()))
-        except (ValueError, TypeError, KeyError, AttributeError) as error:
+        except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError) as error:
             raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
+
+
+def _record(kind: type[T], data: Mapping[str, Any]) -> T:
+    """`kind(**data)` where every text, number and truth is one; a number may be the text "inf", "-inf" or "nan"."""
+    values = dict(data)
+    for each in fields(kind):  # type: ignore[arg-type]
+        value = data[each.name]
+        if each.type is float and (value in ("inf", "-inf", "nan") or type(value) is int):
+            value = values[each.name] = float(value)
+        if each.type in (str, bool, float) and type(value) is not each.type:
+            raise TypeError(f"{each.name} is {value!r}")
+    return kind(**values)
 
 
 def _straight_cost(path: JointPath, objective: PathObjective) -> PathCost:
@@ -207,7 +223,7 @@ def _straight_cost(path: JointPath, objective: PathObjective) -> PathCost:
 
 def _first_path(status: str) -> str:
     """What the path is compared with."""
-    return "recorded" if status in (Status.IMPROVED.value, Status.NOT_BETTER.value) else "seed"
+    return "recorded" if status in {each.value for each in RECORDED} else "seed"
 
 
 def _json_ready(value: Any) -> Any:

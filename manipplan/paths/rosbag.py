@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from manipplan.checks import Array, number
-from manipplan.errors import FileFormatError, InvalidInputError, MissingExtraError, UnknownNameError
+from manipplan.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError, UnknownNameError
+from manipplan.paths.export import nanoseconds_of, ros_time
 from manipplan.paths.trajectory import Trajectory
 
 TRAJECTORY, STATE = "trajectory_msgs/msg/JointTrajectory", "sensor_msgs/msg/JointState"
@@ -25,6 +26,7 @@ def to_rosbag(trajectory: Trajectory, file: str | Path, *, storage: str = "mcap"
     if storage not in STORAGES:
         raise UnknownNameError("storage", str(storage), STORAGES)
     number("rate", rate, above=0.0, most=10_000.0)
+    nanoseconds_of(trajectory)  # raises where ROS cannot tell the samples' times
     _rosbags()
     from rosbags.rosbag2 import StoragePlugin, Writer
     from rosbags.typesys import Stores, get_typestore
@@ -41,8 +43,9 @@ def to_rosbag(trajectory: Trajectory, file: str | Path, *, storage: str = "mcap"
                 for stamp, message in _state_messages(trajectory, store, rate):
                     bag.write(stream, stamp, store.serialize_cdr(message, STATE))
             part.rename(path)
-    except OSError as error:
-        raise InvalidInputError("file", str(path), f"a place that can be written ({error.strerror or error})") from error
+    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
+        said = getattr(error, "strerror", None) or str(error)
+        raise InvalidInputError("file", str(path), f"a place that can be written ({said})") from error
 
 
 def from_rosbag(file: str | Path, topic: str | None = None, *, joints: Sequence[str] | None = None) -> Trajectory:
@@ -50,9 +53,9 @@ def from_rosbag(file: str | Path, topic: str | None = None, *, joints: Sequence[
     if not isinstance(file, str | Path):
         raise InvalidInputError("file", file, "the folder of a ROS 2 bag, or a ROS 1 .bag file")
     path = Path(file).expanduser()
-    if path.suffix in (".mcap", ".db3") or not path.exists():
+    if path.suffix in (".mcap", ".db3") or not _exists(path):
         raise FileFormatError("file", str(path), "the folder of a ROS 2 bag, with its metadata.yaml, or a ROS 1 .bag file")
-    if joints is not None and (isinstance(joints, str) or not joints or not all(isinstance(name, str) for name in joints)):
+    if joints is not None and not (isinstance(joints, list | tuple) and joints and all(isinstance(j, str) for j in joints)):
         raise InvalidInputError("joints", joints, "a list of names")
     _rosbags()
     from rosbags.highlevel import AnyReader, AnyReaderError
@@ -66,8 +69,12 @@ def from_rosbag(file: str | Path, topic: str | None = None, *, joints: Sequence[
             messages = [
                 (stamp, bag.deserialize(data, connection.msgtype)) for connection, stamp, data in bag.messages(connections)
             ]
-    except (AnyReaderError, OSError) as error:
-        raise FileFormatError("file", str(path), f"a ROS bag that can be read ({error})") from error
+    except ManipplanError:
+        raise
+    except Exception as error:  # of a damaged bag rosbags decodes whatever is there, and raises whatever comes of it
+        known = isinstance(error, AnyReaderError | OSError)
+        reason = " ".join((str(error) if known else f"{type(error).__name__}: {error}").split())
+        raise FileFormatError("file", str(path), f"a ROS bag that can be read ({reason[:200]})") from error
     where = f"{path}, {chosen}"
     names, t, q, qd = (_commands if topics[chosen] == TRAJECTORY else _recorded)(where, messages, joints)
     return _motion(where, names, t, q, qd)
@@ -77,7 +84,7 @@ def _topic(path: Path, topics: dict[str, str], topic: str | None) -> str:
     """The topic asked for; else the only one with joint states, or the only one with trajectories."""
     fitting = {name: kind for name, kind in topics.items() if kind in (STATE, TRAJECTORY)}
     if topic is not None:
-        if topic not in fitting:
+        if not isinstance(topic, str) or topic not in fitting:
             raise UnknownNameError("topic", str(topic), fitting or [f"none: {path} has no JointState and no JointTrajectory"])
         return topic
     for kind in (STATE, TRAJECTORY):
@@ -95,14 +102,16 @@ def _recorded(
 ) -> tuple[tuple[str, ...], Array, Array, Array | None]:
     """Names (n,), times (k,) [s], positions and, where every message has them, velocities (k, n) of JointStates.
 
-    The stamp is the header's, or where that is zero the bag's. Messages without any of the joints, as of a gripper that
-    publishes on the same topic, are passed over.
+    Times are those of the headers, or where all of these are zero those of the bag. Messages without any of the joints, as of
+    a gripper that publishes on the same topic, are passed over.
     """
     names = tuple(joints) if joints is not None else tuple(messages[0][1].name) if messages else ()
     rows = []
     for k, (received, message) in enumerate(messages):
         place = {name: i for i, name in enumerate(message.name)}
         missing = [name for name in names if name not in place]
+        if len(place) != len(message.name):
+            raise FileFormatError("file", where, f"every joint once; message {k + 1} has {', '.join(message.name)}")
         if joints is None and set(place) != set(names):
             said = f"message {k + 1} has {', '.join(place) or 'no joint'}, the first {', '.join(names)}"
             raise FileFormatError("file", where, f"the same joints in all messages, but {said}; name those wanted by joints=")
@@ -117,21 +126,24 @@ def _recorded(
             raise FileFormatError("file", where, f"a position for every joint; message {k + 1} has {len(message.position)}")
         stamp = message.header.stamp.sec * 10**9 + message.header.stamp.nanosec
         velocity = message.velocity[order] if len(message.velocity) == len(message.name) else None
-        rows.append((stamp or received, message.position[order], velocity))
+        rows.append((stamp, received, message.position[order], velocity))
     if not rows:
         known = {name for _, message in messages for name in message.name}
         if joints is not None and known:
             raise UnknownNameError("joints", names[0], known)
         raise FileFormatError("file", where, "at least two messages with positions")
-    t = np.array([(stamp - rows[0][0]) / 1e9 for stamp, _, _ in rows])
+    stamps = [row[0] for row in rows]
+    if not any(stamps):  # a simulation begins at zero; in ROS 2 that is "no time", too
+        stamps = [row[1] for row in rows]
+    t = np.array([(stamp - stamps[0]) / 1e9 for stamp in stamps])
     late = np.flatnonzero(np.diff(t) <= 0)
     if len(late):
         k = int(late[0]) + 1
         said = f"message {k + 1} is stamped {t[k]:.9f} s after the first, the one before {t[k - 1]:.9f} s"
         raise FileFormatError("file", where, f"stamps that rise, but {said}; sort the recording, or record one source a topic")
-    known_speed = all(velocity is not None and np.isfinite(velocity).all() for _, _, velocity in rows)
-    qd = np.array([velocity for _, _, velocity in rows]) if known_speed else None
-    return names, t, np.array([position for _, position, _ in rows]), qd
+    known_speed = all(velocity is not None and np.isfinite(velocity).all() for *_, velocity in rows)
+    qd = np.array([velocity for *_, velocity in rows]) if known_speed else None
+    return names, t, np.array([position for _, _, position, _ in rows]), qd
 
 
 def _commands(
@@ -142,6 +154,8 @@ def _commands(
         raise FileFormatError("file", where, f"one JointTrajectory; the topic has {len(messages)}")
     message = messages[0][1]
     known = list(message.joint_names)
+    if len(set(known)) != len(known):
+        raise FileFormatError("file", where, f"every joint once; the trajectory has {', '.join(known)}")
     names = tuple(joints) if joints is not None else tuple(known)
     for name in names:
         if name not in known:
@@ -166,8 +180,6 @@ def _motion(where: str, names: tuple[str, ...], t: Array, q: Array, qd: Array | 
 
             qd = CubicSpline(still.t, still.q)(still.t, 1)
         return Trajectory(t=t, q=q, qd=qd, joint_names=names)
-    except FileFormatError:
-        raise
     except InvalidInputError as error:
         raise FileFormatError("file", where, f"a recorded motion; {error}") from error
 
@@ -176,18 +188,18 @@ def _trajectory_message(trajectory: Trajectory, store: Any) -> Any:
     """The trajectory as one JointTrajectory message of rosbags' type store."""
     kinds = store.types
     point, duration = kinds["trajectory_msgs/msg/JointTrajectoryPoint"], kinds["builtin_interfaces/msg/Duration"]
-    columns = (trajectory.t, trajectory.q, trajectory.qd, trajectory(trajectory.t, 2))
+    columns = (nanoseconds_of(trajectory), trajectory.q, trajectory.qd, trajectory(trajectory.t, 2))
     points = [
         point(
             positions=np.array(q),
             velocities=np.array(qd),
             accelerations=np.array(qdd),
             effort=np.empty(0),
-            time_from_start=duration(**_seconds(round(float(t) * 1e9))),
+            time_from_start=duration(**ros_time(nanoseconds)),
         )
-        for t, q, qd, qdd in zip(*columns, strict=True)
+        for nanoseconds, q, qd, qdd in zip(*columns, strict=True)
     ]
-    header = kinds["std_msgs/msg/Header"](stamp=kinds["builtin_interfaces/msg/Time"](sec=0, nanosec=0), frame_id="")
+    header = kinds["std_msgs/msg/Header"](stamp=kinds["builtin_interfaces/msg/Time"](**ros_time(0)), frame_id="")
     return kinds[TRAJECTORY](header=header, joint_names=list(trajectory.joint_names), points=points)
 
 
@@ -198,23 +210,26 @@ def _state_messages(trajectory: Trajectory, store: Any, rate: float) -> Iterator
     stamps = np.unique(np.round(np.concatenate([even, trajectory.t]) * 1e9).astype(np.int64))
     at = np.clip(stamps / 1e9, 0.0, trajectory.duration)
     for stamp, q, qd in zip(stamps.tolist(), trajectory(at), trajectory(at, 1), strict=True):
-        time = kinds["builtin_interfaces/msg/Time"](**_seconds(BEGIN + stamp))
+        time = kinds["builtin_interfaces/msg/Time"](**ros_time(BEGIN + stamp))
         header = kinds["std_msgs/msg/Header"](stamp=time, frame_id="")
         names = list(trajectory.joint_names)
         yield BEGIN + stamp, kinds[STATE](header=header, name=names, position=q, velocity=qd, effort=np.empty(0))
-
-
-def _seconds(nanoseconds: int) -> dict[str, int]:
-    return {"sec": nanoseconds // 10**9, "nanosec": nanoseconds % 10**9}
 
 
 def _new_folder(file: str | Path) -> Path:
     if not isinstance(file, str | Path):
         raise InvalidInputError("file", file, "the path of a folder")
     path = Path(file).expanduser()
-    if path.exists():
+    if _exists(path):
         raise InvalidInputError("file", str(path), "a path where nothing is yet: the folder of a bag is never overwritten")
     return path
+
+
+def _exists(path: Path) -> bool:
+    try:
+        return path.exists()
+    except OSError as error:  # a name that is too long
+        raise InvalidInputError("file", str(path), f"a path that can be used ({error.strerror})") from error
 
 
 def _rosbags() -> None:

@@ -98,16 +98,7 @@ class Robot:
             InvalidInputError: joints out of order, or limits that are not positive.
         """
         read = description.read_urdf(existing_file("file", file), package_dirs)
-        robot = cls._cut(read, tool, joints, srdf, name, locked, neutral, limits)
-        given: dict[str, Any] = {
-            "tool": tool,
-            "joints": joints,
-            "srdf": srdf,
-            "name": name,
-            "locked": locked,
-            "neutral": neutral,
-        }
-        return replace(robot, source=RobotSource.of("urdf", file, {**given, "package_dirs": package_dirs, **limits}))
+        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, package_dirs)
 
     @classmethod
     def from_mjcf(
@@ -127,16 +118,7 @@ class Robot:
         MJCF states no velocity limits: they are infinite unless `velocity` is given.
         """
         read = description.read_mjcf(existing_file("file", file))
-        robot = cls._cut(read, tool, joints, srdf, name, locked, neutral, limits)
-        given: dict[str, Any] = {
-            "tool": tool,
-            "joints": joints,
-            "srdf": srdf,
-            "name": name,
-            "locked": locked,
-            "neutral": neutral,
-        }
-        return replace(robot, source=RobotSource.of("mjcf", file, {**given, **limits}))
+        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits)
 
     @classmethod
     def _cut(
@@ -149,7 +131,10 @@ class Robot:
         locked: Mapping[str, float] | None,
         neutral: ArrayLike | None,
         limits: Mapping[str, ArrayLike],
+        package_dirs: Sequence[str | Path] = (),
     ) -> "Robot":
+        given: dict[str, Any] = {"tool": tool, "joints": joints, "srdf": srdf, "name": name, "locked": locked}
+        given |= {"neutral": neutral, "package_dirs": package_dirs, **limits}
         semantic = description.read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
         whole = read.model
         tool = parts.choose_tool(whole, tool, semantic)
@@ -174,6 +159,7 @@ class Robot:
             disabled_pairs=semantic.disabled if semantic is not None else None,
             adjacent_pairs=description.adjacent_pairs(whole, read.geometry),
             named_states=NamedStates.of(semantic.states, active) if semantic is not None else NamedStates(),
+            source=RobotSource.of(read.source.lower(), read.file, given),
         )
         if held:
             log.info("%s: locked joints: %s", robot.name, ", ".join(held))

@@ -1,5 +1,6 @@
 """A robot and a scene as JSON holds them: what they were read from, and what tells another robot apart."""
 
+import logging
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -17,8 +18,12 @@ from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 from manipplan.robots.source import FILES, FOLDERS, RobotSource
 
-#: Screws and home pose of the robot that is built again agree with the stored ones within this [m, rad].
+log = logging.getLogger("manipplan")
+
+#: Screws, home pose and bodies of the robot that is built again agree with the stored ones within this [m, rad].
 SAME = 1e-6
+#: Numbers that tell a body's joint, place and box.
+OUTLINE = 1 + 12 + 6
 LIMITS = ("lower", "upper", "velocity", "acceleration", "jerk", "effort")
 
 
@@ -35,6 +40,19 @@ def fingerprint(robot: Robot) -> tuple[Array, Array]:
     return np.array(tool), np.array(data.J.T)
 
 
+def outlines(robot: Robot) -> Array:
+    """Of each body of the collision geometry its joint's number, its place there and the box around its shape (k, OUTLINE).
+
+    A shape that was exchanged, scaled or moved has another row.
+    """
+    rows = []
+    for body in robot.geometry.geometryObjects:
+        body.geometry.computeLocalAABB()
+        box = body.geometry.aabb_local
+        rows.append([[body.parentJoint], body.placement.homogeneous[:3].ravel(), box.min_, box.max_])
+    return np.array([np.concatenate(row) for row in rows]).reshape(-1, OUTLINE)
+
+
 def robot_data(robot: Robot, folder: Path) -> dict[str, Any]:
     """What a file in `folder` holds of a robot; its paths absolute and as seen from there."""
     home, screws = fingerprint(robot)
@@ -47,6 +65,7 @@ def robot_data(robot: Robot, folder: Path) -> dict[str, Any]:
         "limits": {**limits, "sources": robot.limits.sources},
         "home": home,
         "screws": screws,
+        "outlines": outlines(robot),
     }
     source = robot.source
     if source is None:
@@ -81,17 +100,25 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
             raise FileFormatError("file", str(path), wanted) from error
     else:
         arm = instance("robot", given, Robot)
-    stored = stored_array(data["home"]), stored_array(data["screws"])
+    stored = [stored_array(data[key]) for key in ("home", "screws")]
+    stored.append(stored_array(data["outlines"]).reshape(-1, OUTLINE))
     names = tuple(data["joint_names"])
-    same = arm.joint_names == names and all(np.abs(a - b).max() <= SAME for a, b in zip(fingerprint(arm), stored, strict=True))
-    if not same:
+    found = (*fingerprint(arm), outlines(arm))
+    if arm.joint_names != names or not all(_same(a, b) for a, b in zip(found, stored, strict=True)):
         said = f"{arm.name} with {', '.join(arm.joint_names)} and tool {arm.tool}"
         wanted = (
             f"the robot of {path}: {data['arm']} with {', '.join(names)} and tool {data['tool']}, its links as when the plan "
             "was saved. Its files were changed, or it is another robot: give the right robot="
         )
         raise FileFormatError("robot", said, wanted)
+    other = [kind for kind in LIMITS if not np.array_equal(getattr(arm.limits, kind), stored_array(data["limits"][kind]))]
+    if other:
+        log.warning("%s: the robot given has other limits (%s) than the plan was made and checked for", path, ", ".join(other))
     return arm
+
+
+def _same(first: Array, second: Array) -> bool:
+    return first.shape == second.shape and np.allclose(first, second, rtol=0.0, atol=SAME)
 
 
 def scene_data(scene: Scene, folder: Path) -> Any:

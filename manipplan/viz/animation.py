@@ -6,18 +6,17 @@ from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 
-from manipplan.checks import Array, finite_array, number, whole_number
+from manipplan.checks import finite_array, number, whole_number
 from manipplan.errors import InvalidInputError, MissingProgramError
 from manipplan.files import write_bytes
 from manipplan.measures.ellipsoid import velocity_ellipsoid
-from manipplan.measures.task import Task
 from manipplan.progress import Progress, teller
 from manipplan.viz import style
 from manipplan.viz.arm import draw_scene
 from manipplan.viz.ellipsoids import default_scale, plot_ellipsoid
 from manipplan.viz.film import Film
-from manipplan.viz.motions import length_shares, skeleton, tool_way
-from manipplan.viz.plan import finished, named_paths
+from manipplan.viz.motions import beside, linear_kinematics, named_paths, skeleton, tool_way
+from manipplan.viz.plan import finished
 from manipplan.viz.planar import draw_flat_bodies, draw_flat_scene
 from manipplan.viz.shapes import arm_surfaces, joined
 from manipplan.viz.space import LINES, draw_skeleton, draw_surface, look_at, points_of
@@ -27,6 +26,8 @@ if TYPE_CHECKING:
 
 #: A GIF counts time in hundredths of a second, and browsers slow down what shows a frame for less than two.
 MOST_GIF_FPS = 50.0
+#: Pixels of a side: on fewer nothing can be read, and more are larger than any screen.
+SIDES = (50, 8192)
 #: Places at which the whole motion is looked at for what the axes have to show.
 LOOKS = 40
 #: The one ellipsoid is drawn so much larger than the several of a still picture.
@@ -54,7 +55,7 @@ def animate(
         file: its suffix says what is written: .gif, by Pillow, or .mp4, by the program ffmpeg.
         fps: frames a second; of a GIF at most 50.
         speed: 0.5 shows the motion at half its speed.
-        size: of the picture [inches], and `dpi`: pixels an inch.
+        size: of the picture [inches], and `dpi`: pixels an inch, 10 to 1000; each side has 50 to 8192 pixels.
         colours: of a GIF, from 2 to 256: fewer make a smaller file.
         progress: called with the share done in [0, 1] and a text.
 
@@ -68,10 +69,12 @@ def animate(
     if kind not in (".gif", ".mp4"):
         raise InvalidInputError("file", file, "a file whose name ends in .gif or .mp4")
     fps = number("fps", fps, above=0.0, most=MOST_GIF_FPS if kind == ".gif" else 1000.0)
-    speed, dpi = number("speed", speed, above=0.0), number("dpi", dpi, above=0.0)
+    speed, dpi = number("speed", speed, above=0.0), number("dpi", dpi, least=10.0, most=1000.0)
     colours = whole_number("colours", colours, least=2, most=256)
-    if not (finite_array("size", size, (2,)) > 0).all():
-        raise InvalidInputError("size", size, "width and height above zero [inches]")
+    pixels = dpi * finite_array("size", size, (2,))
+    if not ((pixels >= SIDES[0]) & (pixels <= SIDES[1])).all():
+        allowed = f"width and height [inches] that make {SIDES[0]} to {SIDES[1]} pixels at {dpi:g} an inch"
+        raise InvalidInputError("size", size, allowed)
     finished(plan)
     assert plan.trajectory is not None
     if kind == ".mp4":
@@ -106,9 +109,9 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
     grid = figure.add_gridspec(1, 2, width_ratios=(1.25, 1))
     space = figure.add_subplot(grid[0], **({} if robot.planar else {"projection": "3d"}))
     over_time = figure.add_subplot(grid[1])
-    ghost = _ghost(plan)
 
     colours = {name: style.OPTIMUM if path is ours else style.SEED for name, path in paths.items()}
+    courses = {name: trajectory if path is ours else beside(trajectory, path) for name, path in paths.items()}
     ways = {name: tool_way(robot, path)[:, :m] for name, path in paths.items()}
     looks = trajectory(np.linspace(0.0, trajectory.duration, LOOKS))
     seen = [*ways.values(), *(skeleton(robot, q)[:, :m] for q in looks)]
@@ -126,19 +129,18 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
 
     index = robot.kinematics(plan.result.task, measure=plan.result.measure)
     t = np.linspace(0.0, trajectory.duration, 400)
-    for name, path in paths.items():
-        q = trajectory(t) if path is ours else ghost(t)
-        over_time.plot(t, index.manipulability(q), color=colours[name], label=name)
+    for name, at in courses.items():
+        over_time.plot(t, index.manipulability(at(t)), color=colours[name], label=name)
     over_time.set(xlabel="time [s]", xlim=(0, trajectory.duration))
     if over_time.dataLim.ymin >= 0:
         over_time.set_ylim(0, None)
-    over_time.set_ylabel(style.with_unit(index.measure.name, index.measure.unit(index.task)))
+    over_time.set_ylabel(style.index_label(index))
     over_time.legend(loc="best")
     figure.draw_without_rendering()  # the layout is made once, so that nothing trembles
     figure.set_layout_engine("none")
     space.autoscale(False)
 
-    linear = robot.kinematics(Task.planar() if robot.planar else Task.position())
+    linear = linear_kinematics(robot)
     scale = LARGER * default_scale(robot, linear.jacobian(looks))
     moving: list[Any] = []
 
@@ -153,23 +155,10 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
             draw_surface(space, joined(arm_surfaces(robot, q)), style.BODY_LAST, alpha=0.95)
         draw_skeleton(space, skeleton(robot, q)[:, :m])
         plot_ellipsoid(velocity_ellipsoid(linear.jacobian(q)), skeleton(robot, q)[-1, :m], ax=space, scale=scale, alpha=0.55)
-        over_time.plot(time, index.manipulability(q), "o", color=style.OPTIMUM, clip_on=False)
-        if len(paths) > 1:
-            draw_skeleton(space, skeleton(robot, ghost(time))[:, :m], colour=style.SEED, alpha=0.6)
-            over_time.plot(time, index.manipulability(ghost(time)), "o", color=style.SEED, clip_on=False)
+        for name, at in courses.items():
+            over_time.plot(time, index.manipulability(at(time)), "o", color=colours[name], clip_on=False)
+            if at is not trajectory:
+                draw_skeleton(space, skeleton(robot, at(time))[:, :m], colour=colours[name], alpha=0.6)
         moving.extend(each for axes in (space, over_time) for each in axes.get_children() if each not in before)
 
     return show
-
-
-def _ghost(plan: "Plan") -> Callable[[Any], Array]:
-    """The path that the plan started from at times [s]: as much of its length is behind it as of the plan's own."""
-    assert plan.trajectory is not None
-    assert plan.result is not None
-    seed = plan.result.seed
-    if seed is None:
-        return plan.trajectory
-    s = np.linspace(0.0, 1.0, 2001)
-    ours, theirs = length_shares(plan.trajectory.path(), s), length_shares(seed, s)
-    duration = plan.trajectory.duration
-    return lambda time: seed(np.interp(np.interp(np.asarray(time) / duration, s, ours), theirs, s))

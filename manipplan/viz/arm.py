@@ -47,13 +47,13 @@ def plot_arm(
 
     Returns the axes.
     """
-    curve, other = checked(robot, path, scene, seed)
+    curve, other, world = checked(robot, path, scene, seed)
     shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2))
     ways = {name: tool_way(robot, each) for name, each in zip(names, (curve, other), strict=True) if each is not None}
     first, last = (joined(arm_surfaces(robot, q)) for q in (curve.start, curve.goal))
     ax = style.axes_for(ax, solid=True, size=(7.0, 6.0))
     with style.shared():
-        seen = draw_scene(ax, scene, [*ways.values(), *(skeleton(robot, q) for q in curve(shares)), *points_of((first, last))])
+        seen = draw_scene(ax, world, [*ways.values(), *(skeleton(robot, q) for q in curve(shares)), *points_of((first, last))])
         draw_surface(ax, first, style.BODY_FIRST, alpha=0.45)
         draw_surface(ax, last, style.BODY_LAST, alpha=0.9)
         for share, q in zip(shares, curve(shares), strict=True):
@@ -66,7 +66,7 @@ def plot_arm(
     return ax
 
 
-def draw_scene(ax: Any, scene: Scene | None, seen: list[Array]) -> list[Array]:
+def draw_scene(ax: Any, scene: Scene, seen: list[Array]) -> list[Array]:
     """Draw obstacles and their names on 3D axes; `seen` are points (k, 3) that the picture shows, returned with theirs."""
     seen = list(seen)
     for name, surface in obstacle_surfaces(scene):
@@ -81,9 +81,8 @@ def draw_scene(ax: Any, scene: Scene | None, seen: list[Array]) -> list[Array]:
     return seen
 
 
-def checked(robot: Robot, path: Motion, scene: Scene | None, seed: Motion | None) -> tuple[JointPath, JointPath | None]:
-    """The paths of both motions; raises InvalidInputError for what is not an arm, a scene or a motion of this arm."""
+def checked(robot: Robot, path: Motion, scene: Scene | None, seed: Motion | None) -> tuple[JointPath, JointPath | None, Scene]:
+    """The paths of both motions, and the scene; raises InvalidInputError for what is no arm, scene or motion of this arm."""
     instance("robot", robot, Robot)
-    if scene is not None:
-        instance("scene", scene, Scene)
-    return joint_path("path", path, robot), None if seed is None else joint_path("seed", seed, robot)
+    world = Scene() if scene is None else instance("scene", scene, Scene)
+    return joint_path("path", path, robot), None if seed is None else joint_path("seed", seed, robot), world

@@ -121,9 +121,8 @@ def plot_index(
             drawn.append((index, line))
         if bound is not None:
             ax.axhline(bound, color=style.LIMIT, linestyle=(0, (1, 1)), linewidth=1.2, label="bound")
-        measure = kinematics.measure
         ax.set(xlabel="share of the path's length", xlim=(0, 1))
-        ax.set_ylabel(style.with_unit(measure.name, measure.unit(kinematics.task)))
+        ax.set_ylabel(style.index_label(kinematics))
         if min(index.min() for index, _ in drawn) >= 0:
             ax.set_ylim(0, None)
         ax.set_title("index along the path; dots: the least")

@@ -9,10 +9,10 @@ from manipplan.checks import Array, finite_array, instance, number, whole_number
 from manipplan.errors import InvalidInputError
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.ellipsoid import Ellipsoid, velocity_ellipsoid
-from manipplan.measures.task import Task
 from manipplan.robots.robot import Robot
 from manipplan.viz import style
-from manipplan.viz.motions import Motion, joint_path, skeleton, tool_way
+from manipplan.viz.motions import Motion, joint_path, linear_kinematics, skeleton, tool_way
+from manipplan.viz.space import LINES
 
 #: Without a scale the largest radius is drawn as this share of the stretched arm.
 SHARE = 0.08
@@ -87,14 +87,14 @@ def plot_ellipsoids(
     robot = instance("kinematics", kinematics, Kinematics).robot
     curve = joint_path("path", path, robot)
     if kinematics.task.rows not in (2, 3):
-        kinematics = robot.kinematics(Task.planar() if robot.planar else Task.position())
+        kinematics = linear_kinematics(robot)
     m = kinematics.task.rows
     q = curve(np.linspace(0.0, 1.0, whole_number("places", places, least=2)))
     jacobians = kinematics.jacobian(q)
     scale = default_scale(robot, jacobians) if scale is None else scale
     ax = style.axes_for(ax, solid=m == 3, size=(5.5, 5.0))
     with style.shared():
-        ax.plot(*tool_way(robot, curve)[:, :m].T, color=style.OPTIMUM, linewidth=1.2, zorder=60)
+        ax.plot(*tool_way(robot, curve)[:, :m].T, color=style.OPTIMUM, linewidth=1.2, zorder=LINES)
         for jacobian, centre in zip(jacobians, kinematics.pose(q)[:, :m, 3], strict=True):
             plot_ellipsoid(velocity_ellipsoid(jacobian), centre, ax=ax, scale=scale, **look)
         style.name_axes(ax)

@@ -52,9 +52,7 @@ def plot_layers(layers: Layers, result: SearchResult | Refinement | None = None,
         if breaks_at is not None:
             ax.axvline(breaks_at, color=style.ARM, linewidth=1.2, label="no continuous path reaches this")
         ax.set(xlabel="position along the path", xlim=(-0.5, count - 0.5))
-        kinematics = layers.worker.kinematics if layers.worker is not None else None
-        unit = "1" if kinematics is None else kinematics.measure.unit(kinematics.task)
-        ax.set_ylabel(style.with_unit("index" if kinematics is None else kinematics.measure.name, unit))
+        ax.set_ylabel("index" if layers.worker is None else style.index_label(layers.worker.kinematics))
         if min(each.min() for each in shown) >= 0:
             ax.set_ylim(0, None)
         ax.set_title(f"{layers.count} candidates at {count} positions")

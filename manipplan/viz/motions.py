@@ -1,15 +1,25 @@
-"""What the pictures read off a motion: its joint path, places by share of length, skeleton and way of the tool."""
+"""What the pictures read off a motion: its joint path and what it started from, places by share of length, skeleton, tool."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pinocchio as pin
+from numpy.typing import ArrayLike
 
 from manipplan.checks import Array
 from manipplan.errors import InvalidInputError
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.task import Task
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.description import frame_index
 from manipplan.robots.robot import Robot
+from manipplan.status import RECORDED
 from manipplan.tracking.track import Tracking
+
+if TYPE_CHECKING:
+    from manipplan.jobs.result import Plan
 
 Motion = JointPath | Trajectory | Tracking
 
@@ -25,11 +35,43 @@ def joint_path(argument: str, motion: Motion, robot: Robot) -> JointPath:
     return motion
 
 
+def named_paths(plan: "Plan") -> dict[str, JointPath]:
+    """A plan's path and what it started from, each by what it is called for the job that made it; one where they are one."""
+    assert plan.path is not None
+    if plan.refinement is not None:
+        ours, first = "refined", "best of the samples"
+    elif plan.result is not None and plan.result.status in RECORDED:
+        ours, first = "improved", "recorded"
+    else:
+        ours, first = "optimised", "seed"
+    seed = plan.result.seed if plan.result is not None else None
+    if seed is None:
+        return {ours: plan.path}
+    if seed is plan.path:
+        return {first: plan.path}
+    return {ours: plan.path, first: seed}
+
+
 def length_shares(path: JointPath, s: Array) -> Array:
     """The share (k,) of the path's length at rising s (k,) from 0 to 1; s itself where it has none."""
     speed = np.linalg.norm(path(s, 1), axis=1)
     gained = np.concatenate([[0.0], np.cumsum(np.diff(s) * (speed[1:] + speed[:-1]) / 2)])
     return np.asarray(gained / gained[-1]) if gained[-1] > 0 else s
+
+
+def beside(trajectory: Trajectory, seed: JointPath) -> Callable[[ArrayLike], Array]:
+    """`seed` at times [s] of a trajectory: as much of its length is behind it as of the trajectory's.
+
+    It has no time of its own.
+    """
+    s = np.linspace(0.0, 1.0, 2001)
+    ours, theirs = length_shares(trajectory.path(), s), length_shares(seed, s)
+    return lambda t: seed(np.interp(np.interp(np.asarray(t) / trajectory.duration, s, ours), theirs, s))
+
+
+def linear_kinematics(robot: Robot) -> Kinematics:
+    """Kinematics of the tool's position, whose velocity ellipsoids are drawn; of a planar arm in its plane."""
+    return robot.kinematics(Task.planar() if robot.planar else Task.position())
 
 
 def skeleton(robot: Robot, q: Array) -> Array:

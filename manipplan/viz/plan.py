@@ -9,19 +9,16 @@ from manipplan.checks import instance
 from manipplan.errors import PlanningError
 from manipplan.files import write_bytes
 from manipplan.interrupts import uninterrupted
-from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
-from manipplan.status import Status
+from manipplan.status import RECORDED
 from manipplan.viz import style
 from manipplan.viz.arm import plot_arm
 from manipplan.viz.curves import plot_index, plot_joints
+from manipplan.viz.motions import named_paths
 from manipplan.viz.planar import plot_planar_arm
 
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan
-
-#: Of paths that `improve` made; they tell it also of a plan that was loaded, which has no `tracking`.
-RECORDED = (Status.IMPROVED, Status.NOT_BETTER)
 
 
 def save_plan(plan: "Plan", file: str | Path) -> None:
@@ -37,7 +34,6 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
     `figure` is a Matplotlib figure to draw into; default, a new one of 11.5 x 6 inches. Returns the figure. Raises
     PlanningError for a plan without a trajectory.
     """
-    from matplotlib import rc_context
     from matplotlib.figure import Figure
 
     finished(plan)
@@ -47,7 +43,7 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
     assert plan.path is not None
     paths = named_paths(plan)
     seed, names = plan.result.seed if len(paths) > 1 else None, (next(iter(paths)), list(paths)[-1])
-    with rc_context(style.STYLE):
+    with style.shared():
         figure = figure if figure is not None else Figure(figsize=(11.5, 6.0))
         figure.set_layout_engine("constrained")
         parts: Any = figure.subfigures(1, 2, width_ratios=(1.15, 1))
@@ -77,24 +73,6 @@ def finished(plan: "Plan") -> None:
     instance("plan", plan, Plan)
     if plan.trajectory is None or plan.result is None or plan.report is None or plan.path is None:
         raise PlanningError(f"there is no trajectory to draw: {plan.status.value}", plan)
-
-
-def named_paths(plan: "Plan") -> dict[str, JointPath]:
-    """A plan's path and what it started from, each by what it is called for the job that made it; one where they are one."""
-    assert plan.result is not None
-    assert plan.path is not None
-    if plan.refinement is not None:
-        ours, first = "refined", "best of the samples"
-    elif plan.result.status in RECORDED:
-        ours, first = "improved", "recorded"
-    else:
-        ours, first = "optimised", "seed"
-    seed = plan.result.seed
-    if seed is None:
-        return {ours: plan.path}
-    if seed is plan.path:
-        return {first: plan.path}
-    return {ours: plan.path, first: seed}
 
 
 def joint_unit(robot: Robot) -> str:

@@ -34,7 +34,7 @@ def plot_planar_arm(
 
     Returns the axes. Raises InvalidInputError for an arm that is not planar.
     """
-    curve, other = checked(robot, path, scene, seed)
+    curve, other, world = checked(robot, path, scene, seed)
     if not robot.planar:
         raise InvalidInputError("robot", robot.name, "a planar arm; plot_arm draws any other")
     shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2))
@@ -42,9 +42,9 @@ def plot_planar_arm(
     ax = style.axes_for(ax, size=(6.0, 6.0))
     with style.shared():
         seen = [*ways.values(), *(skeleton(robot, q)[:, :2] for q in curve(shares))]
-        draw_flat_scene(ax, scene, seen)
-        for q, colour, alpha in ((curve.start, style.BODY_FIRST, 0.9), (curve.goal, style.BODY_LAST, 0.9)):
-            draw_flat_bodies(ax, robot, q, colour, alpha=alpha)
+        draw_flat_scene(ax, world, seen)
+        draw_flat_bodies(ax, robot, curve.start, style.BODY_FIRST, alpha=0.9)
+        draw_flat_bodies(ax, robot, curve.goal, style.BODY_LAST, alpha=0.9)
         for share, q in zip(shares, curve(shares), strict=True):
             draw_skeleton(ax, skeleton(robot, q)[:, :2], alpha=0.25 + 0.6 * share)
         plot_ellipsoids(robot.kinematics(Task.planar()), curve, places, ax=ax)
@@ -55,7 +55,7 @@ def plot_planar_arm(
     return ax
 
 
-def draw_flat_scene(ax: Any, scene: Scene | None, seen: list[Array]) -> None:
+def draw_flat_scene(ax: Any, scene: Scene, seen: list[Array]) -> None:
     """Draw obstacles from above, with their names, on axes of equal scales that show them and points (k, 2) `seen`."""
     from matplotlib.patches import Polygon
 
@@ -69,7 +69,7 @@ def draw_flat_scene(ax: Any, scene: Scene | None, seen: list[Array]) -> None:
     points = np.concatenate([flat, *(foot[None, :2] for foot in feet_on_planes(scene, np.pad(flat, ((0, 0), (0, 1)))))])
     low, high = points.min(axis=0), points.max(axis=0)
     size = (high - low).max()
-    for name, obstacle in zip(scene.names, scene.obstacles, strict=True) if scene is not None else ():
+    for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
         if isinstance(obstacle, Plane):
             filled = _below(obstacle, low - size, high + size)  # more than is seen: equal scales widen the picture
             if len(filled) >= 3:
@@ -81,13 +81,10 @@ def draw_flat_scene(ax: Any, scene: Scene | None, seen: list[Array]) -> None:
     ax.autoscale_view()
 
 
-def draw_flat_bodies(ax: Any, robot: Robot, q: Array, colour: str, *, alpha: float) -> list[Any]:
-    """Draw the arm's collision bodies at q (n,) from above; returns what was added."""
-    return [
-        patch
-        for surface in arm_surfaces(robot, q)
-        for patch in ax.fill(*outline_of(surface.points).T, facecolor=colour, edgecolor="none", alpha=alpha)
-    ]
+def draw_flat_bodies(ax: Any, robot: Robot, q: Array, colour: str, *, alpha: float) -> None:
+    """Draw the arm's collision bodies at q (n,) from above."""
+    for surface in arm_surfaces(robot, q):
+        ax.fill(*outline_of(surface.points).T, facecolor=colour, edgecolor="none", alpha=alpha)
 
 
 def outline_of(points: Array) -> Array:

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any
 
 import coal
 import numpy as np
@@ -10,6 +9,7 @@ import pinocchio as pin
 
 from manipplan.checks import Array
 from manipplan.robots.primitives import core_of, mesh_triangles
+from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Plane, Scene
 
 #: Flat pieces around a round shape, and from one pole of a ball to the other.
@@ -65,10 +65,8 @@ def surface_of(shape: coal.CollisionGeometry) -> Surface:
     return _hull(points)
 
 
-def obstacle_surfaces(scene: Scene | None) -> Iterator[tuple[str, Surface]]:
+def obstacle_surfaces(scene: Scene) -> Iterator[tuple[str, Surface]]:
     """Name and surface, in the world, of each obstacle that has an end; of a mesh, all its parts together."""
-    if scene is None:
-        return
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
         if not isinstance(obstacle, Plane):
             parts = [surface_of(shape).placed(obstacle.pose) for shape in obstacle.shapes()]
@@ -78,15 +76,16 @@ def obstacle_surfaces(scene: Scene | None) -> Iterator[tuple[str, Surface]]:
 def joined(parts: Iterable[Surface]) -> Surface:
     """Several surfaces as one."""
     parts = list(parts)
-    faces = tuple(face for part in parts for face in part.faces)
-    return Surface(faces=faces, edges=tuple(edge for part in parts for edge in part.edges))
+    return Surface(
+        faces=tuple(face for part in parts for face in part.faces), edges=tuple(edge for part in parts for edge in part.edges)
+    )
 
 
-def plane_patches(scene: Scene | None, low: Array, high: Array) -> Iterator[tuple[str, Array]]:
+def plane_patches(scene: Scene, low: Array, high: Array) -> Iterator[tuple[str, Array]]:
     """Name of each plane and the polygon (k, 3) in which it cuts the box from `low` to `high` (3,); none where it does not."""
     corners = np.array(np.meshgrid(*zip(low, high, strict=True), indexing="ij")).reshape(3, -1).T
     pairs = [(a, b) for a in range(8) for b in range(a + 1, 8) if np.count_nonzero(corners[a] != corners[b]) == 1]
-    for name, obstacle in zip(scene.names, scene.obstacles, strict=True) if scene is not None else ():
+    for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
         if not isinstance(obstacle, Plane):
             continue
         frame = obstacle.pose
@@ -101,10 +100,10 @@ def plane_patches(scene: Scene | None, low: Array, high: Array) -> Iterator[tupl
             yield name, np.array(cut)[np.argsort(np.arctan2(flat[:, 1], flat[:, 0]))]
 
 
-def feet_on_planes(scene: Scene | None, points: Array) -> Iterator[Array]:
+def feet_on_planes(scene: Scene, points: Array) -> Iterator[Array]:
     """For each plane that is no further from the middle of points (k, 3) than their extent, its nearest point (3,)."""
     middle, size = points.mean(axis=0), np.ptp(points, axis=0).max()
-    for obstacle in scene.obstacles if scene is not None else ():
+    for obstacle in scene.obstacles:
         if isinstance(obstacle, Plane):
             normal = obstacle.pose.rotation[:, 2]
             height = normal @ (middle - obstacle.pose.translation)
@@ -112,15 +111,15 @@ def feet_on_planes(scene: Scene | None, points: Array) -> Iterator[Array]:
                 yield middle - height * normal
 
 
-def arm_surfaces(robot: Any, q: Array) -> list[Surface]:
+def arm_surfaces(robot: Robot, q: Array) -> list[Surface]:
     """The robot's collision bodies at q (n,), in the world."""
-    key = "drawn bodies"
-    if key not in robot.cache:
-        objects = robot.geometry.geometryObjects
-        robot.cache[key] = [(each.parentJoint, surface_of(each.geometry).placed(each.placement)) for each in objects]
+    if "drawn bodies" not in robot.cache:
+        robot.cache["drawn bodies"] = [
+            (each.parentJoint, surface_of(each.geometry).placed(each.placement)) for each in robot.geometry.geometryObjects
+        ]
     data = robot.model.createData()
     pin.forwardKinematics(robot.model, data, q)
-    return [surface.placed(data.oMi[joint]) for joint, surface in robot.cache[key]]
+    return [surface.placed(data.oMi[joint]) for joint, surface in robot.cache["drawn bodies"]]
 
 
 def _ball(radii: Array) -> Surface:

@@ -19,29 +19,24 @@ LINES, NAMES = 60, 70
 CLOSED = 0.05
 
 
-def draw_surface(ax: Any, surface: Surface, colour: str, *, alpha: float, edges: bool = False) -> list[Any]:
-    """Draw a surface, lit from one side, on 3D axes, and its edges if asked for; returns what was added."""
+def draw_surface(ax: Any, surface: Surface, colour: str, *, alpha: float, edges: bool = False) -> None:
+    """Draw a surface, lit from one side, on 3D axes, and its edges if asked for."""
     from matplotlib.colors import to_rgb
     from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
     if not surface.faces:
-        return []
+        return
     shades = _brightness(surface.faces)[:, None] * to_rgb(colour)
     lit = np.concatenate([np.clip(shades, 0, 1), np.full((len(shades), 1), alpha)], axis=1)
-    drawn = [Poly3DCollection(surface.faces, facecolors=lit, edgecolors="none", linewidths=0)]
+    ax.add_collection3d(Poly3DCollection(surface.faces, facecolors=lit, edgecolors="none", linewidths=0))
     if edges:
-        drawn.append(Line3DCollection(surface.edges, colors=colour, linewidths=0.8))
-    for each in drawn:
-        ax.add_collection3d(each)
-    return drawn
+        ax.add_collection3d(Line3DCollection(surface.edges, colors=colour, linewidths=0.8))
 
 
-def draw_skeleton(ax: Any, points: Array, *, alpha: float = 1.0, colour: str = style.ARM) -> list[Any]:
-    """Draw the lines between joints (k, 3) and dots at all but the last; returns what was added."""
-    return [
-        *ax.plot(*points.T, color=colour, linewidth=1.4, alpha=alpha, solid_capstyle="round", zorder=LINES),
-        *ax.plot(*points[:-1].T, "o", color=colour, markersize=2.5, alpha=alpha, zorder=LINES),
-    ]
+def draw_skeleton(ax: Any, points: Array, *, alpha: float = 1.0, colour: str = style.ARM) -> None:
+    """Draw the lines between joints (k, 2) or (k, 3), and dots at all but the last."""
+    ax.plot(*points.T, color=colour, linewidth=1.4, alpha=alpha, solid_capstyle="round", zorder=LINES)
+    ax.plot(*points[:-1].T, "o", color=colour, markersize=2.5, alpha=alpha, zorder=LINES)
 
 
 def draw_ways(ax: Any, ways: Mapping[str, Array]) -> None:

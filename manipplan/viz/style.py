@@ -5,6 +5,7 @@ from contextlib import AbstractContextManager
 from typing import Any
 
 from manipplan.errors import InvalidInputError
+from manipplan.kinematics.kinematics import Kinematics
 
 OPTIMUM = "#0072B2"
 SEED = "#E69F00"
@@ -61,10 +62,19 @@ def axes_for(ax: Any, *, solid: bool = False, size: tuple[float, float] = (7.0, 
         return figure.add_subplot(projection="3d") if solid else figure.add_subplot()
 
 
+def raised(unit: str) -> str:
+    """`unit` as a measure or task writes it, such as "m^6", with raised powers; "" for "1"."""
+    return "" if unit == "1" else re.sub(r"\^(-?\d+)", lambda power: power[1].translate(SUPERSCRIPTS), unit)
+
+
 def with_unit(name: str, unit: str) -> str:
-    """An axis label; `unit` as a measure or task writes it, such as "m^6"; "1": none."""
-    raised = re.sub(r"\^(-?\d+)", lambda power: power[1].translate(SUPERSCRIPTS), unit)
-    return name if unit == "1" else f"{name} [{raised}]"
+    """An axis label; `unit` as for `raised`."""
+    return f"{name} [{raised(unit)}]" if raised(unit) else name
+
+
+def index_label(kinematics: Kinematics) -> str:
+    """The axis label of a measure of manipulability."""
+    return with_unit(kinematics.measure.name, kinematics.measure.unit(kinematics.task))
 
 
 def name_axes(ax: Any) -> None:

@@ -3,33 +3,19 @@
 import importlib.util
 import json
 import re
-import shutil
 from pathlib import Path
 
 import numpy as np
 import pytest
-from playwright.sync_api import sync_playwright
 
 import manipplan as mp
 from manipplan.measures.ellipsoid import force_ellipsoid, velocity_ellipsoid
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "_static" / "planar.html"
-INSTALL = "no Chromium was found; install it with: sudo apt-get install chromium   (as root: make browser)"
 FLAGS = "--no-sandbox --disable-gpu --disable-background-networking --no-first-run --disable-component-update --disable-sync"
 UNIT = (1.0, 1.0, 1.0)
 DIGIT = 0.5001e-4  # half of the last digit shown
-
-
-@pytest.fixture(scope="module")
-def browser():
-    found = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-    if found is None:
-        pytest.fail(INSTALL)
-    with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=found, args=FLAGS.split())
-        yield chromium
-        chromium.close()
 
 
 @pytest.fixture

@@ -4,12 +4,10 @@
 """
 
 import os
-import shutil
 from pathlib import Path
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from playwright.sync_api import sync_playwright
 
 pytestmark = pytest.mark.site
 SITE = Path(os.environ.get("MANIPPLAN_SITE", Path(__file__).parents[2] / "docs" / "_build" / "html"))
@@ -31,21 +29,12 @@ SAMPLE = (
 )
 #: WCAG's level AA asks 4.5 to 1 of text; axe calls what bars readers serious or critical.
 GRAVE = {"serious", "critical"}
+FLAGS = "--no-sandbox"
 
 
 def pages():
     """Every page of the site, by its name; a missing site is a failure of the first test, not a quiet nothing."""
     return sorted(file.relative_to(SITE).as_posix() for file in SITE.rglob("*.html") if "_static" not in file.parts)
-
-
-@pytest.fixture(scope="module")
-def browser():
-    program = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-    assert program, "no Chromium was found: make browser"
-    with sync_playwright() as engine:
-        chromium = engine.chromium.launch(executable_path=program, args=["--no-sandbox"])
-        yield chromium
-        chromium.close()
 
 
 @pytest.fixture

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -18,6 +19,7 @@ from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
+from manipplan.jobs.archive import checksum
 from manipplan.jobs.result import Plan
 from manipplan.optimize.objective import PathObjective
 from manipplan.optimize.result import measured
@@ -192,7 +194,7 @@ def test_a_robot_file_moves_with_the_result(two_link_urdf, tmp_path):
     assert again.robot.locked == arm.locked
 
 
-def test_a_robot_file_that_is_gone_or_changed(two_link_urdf, tmp_path):
+def test_a_robot_file_that_is_gone_or_changed(two_link_urdf, tmp_path, caplog):
     urdf = Path(shutil.copy(two_link_urdf(), tmp_path / "arm.urdf"))
     arm = mp.Robot.from_urdf(urdf, tool="tip")
     made_plan(arm, mp.JointPath.line([0.1, 0.1], [0.6, 0.3]), task=mp.Task.direction((1.0, 0.0, 0.0))).save(tmp_path / "result")
@@ -206,10 +208,20 @@ def test_a_robot_file_that_is_gone_or_changed(two_link_urdf, tmp_path):
     urdf.write_text(text.replace('axis xyz="0 0 1"', 'axis xyz="0 1 0"'))
     with pytest.raises(mp.FileFormatError, match="another robot"):
         mp.Plan.load(tmp_path / "result")
+    for old, new in (('size="0.5 0.1 0.1"', 'size="0.5 0.1 0.2"'), ('xyz="0.25 0 0"', 'xyz="0.25 0.1 0"'), ("<collision>", "")):
+        bodies = text.replace(old, new) if new else re.sub(r"<collision>.*?</collision>", "", text, count=1)
+        assert bodies != text
+        urdf.write_text(bodies)
+        with pytest.raises(mp.FileFormatError, match="changed, or it is another robot"):
+            mp.Plan.load(tmp_path / "result")
     urdf.unlink()
     with pytest.raises(mp.FileFormatError, match=r"arm.urdf'; allowed: an existing file.*put its files back, or give robot="):
         mp.Plan.load(tmp_path / "result")
     assert mp.Plan.load(tmp_path / "result", robot=arm).robot is arm
+    assert not caplog.records
+    slow = arm.with_limits(velocity=0.1)
+    assert mp.Plan.load(tmp_path / "result", robot=slow).robot is slow
+    assert "the robot given has other limits (velocity) than the plan was made and checked for" in caplog.text
     with pytest.raises(mp.FileFormatError, match="give the right"):
         mp.Plan.load(tmp_path / "result", robot=mp.planar_arm([1, 1]))
 
@@ -307,12 +319,9 @@ def test_what_cannot_be_written_is_told_and_can_be_given(planar, small_plan, tmp
             lambda text: text.replace('"version": 1', '"version": 2'),
             r"of version 1; this is version 2, written by manipplan '0.1.0'",
         ),
-        (lambda text: text.replace('"path":', '"paths":'), r"written by Plan.save, unchanged since \(KeyError: 'path'\)"),
-        (lambda text: text.replace('"OPTIMAL"', '"PERFECT"'), "KeyError: 'PERFECT'"),
-        (lambda text: text.replace('"breaks": [0.0', '"breaks": [0.5'), "breaks: got"),
-        (lambda text: text.replace('"yoshikawa"', '"yoshi"'), "KeyError: 'yoshi'"),
-        (lambda text: text.replace('"cylinder"', '"tube"'), r"scene can be built again .*tube"),
-        (lambda text: text.replace('"planar", "name"', '"planet", "name"'), "kind of a robot's source: got 'planet'"),
+        (lambda text: text.replace('"passed": false', '"passed": true'), "this one was changed since"),
+        (lambda text: text.replace('"sha256"', '"sha"'), "this one was changed since"),
+        (lambda text: "[" * 100_000, "it was cut off or is no plan.json"),
     ],
 )
 def test_a_broken_file_is_told(small_plan, tmp_path, change, message):
@@ -322,6 +331,45 @@ def test_a_broken_file_is_told(small_plan, tmp_path, change, message):
     assert changed != file.read_text()
     file.write_text(changed)
     with pytest.raises(mp.FileFormatError, match=message):
+        mp.Plan.load(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda text: text.replace('"path":', '"paths":'), r"written by Plan.save, unchanged since \(KeyError: 'path'\)"),
+        (lambda text: text.replace('"passed": false', '"passed": "yes"'), "TypeError: passed is 'yes'"),
+        (lambda text: text.replace('"goal_error": ', '"goal_error": "nought", "x": '), "TypeError: goal_error is 'nought'"),
+        (lambda text: text.replace('"power": 1.0', '"power": 1' + 400 * "0"), "OverflowError"),
+        (lambda text: text.replace('"OPTIMAL"', '"PERFECT"'), "KeyError: 'PERFECT'"),
+        (lambda text: text.replace('"breaks": [0.0', '"breaks": [0.5'), "breaks: got"),
+        (lambda text: text.replace('"yoshikawa"', '"yoshi"'), "KeyError: 'yoshi'"),
+        (lambda text: text.replace('"cylinder"', '"tube"'), r"scene can be built again .*tube"),
+        (lambda text: text.replace('"planar", "name"', '"planet", "name"'), "kind of a robot's source: got 'planet'"),
+    ],
+)
+def test_a_changed_file_with_its_checksum_is_told(small_plan, tmp_path, change, message):
+    small_plan.save(tmp_path)
+    file = tmp_path / "plan.json"
+    changed = change(file.read_text())
+    assert changed != file.read_text()
+    data = json.loads(changed)
+    del data["sha256"]
+    file.write_text(json.dumps({**data, "sha256": checksum(data)}))
+    with pytest.raises(mp.FileFormatError, match=message):
+        mp.Plan.load(tmp_path)
+
+
+@pytest.mark.parametrize("place", [("robot", "limits", "velocity", 0), ("trajectory", "q", 3, 1), ("report", "clearance")])
+def test_no_number_can_be_changed_unnoticed(small_plan, tmp_path, place):
+    small_plan.save(tmp_path)
+    data = stored(tmp_path)
+    inside = data
+    for key in place[:-1]:
+        inside = inside[key]
+    inside[place[-1]] = np.nextafter(float(inside[place[-1]]), 1e3)
+    (tmp_path / "plan.json").write_text(json.dumps(data))
+    with pytest.raises(mp.FileFormatError, match="changed since: save the plan again"):
         mp.Plan.load(tmp_path)
 
 

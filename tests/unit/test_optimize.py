@@ -230,6 +230,19 @@ def test_degree_one_is_the_straight_line(planar, demo_problem):
     assert mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], degree=1).path.degree == 1
 
 
+@pytest.mark.parametrize("power", [0.5, 1.0, 2.0])
+@pytest.mark.parametrize("folded", [0.0, np.pi])
+def test_a_path_that_is_singular_all_along_costs_no_time(planar, power, folded):
+    """Its index is rounding errors, 1e-16 m^2, of which every finer panel sees others: halving went on for ever."""
+    path = mp.JointPath.line([0.1, folded, 0.0], [0.9, folded, 0.0])
+    cost = PathObjective(kinematics=planar.kinematics(), power=power).cost(path)
+    assert cost.g == np.inf
+    assert cost.min_manipulability < 1e-12
+    plan = mp.plan(planar, path.start, path.goal, power=power, throw=False)
+    assert plan.report.seed_g == np.inf
+    assert plan.report.min_manipulability < 1e-12
+
+
 def test_an_interior_singularity_is_seen():
     """Every path of a two-link arm from q2 = -1 to sqrt(2) crosses q2 = 0, between the points of any grid."""
     arm = mp.planar_arm([1.0, 1.0])

@@ -458,7 +458,18 @@ def test_what_cannot_be_animated_is_said_before_anything_is_drawn(planar_plan, t
     for name in ("plan.avi", "plan"):
         with pytest.raises(mp.InvalidInputError, match=r"\.gif or \.mp4"):
             viz.animate(planar_plan, tmp_path / name)
-    for change in ({"fps": 0}, {"fps": 60}, {"speed": 0}, {"colours": 1}, {"dpi": -1}, {"size": (0, 1)}, {"progress": 3}):
+    for change in (
+        {"fps": 0},
+        {"fps": 60},
+        {"speed": 0},
+        {"colours": 1},
+        {"dpi": -1},
+        {"dpi": 1},
+        {"size": (0, 1)},
+        {"dpi": 1e6},
+        {"size": (1e3, 1)},
+        {"progress": 3},
+    ):
         with pytest.raises(mp.InvalidInputError, match=next(iter(change))):
             viz.animate(planar_plan, tmp_path / "plan.gif", **change)
     with pytest.raises(mp.InvalidInputError, match="can be written"):

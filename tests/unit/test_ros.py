@@ -299,3 +299,76 @@ def test_a_killed_write_leaves_no_bag(tmp_path):
     mp.Trajectory(t=[0.0, 1.0], q=[[0], [1]], qd=[[0], [0]], joint_names=["a"]).to_rosbag(tmp_path / "bag")
     with Reader(tmp_path / "bag") as bag:
         assert bag.message_count == 102
+
+
+@pytest.mark.parametrize(
+    ("t", "message"), [([0, 1e-10], "whole nanoseconds"), ([0, 1, 1 + 2e-10], "whole"), ([0, 2.0**31], "32 bits")]
+)
+def test_times_that_ros_cannot_tell_are_refused(tmp_path, t, message):
+    """Written all the same, they would be a message that no reader takes."""
+    motion = mp.Trajectory(t=t, q=np.zeros((len(t), 1)), qd=np.zeros((len(t), 1)), joint_names=("a",))
+    with pytest.raises(mp.InvalidInputError, match=message):
+        motion.to_ros(tmp_path / "motion.yaml")
+    with pytest.raises(mp.InvalidInputError, match=message):
+        motion.to_rosbag(tmp_path / "bag")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_joint_that_is_there_twice_is_told(tmp_path):
+    write_states(tmp_path / "bag", [(1 + 0.1 * k, ["a", "a", "b"], [k, 2 * k, 3], []) for k in range(3)])
+    for joints in (None, ["a", "b"]):
+        with pytest.raises(mp.FileFormatError, match="every joint once; message 1 has a, a, b"):
+            mp.Trajectory.from_rosbag(tmp_path / "bag", joints=joints)
+
+
+def test_a_simulation_begins_at_zero(tmp_path):
+    """Its first stamp is zero; the others are of the same clock, not of the bag's."""
+    write_states(tmp_path / "bag", [(0.1 * k, "a", [k], [1]) for k in range(4)])
+    np.testing.assert_allclose(mp.Trajectory.from_rosbag(tmp_path / "bag").t, [0, 0.1, 0.2, 0.3], atol=1e-9)
+
+
+def test_a_damaged_bag_is_told(motion, tmp_path, rng):
+    motion.to_rosbag(tmp_path / "bag")
+    [file] = (tmp_path / "bag").glob("*.mcap")
+    for damaged in (file, tmp_path / "bag" / "metadata.yaml"):
+        whole = damaged.read_bytes()
+        for _ in range(10):
+            data = np.frombuffer(whole, np.uint8).copy()
+            data[rng.integers(0, len(data), len(data) // 100)] = rng.integers(128, 256)
+            damaged.write_bytes(data.tobytes())
+            with pytest.raises(mp.FileFormatError):
+                mp.Trajectory.from_rosbag(tmp_path / "bag")
+        damaged.write_bytes(whole)
+
+
+@pytest.mark.parametrize("joints", [{"a", "b"}, 7, np.array(["a", "b"]), iter("ab")])
+def test_joints_are_a_list(motion, tmp_path, joints):
+    motion.to_rosbag(tmp_path / "bag")
+    with pytest.raises(mp.InvalidInputError, match="joints: got .* a list of names"):
+        mp.Trajectory.from_rosbag(tmp_path / "bag", joints=joints)
+
+
+def test_topics_and_places_that_are_none(motion, tmp_path):
+    motion.to_rosbag(tmp_path / "bag")
+    with pytest.raises(mp.UnknownNameError, match="topic"):
+        mp.Trajectory.from_rosbag(tmp_path / "bag", ["/joint_states"])
+    for name in ("x" * 300, "a\0b"):
+        for write in (motion.to_rosbag, motion.to_ros, motion.to_csv):
+            with pytest.raises(mp.InvalidInputError, match="file: got .*can be"):
+                write(tmp_path / name)
+        with pytest.raises(mp.FileFormatError, match="an existing file"):
+            mp.Trajectory.from_ros(tmp_path / name)
+
+
+def test_names_in_one_text_are_no_list(motion, tmp_path):
+    motion.to_ros(tmp_path / "motion.yaml")
+    motion.to_json(tmp_path / "motion.json")
+    yaml_text, json_text = (tmp_path / "motion.yaml").read_text(), (tmp_path / "motion.json").read_text()
+    (tmp_path / "motion.yaml").write_text(yaml_text.replace("joint_names: [a, b, c]", "joint_names: abc"))
+    (tmp_path / "motion.json").write_text(json_text.replace('["a", "b", "c"]', '"abc"'))
+    for read, name in ((mp.Trajectory.from_ros, "motion.yaml"), (mp.Trajectory.from_json, "motion.json")):
+        with pytest.raises(mp.FileFormatError, match="joint_names: got 'abc'"):
+            read(tmp_path / name)
+    (tmp_path / "motion.json").write_text("[" * 100_000)
+    with pytest.raises(mp.FileFormatError, match="RecursionError"):
+        mp.Trajectory.from_json(tmp_path / "motion.json")

@@ -3,13 +3,13 @@
 import io
 import logging
 import os
-import shutil
 import signal
 import socket
 import subprocess
 import sys
 import time
 import urllib.request
+from dataclasses import replace
 
 import coal
 import numpy as np
@@ -17,18 +17,17 @@ import pinocchio as pin
 import pytest
 import trimesh
 from PIL import Image
-from playwright.sync_api import sync_playwright
 
 import manipplan as mp
 from manipplan.cli import main
 from manipplan.status import Status
 from manipplan.viz import viewer
+from manipplan.viz.viewer import plan_viewer
 from manipplan.viz.viewer import server as pages
 from manipplan.viz.viewer.bodies import appearance_of
 from manipplan.viz.viewer.chart import Chart, Curve
 from manipplan.viz.viewer.triangles import MOST, triangles_of
 
-INSTALL = "no Chromium was found; install it with: sudo apt-get install chromium   (as root: make browser)"
 FLAGS = (
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-background-networking "
     "--no-first-run --disable-component-update --disable-sync"
@@ -36,17 +35,6 @@ FLAGS = (
 #: What viser's own page says about the library it uses.
 KNOWN = {"THREE.Clock: This module has been deprecated. Please use THREE.Timer instead."}
 SIZE = {"width": 640, "height": 320}
-
-
-@pytest.fixture(scope="module")
-def browser():
-    found = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-    if found is None:
-        pytest.fail(INSTALL)
-    with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=found, args=FLAGS.split())
-        yield chromium
-        chromium.close()
 
 
 @pytest.fixture(scope="module")
@@ -206,8 +194,8 @@ def test_the_seed_is_where_it_has_covered_the_same_share_of_its_length(shown, pl
     s = np.linspace(0, 1, 4001)
     steps = np.linalg.norm(np.diff(plan.result.seed(s), axis=0), axis=1)
     there = np.interp(share, np.append(0, np.cumsum(steps)) / steps.sum(), s)
-    np.testing.assert_allclose(shown.motion.seed_at(t), plan.result.seed(there), atol=2e-3)
-    np.testing.assert_allclose(tool_of(shown.stage.seed), last_joint(plan.robot, shown.motion.seed_at(t)), atol=1e-9)
+    np.testing.assert_allclose(shown.motion.seed.at(t), plan.result.seed(there), atol=2e-3)
+    np.testing.assert_allclose(tool_of(shown.stage.seed), last_joint(plan.robot, shown.motion.seed.at(t)), atol=1e-9)
 
 
 def test_a_recording_plays_without_a_network(plan, open_page, tmp_path):
@@ -224,6 +212,10 @@ def test_a_recording_plays_without_a_network(plan, open_page, tmp_path):
         viewer.record(plan, tmp_path / "motion.html", rate=0)
     with pytest.raises(mp.InvalidInputError, match="file"):
         plan.record(tmp_path / "nowhere" / "motion.html")
+    for name in (tmp_path / "motion.txt", tmp_path / "motion", tmp_path, 7, ""):
+        with pytest.raises(mp.InvalidInputError, match="file: got .* ends in .html"):
+            plan.record(name)
+    assert [file.name for file in tmp_path.iterdir()] == ["motion.html"]
 
 
 def test_a_dragged_target_is_followed(open_page):
@@ -448,6 +440,63 @@ def test_a_plan_without_a_motion_is_an_error(plan):
     for show in (lambda: failed.show(port=0), lambda: failed.record("x.html")):
         with pytest.raises(mp.PlanningError, match="no motion to show: the goal is in the wall"):
             show()
+
+
+def test_a_speed_that_is_none_does_not_end_the_play(plan):
+    with plan.show(port=0, open_browser=False) as page:
+        for value in (-3.0, 0, "fast", np.nan):
+            with pytest.raises(mp.InvalidInputError, match="speed"):
+                page.speed = value
+        page.speed = 0.5
+        page.play()
+        wait_until(lambda: page.time > 0.1)
+    with viewer.follow_target(mp.planar_arm([1.0, 1.0]), port=0, open_browser=False) as page:
+        for value in (-1.0, "much", np.inf):
+            with pytest.raises(mp.InvalidInputError, match="drive"):
+                page.drive = value
+
+
+def test_a_page_may_end_itself(plan, monkeypatch):
+    """From the thread that plays: it cannot wait for itself."""
+    page = plan.show(port=0, open_browser=False)
+    ended = []
+    monkeypatch.setattr(page, "_show", lambda t: ended.append(page.stop()))
+    page.play()
+    wait_until(lambda: ended)
+    wait_until(lambda: not any(thread.is_alive() for thread in page._threads))
+    assert not page.running
+    with socket.socket() as probe:
+        assert probe.connect_ex(("127.0.0.1", page.server.get_port())) != 0
+
+
+def test_a_page_that_cannot_be_filled_leaves_its_port(plan, monkeypatch):
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    monkeypatch.setattr(plan_viewer, "about", lambda motion: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        plan.show(port=port, open_browser=False)
+    monkeypatch.undo()
+    with plan.show(port=port, open_browser=False) as page:
+        assert page.running
+
+
+def test_the_address_of_ipv6_is_one(plan):
+    try:
+        with socket.socket(socket.AF_INET6) as probe:
+            probe.bind(("::1", 0))
+    except OSError:
+        pytest.skip("this machine has no IPv6")
+    with plan.show(port=0, host="::1", open_browser=False) as page:
+        assert urllib.request.urlopen(page.url, timeout=10).status == 200
+
+
+def test_a_motion_of_other_joints_is_told(plan):
+    other = moved(mp.planar_arm([1.0, 1.0])).trajectory
+    with pytest.raises(
+        mp.InvalidInputError, match=r"plan.trajectory: got 'a motion of 2 joints'; allowed: one of the robot's 3"
+    ):
+        replace(plan, trajectory=other).show(port=0, open_browser=False)
 
 
 def test_without_a_browser_the_address_is_told(plan, monkeypatch, caplog):

@@ -82,16 +82,6 @@ class Chart:
         )
 
 
-def table(rows: Sequence[tuple[str, str]]) -> str:
-    """Names and values in two columns, as HTML."""
-    cells = "".join(
-        f'<tr><td style="padding:0.1em 0.8em 0.1em 0;color:#666;white-space:nowrap">{escape(name)}</td>'
-        f'<td style="font-variant-numeric:tabular-nums">{escape(value)}</td></tr>'
-        for name, value in rows
-    )
-    return f'<table style="margin:0.2em 0.75em;font:12px sans-serif;color:#222;border-collapse:collapse">{cells}</table>'
-
-
 def _round_step(rough: float) -> float:
     """1, 2 or 5 times a power of ten, at least `rough`."""
     power = 10.0 ** np.floor(np.log10(max(rough, 1e-12)))

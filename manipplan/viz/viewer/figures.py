@@ -14,6 +14,8 @@ from manipplan.viz.viewer.bodies import appearance_of
 
 #: Opacity of a robot that only stands for comparison.
 GHOST = 0.45
+#: The largest ellipsoid is drawn with this half length, as a share of the half diagonal of the space the arm takes.
+LARGEST = 0.12
 #: An ellipse is drawn this thick, as a share of its larger radius.
 THIN = 0.02
 
@@ -91,6 +93,12 @@ def principal(kinematics: Kinematics, q: Array) -> tuple[Array, Array]:
     radii[:m] = np.maximum(ellipsoid.radii, 0.2 * THIN * ellipsoid.radii[0])  # a flat one is still seen
     axes[:, 2] *= np.linalg.det(axes)
     return axes, radii
+
+
+def ellipsoid_scale(kinematics: Kinematics, q: Array, box: Array) -> float:
+    """Metres to draw for one unit of the radii of the ellipsoids at q (k, n), for an arm that takes the box (2, 3) [m]."""
+    largest = max(principal(kinematics, each)[1].max() for each in q)
+    return float(LARGEST * np.linalg.norm(box[1] - box[0]) / 2 / max(largest, 1e-9))
 
 
 def corners(robot: Robot, q: Array, *, moving: bool) -> Array:

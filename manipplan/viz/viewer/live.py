@@ -9,7 +9,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, instance, pose_matrix
+from manipplan.checks import Array, instance, number, pose_matrix
 from manipplan.measures.task import Task
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
@@ -18,10 +18,11 @@ from manipplan.tracking.controller import Controller
 from manipplan.tracking.formulations import Classical, Formulation, LogDrive
 from manipplan.tracking.step import StepStatus
 from manipplan.viz import style
-from manipplan.viz.viewer.chart import Chart, Curve, table
-from manipplan.viz.viewer.figures import EllipsoidFigure, RobotFigure, corners, principal, put
-from manipplan.viz.viewer.motion import LARGEST, limits_now, unit_of
-from manipplan.viz.viewer.panel import switch
+from manipplan.viz.motions import linear_kinematics
+from manipplan.viz.viewer.chart import Chart, Curve
+from manipplan.viz.viewer.figures import EllipsoidFigure, RobotFigure, corners, ellipsoid_scale, put
+from manipplan.viz.viewer.motion import limits_now
+from manipplan.viz.viewer.panel import switches, table
 from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
 from manipplan.viz.viewer.surroundings import surround
 
@@ -82,25 +83,34 @@ class LiveViewer(Page):
 
     Attributes:
         controller: what computes the steps.
-        drive: factor on what the formulation adds; 0: it only follows.
+        drive: factor >= 0 on what the formulation adds; 0: it only follows.
     """
 
     def __init__(self, controller: Controller, start: Array, scene: Scene, *, port: int, host: str) -> None:
         robot = controller.robot
         super().__init__(port, host, f"{robot.name}: drag the target")
         self.controller = controller
-        self.drive = 1.0
+        self._drive = 1.0
         self._first, self._q, self._qd = start, start.copy(), np.zeros(robot.n)
         self._kinematics = robot.kinematics(controller.task)
-        self._position = robot.kinematics(Task.planar() if robot.planar else Task.position())
+        self._position = linear_kinematics(robot)
         self._target = np.array(self._position.pose(start))
         self._turns = bool(np.any([row[3:] for row in (*controller.task.world_rows, *controller.task.tool_rows)]))
         self._lock = threading.RLock()
         self._past: deque[tuple[float, float]] = deque(maxlen=int(PAST * RATE))
-        with self.server.atomic():
+        with self._furnishing():
             self._furnish(scene)
             self._fill_panel()
         self._start(self._run)
+
+    @property
+    def drive(self) -> float:
+        """Factor on what the formulation adds."""
+        return self._drive
+
+    @drive.setter
+    def drive(self, value: float) -> None:
+        self._drive = number("drive", value, least=0.0)
 
     @property
     def q(self) -> Array:
@@ -137,8 +147,8 @@ class LiveViewer(Page):
         robot = self.controller.robot
         box = corners(robot, self._first, moving=True)
         size = float(np.linalg.norm(box[1] - box[0]))
+        scale = ellipsoid_scale(self._position, self._first[None], box)
         box[:, :2] += [[-ROOM * size], [ROOM * size]]
-        scale = LARGEST * size / 2 / max(float(principal(self._position, self._first)[1].max()), 1e-9)
         self.robot = RobotFigure(self.server.scene, "/robot", robot)
         self.ellipsoid = EllipsoidFigure(self.server.scene, "/ellipsoid", self._position, scale, opacity=0.5)
         self.handle = self.server.scene.add_transform_controls(
@@ -169,9 +179,7 @@ class LiveViewer(Page):
         raises = gui.add_checkbox("raise the index", initial_value=True, visible=drives)
         self._picture = gui.add_html("")
         self._values = gui.add_html("")
-        with gui.add_folder("Show"):
-            for name, handle in self._layers.items():
-                switch(gui, name, handle)
+        switches(gui, self._layers)
         back.on_click(lambda _: self.restart())
         raises.on_update(lambda _: setattr(self, "drive", float(raises.value)))
 
@@ -201,9 +209,8 @@ class LiveViewer(Page):
             self.ellipsoid.place(q)
             if figures and len(self._past) > 1:
                 t, index = np.array(self._past).T
-                unit = unit_of(self._kinematics)
                 curve = Curve(name="index", colour=style.OPTIMUM, values=index)
-                self._picture.content = Chart(t=t, curves=[curve], label=f"{self._kinematics.measure.name}{unit}").html(now)
+                self._picture.content = Chart(t=t, curves=[curve], label=style.index_label(self._kinematics)).html(now)
                 self._values.content = table(self._rows(q, index[-1]))
 
     def _rows(self, q: Array, index: float) -> list[tuple[str, str]]:

@@ -9,9 +9,9 @@ import numpy as np
 from manipplan.checks import instance, number
 from manipplan.viz import style
 from manipplan.viz.viewer.bodies import appearance_of
-from manipplan.viz.viewer.chart import Chart, Curve, table
-from manipplan.viz.viewer.motion import Motion, unit_of
-from manipplan.viz.viewer.panel import switch
+from manipplan.viz.viewer.chart import Chart, Curve
+from manipplan.viz.viewer.motion import Motion
+from manipplan.viz.viewer.panel import switches, table
 from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
 from manipplan.viz.viewer.stage import Stage
 
@@ -52,18 +52,18 @@ class PlanViewer(Page):
     Attributes:
         motion: what is shown.
         stage: the 3D scene.
-        speed: how many seconds of the motion pass in one second of play.
+        speed: how many seconds of the motion pass in one second of play, above zero.
     """
 
     def __init__(self, motion: Motion, *, port: int, host: str) -> None:
         super().__init__(port, host, motion.robot.name)
         self.motion = motion
-        self.speed = 1.0
+        self._speed = 1.0
         self._time = 0.0
         self._lock = threading.RLock()
         self._playing = threading.Event()
         self._chart = chart_of(motion)
-        with self.server.atomic():
+        with self._furnishing():
             self.stage = Stage(self.server, motion)
             self._fill_panel()
         self._start(self._play)
@@ -76,6 +76,15 @@ class PlanViewer(Page):
     @time.setter
     def time(self, value: float) -> None:
         self._show(number("time", value, least=0.0, most=self.motion.trajectory.duration))
+
+    @property
+    def speed(self) -> float:
+        """How many seconds of the motion pass in one second of play."""
+        return self._speed
+
+    @speed.setter
+    def speed(self, value: float) -> None:
+        self._speed = number("speed", value, above=0.0)
 
     @property
     def playing(self) -> bool:
@@ -106,9 +115,7 @@ class PlanViewer(Page):
         speed = gui.add_dropdown("speed", tuple(SPEEDS), initial_value="real speed")
         self._picture = gui.add_html(self._chart.html(0.0))
         self._values = gui.add_html(table(self.motion.values(0.0)))
-        with gui.add_folder("Show"):
-            for name, handle in self.stage.layers.items():
-                switch(gui, name, handle)
+        switches(gui, self.stage.layers)
         with gui.add_folder("About", expand_by_default=False):
             gui.add_markdown(about(self.motion))
 
@@ -149,11 +156,11 @@ class PlanViewer(Page):
 
 def chart_of(motion: Motion) -> Chart:
     """The index of the motion and of the seed over time."""
-    curves = [Curve(name=motion.name, colour=style.OPTIMUM, values=motion.index)]
-    if motion.seed_index is not None:
-        curves.append(Curve(name=motion.seed_name, colour=style.SEED, values=motion.seed_index))
-    finite = [Curve(name=c.name, colour=c.colour, values=np.nan_to_num(c.values, posinf=0.0)) for c in curves]
-    return Chart(t=motion.t, curves=finite, label=f"{motion.kinematics.measure.name}{unit_of(motion.kinematics)}")
+    curves = [
+        Curve(name=course.name, colour=colour, values=np.nan_to_num(course.index, posinf=0.0))
+        for course, colour in zip(motion.courses, (style.OPTIMUM, style.SEED), strict=False)
+    ]
+    return Chart(t=motion.t, curves=curves, label=style.index_label(motion.kinematics))
 
 
 def about(motion: Motion) -> str:
@@ -161,8 +168,8 @@ def about(motion: Motion) -> str:
     plan, robot = motion.plan, motion.robot
     lines = [f"**{robot.name}**, tool frame {robot.tool}; drawn by its {appearance_of(robot).origin}."]
     lines.append(plan.status.value[0].upper() + plan.status.value[1:] + ".")
-    if motion.seed_q is not None:
-        lines.append(f"The {motion.seed_name} is shown where it has covered the same share of its length.")
+    if motion.seed is not None:
+        lines.append(f"The {motion.seed.name} is shown where it has covered the same share of its length.")
     lines.append(
         "Ellipsoids: velocities of the tool for joint speeds of norm 1, all drawn to one scale, "
         f"{1e3 * motion.scale:.3g} mm for 1 m/s."

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from manipplan.checks import number
+from manipplan.errors import InvalidInputError
 from manipplan.files import write_text
-from manipplan.viz.viewer.chart import table
 from manipplan.viz.viewer.motion import Motion
+from manipplan.viz.viewer.panel import table
 from manipplan.viz.viewer.plan_viewer import chart_of
 from manipplan.viz.viewer.server import Page, require_extra
 from manipplan.viz.viewer.stage import Stage
@@ -38,12 +39,14 @@ def record(plan: "Plan", file: str | Path, *, rate: float = 25.0) -> Path:
     Raises:
         MissingExtraError: viser is not installed.
         PlanningError: the plan has no trajectory.
-        InvalidInputError: the file cannot be written.
+        InvalidInputError: the name of the file ends otherwise, or it cannot be written.
     """
     require_extra()
     rate = number("rate", rate, above=0.0, most=120.0)
-    motion = Motion.of(plan)
+    if not isinstance(file, str | Path) or Path(file).suffix.lower() not in (".html", ".htm"):
+        raise InvalidInputError("file", file, "a file whose name ends in .html")
     path = Path(file).expanduser()
+    motion = Motion.of(plan)
     with Page(0, "localhost", motion.robot.name) as page:
         stage = Stage(page.server, motion)
         label = page.server.scene.add_label("/time", "", anchor="bottom-left", font_screen_scale=0.8)
@@ -51,7 +54,7 @@ def record(plan: "Plan", file: str | Path, *, rate: float = 25.0) -> Path:
         times = np.append(np.arange(0.0, motion.trajectory.duration, 1.0 / rate), motion.trajectory.duration)
         for t, wait in zip(times, np.append(np.diff(times), PAUSE), strict=True):
             stage.place(float(t))
-            label.text = f"{t:.2f} s, index {float(np.interp(t, motion.t, motion.index)):.3g}"
+            label.text = f"{t:.2f} s, index {float(np.interp(t, motion.t, motion.ours.index)):.3g}"
             label.position = stage.ellipsoid.mesh.position
             serializer.insert_sleep(float(wait))
         html = serializer.as_html()
@@ -62,8 +65,7 @@ def record(plan: "Plan", file: str | Path, *, rate: float = 25.0) -> Path:
 
 def _panel(motion: Motion) -> str:
     """What is read beside the scene: it folds away, so that it covers nothing on a small screen."""
-    rows = [row for row in motion.values(0.0) if row[0] not in ("time", "index now", "nearest joint limit", "fastest joint")]
-    rows.insert(0, ("duration", f"{motion.trajectory.duration:.2f} s"))
+    rows = [("duration", f"{motion.trajectory.duration:.2f} s"), *motion.least()]
     return (
         '<details open id="figures" style="position:fixed;left:0.8em;top:0.8em;width:min(320px,calc(100vw - 1.6em));z-index:5;'
         'background:rgba(255,255,255,0.92);border:1px solid #ddd;border-radius:6px;padding:0.4em 0">'

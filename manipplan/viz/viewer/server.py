@@ -57,6 +57,7 @@ class Page:
         self.server.gui.configure_theme(show_logo=False, show_share_button=False, control_width="medium")
         self.server.gui.main_panel.dock_right()
         shown = "localhost" if host in ("0.0.0.0", "::", "127.0.0.1") else host
+        shown = f"[{shown}]" if ":" in shown else shown  # an address of IPv6
         self.url = f"http://{shown}:{self.server.get_port()}"
         self._stopped = threading.Event()
         self._threads: list[threading.Thread] = []
@@ -89,9 +90,20 @@ class Page:
         if not self._stopped.is_set():
             self._stopped.set()
             for thread in self._threads:  # they draw on the server
-                thread.join()
+                if thread is not threading.current_thread():
+                    thread.join()
             with _quiet():
                 self.server.stop()
+
+    @contextlib.contextmanager
+    def _furnishing(self) -> Iterator[None]:
+        """Fill the page, which ends when that fails."""
+        try:
+            with self.server.atomic():
+                yield
+        except BaseException:
+            self.stop()
+            raise
 
     def _start(self, work: Callable[[], None]) -> None:
         """Let a thread work that ends when the page does not run any more."""

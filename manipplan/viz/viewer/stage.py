@@ -25,25 +25,22 @@ class Stage:
     """
 
     def __init__(self, server: Any, motion: Motion) -> None:
-        scene, plan = server.scene, motion.plan
+        scene = server.scene
         self.motion = motion
         self.robot = RobotFigure(scene, "/robot", motion.robot)
-        self.seed = None
-        if motion.seed_q is not None:
-            self.seed = RobotFigure(scene, "/seed", motion.robot, ghost=style.SEED)
+        self.seed = RobotFigure(scene, "/seed", motion.robot, ghost=style.SEED) if motion.seed is not None else None
         self.ellipsoid = EllipsoidFigure(scene, "/ellipsoid", motion.position, motion.scale, opacity=0.5)
         fixed = scene.add_frame("/ellipsoids", show_axes=False)
         for k, q in enumerate(motion.places):
             EllipsoidFigure(scene, f"/ellipsoids/{k}", motion.position, motion.scale, opacity=0.18).place(q)
-        self.layers: dict[str, Any] = {motion.name: self.robot.root}
-        if self.seed is not None:
-            self.layers[motion.seed_name] = self.seed.root
-        self.layers[f"path, {motion.name}"] = draw_path(scene, "/path", motion.tool, style.OPTIMUM)
-        if motion.seed_tool is not None:
-            self.layers[f"path, {motion.seed_name}"] = draw_path(scene, "/seed_path", motion.seed_tool, style.SEED)
+        self.layers: dict[str, Any] = {motion.ours.name: self.robot.root}
+        if self.seed is not None and motion.seed is not None:
+            self.layers[motion.seed.name] = self.seed.root
+        for course, node, colour in zip(motion.courses, ("/path", "/seed_path"), (style.OPTIMUM, style.SEED), strict=False):
+            self.layers[f"path, {course.name}"] = draw_path(scene, node, course.tool, colour)
         self.layers["ellipsoid, tool"] = self.ellipsoid.mesh
         self.layers["ellipsoids, path"] = fixed
-        self.layers |= surround(server, motion.robot, motion.q[0], plan.scene, motion.box)
+        self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.plan.scene, motion.box)
         self.place(0.0)
 
     def place(self, t: float) -> None:
@@ -51,9 +48,8 @@ class Stage:
         q = self.motion.trajectory(t)
         self.robot.place(q)
         self.ellipsoid.place(q)
-        seed = self.motion.seed_at(t)
-        if self.seed is not None and seed is not None:
-            self.seed.place(seed)
+        if self.seed is not None and self.motion.seed is not None:
+            self.seed.place(self.motion.seed.at(t))
 
 
 def draw_path(scene: Any, name: str, points: Array, colour: str) -> Any:
