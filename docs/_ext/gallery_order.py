@@ -17,7 +17,7 @@ class TaughtOrder:
     """Sort key of a file of one section; sphinx-gallery makes one for each folder and calls it with each name."""
 
     def __init__(self, folder: Any) -> None:
-        self.order = ORDER[Path(folder).name] if Path(folder).name in ORDER else ()
+        self.order = ORDER.get(Path(folder).name, ())
 
     def __call__(self, name: str) -> tuple[int, str]:
         stem = Path(name).stem.removeprefix("plot_")
