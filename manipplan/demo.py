@@ -12,13 +12,14 @@ from manipplan.robots.scene import Box, Scene
 
 @dataclass(frozen=True, kw_only=True)
 class Problem:
-    """A robot, its scene, start and goal (n,), and the exponent of the index."""
+    """A robot, its scene, start and goal (n,), the exponent of the index, and the clearance [m]."""
 
     robot: Robot
     scene: Scene
     start: Array
     goal: Array
     power: float
+    clearance: float
 
 
 def panda_among_boxes() -> Problem:
@@ -38,6 +39,7 @@ def panda_among_boxes() -> Problem:
         start=np.array([-0.18, 0.07, -0.53, -2.09, -0.28, 1.93, -0.86]),
         goal=np.array([-1.53, -0.03, 2.63, -2.03, -0.5, 2.14, -0.63]),
         power=1.0,
+        clearance=0.01,
     )
 
 
@@ -49,4 +51,5 @@ def planar_path() -> Problem:
         start=np.array([0.0, 1.5, -2.0]),
         goal=np.array([np.pi, -2.0, 2.0]),
         power=2.0,
+        clearance=0.0,
     )

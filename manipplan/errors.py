@@ -31,7 +31,8 @@ class UnknownNameError(InvalidInputError):
 
     def __init__(self, argument: str, name: str, known: Iterable[str]) -> None:
         self.known = sorted(known)
-        near = difflib.get_close_matches(name, self.known, n=3, cutoff=0.5)
+        folded = {each.lower(): each for each in self.known}
+        near = [folded[each] for each in difflib.get_close_matches(name.lower(), folded, n=3, cutoff=0.5)]
         listed = ", ".join(near or self.known[:12])
         more = "" if near or len(self.known) <= 12 else f", ... ({len(self.known)} in all)"
         allowed = f"did you mean {listed}?" if near else f"one of {listed}{more}"

@@ -54,6 +54,17 @@ def found_again(remembered: Mapping[str, str], folder: Path) -> Path:
     return beside if not whole.exists() and beside.exists() else whole
 
 
+def place_for(argument: str, folder: str | Path) -> Path:
+    """`folder`, which need not be there yet; raises InvalidInputError when it could not be made and written."""
+    path = Path(folder).expanduser()
+    there = next(each for each in (path, *path.absolute().parents) if each.exists())
+    try:
+        with tempfile.TemporaryFile(dir=there):
+            return path
+    except OSError as error:
+        raise InvalidInputError(argument, str(path), f"a folder that can be written ({error.strerror})") from error
+
+
 def writable_folder(argument: str, folder: str | Path) -> Path:
     """`folder`, made if it is not there; raises InvalidInputError when it cannot be written."""
     if not isinstance(folder, str | Path):

@@ -19,5 +19,8 @@ def teller(progress: Progress | None) -> Progress:
 
 
 def part(tell: Progress, begin: float, end: float) -> Progress:
-    """Tells a part of the work, whose own shares run from 0 to 1, as that from `begin` to `end` of the whole."""
-    return lambda share, text: tell(begin + share * (end - begin), text)
+    """Tells a part of the work, whose own shares run from 0 to 1, as that from `begin` to `end` of the whole.
+
+    That the part is done is not told: what comes next tells its own beginning.
+    """
+    return lambda share, text: tell(begin + share * (end - begin), text) if share < 1 else None

@@ -1,4 +1,8 @@
-"""The command `manipplan`: the jobs from a shell. Exit codes: 0 done, 1 no result, 2 wrong input, 130 interrupted."""
+"""The command `manipplan`: the jobs from a shell.
+
+Exit codes: 0 done, 1 no result, 2 wrong input, 3 a checked motion that is not what was asked for (its status says why), 130
+interrupted.
+"""
 
 import logging
 import sys
@@ -17,7 +21,7 @@ from manipplan.cli.study import study
 from manipplan.cli.view import view
 from manipplan.errors import InvalidInputError, ManipplanError, MissingExtraError
 
-COMMANDS: dict[str, Callable[..., None]] = {
+COMMANDS: dict[str, Callable[..., int | None]] = {
     "demo": demo,
     "plan": plan,
     "follow": follow,
@@ -35,7 +39,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     logging.getLogger("manipplan.kernels").setLevel(logging.INFO)
     errors = Console(stderr=True)
     try:
-        tyro.extras.subcommand_cli_from_dict(
+        code = tyro.extras.subcommand_cli_from_dict(
             COMMANDS,
             prog="manipplan",
             description="Robot-arm motion that stays far from singularities.",
@@ -47,7 +51,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         errors.print("manipplan: interrupted; finished files are whole, nothing half-written is left", style="red")
         return 130
-    return 0
+    return code or 0
 
 
 def run() -> None:

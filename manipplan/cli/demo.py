@@ -4,27 +4,26 @@ from pathlib import Path
 
 from manipplan.cli import terminal
 from manipplan.demo import Problem, panda_among_boxes, planar_path
-from manipplan.files import writable_folder
+from manipplan.files import place_for
 from manipplan.jobs.planning import plan
 from manipplan.progress import part
 
 
-def demo(out: Path = Path("demo"), seed: int = 0) -> None:
-    """Plan on the Panda through five boxes, and improve the planar three-link path (6.13) of kth2012.
+def demo(out: Path = Path("demo"), seed: int = 0) -> int:
+    """Plan for a Panda among five boxes, and for a planar arm of three links between the postures of (6.13) in kth2012.
 
     Args:
         out: Folder for trajectories, reports and pictures.
         seed: Of the planner; the same seed gives the same result.
     """
-    folder = writable_folder("out", out)
+    folder = place_for("out", out)
     with terminal.progress() as tell:
         tell(0.0, "loading the Panda")
         panda = panda_among_boxes()
-    _solve(panda, folder / "panda", seed)
-    _solve(planar_path(), folder / "planar", seed)
+    return max(_solve(panda, folder / "panda", seed), _solve(planar_path(), folder / "planar", seed))
 
 
-def _solve(problem: Problem, folder: Path, seed: int) -> None:
+def _solve(problem: Problem, folder: Path, seed: int) -> int:
     with terminal.progress() as tell:
         made = plan(
             problem.robot,
@@ -32,9 +31,10 @@ def _solve(problem: Problem, folder: Path, seed: int) -> None:
             problem.goal,
             problem.scene,
             power=problem.power,
+            clearance=problem.clearance,
             seed=seed,
             progress=part(tell, 0.0, 0.95),
         )
         tell(1.0, "writing files")
         files = made.save(folder)
-    terminal.show_plan(made, files)
+    return terminal.show_plan(made, files)

@@ -6,7 +6,7 @@ from tyro.conf import Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import load_cell
-from manipplan.files import writable_folder
+from manipplan.files import place_for
 from manipplan.jobs.following import follow as follow_job
 from manipplan.measures.task import Task
 from manipplan.paths.cartesian import CartesianPath
@@ -27,11 +27,14 @@ def follow(
     out: Path = Path("follow"),
     tool: str | None = None,
     srdf: Path | None = None,
+    velocity: tuple[float, ...] = (),
+    acceleration: tuple[float, ...] = (),
+    jerk: tuple[float, ...] = (),
     clearance: float = 0.0,
     closed: bool = False,
     torque: bool = False,
     seed: int = 0,
-) -> None:
+) -> int:
     """Follow a workspace path with the highest least index, and write the motion as CSV, JSON and ROS JointTrajectory.
 
     Args:
@@ -46,16 +49,19 @@ def follow(
         out: Folder for what is written.
         tool: Frame whose motion counts, when the robot is a file.
         srdf: Semantic description, when the robot is a file.
+        velocity: Limits [rad/s or m/s] instead of the robot's, one number or one a joint.
+        acceleration: Limits [rad/s² or m/s²], likewise.
+        jerk: Limits [rad/s³ or m/s³], likewise.
         clearance: Distance [m] to keep.
         closed: The path returns to its start, and so does the motion.
         torque: Limit the motion by the joints' effort, too.
         seed: Of random starts, for arms without a closed form.
     """
-    folder = writable_folder("out", out)
+    folder = place_for("out", out)
     path = CartesianPath.from_csv(poses)
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
-        arm, world = load_cell(robot, tool, srdf, scene)
+        arm, world = load_cell(robot, scene, tool=tool, srdf=srdf, velocity=velocity, acceleration=acceleration, jerk=jerk)
         made = follow_job(
             arm,
             path,
@@ -73,4 +79,4 @@ def follow(
         )
         tell(1.0, "writing files")
         files = made.save(folder)
-    terminal.show_plan(made, files, f"search       {made.refinement}", f"deviation    {made.deviation}")
+    return terminal.show_plan(made, files, f"search       {made.refinement}", f"deviation    {made.deviation}")

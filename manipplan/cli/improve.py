@@ -6,7 +6,7 @@ from tyro.conf import Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import load_cell
-from manipplan.files import writable_folder
+from manipplan.files import place_for
 from manipplan.jobs.improving import improve as improve_job
 from manipplan.progress import part
 from manipplan.tracking.relaxation import Tolerance
@@ -23,7 +23,9 @@ def improve(
     out: Path = Path("improve"),
     tool: str | None = None,
     srdf: Path | None = None,
-) -> None:
+    velocity: tuple[float, ...] = (),
+    acceleration: tuple[float, ...] = (),
+) -> int:
     """Follow a recorded joint motion with a higher index, and write it as CSV, JSON and ROS JointTrajectory.
 
     Args:
@@ -36,11 +38,13 @@ def improve(
         out: Folder for what is written.
         tool: Frame whose motion counts, when the robot is a file.
         srdf: Semantic description, when the robot is a file.
+        velocity: Limits [rad/s or m/s] instead of the robot's, one number or one a joint.
+        acceleration: Limits [rad/s² or m/s²], likewise.
     """
-    folder = writable_folder("out", out)
+    folder = place_for("out", out)
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
-        arm, world = load_cell(robot, tool, srdf, scene)
+        arm, world = load_cell(robot, scene, tool=tool, srdf=srdf, velocity=velocity, acceleration=acceleration)
         made = improve_job(
             arm,
             recorded,
@@ -52,4 +56,4 @@ def improve(
         )
         tell(1.0, "writing files")
         files = made.save(folder)
-    terminal.show_plan(made, files, f"tracking     {made.tracking}")
+    return terminal.show_plan(made, files, f"tracking     {made.tracking}")

@@ -7,7 +7,7 @@ from tyro.conf import Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import configuration_of, load_cell
-from manipplan.files import writable_folder
+from manipplan.files import place_for
 from manipplan.jobs.planning import plan as plan_job
 from manipplan.progress import part
 
@@ -21,6 +21,9 @@ def plan(
     out: Path = Path("plan"),
     tool: str | None = None,
     srdf: Path | None = None,
+    velocity: tuple[float, ...] = (),
+    acceleration: tuple[float, ...] = (),
+    jerk: tuple[float, ...] = (),
     power: float = 1.0,
     measure: str | None = None,
     degree: int = 6,
@@ -30,7 +33,7 @@ def plan(
     seed: int = 0,
     seeds: int = 1,
     time_limit: float = 10.0,
-) -> None:
+) -> int:
     """Plan a motion and write it as CSV, JSON and ROS JointTrajectory, with a report and a picture.
 
     Args:
@@ -41,6 +44,9 @@ def plan(
         out: Folder for what is written.
         tool: Frame whose motion counts, when the robot is a file.
         srdf: Semantic description, when the robot is a file.
+        velocity: Limits [rad/s or m/s] instead of the robot's, one number or one a joint.
+        acceleration: Limits [rad/s² or m/s²], likewise.
+        jerk: Limits [rad/s³ or m/s³], likewise.
         power: Exponent of the index in the objective.
         measure: Of manipulability, by name; default Yoshikawa's.
         degree: Of the path's polynomial.
@@ -51,10 +57,10 @@ def plan(
         seeds: How many first paths are looked for.
         time_limit: For the planner's search [s].
     """
-    folder = writable_folder("out", out)
+    folder = place_for("out", out)
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
-        arm, world = load_cell(robot, tool, srdf, scene)
+        arm, world = load_cell(robot, scene, tool=tool, srdf=srdf, velocity=velocity, acceleration=acceleration, jerk=jerk)
         made = plan_job(
             arm,
             configuration_of("start", start, arm),
@@ -73,4 +79,4 @@ def plan(
         )
         tell(1.0, "writing files")
         files = made.save(folder)
-    terminal.show_plan(made, files)
+    return terminal.show_plan(made, files)

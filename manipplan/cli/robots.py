@@ -17,7 +17,7 @@ def robots(name: Positional[str | None] = None, /) -> None:
     """
     console = Console()
     if name is not None:
-        console.print(escape(str(load_robot(name))), highlight=False)
+        console.print(escape(str(load_robot(name))), highlight=False, soft_wrap=True)
         return
     table = Table("name", "joints", "tool frame", box=None)
     names = available_robots()

@@ -9,7 +9,7 @@ from tyro.conf import Positional
 
 from manipplan.cli import terminal
 from manipplan.errors import MissingSourcesError, PlanningError
-from manipplan.files import writable_folder
+from manipplan.files import place_for
 
 Paper = Literal["kth2012", "dufour2020", "guilamo2006"]
 
@@ -22,7 +22,7 @@ def study(paper: Positional[Paper], /, quick: bool = False, out: Path | None = N
         quick: Leave what takes long; the report says what is left.
         out: Folder for tables, figures and report. Default: study/PAPER.
     """
-    folder = writable_folder("out", out if out is not None else Path("study") / paper)
+    folder = place_for("out", out if out is not None else Path("study") / paper)
     try:
         made = importlib.import_module(f"studies.{paper}.run").STUDY
         write_report = importlib.import_module("studies.report").write_report

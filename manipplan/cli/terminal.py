@@ -10,6 +10,9 @@ from rich.markup import escape
 from manipplan.jobs.result import Plan
 from manipplan.progress import Progress
 
+#: How the source of limits begins that nobody gave.
+DEFAULT = "default"
+
 
 @contextmanager
 def progress() -> Iterator[Progress]:
@@ -34,12 +37,18 @@ def progress() -> Iterator[Progress]:
         yield lambda share, text: bar.update(task, completed=share, description=text)
 
 
-def show_plan(plan: Plan, files: Sequence[Path], *lines: str) -> None:
-    """Print which joints are held, and at what, then the plan's report with more lines below it, and where it lies."""
+def show_plan(plan: Plan, files: Sequence[Path], *lines: str) -> int:
+    """Print what was assumed of the robot, the plan's report with more lines below it, and where it lies.
+
+    Returns the exit code: 0, or 3 for a checked motion that is not what was asked for.
+    """
+    assumed = [f"{kind} limits: {source}" for kind, source in plan.robot.limits.sources.items() if source.startswith(DEFAULT)]
     if plan.robot.locked:
-        shown = ", ".join(f"{name} at {value:g}" for name, value in plan.robot.locked.items())
-        Console().print(f"locked joints: {escape(shown)}", style="dim", highlight=False)
+        assumed.append("locked joints: " + ", ".join(f"{name} at {value:g}" for name, value in plan.robot.locked.items()))
+    for line in assumed:
+        Console().print(escape(line), style="dim", highlight=False, soft_wrap=True)
     show_result("\n  ".join((str(plan.report), *lines)), files)
+    return 0 if plan.status.ok else 3
 
 
 def show_result(report: str, files: Sequence[Path]) -> None:

@@ -108,7 +108,8 @@ class CartesianPath(ABC):
         lines = [(row, line) for row, line in lines if line and not line.startswith("#")]
         head = tuple(name.strip() for name in lines[0][1].split(",")) if lines else ()
         if head != COLUMNS:
-            raise FileFormatError("file", str(path), f"a first line {','.join(COLUMNS)}")
+            found = f"{path} with the first line {lines[0][1]}" if lines else f"{path}, which is empty"
+            raise FileFormatError("file", found, f"a first line {','.join(COLUMNS)}")
         poses = []
         for row, line in lines[1:]:
             try:

@@ -48,7 +48,7 @@ def from_csv(file: str | Path) -> Trajectory:
         alone = len(header) == 1 + n
         columns = ["time", *(f"q_{x}" for x in names), *(f"qd_{x}" for x in names)]
         if n == 0 or header[: 1 + 2 * n] != columns[: 1 + n if alone else None]:
-            raise FileFormatError("file", str(path), wanted)
+            raise FileFormatError("file", f"{path} with the first line {','.join(header)}", wanted)
         data = np.array([[float(cell) for cell in row[: 1 + 2 * n]] for row in rows])
         if alone:
             from scipy.interpolate import CubicSpline

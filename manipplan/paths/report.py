@@ -17,6 +17,7 @@ from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.continuous import path_clearance
+from manipplan.robots.robot import Robot
 from manipplan.seeds.ompl import CHECK_STEP
 from manipplan.status import RECORDED, Status
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
@@ -27,6 +28,8 @@ T = TypeVar("T")
 TOLERANCE = 1e-6
 #: A least index this near to an end of a path [s] is that of the end.
 AT_END = 0.01
+#: An index below this is rounding noise.
+VANISHING = 1e-12
 #: Places along the trajectory at which distances are measured for the report.
 PLACES = 400
 
@@ -49,6 +52,8 @@ class Report:
         proven_clearance: no checked pair comes nearer on the whole trajectory, between those times too [m].
         collision_free: whether the trajectory is free at every milliradian.
         limits: worst use of position, velocity, acceleration and, where the motion is limited by them, jerk and torque.
+        position_unit: "rad" or "m", of the joint that comes nearest to a position limit.
+        straight_free: whether the straight line from start to goal would be free of collisions.
         goal_error: largest distance of the last sample from the goal [rad or m].
         passed: every limit kept, collision-free, goal reached.
     """
@@ -75,6 +80,8 @@ class Report:
     proven_clearance: float
     collision_free: bool
     limits: Mapping[str, LimitUse]
+    position_unit: str
+    straight_free: bool
     goal_error: float
     passed: bool
 
@@ -99,7 +106,8 @@ class Report:
         objective = PathObjective(kinematics=kinematics, power=result.power, metric=result.metric)
         path = trajectory.path()
         cost = objective.cost(path)
-        straight = _straight_cost(path, objective)
+        line = JointPath.line(path.start, path.goal) if np.linalg.norm(path.goal - path.start) >= SHORTEST else None
+        straight = objective.cost(line) if line is not None else _standing(path, objective)
         use = dict(limit_use(trajectory, robot.limits))
         if jerk and np.isfinite(robot.limits.jerk).any():
             use["jerk"] = jerk_use(trajectory, robot.limits)
@@ -139,6 +147,8 @@ class Report:
             proven_clearance=proof.lower,
             collision_free=free,
             limits=use,
+            position_unit=_unit_of(use["position"].joint, robot),
+            straight_free=line is None or model.path_is_free(line, CHECK_STEP, max(clearance - TOLERANCE, 0.0)),
             goal_error=goal_error,
             passed=bool(free and kept and goal_error <= TOLERANCE),
         )
@@ -147,11 +157,12 @@ class Report:
         unit = f" {self.index_unit}" if self.index_unit != "1" else ""
         first = _first_path(self.status)
         lines = [
-            f"{self.robot}, tool {self.tool}, task {self.task}: {'all checks passed' if self.passed else 'CHECK FAILED'}",
+            f"{self.robot}, tool {self.tool}, task {self.task}: {self._verdict()}",
             f"  status       {self.status}",
             f"  duration     {self.duration:.3f} s",
-            f"  least index  {self.min_manipulability:.4g}{unit} ({self.measure}; {first} "
-            f"{self.seed_min_manipulability:.4g}, straight {self.straight_min_manipulability:.4g}): {self.index_note}",
+            f"  least index  {self.min_manipulability:.4g}{unit} ({self.measure}; {first} {self.seed_min_manipulability:.4g}, "
+            f"straight {self.straight_min_manipulability:.4g}{'' if self.straight_free else ', which collides'})",
+            f"               {self.index_note}",
             f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
             f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
         ]
@@ -167,11 +178,23 @@ class Report:
         for kind, use in self.limits.items():
             if not use.joint:
                 continue
-            worst = f"{use.ratio:.2e} rad or m beyond" if kind == "position" else f"{100 * use.ratio:.2f} %"
-            if kind == "position" and use.ratio <= 0:
-                worst = f"{-use.ratio:.3f} rad or m inside"
+            worst = f"{100 * use.ratio:.2f} %"
+            if kind == "position":
+                worst = (
+                    f"{use.ratio:.2e} {self.position_unit} beyond"
+                    if use.ratio > 0
+                    else f"{abs(use.ratio):.3f} {self.position_unit} inside"
+                )
             lines.append(f"  {kind:<12} {worst} of the limit, {use.joint} at {use.time:.2f} s")
         return "\n".join(lines)
+
+    def _verdict(self) -> str:
+        """The first line's last words."""
+        if not self.passed:
+            return "CHECK FAILED"
+        if self.status == Status.SINGULAR.value:
+            return "limits, collisions and goal are as they should be, but the path is SINGULAR"
+        return "all checks passed"
 
     def to_json(self, file: str | Path) -> None:
         """Write all figures as JSON."""
@@ -213,12 +236,15 @@ def _record(kind: type[T], data: Mapping[str, Any]) -> T:
     return kind(**values)
 
 
-def _straight_cost(path: JointPath, objective: PathObjective) -> PathCost:
-    """Of the straight line from start to goal; of a path that returns to its start that of standing there."""
-    if np.linalg.norm(path.goal - path.start) < SHORTEST:
-        index = float(objective.kinematics.manipulability(path.start))
-        return PathCost(g=0.0, length=0.0, min_manipulability=index, at=0.0)
-    return objective.cost(JointPath.line(path.start, path.goal))
+def _standing(path: JointPath, objective: PathObjective) -> PathCost:
+    """The cost of standing at the start: what a straight line is for a path that returns there."""
+    index = float(objective.kinematics.manipulability(path.start))
+    return PathCost(g=0.0, length=0.0, min_manipulability=index, at=0.0)
+
+
+def _unit_of(joint: str, robot: Robot) -> str:
+    """Of the named joint's positions."""
+    return "m" if joint and robot.joint_types[robot.joint_names.index(joint)] == "prismatic" else "rad"
 
 
 def _first_path(status: str) -> str:
@@ -233,6 +259,14 @@ def _json_ready(value: Any) -> Any:
     return str(value) if isinstance(value, float) and not np.isfinite(value) else value
 
 
+def _compared(least: float, other: float, name: str) -> str:
+    """A least index beside that of another path."""
+    if other < VANISHING:
+        return f"the {name}'s is zero"
+    ratio = least / other
+    return f"as the {name}'s" if abs(ratio - 1) < 5e-3 else f"{ratio:.3g} times the {name}'s"
+
+
 def _index_note(cost: PathCost, result: PathResult, straight: PathCost) -> str:
     """How the least index compares with the seed's and the straight path's, and why when it is not twice both."""
     least = cost.min_manipulability
@@ -240,9 +274,7 @@ def _index_note(cost: PathCost, result: PathResult, straight: PathCost) -> str:
         return "seed: the best path among the samples; straight: a line between the ends, which leaves the workspace path"
     first = _first_path(result.status.value)
     others = {first: result.seed_cost.min_manipulability, "straight path": straight.min_manipulability}
-    note = ", ".join(
-        f"{least / other:.3g} times the {name}'s" if other > 0 else f"the {name}'s is zero" for name, other in others.items()
-    )
+    note = ", ".join(_compared(least, other, name) for name, other in others.items())
     if least > 0 and all(least >= 2 * other for other in others.values()):
         return note
     if cost.at <= AT_END or cost.at >= 1 - AT_END:

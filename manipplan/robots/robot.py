@@ -262,9 +262,18 @@ class Robot:
             raise InvalidInputError(
                 f"{argument}[{i}] ({self.joint_names[i]})",
                 float(q[i]),
-                f"{self.limits.lower[i]:g} to {self.limits.upper[i]:g}",
+                f"{self.limits.lower[i]:g} to {self.limits.upper[i]:g} {self._unit_hint(i, q[i])}",
             )
         return q
+
+    def _unit_hint(self, joint: int, value: float) -> str:
+        """The joint's unit, and what a value beyond a full turn would be if it was meant in degrees."""
+        if self.joint_types[joint] == "prismatic":
+            return "m"
+        turned = np.deg2rad(value)
+        if abs(value) > 2 * np.pi and self.limits.lower[joint] <= turned <= self.limits.upper[joint]:
+            return f"rad; {value:g} degrees are {turned:.4g} rad"
+        return "rad"
 
     def random_configuration(self, rng: np.random.Generator, *, size: int | None = None) -> Array:
         """Uniform configurations inside the limits, (n,) or (size, n); continuous joints in [-π, π]."""

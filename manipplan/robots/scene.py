@@ -190,7 +190,8 @@ class Scene:
         except (yaml.YAMLError, UnicodeDecodeError) as error:
             raise FileFormatError("scene", str(path), f"YAML ({' '.join(str(error).split())})") from error
         if not isinstance(data, dict) or set(data) != {"obstacles"} or not isinstance(data["obstacles"], list):
-            raise FileFormatError("scene", str(path), "one key, obstacles, with a list")
+            keys = f" with the keys {', '.join(map(str, data))}" if isinstance(data, dict) else ""
+            raise FileFormatError("scene", f"{path}{keys}", "one key, obstacles, with a list")
         return cls.from_entries(data["obstacles"], path.parent)
 
     def to_yaml(self, file: str | Path) -> None:

@@ -148,10 +148,11 @@ def _remedy(worker: "Worker", pose: Array, reached: int) -> str:
         clearance = worker.setup.clearance
         fault = f"comes nearer than {clearance:g} m to something" if clearance else "touches an obstacle or the arm itself"
         return f"a pose with a free configuration; each of the {reached:,} that reach it {fault}"
-    far, angle = worker.nearest_miss(pose)
+    far, angle, stopped = worker.nearest_miss(pose)
     if far < REACHES[0] and angle < REACHES[1]:
         return "a pose that some sample reaches: it is within reach, but of no value on the grid; take more samples"
-    return f"a pose within reach; the arm stays {1e3 * far:.4g} mm and {np.rad2deg(angle):.3g}° away from it"
+    limits = f", with {' and '.join(stopped)} at the limit" if stopped else ""
+    return f"a pose within reach and joint limits; the arm stays {1e3 * far:.4g} mm and {np.rad2deg(angle):.3g}° away{limits}"
 
 
 def _check_grid(worker: "Worker", n: int, samples: int | Sequence[int] | None, allowed: float) -> None:

@@ -16,6 +16,8 @@ from manipplan.search.setup import Setup
 
 #: Random starts and steps of each that tell how near to a pose an arm comes.
 STARTS, STEPS = 60, 200
+#: A joint this near to a limit is at it [rad or m].
+AT_LIMIT = 1e-6
 
 
 class Worker:
@@ -54,8 +56,8 @@ class Worker:
             self._own.model = self.collision.copy()
         return free_rows(self._screening, self._own.model, q, self.setup.clearance)
 
-    def nearest_miss(self, pose: Array) -> tuple[float, float]:
-        """How far the arm stays from a pose at best, over random starts [m, rad]."""
+    def nearest_miss(self, pose: Array) -> tuple[float, float, list[str]]:
+        """How far the arm stays from a pose at best, over random starts [m, rad], and which joints are at a limit then."""
         solver, robot = self.solver, self.setup.robot
         rng = np.random.default_rng(0)
         q = robot.random_configuration(rng, size=STARTS)
@@ -82,7 +84,9 @@ class Worker:
         far = np.linalg.norm(reached[:, :3, 3] - targets[:, :3, 3], axis=1)
         angle = angles_between(reached[:, :3, :3], targets[:, :3, :3])
         best = int(np.argmin(far**2 + angle**2))
-        return float(far[best]), float(angle[best])
+        stopped = np.minimum(q[best] - limits.lower, limits.upper - q[best]) < AT_LIMIT
+        names = [name for name, at in zip(robot.joint_names, stopped, strict=True) if at]
+        return float(far[best]), float(angle[best]), names
 
 
 @lru_cache(maxsize=2)

@@ -100,7 +100,7 @@ def test_progress_tells_each_step(planar):
     assert list(shares) == sorted(shares)
     assert shares[0] == 0.0 and shares[-1] == 1.0
     assert list(dict.fromkeys(texts)) == [
-        "preparing collision shapes", "looking for a first path", "optimising the path", "optimised", "timing the motion",
+        "preparing collision shapes", "looking for a first path", "optimising the path", "timing the motion",
         "checking the result", "done",
     ]  # fmt: skip
 

@@ -247,12 +247,12 @@ def test_an_interrupt_between_positions_is_not_swallowed(panda, line):
         raise KeyboardInterrupt
 
     began = time.perf_counter()
-    with pytest.raises(KeyboardInterrupt):
-        mp.sample_layers(panda, line, 60, samples=2000, collisions=False, progress=interrupt)
-    stopped = time.perf_counter() - began
+    mp.sample_layers(panda, line, 60, samples=20_000, collisions=False)  # reads or compiles the kernels, too
+    whole = time.perf_counter() - began
     began = time.perf_counter()
-    mp.sample_layers(panda, line, 15, samples=2000, collisions=False)
-    assert stopped < time.perf_counter() - began
+    with pytest.raises(KeyboardInterrupt):
+        mp.sample_layers(panda, line, 60, samples=20_000, collisions=False, progress=interrupt)
+    assert time.perf_counter() - began < whole / 3
 
 
 # ---- what is refused
