@@ -1,4 +1,4 @@
-"""Files that are written whole or not at all."""
+"""Files that are written whole or not at all, and files that are found again when their folder has moved."""
 
 import os
 import tempfile

@@ -14,11 +14,12 @@ import numpy as np
 from matplotlib.patches import Ellipse, FancyArrowPatch, FancyBboxPatch
 
 import manipplan as mp
+from manipplan.viz.motions import skeleton
 from manipplan.viz.style import ARM, ELLIPSOID, JOINTS, OBSTACLE, OPTIMUM, SEED, STRAIGHT, STYLE
 
 HERE = Path(__file__).parent
-#: The same picture gives the same file.
-FIXED = {"svg.hashsalt": "manipplan", "svg.fonttype": "path"}
+#: The same picture gives the same file; titles stand over the middle, and legends are as large as other text.
+FIXED = {"svg.hashsalt": "manipplan", "svg.fonttype": "path", "axes.titlelocation": "center", "legend.fontsize": 9}
 
 
 def flow():
@@ -63,7 +64,7 @@ def frames():
     """Base, tool, and the frame in which velocities of the tool are told."""
     arm = mp.planar_arm([1.0, 0.9, 0.6])
     q = np.array([0.9, -0.8, -0.75])
-    points = joints_of(arm, q)
+    points = skeleton(arm, q)[1:, :2]
     figure, ax = plt.subplots(figsize=(6.2, 3.3))
     ax.plot(*points.T, "-", color=ARM, linewidth=6, solid_capstyle="round", alpha=0.25)
     ax.plot(*points[:-1].T, "o", color=ARM, markersize=7)
@@ -88,17 +89,6 @@ def frames():
     return figure
 
 
-def joints_of(arm, q):
-    """Positions of base, joints and tool of a planar arm, (n + 1, 2)."""
-    angles = np.cumsum(q)
-    lengths = [np.linalg.norm(p.translation) for p in arm.model.jointPlacements[2:]]
-    tool = arm.kinematics().pose(q)[:2, 3]
-    inner = np.cumsum(
-        [length * np.array([np.cos(a), np.sin(a)]) for length, a in zip(lengths, angles[:-1], strict=True)], axis=0
-    )
-    return np.vstack([np.zeros(2), inner, tool])
-
-
 def ellipsoids():
     """Four postures of the arm of three links with their velocity ellipsoids."""
     arm = mp.planar_arm([1.0, 1.0, 1.0])
@@ -115,7 +105,7 @@ def ellipsoids():
     postures["round"] = [0.3, *grid[shape.manipulability(every).argmax()]]
     figure, panels = plt.subplots(1, 4, figsize=(9.2, 2.7), sharex=True, sharey=True, layout="constrained")
     for ax, (name, q) in zip(panels, postures.items(), strict=True):
-        points = joints_of(arm, np.asarray(q))
+        points = skeleton(arm, np.asarray(q))[1:, :2]
         ellipsoid = mp.velocity_ellipsoid(kin.jacobian(q))
         axes, radii = np.asarray(ellipsoid.axes), np.asarray(ellipsoid.radii)
         angle = np.degrees(np.arctan2(axes[1, 0], axes[0, 0]))

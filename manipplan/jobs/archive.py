@@ -9,18 +9,16 @@ import hashlib
 import json
 import logging
 from collections.abc import Callable, Mapping
-from dataclasses import fields, is_dataclass
-from enum import Enum
+from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from manipplan.checks import existing_file, instance
 from manipplan.errors import FileFormatError, InvalidInputError
 from manipplan.files import write_text
+from manipplan.json_ready import json_ready
 from manipplan.measures.measure import Measure
-from manipplan.measures.names import MEASURES
+from manipplan.measures.stored import measure_data, measure_of
 from manipplan.measures.task import Task
 from manipplan.optimize.certificate import Certificate, LimitApproach
 from manipplan.optimize.objective import PathCost
@@ -61,7 +59,7 @@ def write_plan(plan: "Plan", file: Path) -> None:
         "robot": robot_data(plan.robot, folder),
         "scene": scene_data(plan.scene, folder),
         "task": result.task,
-        "measure": _measure_data(result.measure),
+        "measure": measure_data(result.measure),
         "power": result.power,
         "metric": result.metric,
         "status": plan.status,
@@ -79,7 +77,7 @@ def write_plan(plan: "Plan", file: Path) -> None:
     for part in ("robot", "scene", "measure", "workspace_path"):
         if isinstance(data[part], dict) and "missing" in data[part]:
             log.warning("%s: not written: %s, %s", file, part, data[part]["missing"])
-    plain = _plain(data)
+    plain = json_ready(data)
     write_text(file, json.dumps({**plain, "sha256": checksum(plain)}, allow_nan=False) + "\n")
 
 
@@ -93,7 +91,7 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
     try:
         arm = robot_of(path, data["robot"], folder, robot)
         world = scene_of(path, data["scene"], folder, scene)
-        index = _measure(path, data["measure"], measure)
+        index = measure_of(path, data["measure"], measure)
         joints = JointPath(**data["path"])
         # a seed that is the path itself stays so: pictures tell by it that there is one path, not two
         seed = joints if data["seed"] == data["path"] else _maybe(data["seed"], lambda each: JointPath(**each))
@@ -138,31 +136,6 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
 def checksum(data: Mapping[str, Any]) -> str:
     """Of all values of a file beside it, in hexadecimal digits."""
     return hashlib.sha256(json.dumps(data).encode()).hexdigest()
-
-
-def _measure_data(measure: Measure) -> dict[str, Any]:
-    kind = type(measure)
-    if MEASURES.get(kind.name) is not kind:
-        return {"missing": f"a measure of your own, {kind.__name__}", "name": kind.name}
-    options: dict[str, Any] = (
-        {each.name: getattr(measure, each.name) for each in fields(measure)} if is_dataclass(measure) else {}
-    )
-    inner = {key: _measure_data(value) for key, value in options.items() if isinstance(value, Measure)}
-    lost = next((each["missing"] for each in inner.values() if "missing" in each), None)
-    return {"name": kind.name, "options": {**options, **inner}, **({"missing": lost} if lost else {})}
-
-
-def _measure(path: Path, data: Mapping[str, Any], given: Measure | None) -> Measure:
-    if given is not None:
-        if not isinstance(given, Measure) or given.name != data["name"]:
-            raise InvalidInputError("measure", given, f"the measure of the plan, {data['name']}")
-        return given
-    if "missing" in data:
-        raise FileFormatError("file", str(path), f"a result with its measure, but it has {data['missing']}; give measure=")
-    stored: dict[str, Any] = data["options"]
-    options = {key: _measure(path, value, None) if isinstance(value, dict) else value for key, value in stored.items()}
-    kind: Callable[..., Measure] = MEASURES[data["name"]]
-    return kind(**options)
 
 
 def _workspace_data(workspace: CartesianPath | None) -> Any:
@@ -244,22 +217,3 @@ def _checked_json(path: Path) -> dict[str, Any]:
             "file", str(path), "a result as Plan.save wrote it; this one was changed since: save the plan again"
         )
     return data
-
-
-def _plain(value: Any) -> Any:
-    """The same as JSON can say it: a dataclass by its fields, an enum by its name, infinite numbers and nan as texts."""
-    if isinstance(value, Report):
-        return value.to_data()
-    if isinstance(value, np.ndarray):
-        value = value.tolist()
-    if isinstance(value, Enum):
-        return value.name
-    if is_dataclass(value) and not isinstance(value, type):
-        return {each.name: _plain(getattr(value, each.name)) for each in fields(value)}
-    if isinstance(value, Mapping):
-        return {key: _plain(each) for key, each in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(each) for each in value]
-    if isinstance(value, float | np.floating):
-        return float(value) if np.isfinite(value) else str(float(value))
-    return value

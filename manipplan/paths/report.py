@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -11,6 +11,7 @@ import numpy as np
 from manipplan.checks import Array, existing_file
 from manipplan.errors import FileFormatError
 from manipplan.files import write_text
+from manipplan.json_ready import json_ready
 from manipplan.optimize.objective import PathCost, PathObjective
 from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import SHORTEST, JointPath
@@ -198,16 +199,11 @@ class Report:
 
     def to_json(self, file: str | Path) -> None:
         """Write all figures as JSON."""
-        write_text(file, json.dumps(self.to_data(), indent=1, allow_nan=False) + "\n")
-
-    def to_data(self) -> dict[str, Any]:
-        """All figures as JSON takes them; infinite ones as text."""
-        data: dict[str, Any] = _json_ready(asdict(self))
-        return data
+        write_text(file, json.dumps(json_ready(self), indent=1, allow_nan=False) + "\n")
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> "Report":
-        """The report of `to_data`; raises KeyError, TypeError or ValueError for data of another kind."""
+        """The report of what JSON holds of it; raises KeyError, TypeError or ValueError for data of another kind."""
         uses = {kind: _record(LimitUse, use) for kind, use in data["limits"].items()}
         pair = tuple(data["nearest_pair"])
         if not all(isinstance(name, str) for name in pair):
@@ -250,13 +246,6 @@ def _unit_of(joint: str, robot: Robot) -> str:
 def _first_path(status: str) -> str:
     """What the path is compared with."""
     return "recorded" if status in {each.value for each in RECORDED} else "seed"
-
-
-def _json_ready(value: Any) -> Any:
-    """The same with infinite numbers as text, since JSON has none."""
-    if isinstance(value, dict):
-        return {key: _json_ready(item) for key, item in value.items()}
-    return str(value) if isinstance(value, float) and not np.isfinite(value) else value
 
 
 def _compared(least: float, other: float, name: str) -> str:

@@ -11,7 +11,6 @@ import pinocchio as pin
 
 from manipplan.checks import Array
 from manipplan.errors import FileFormatError
-from manipplan.robots.limits import JointLimits
 
 T = TypeVar("T")
 _LINK = " (link)"
@@ -47,15 +46,6 @@ class Semantics:
     end_effector: str | None
     disabled: frozenset[frozenset[str]]
     states: tuple[tuple[str, Mapping[str, float]], ...]
-
-    def posture(self, joints: Sequence[str], limits: JointLimits) -> Array | None:
-        """The first named posture that gives each of `joints` a value inside its limits."""
-        for _, values in self.states:
-            if all(joint in values for joint in joints):
-                q = np.array([values[joint] for joint in joints])
-                if not limits.outside(q).any():
-                    return q
-        return None
 
 
 def read_urdf(file: Path, package_dirs: Sequence[str | Path] = ()) -> Description:

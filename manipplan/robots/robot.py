@@ -146,8 +146,9 @@ class Robot:
         if "acceleration" not in limits:
             ramp = {"acceleration": base.velocity / DEFAULT_RAMP_TIME}
             base = base.with_changes(ramp, source=f"default: full speed in {DEFAULT_RAMP_TIME:g} s")
-        if semantic is not None and neutral is None:
-            neutral = semantic.posture(active, base)
+        states = NamedStates.of(semantic.states if semantic is not None else (), active)
+        if neutral is None:
+            neutral = next((q for q in states.values() if not base.outside(q).any()), None)
         robot = cls(
             name=name or model.name or read.file.stem,
             model=model,
@@ -158,7 +159,7 @@ class Robot:
             locked=held,
             disabled_pairs=semantic.disabled if semantic is not None else None,
             adjacent_pairs=description.adjacent_pairs(whole, read.geometry),
-            named_states=NamedStates.of(semantic.states, active) if semantic is not None else NamedStates(),
+            named_states=states,
             source=RobotSource.of(read.source.lower(), read.file, given),
         )
         if held:

@@ -1,13 +1,11 @@
 """Triangles of coal's shapes, as a browser draws them."""
 
-from typing import Any
-
 import coal
 import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.checks import Array
-from manipplan.robots.primitives import core_of
+from manipplan.robots.primitives import core_of, mesh_triangles
 
 #: A mesh is reduced to so many triangles: a browser without a graphics card still moves two arms of ten links.
 MOST = 4000
@@ -53,11 +51,10 @@ def triangles_of(shape: coal.CollisionGeometry, most: int = MOST) -> tuple[Array
     return _creased(np.asarray(mesh.vertices), np.asarray(mesh.faces))
 
 
-def _mesh(shape: Any) -> tuple[Array, Faces]:
+def _mesh(shape: coal.BVHModelBase) -> tuple[Array, Faces]:
     """A mesh with vertices at one place made one."""
-    faces = np.array([[t[0], t[1], t[2]] for t in map(shape.tri_indices, range(shape.num_tris))], dtype=int).reshape(-1, 3)
-    vertices, same = np.unique(np.array(shape.vertices()).round(6), axis=0, return_inverse=True)
-    faces = same[faces]
+    vertices, index = np.unique(mesh_triangles(shape).reshape(-1, 3).round(6), axis=0, return_inverse=True)
+    faces = index.reshape(-1, 3)
     flat = (faces == np.roll(faces, 1, axis=1)).any(axis=1)
     return vertices, faces[~flat]
 
