@@ -1,7 +1,7 @@
-// What scrolls sideways can be reached and moved by keys, too; what fits into its place is no stop of the tab key.
+// What scrolls can be reached and moved by keys, too; what fits into its place is no stop of the tab key.
 function reachable() {
   for (const box of document.querySelectorAll(".table-wrapper, .highlight pre, div.math, .content .sig")) {
-    if (box.scrollWidth > box.clientWidth) {
+    if (box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight) {
       box.tabIndex = 0;
     } else {
       box.removeAttribute("tabindex");

@@ -167,7 +167,8 @@ top.axhline(
     linestyle=":",
     label="least index of the report",
 )
-top.set(ylabel="index by Pinocchio [m⁶]", ylim=(0, 1.15 * m.max()), xlim=(0, times[-1]))
+top.set(ylabel="index by Pinocchio [m⁶]", ylim=(0, 1.15 * m.max()))
+top.set(xlim=(0, times[-1]))
 top.legend(frameon=False, fontsize=8)
 bottom.plot(times[some], 1e3 * mesh, color="#D55E00")
 bottom.axhline(
