@@ -12,10 +12,14 @@ from urllib.parse import unquote, urlsplit
 
 #: What a page loads by itself, by tag and attribute; `link` counts unless it only names another page.
 LOADED = {(tag, "src") for tag in ("script", "img", "source", "video", "audio", "iframe", "embed", "input")}
-LOADED |= {("video", "poster"), ("object", "data"), ("image", "href"), ("use", "href")}
+LOADED |= {("video", "poster"), ("object", "data"), ("track", "src"), ("body", "background")}
+LOADED |= {(tag, name) for tag in ("image", "use") for name in ("href", "xlink:href")}
 NAMED = {"next", "prev", "index", "search", "canonical", "license", "author", "help", "up", "top"}
 STYLE_URL = re.compile(r"""url\(\s*["']?([^"')]+)|@import\s+["']([^"']+)""")
-SCRIPT_URL = re.compile(r"""(?:import\s*\(?|fetch\(|importScripts\(|\.src\s*=)\s*["'`](https?:)?//[^"'`]+""")
+SCRIPT_URL = re.compile(
+    r"""(?:import\s*\(?|\bfrom|fetch\(|importScripts\(|(?:Worker|WebSocket|EventSource)\(|\.open\(["'`]\w+["'`],|\.src\s*=)"""
+    r"""\s*["'`](?:https?:|wss?:)?//[^"'`]+"""
+)
 
 
 class Page(HTMLParser):
@@ -34,8 +38,12 @@ class Page(HTMLParser):
         values = {name: value or "" for name, value in attrs}
         self.ids |= {values[name] for name in ("id", "name") if name in values}
         self._inside = tag
-        if tag == "a" and "href" in values:
+        if tag in ("a", "area") and "href" in values:
             self.links.append(values["href"])
+        if tag == "base":
+            self.faults.append("a base, by which every link on the page is another")
+        if tag == "meta" and values.get("http-equiv", "").lower() == "refresh":
+            self.faults.append(f"goes elsewhere by itself: {values.get('content')}")
         if tag == "link" and not NAMED & set(values.get("rel", "").split()):
             self.loads.append(values.get("href", ""))
         self.loads += [values[name] for name in values if (tag, name) in LOADED]
@@ -73,6 +81,8 @@ def faults(site: Path) -> list[str]:
         found += [f"{name}: loads {url} from elsewhere" for url in page.loads if external(url)]
         for url in page.links + [url for url in page.loads if not external(url)]:
             parts = urlsplit(url)
+            if parts.scheme == "file":
+                found.append(f"{name}: {url} is a file of one machine")
             if parts.scheme or parts.netloc:
                 continue
             target = (file.parent / unquote(parts.path)).resolve() if parts.path else file
@@ -87,9 +97,12 @@ def faults(site: Path) -> list[str]:
                 found.append(f"{file.relative_to(site)}: loads {url} from elsewhere")
             elif not parts.scheme and parts.path and not (file.parent / unquote(parts.path)).is_file():
                 found.append(f"{file.relative_to(site)}: {url} has no target")
-    for file in sorted(site.rglob("*.js")):
+    for file in sorted((*site.rglob("*.js"), *site.rglob("*.mjs"))):
         if match := SCRIPT_URL.search(file.read_text(encoding="utf-8")):
             found.append(f"{file.relative_to(site)}: loads from elsewhere: {match.group()}")
+    for file in sorted(site.rglob("*.svg")):
+        loads = Page(file.read_text(encoding="utf-8")).loads
+        found += [f"{file.relative_to(site)}: loads {url} from elsewhere" for url in loads if external(url)]
     return found
 
 

@@ -100,7 +100,10 @@ def read_srdf(file: Path) -> Semantics:
         for name, value in values.items():
             if not np.isfinite(value):
                 raise FileFormatError("srdf", str(file), f"finite joint values; {name} is {value}")
-        states.append((str(state.get("name")), values))
+        called = state.get("name")
+        if not called:
+            raise FileFormatError("srdf", str(file), "a name for every <group_state>")
+        states.append((called, values))
     return Semantics(
         end_effector=effector.get("parent_link") if effector is not None else None,
         disabled=frozenset(disabled),

@@ -1,5 +1,6 @@
 """A robot's links as capsules and spheres, whose distances have closed forms."""
 
+import logging
 from dataclasses import dataclass
 
 import coal
@@ -10,6 +11,8 @@ from manipplan.checks import Array
 from manipplan.robots.collision import CollisionModel, add_self_pairs
 from manipplan.robots.primitives import core_of, fit_primitives, mesh_triangles
 from manipplan.robots.robot import Robot
+
+log = logging.getLogger("manipplan")
 
 #: Random configurations that tell which pairs of links can meet.
 SAMPLES = 1000
@@ -65,6 +68,9 @@ class Bodies:
         items: list[Body] = []
         origins: list[int] = []
         for origin, item in enumerate(robot.geometry.geometryObjects):
+            if isinstance(item.geometry, coal.Halfspace | coal.Plane):  # such as the floor of an MJCF
+                log.warning("%s: a controller does not keep away from %s; add a Plane to the scene", robot.name, item.name)
+                continue
             fitted = _capsules(item.geometry)
             for k, (start, end, radius) in enumerate(fitted):
                 name = item.name if len(fitted) == 1 else f"{item.name}.{k}"

@@ -112,11 +112,11 @@ def feet_on_planes(scene: Scene, points: Array) -> Iterator[Array]:
 
 
 def arm_surfaces(robot: Robot, q: Array) -> list[Surface]:
-    """The robot's collision bodies at q (n,), in the world."""
+    """The robot's collision bodies at q (n,), in the world, without planes such as the floor of an MJCF, which have no end."""
     if "drawn bodies" not in robot.cache:
-        robot.cache["drawn bodies"] = [
-            (each.parentJoint, surface_of(each.geometry).placed(each.placement)) for each in robot.geometry.geometryObjects
-        ]
+        endless = coal.Halfspace | coal.Plane
+        objects = [each for each in robot.geometry.geometryObjects if not isinstance(each.geometry, endless)]
+        robot.cache["drawn bodies"] = [(each.parentJoint, surface_of(each.geometry).placed(each.placement)) for each in objects]
     data = robot.model.createData()
     pin.forwardKinematics(robot.model, data, q)
     return [surface.placed(data.oMi[joint]) for joint, surface in robot.cache["drawn bodies"]]

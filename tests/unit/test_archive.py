@@ -420,3 +420,23 @@ def test_a_killed_save_leaves_the_old_file_whole(small_plan, tmp_path):
         assert child.returncode == -signal.SIGKILL
         assert (tmp_path / "plan.json").stat().st_mtime_ns > before  # it was being written
         assert_same(small_plan, mp.Plan.load(tmp_path))
+
+
+def test_an_mjcf_with_a_floor_is_drawn_and_comes_back(tmp_path, caplog):
+    """The floor belongs to the description, has no end, and no hull that could be drawn."""
+    (tmp_path / "arm.xml").write_text("""<mujoco><worldbody><geom name="floor" type="plane" size="1 1 0.1" pos="0 0 -1"/>
+      <body name="upper"><joint name="turn" axis="0 0 1"/><geom type="capsule" fromto="0 0 0 0.5 0 0" size="0.05"/>
+      <body name="fore" pos="0.5 0 0"><joint name="lift" axis="0 1 0"/><geom type="box" size="0.2 0.05 0.05" pos="0.2 0 0"/>
+      <body name="tip" pos="0.4 0 0"/></body></body></worldbody></mujoco>""")
+    arm = mp.Robot.from_mjcf(tmp_path / "arm.xml", tool="tip", velocity=1.0)
+    plan = made_plan(arm, mp.JointPath.line([0.1, 0.2], [0.5, 0.4]), task=mp.Task.direction((1.0, 0.0, 0.0)))
+    assert "floor" in plan.report.nearest_pair
+    around = mp.Avoidance(scene=mp.Scene([mp.Sphere(radius=0.1, position=(0.0, 0.8, 0.0))]))
+    mp.Controller(arm, mp.LogDrive(), 0.01, task=plan.result.task, avoidance=around, compiled=False)
+    assert "does not keep away from floor; add a Plane to the scene" in caplog.text
+    plan.save(tmp_path / "result")
+    assert_same(plan, mp.Plan.load(tmp_path / "result"))
+    lower = (tmp_path / "arm.xml").read_text().replace("0 0 -1", "0 0 -0.9")
+    (tmp_path / "arm.xml").write_text(lower)
+    with pytest.raises(mp.FileFormatError, match="changed, or it is another robot"):
+        mp.Plan.load(tmp_path / "result")

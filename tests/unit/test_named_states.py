@@ -152,3 +152,10 @@ def test_what_cannot_be_written_is_told(panda, tmp_path):
     with pytest.raises(mp.InvalidInputError, match="group"):
         panda.to_srdf(tmp_path / "x.srdf", group="")
     assert not list(tmp_path.iterdir())
+
+
+def test_a_state_without_a_name_is_told(two_link_urdf, tmp_path):
+    file = tmp_path / "arm.srdf"
+    file.write_text('<robot name="two"><group_state group="arm"><joint name="turn" value="0"/></group_state></robot>')
+    with pytest.raises(mp.FileFormatError, match="a name for every <group_state>"):
+        mp.Robot.from_urdf(two_link_urdf(), tool="tip", srdf=file)

@@ -3,6 +3,7 @@
 import io
 import logging
 import os
+import re
 import signal
 import socket
 import subprocess
@@ -402,6 +403,16 @@ def test_the_chart_marks_the_place():
     assert left < middle < right
     assert abs(middle - (left + right) / 2) < 0.06
     assert "<b" not in chart.html()
+
+
+@pytest.mark.parametrize(("first", "last"), [(-9.0, -4.0), (-1.0, 2.0), (0.0, 0.0), (1e-17, 1e-17), (0.0, 3.0)])
+def test_the_chart_holds_its_curves(first, last):
+    """Also those of a logarithm, which are negative."""
+    t = np.linspace(0.0, 1.0, 5)
+    svg = Chart(t=t, curves=[Curve(name="a", colour="#000000", values=np.linspace(first, last, 5))], label="log_det").svg(0.5)
+    places = [float(place.partition(",")[2]) for place in re.search(r'polyline points="([^"]*)"', svg)[1].split()]
+    assert 10 <= min(places) <= max(places) <= 140
+    assert np.sign(places[0] - places[-1]) == np.sign(last - first)
 
 
 def test_a_port_in_use_is_an_error(plan):

@@ -24,7 +24,7 @@ class Curve:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Chart:
-    """Curves over the same times t (k,) [s], from zero up; `label` says what they are and in which unit."""
+    """Curves over the same times t (k,) [s], with zero in the picture; `label` says what they are and in which unit."""
 
     t: Array
     curves: Sequence[Curve]
@@ -33,9 +33,11 @@ class Chart:
     def svg(self, now: float | None = None) -> str:
         """The picture; `now` [s] is marked by a line, and by a dot on each curve."""
         end, start = float(self.t[-1]), float(self.t[0])
-        highest = max([float(np.max(c.values, initial=0.0)) for c in self.curves if len(c.values)] or [0.0]) or 1.0
-        step = _round_step(highest / 3)
-        top = float(step * np.ceil(highest * 1.02 / step))
+        highest = max([float(np.max(c.values, initial=0.0)) for c in self.curves])
+        lowest = min([float(np.min(c.values, initial=0.0)) for c in self.curves])
+        highest = highest if highest > lowest else 1.0
+        step = _round_step((highest - lowest) / 3)
+        top, bottom = float(step * np.ceil(highest * 1.02 / step)), float(step * np.floor(lowest * 1.02 / step))
 
         across = LEFT + (WIDTH - LEFT - RIGHT) * (self.t - start) / max(end - start, 1e-9)
 
@@ -43,10 +45,10 @@ class Chart:
             return float(np.interp(t, self.t, across))
 
         def y(value: float) -> float:
-            return float(HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * value / top)
+            return float(HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * (value - bottom) / (top - bottom))
 
         parts = []
-        for value in np.arange(0, top + step / 2, step):
+        for value in np.arange(bottom, top + step / 2, step):
             at = f"{y(value):.1f}"
             parts.append(f'<line x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{at}" y2="{at}" stroke="#e4e4e4"/>')
             parts.append(f'<text x="{LEFT - 5}" y="{at}" dy="3.5" text-anchor="end">{value:.6g}</text>')
