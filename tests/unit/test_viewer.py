@@ -48,8 +48,9 @@ def open_page(browser):
         page.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
         page.on("pageerror", lambda error: said.append(str(error)))
         page.on("request", lambda request: asked.append(request.url))
-        page.goto(url)
         opened.append((page, url))
+        page.goto(url)
+        settled(page)
         return page
 
     yield open_
@@ -92,6 +93,18 @@ def picture(page):
     canvas = page.locator("canvas").first.bounding_box()
     shot = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
     return np.asarray(shot.crop((0, 0, round(canvas["width"]), round(canvas["height"])))).astype(int)
+
+
+def settled(page, seconds=1.0):
+    """Waits until the panel stands beside the picture, which becomes narrower by it, or there is none."""
+    canvas = page.locator("canvas").first
+    canvas.wait_for()
+    width, since = canvas.bounding_box()["width"], time.monotonic()
+    while time.monotonic() < since + seconds:
+        page.wait_for_timeout(100)
+        now = canvas.bounding_box()["width"]
+        if now != width:
+            width, since = now, time.monotonic()
 
 
 def drawn(page, *, differs_from=None, seconds=40.0):
