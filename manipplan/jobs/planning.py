@@ -57,7 +57,8 @@ def plan(
         start, goal: (n,) inside the limits and free [rad or m].
         scene: obstacles; None: none. The arm is always checked against itself.
         task: whose manipulability index counts; default `robot.default_task`.
-        measure, metric: the index m and the norm in g = ∫ ‖q'‖ / m^power ds; see `optimize_path`.
+        measure: m in g = ∫ ‖q'‖_W / m^power ds, by name or as a Measure; default Yoshikawa's.
+        metric: W, the weights of the joints in the length, (n,) or (n, n); default the identity.
         power: exponent of the index.
         degree: of the path's polynomial.
         shifts: "within-limits" also tries goals a full turn away in any revolute joint.
