@@ -17,6 +17,8 @@ MARGIN, LEAST = 0.04, 0.3
 LINES, NAMES = 60, 70
 #: A way ends where it began when its ends are no further apart than this share of its extent.
 CLOSED = 0.05
+#: Two ways that differ by less than this share of their size are drawn as one.
+SAME = 1e-2
 
 
 def draw_surface(ax: Any, surface: Surface, colour: str, *, alpha: float, edges: bool = False) -> None:
@@ -40,7 +42,13 @@ def draw_skeleton(ax: Any, points: Array, *, alpha: float = 1.0, colour: str = s
 
 
 def draw_ways(ax: Any, ways: Mapping[str, Array]) -> None:
-    """Draw one or two ways of the tool (k, 2) or (k, 3), each by what it is called; the second is what the first began from."""
+    """Draw one or two ways of the tool (k, 2) or (k, 3), each by what it is called; the second is what the first began from.
+
+    Where both are the same, as on a workspace path that is followed, one line has both names.
+    """
+    first, *others = ways.values()
+    if others and np.abs(others[0] - first).max() < SAME * np.ptp(first, axis=0).max():
+        ways = {" and ".join(ways): first}
     for (name, way), colour, width in zip(ways.items(), (style.OPTIMUM, style.SEED), (2.0, 1.3), strict=False):
         ax.plot(*way.T, color=colour, linewidth=width, label=f"tool, {name}", zorder=LINES)
 

@@ -379,6 +379,13 @@ def test_each_job_names_its_paths_alike_on_both_sides(demo_plan):
     assert legends(viz.plan_figure(kept)) == [["tool, seed"], ["seed", "straight"]]
 
 
+def test_two_motions_of_one_tool_path_are_one_line(planar):
+    path = mp.JointPath.line([0.1, 0.5, 0.7], [0.9, 1.0, 0.4])
+    same = mp.JointPath.through(path(np.linspace(0, 1, 9)))
+    ax = viz.plot_planar_arm(planar, path, seed=same, names=("refined", "sampled"))
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["tool, refined and sampled"]
+
+
 def test_a_figure_is_drawn_as_vectors_alone(demo_plan, planar_plan, tmp_path):
     for plan in (demo_plan, planar_plan):
         viz.plan_figure(plan).savefig(tmp_path / "plan.svg")
