@@ -376,7 +376,7 @@ def test_every_kind_of_obstacle_is_drawn(tmp_path):
         names = [page.server.scene.get_handle_by_name(f"/names/{k}") for k in range(5)]
         assert [name.text for name in names] == ["sphere0", "capsule1", "cylinder2", "<part>", "ground"]
         assert names[0].position[2] > 0.2  # above the sphere
-        assert page.stage.layers["floor"].position[2] < -0.02
+        assert page.stage.layers["grid"].position[2] < -0.02
 
 
 def surface(page, name):

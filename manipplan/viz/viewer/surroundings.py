@@ -50,8 +50,8 @@ def draw_obstacles(scene: Any, obstacles: Scene) -> tuple[Any, Any, Array]:
                 seen.append(np.array([placed.min(axis=0), placed.max(axis=0)]))
         above = obstacle.pose.translation.copy()
         above[2] = max(above[2], top) + 0.02
-        if not np.isfinite(top):  # a plane: at the edge of what is drawn of it
-            above += 0.6 * PLANE * obstacle.pose.rotation[:, 1]
+        if not np.isfinite(top):  # a plane: beside the arm, as the camera sees it at first
+            above -= 0.1 * PLANE * (obstacle.pose.rotation[:, 0] + obstacle.pose.rotation[:, 1])
         scene.add_label(f"/names/{k}", name, position=above, anchor="bottom-center", font_screen_scale=0.8, depth_test=False)
     return bodies, names, np.concatenate(seen)
 
@@ -108,7 +108,7 @@ def surround(server: Any, robot: Robot, q: Array, obstacles: Scene, box: Array) 
     if obstacles.obstacles:
         layers["obstacles"], layers["names"], around = draw_obstacles(scene, obstacles)
     whole = corners(robot, q, moving=False)
-    layers["floor"] = draw_floor(scene, float(min(whole[0, 2], *around[:, 2], box[0, 2])), size)
+    layers["grid"] = draw_floor(scene, float(min(whole[0, 2], *around[:, 2], box[0, 2])), size)
     near = np.clip(np.concatenate([around, whole]), box[0] - NEAR * size, box[1] + NEAR * size)
     seen = np.concatenate([box, near])
     look_at(server, np.array([seen.min(axis=0), seen.max(axis=0)]), planar=robot.planar)
