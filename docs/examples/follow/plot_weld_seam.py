@@ -19,9 +19,8 @@ import manipplan as mp
 from manipplan import viz
 
 robot = mp.load_robot("ur5").with_limits(lower=-np.pi, upper=np.pi, source="cables")
-axis = np.array([1.0, 0.0, 1.0]) / np.sqrt(
-    2
-)  # of the torch, in the frame of the flange
+# the axis of the torch, in the frame of the flange
+axis = np.array([1.0, 0.0, 1.0]) / np.sqrt(2)
 down = np.array([[1, 0, 0], [0, -1, 0], [0, 0, -1]])  # a flange that points down
 tilt = np.array([[1, 0, -1], [0, np.sqrt(2), 0], [1, 0, 1]]) / np.sqrt(2)
 start = np.eye(4)
