@@ -1,11 +1,15 @@
 """Sphinx configuration."""
 
+import logging
 import re
 import sys
 from pathlib import Path
 
+import a11y_pygments  # noqa: F401  # it prints the INFO of every library; taken back below
+
 import manipplan
 
+logging.getLogger().handlers.clear()
 sys.path.insert(0, str(Path(__file__).parent / "_ext"))
 
 project = "manipplan"
