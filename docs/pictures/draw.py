@@ -205,7 +205,7 @@ def search():
     figure, ax = plt.subplots(figsize=(8.2, 3.6))
     s = np.repeat(layers.s, [len(each) for each in layers.m])
     q, m = np.vstack(layers.q), np.concatenate(layers.m)
-    dots = ax.scatter(s, q[:, 0], c=m, s=9, cmap="cividis", linewidths=0)
+    dots = ax.scatter(s, q[:, 0], c=m, s=9, cmap="cividis", linewidths=0, rasterized=True)
     ax.plot(layers.s, found.q[:, 0], color=JOINTS[3], linewidth=2, label=f"widest path, least index {found.minimum:.2f} m²")
     k = int(found.manipulability.argmin())
     ax.plot(
@@ -227,7 +227,9 @@ def main(names):
             continue
         with mpl.rc_context({**STYLE, **FIXED}):
             figure = draw()
-            figure.savefig(HERE / f"{draw.__name__}.svg", bbox_inches="tight", metadata={"Date": None}, facecolor="white")
+            figure.savefig(
+                HERE / f"{draw.__name__}.svg", dpi=200, bbox_inches="tight", metadata={"Date": None}, facecolor="white"
+            )
             plt.close(figure)
 
 
