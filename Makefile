@@ -62,6 +62,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/timing.py
 	$(BIN)/python benchmarks/planar_suite.py
 	$(BIN)/python benchmarks/gallery.py
+	$(BIN)/python benchmarks/documentation.py
 
 benchmark-peers: $(READY)
 	$(BIN)/python benchmarks/tracking.py

@@ -1,6 +1,6 @@
 """How long a newcomer waits: from a fresh clone to the first plan of the start page, and for the whole site to build.
 
-Wall time, as it is waited for: run it when nothing else runs. `python benchmarks/documentation.py`.
+Wall time, as it is waited for: run it when nothing else runs. Run with `make benchmark`.
 """
 
 import platform

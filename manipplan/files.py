@@ -57,12 +57,12 @@ def found_again(remembered: Mapping[str, str], folder: Path) -> Path:
 def place_for(argument: str, folder: str | Path) -> Path:
     """`folder`, which need not be there yet; raises InvalidInputError when it could not be made and written."""
     path = Path(folder).expanduser()
-    there = next(each for each in (path, *path.absolute().parents) if each.exists())
     try:
+        there = next(each for each in (path, *path.absolute().parents) if each.exists())
         with tempfile.TemporaryFile(dir=there):
             return path
     except OSError as error:
-        raise InvalidInputError(argument, str(path), f"a folder that can be written ({error.strerror})") from error
+        raise InvalidInputError(argument, str(path), f"a folder that can be written ({_reason(error)})") from error
 
 
 def writable_folder(argument: str, folder: str | Path) -> Path:

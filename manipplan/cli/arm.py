@@ -1,6 +1,7 @@
 """The arm and the scene that a command was given, and configurations of the arm."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -12,15 +13,27 @@ from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
 
 
-def load_cell(name: str, scene: Path | None, **options: str | Path | tuple[float, ...] | None) -> tuple[Robot, Scene]:
-    """A known arm or that of a file, with the options of `load_robot` that were given, and the obstacles around it.
+@dataclass(frozen=True, kw_only=True)
+class Cell:
+    """What is told of the arm beside its name, and of what stands around it."""
 
-    Limits are a number for all joints, or one a joint.
-    """
-    given = {key: value for key, value in options.items() if value is not None and value != ()}
-    plain = {key: value[0] if isinstance(value, tuple) and len(value) == 1 else value for key, value in given.items()}
-    robot = load_robot(name, **plain)
-    return robot, Scene.from_yaml(scene) if scene is not None else Scene()
+    scene: Path | None = None
+    """YAML file with obstacles."""
+    tool: str | None = None
+    """Frame whose motion counts, when the robot is a file."""
+    srdf: Path | None = None
+    """Semantic description, when the robot is a file."""
+    velocity: tuple[float, ...] = ()
+    """Limits [rad/s or m/s] instead of the robot's, one number or one a joint."""
+    acceleration: tuple[float, ...] = ()
+    """Limits [rad/s² or m/s²], likewise."""
+
+    def load(self, name: str, *, jerk: tuple[float, ...] = ()) -> tuple[Robot, Scene]:
+        """A known arm or that of a file, and the obstacles around it; `jerk` limits as the others."""
+        limits = {"velocity": self.velocity, "acceleration": self.acceleration, "jerk": jerk}
+        plain = {kind: value[0] if len(value) == 1 else value for kind, value in limits.items() if value}
+        files = {key: value for key, value in (("tool", self.tool), ("srdf", self.srdf)) if value is not None}
+        return load_robot(name, **files, **plain), Scene.from_yaml(self.scene) if self.scene is not None else Scene()
 
 
 def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array:

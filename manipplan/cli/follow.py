@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-from tyro.conf import Positional
+from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import load_cell
+from manipplan.cli.arm import Cell
 from manipplan.files import place_for
 from manipplan.jobs.following import follow as follow_job
 from manipplan.measures.task import Task
@@ -23,12 +23,8 @@ def follow(
     samples: tuple[int, ...] = (),
     pointing: tuple[float, float, float] | None = None,
     tolerance: tuple[float, float] | None = None,
-    scene: Path | None = None,
     out: Path = Path("follow"),
-    tool: str | None = None,
-    srdf: Path | None = None,
-    velocity: tuple[float, ...] = (),
-    acceleration: tuple[float, ...] = (),
+    cell: OmitArgPrefixes[Cell] = Cell(),  # noqa: B008  # a frozen value
     jerk: tuple[float, ...] = (),
     clearance: float = 0.0,
     closed: bool = False,
@@ -38,6 +34,7 @@ def follow(
     """Follow a workspace path with the highest least index, and write the motion as CSV, JSON and ROS JointTrajectory.
 
     Args:
+        cell: What is told of the arm and its surroundings.
         robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
         poses: CSV file with the columns x, y, z [m], qw, qx, qy, qz.
         positions: At which configurations are enumerated.
@@ -45,13 +42,8 @@ def follow(
         samples: Of what the arm has to spare, a number or one for each parameter.
         pointing: Tool axis about which the tool may turn.
         tolerance: How far the tool may leave the path [m] [rad].
-        scene: YAML file with obstacles.
         out: Folder for what is written.
-        tool: Frame whose motion counts, when the robot is a file.
-        srdf: Semantic description, when the robot is a file.
-        velocity: Limits [rad/s or m/s] instead of the robot's, one number or one a joint.
-        acceleration: Limits [rad/s² or m/s²], likewise.
-        jerk: Limits [rad/s³ or m/s³], likewise.
+        jerk: Limits [rad/s³ or m/s³] instead of the robot's, one number or one a joint.
         clearance: Distance [m] to keep.
         closed: The path returns to its start, and so does the motion.
         torque: Limit the motion by the joints' effort, too.
@@ -61,7 +53,7 @@ def follow(
     path = CartesianPath.from_csv(poses)
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
-        arm, world = load_cell(robot, scene, tool=tool, srdf=srdf, velocity=velocity, acceleration=acceleration, jerk=jerk)
+        arm, world = cell.load(robot, jerk=jerk)
         made = follow_job(
             arm,
             path,

@@ -3,10 +3,10 @@
 from pathlib import Path
 from typing import Literal
 
-from tyro.conf import Positional
+from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import configuration_of, load_cell
+from manipplan.cli.arm import Cell, configuration_of
 from manipplan.files import place_for
 from manipplan.jobs.planning import plan as plan_job
 from manipplan.progress import part
@@ -17,12 +17,8 @@ def plan(
     /,
     start: tuple[str, ...],
     goal: tuple[str, ...],
-    scene: Path | None = None,
     out: Path = Path("plan"),
-    tool: str | None = None,
-    srdf: Path | None = None,
-    velocity: tuple[float, ...] = (),
-    acceleration: tuple[float, ...] = (),
+    cell: OmitArgPrefixes[Cell] = Cell(),  # noqa: B008  # a frozen value
     jerk: tuple[float, ...] = (),
     power: float = 1.0,
     measure: str | None = None,
@@ -37,16 +33,12 @@ def plan(
     """Plan a motion and write it as CSV, JSON and ROS JointTrajectory, with a report and a picture.
 
     Args:
+        cell: What is told of the arm and its surroundings.
         robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
         start: One angle [rad] or length [m] a joint, or the name of a state in the robot's SRDF.
         goal: As `start`.
-        scene: YAML file with obstacles.
         out: Folder for what is written.
-        tool: Frame whose motion counts, when the robot is a file.
-        srdf: Semantic description, when the robot is a file.
-        velocity: Limits [rad/s or m/s] instead of the robot's, one number or one a joint.
-        acceleration: Limits [rad/s² or m/s²], likewise.
-        jerk: Limits [rad/s³ or m/s³], likewise.
+        jerk: Limits [rad/s³ or m/s³] instead of the robot's, one number or one a joint.
         power: Exponent of the index in the objective.
         measure: Of manipulability, by name; default Yoshikawa's.
         degree: Of the path's polynomial.
@@ -60,7 +52,7 @@ def plan(
     folder = place_for("out", out)
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
-        arm, world = load_cell(robot, scene, tool=tool, srdf=srdf, velocity=velocity, acceleration=acceleration, jerk=jerk)
+        arm, world = cell.load(robot, jerk=jerk)
         made = plan_job(
             arm,
             configuration_of("start", start, arm),

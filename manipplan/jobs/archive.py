@@ -144,7 +144,7 @@ def _workspace_data(workspace: CartesianPath | None) -> Any:
     kind = type(workspace)
     if PATHS.get(kind.__name__) is not kind:
         return {"missing": f"a path of a class of your own, {kind.__name__}"}
-    return {"kind": kind.__name__, **{each.name: getattr(workspace, each.name) for each in fields(workspace)}}  # type: ignore[arg-type]
+    return {"kind": kind.__name__, **{each.name: getattr(workspace, each.name) for each in fields(workspace)}}  # type: ignore[arg-type]  # a dataclass
 
 
 def _workspace(data: Mapping[str, Any]) -> CartesianPath | None:

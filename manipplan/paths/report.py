@@ -223,7 +223,7 @@ class Report:
 def _record(kind: type[T], data: Mapping[str, Any]) -> T:
     """`kind(**data)` where every text, number and truth is one; a number may be the text "inf", "-inf" or "nan"."""
     values = dict(data)
-    for each in fields(kind):  # type: ignore[arg-type]
+    for each in fields(kind):  # type: ignore[arg-type]  # a dataclass
         value = data[each.name]
         if each.type is float and (value in ("inf", "-inf", "nan") or type(value) is int):
             value = values[each.name] = float(value)

@@ -166,7 +166,7 @@ def load_robot(name: str | Path, **options: object) -> Robot:
     published = {"acceleration": entry.acceleration, "jerk": entry.jerk}
     published = {kind: value for kind, value in published.items() if value is not None and kind not in options}
     if published and robot_options["joints"] is None:
-        robot = robot.with_limits(source=entry.data_sheet, **published)  # type: ignore[arg-type]
+        robot = robot.with_limits(source=entry.data_sheet, **published)  # type: ignore[arg-type]  # checked by with_limits itself
     return replace(robot, source=RobotSource.of("catalogue", folder / entry.urdf, options, name=str(name)))
 
 

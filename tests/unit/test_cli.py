@@ -66,6 +66,7 @@ def test_robots_lists_and_prints(arm_file, capsys):
         ({"scene": ["no_such_scene.yaml"]}, 2, "scene: got 'no_such_scene.yaml'"),
         ({"degree": ["0"]}, 2, "degree: got 0"),
         ({"out": ["/proc/nowhere"]}, 2, "out: got '/proc/nowhere'; allowed: a folder that can be written"),
+        ({"out": ["x" * 300]}, 2, "allowed: a folder that can be written (File name too long)"),
         ({"tool": ["tipp"]}, 2, "did you mean tip"),
     ],
 )

@@ -14,6 +14,7 @@ import json
 import tempfile
 from pathlib import Path
 
+import coal
 import matplotlib.pyplot as plt
 import numpy as np
 import pinocchio as pin
@@ -119,7 +120,6 @@ assert (Q - model.lowerPositionLimit >= -1e-9).all() and (
 # planner uses: the meshes are inside the primitives, so the true distance has to be
 # larger than what is proven. Coal measures every mesh against the two boxes.
 
-import coal  # noqa: E402
 
 geometry, placed = robot.geometry, pin.GeometryData(robot.geometry)
 boxes = [

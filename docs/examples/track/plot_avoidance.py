@@ -8,6 +8,8 @@ camera, and things that move about. ``mp.Controller`` gives the velocities, keep
 the limits, keeps away, and raises the index meanwhile.
 """
 
+import time
+
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -79,7 +81,6 @@ assert log["clearance"].min() > 0 and largest.max() <= 1 + 1e-6
 # How long a step takes, measured on this machine while this page was built: the
 # call from Python, and inside a rollout in C.
 
-import time  # noqa: E402
 
 around = {"ball": (place, [*speed, 0.0, 0.0, 0.0])}
 durations = np.empty(2000)
