@@ -31,7 +31,12 @@ ALPHA = 15e3
 ALPHAS = (5e3, 15e3, 50e3)
 PAPERS_ALPHAS = {"T1": 50e3, "T2": 70e3, "T3": 70e3, "T4": 120e3, "T5": 90e3}
 ONE_ALPHA = 5e5
+PAPERS_LOSS = (3.0, 5.0)  # [%], section 5: (14) at it below (10) at the α of each path
 LOG_WEIGHT, LOG_RATE = 10.0, 10.0  # ours
+#: Added to every joint of the first posture [rad], ours. A run whose figures change by it is chaotic: they change with the last
+#: bit of a sum, too, and so from one kind of processor to another.
+NUDGE = 1e-10
+LITERAL_ALPHAS = (1e3, 1e4, 15e3, 5e4, 1e5)  # of (20) as printed, ours
 # Sweeps, ours.
 GAINS = (0.0, 1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0)
 SWEEP = (*(share * 10.0**power for power in (3, 4, 5, 6) for share in (1.0, 1.5, 2.0, 3.0, 5.0, 7.0)), 1e7)

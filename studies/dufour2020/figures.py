@@ -152,7 +152,7 @@ def comparison(found: Comparison, file: Path) -> None:
 
 def convexity(table: Table, file: Path) -> None:
     """Claim 1: shares of steps against α."""
-    alphas, inner, whole, raw, equal, chatter, other = zip(*table.rows, strict=True)
+    alphas, inner, whole, _, raw, equal, chatter, other, _ = zip(*table.rows, strict=True)
     with rc_context(STYLE):
         figure = blank(10.5, 3.6)
         left, right = figure.subplots(1, 2)

@@ -178,8 +178,12 @@ class Arm:
         approach: float = config.DEAD_BEAT,
         avoidance: mp.Avoidance | None = None,
         compiled: bool = True,
+        nudge: float = 0.0,
     ) -> Run:
-        """Follow the course `name` by FORMULAS[formula], or by `formulation` under that name, inside a tube [m] or none."""
+        """Follow the course `name` by FORMULAS[formula], or by `formulation` under that name, inside a tube [m] or none.
+
+        `nudge` [rad] is added to every joint of the first posture.
+        """
         course = self.courses[name]
         controller = self.controller(
             formulation or FORMULAS[formula],
@@ -191,7 +195,7 @@ class Arm:
         )
         targets, stiffness, drive, steps = timed(course, dt, strength)
         rollout = controller.rollout(
-            course.start,
+            course.start + nudge,
             targets,
             stiffness=stiffness,
             drive=drive,

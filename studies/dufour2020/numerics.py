@@ -1,6 +1,7 @@
 """Claim 1, the Hessian's makers, computation times, and what a time step changes."""
 
 from collections.abc import Callable
+from itertools import product
 
 import numpy as np
 
@@ -12,6 +13,8 @@ from studies.tables import Cell, Table
 
 HESSIANS = ("exact", "central", "sr1", "bfgs", "bfgs-literal")
 HESSIAN_ALPHAS = (config.ALPHA, 100e3)
+#: Head of the column beside a figure: the same from a start that is moved by next to nothing.
+NUDGED = "the same, start moved by 10⁻¹⁰ rad"
 
 
 def indefinite(arm: Arm, run: Run) -> float:
@@ -23,41 +26,65 @@ def indefinite(arm: Arm, run: Run) -> float:
 def convexity(arm: Arm, comparison: Comparison) -> Table:
     """Claim 1, over T1 to T5 and every α of the sweep."""
     convexified = {name: sweep(arm, name, "(10)", config.SWEEP) for name in config.TABLE_1}
+    near = {
+        formula: [sweep(arm, name, formula, config.SWEEP, nudge=config.NUDGE) for name in config.TABLE_1]
+        for formula in ("(10)", "(14)")
+    }
     rows = []
     for k, alpha in enumerate(config.SWEEP):
         raw = [runs[k] for runs in comparison.objective.values()]
         made = [runs[k] for runs in convexified.values()]
         equal = [runs[k] for runs in comparison.equality.values()]
+        nudged = {formula: [runs[k] for runs in every] for formula, every in near.items()}
         steps = sum(run.steps for run in raw)
         rows.append(
             (
                 alpha,
                 100 * float(np.mean([indefinite(arm, run) for run in made])),
                 100 * sum(run.convexified for run in made) / steps,
+                100 * sum(run.convexified for run in nudged["(10)"]) / steps,
                 100 * sum(run.unsolved for run in raw) / steps,
                 100 * sum(run.unsolved for run in equal) / steps,
                 100 * float(np.mean([run.chatter for run in made])),
                 100 * float(np.mean([run.chatter for run in equal])),
+                100 * float(np.mean([run.chatter for run in nudged["(14)"]])),
             )
         )
-    head = ("α", "Q - αT²H indefinite [%]", "whole cost of (10) indefinite [%]", "(10) as it is: not solved [%]")
-    return Table.of("claim1", (*head, "(14): not solved [%]", "(10) chatter [%]", "(14) chatter [%]"), rows)
+    whole = "whole cost of (10) indefinite [%]"
+    head = ("α", "Q - αT²H indefinite [%]", whole, NUDGED, "(10) as it is: not solved [%]", "(14): not solved [%]")
+    return Table.of("claim1", (*head, "(10) chatter [%]", "(14) chatter [%]", NUDGED), rows)
 
 
 def hessians(arm: Arm) -> tuple[Table, dict[tuple[str, str, float], Run]]:
     """(10) with every way to make the Hessian."""
-    runs = {
-        (name, hessian, alpha): arm.follow(name, hessian, alpha, formulation=mp.Objective(1.0, hessian=hessian), compiled=False)
-        for name in ("S1", "S2")
-        for hessian in HESSIANS
-        for alpha in HESSIAN_ALPHAS
-    }
-    rows = [
-        (name, hessian, alpha, run.mean, run.least, 1e3 * run.worst, run.convexified, 100 * run.chatter, run.reached)
-        for (name, hessian, alpha), run in runs.items()
-    ]
-    head = ("path", "Hessian", "α", "mean index", "least index", "deviation [mm]", "steps made convex", "chatter [%]")
+    runs, rows = {}, []
+    for name, hessian, alpha in product(("S1", "S2"), HESSIANS, HESSIAN_ALPHAS):
+        run, near = (
+            arm.follow(name, hessian, alpha, formulation=mp.Objective(1.0, hessian=hessian), compiled=False, nudge=nudge)
+            for nudge in (0.0, config.NUDGE)
+        )
+        runs[name, hessian, alpha] = run
+        figures = (run.mean, near.mean, run.least, 1e3 * run.worst, run.convexified, 100 * run.chatter, run.reached)
+        rows.append((name, hessian, alpha, *figures))
+    head = ("path", "Hessian", "α", "mean index", NUDGED, "least index", "deviation [mm]", "steps made convex", "chatter [%]")
     return Table.of("hessians", (*head, "goal reached"), rows), runs
+
+
+def literal(arm: Arm) -> tuple[Table, dict[tuple[str, float], Run]]:
+    """(20) as printed, solved as it is, on every path."""
+    printed = mp.Objective(1.0, hessian="bfgs-literal", convexify=False)
+    runs, rows = {}, []
+    for name, alpha in product(arm.courses, config.LITERAL_ALPHAS):
+        run, near = (
+            arm.follow(name, "(20)", alpha, formulation=printed, compiled=False, nudge=nudge) for nudge in (0.0, config.NUDGE)
+        )
+        runs[name, alpha] = run
+        exact, without = arm.follow(name, "(10)", alpha), arm.follow(name, "(7)", 0.0)
+        unsolved = (100 * run.unsolved / run.steps, 100 * near.unsolved / near.steps)
+        figures = (run.mean, without.mean, exact.mean, 1e3 * run.worst, 100 * run.chatter, run.reached)
+        rows.append((name, alpha, *unsolved, *figures))
+    head = ("path", "α", "steps without an answer [%]", NUDGED, "mean index", "of (2)", "of (10), exact", "deviation [mm]")
+    return Table.of("literal", (*head, "chatter [%]", "goal reached"), rows), runs
 
 
 def real_time(arm: Arm, avoidance: mp.Avoidance, advance: Callable[[], None]) -> tuple[Table, dict[str, float]]:

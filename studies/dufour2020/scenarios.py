@@ -7,7 +7,6 @@ import numpy as np
 
 import manipplan as mp
 from studies.dufour2020 import config
-from studies.dufour2020.courses import Array
 from studies.dufour2020.follow import Arm, Run
 from studies.tables import Cell, Table
 
@@ -29,9 +28,11 @@ def run_row(run: Run) -> tuple[Cell, ...]:
     return run.course.name, run.formula, run.strength, run.mean, run.least, millimetres, degrees, run.roughness
 
 
-def sweep(arm: Arm, name: str, formula: str, strengths: Sequence[float], *, tube: float | None = None) -> list[Run]:
-    """One run a strength."""
-    return [arm.follow(name, formula, strength, tube=tube) for strength in strengths]
+def sweep(
+    arm: Arm, name: str, formula: str, strengths: Sequence[float], *, tube: float | None = None, nudge: float = 0.0
+) -> list[Run]:
+    """One run per strength."""
+    return [arm.follow(name, formula, strength, tube=tube, nudge=nudge) for strength in strengths]
 
 
 def best(runs: Sequence[Run]) -> Run | None:
@@ -151,10 +152,6 @@ class Comparison:
         """(10) with its best α."""
         found = {name: best(runs) for name, runs in self.objective.items()}
         return {name: run for name, run in found.items() if run is not None}
-
-    def losses(self, reference: dict[str, Run], other: dict[str, Run]) -> Array:
-        """How much lower the mean index of `other` is, as a share, path by path."""
-        return np.array([1 - other[name].mean / reference[name].mean for name in config.TABLE_1])
 
     def table(self) -> Table:
         """Table 1: at the paper's values, and at the best of our sweeps."""

@@ -55,6 +55,9 @@ MOST_BRANCHES, MOST_BRANCHES_FULL, MOST_BRANCHES_SWEEP = 300_000, 300_000, 100_0
 
 POSTURES = 4  # of the figures, as in Fig. 6 to 8
 
+PERTURBATION = (
+    2e-3  # section V: "about 1/1000" of the index along the line, in its own unit; ours: twice that is still about it
+)
 # What the paper states of the four in Table I and the text under it.
 PAPER_CIRCLE = {"valid": 59_561, "starts": 9_407, "branches": 36_596}
 

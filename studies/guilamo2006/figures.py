@@ -16,7 +16,7 @@ from studies.guilamo2006.results import Results
 from studies.guilamo2006.runs import Sampled, Searched
 
 DPI = 110
-REFINED, BOUND = "#009E73", "#000000"
+REFINED, BOUND, PAPERS = "#009E73", "#000000", "#CC79A7"
 BODY, MOVING, EDGE = "#E9E9E9", "#A9CCE3", "#7A7A7A"
 AXES = "xyz"
 FRONT, SIDE, TOP = (1, 2), (0, 2), (1, 0)
@@ -93,6 +93,9 @@ def curves(results: Results, file: Path) -> None:
             refined = results.refined(course).refinement.manipulability
             ax.plot(places, bound, ":", color=BOUND, label="largest candidate of each position")
             ax.plot(places, first.found.manipulability, "--", color=SEED, linewidth=1.2, label="first optimum found")
+            restarted = results.restarted(course, memoised=True)
+            if restarted.ended:
+                ax.plot(places, restarted.found.manipulability, "-.", color=PAPERS, linewidth=1.2, label="the paper's search")
             ax.plot(places, best.found.manipulability, color=OPTIMUM, label="shortest of the same least index")
             ax.plot(places, refined, color=REFINED, linewidth=2, label="refined")
             ax.axhline(best.found.minimum, color=OPTIMUM, linewidth=0.7)

@@ -188,6 +188,15 @@ def _full(results: Results) -> list[Claim]:
             holds=gained == len(ways),
             part=FULL,
         ),
+        *(
+            Claim(
+                text=f"changes from machine to machine: {example.name} among {len(posts)} of the posts: g",
+                thesis="-",
+                value=way.g,
+                part=FULL,
+            )
+            for (example, posts), (way, _) in zip(config.POSTS, ways, strict=True)
+        ),
     ]
 
 

@@ -24,7 +24,9 @@ from manipplan.demo import panda_among_boxes
 
 problem = panda_among_boxes()
 robot = problem.robot
-plan = mp.plan(robot, problem.start, problem.goal, problem.scene)
+plan = mp.plan(
+    robot, problem.start, problem.goal, problem.scene, clearance=problem.clearance
+)
 folder = Path(tempfile.mkdtemp())
 plan.trajectory.to_csv(folder / "optimised.csv")
 mp.retime(plan.result.seed, robot.limits, joint_names=robot.joint_names).to_csv(
