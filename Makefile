@@ -58,6 +58,9 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/kinematics.py
 	$(BIN)/python benchmarks/import_time.py
 	$(BIN)/python benchmarks/random_steps.py
+	$(BIN)/python benchmarks/control_step.py
+	$(BIN)/python benchmarks/six_joint_arms.py
+	$(BIN)/python benchmarks/motionbenchmaker.py
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py
 	$(BIN)/python benchmarks/planar_suite.py

@@ -2,7 +2,7 @@
 
 Run with `make benchmark`, on a quiet machine: the times are microseconds. A quadratic program takes longer the more bounds are
 active, so two cases stand side by side: along a path, where hardly any bound is active, and at rest with a target 0.2 mm away,
-where most joints are at their acceleration limit. Every case is measured in several rounds that take turns; the table has the
+where some joints are at their acceleration limit. Every case is measured in several rounds that take turns; the table has the
 median round. Writes docs/benchmarks/control_step.md.
 """
 

@@ -1,0 +1,68 @@
+"""Benchmarks that need no peer, each with little work: what their tables count is what happens."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import manipplan as mp
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
+import control_step
+import motionbenchmaker
+import six_joint_arms
+from outside import problems
+
+
+@pytest.fixture(scope="module")
+def panda():
+    return problems.robot("panda")
+
+
+def test_refused_problems_are_those_that_plan_refuses(panda):
+    """The first refused problem of each reason, and the first accepted one of each set."""
+    every = problems.load("panda")
+    found = [(problem, motionbenchmaker.refusal(panda, problem)) for problem in every]
+    for reason in (motionbenchmaker.BEYOND, motionbenchmaker.TOUCHES):
+        refused = [problem for problem, outcome in found if outcome is not None and outcome.result == reason]
+        with pytest.raises(mp.InvalidInputError, match=r"^(start|goal)"):
+            mp.plan(panda, refused[0].start, refused[0].goal, refused[0].scene)
+    model = [problem.scene.collision_model(panda) for problem, outcome in found if outcome is None]
+    accepted = [problem for problem, outcome in found if outcome is None]
+    assert len(accepted) >= 260
+    for each, problem in zip(model, accepted, strict=True):
+        assert min(each.distances(problem.start).min(), each.distances(problem.goal).min()) >= 0
+
+
+def test_meshes_touch_where_an_obstacle_is_in_a_link(panda):
+    hand = panda.kinematics().pose(panda.neutral)[:3, 3]
+    ball = mp.Scene([mp.Sphere(radius=0.05, position=hand)])
+    away = mp.Scene([mp.Sphere(radius=0.05, position=hand + [0.0, 0.0, -0.3])])
+    assert not motionbenchmaker.free_by_meshes(panda, ball, panda.neutral)
+    assert motionbenchmaker.free_by_meshes(panda, away, panda.neutral)
+
+
+def test_the_first_problem_in_a_box_is_optimised(panda):
+    problem = next(problem for problem in problems.load("panda") if problem.set == "box")
+    outcome = motionbenchmaker.outcome(panda, problem)
+    assert outcome.result in motionbenchmaker.OPTIMISED
+    assert 0 < outcome.ratio < 1
+    assert "| box | 1 | 0 | 0 | 0 |" in motionbenchmaker.row("box", [outcome])
+
+
+def test_pairs_of_a_six_joint_arm_in_different_aspects_are_singular(tmp_path):
+    found = six_joint_arms.main(["--pairs", "5", "--out", str(tmp_path / "table.md")])
+    apart = [each for each in found if not each.one_aspect]
+    assert apart
+    assert {each.status for each in apart} == {mp.Status.SINGULAR}
+    assert f"| in different aspects | {len(apart)} | {len(apart)} | 0 | 0 |" in (tmp_path / "table.md").read_text()
+
+
+def test_at_rest_bounds_are_active_and_along_a_path_hardly_any(tmp_path):
+    found = control_step.main(["--rounds", "1", "--interpreted", "--out", str(tmp_path / "table.md")])
+    assert len(found) == 3 * len(control_step.FORMULATIONS) * 2
+    for case, _, _, _, middle in found:
+        assert middle.active >= 2 if case == control_step.REST else middle.active < 1
+        assert 0 < middle.median <= middle.high
+        assert np.isfinite(middle.high)
