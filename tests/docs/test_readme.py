@@ -6,6 +6,9 @@ from pathlib import Path
 
 import pytest
 
+import manipplan as mp
+from manipplan.demo import panda_among_boxes
+
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text()
 
@@ -26,6 +29,16 @@ def test_benchmark_tables_are_those_of_the_documentation(name):
         [shown] = re.findall(r"<!-- benchmark -->\n(.*?)<!-- /benchmark -->", README, re.DOTALL)
         assert shown.strip() == table.strip()
     assert table.startswith("| figure | value |")
+
+
+def test_the_first_page_states_the_gain_of_the_demo():
+    problem = panda_among_boxes()
+    plan = mp.plan(problem.robot, problem.start, problem.goal, problem.scene, clearance=problem.clearance)
+    ours, seeds = plan.report.min_manipulability, plan.report.seed_min_manipulability
+    page = " ".join((ROOT / "docs" / "index.md").read_text().split())
+    assert f"{ours:.4f} against {seeds:.4f} m⁶" in page
+    assert "seven times" in page
+    assert 7 <= ours / seeds < 8
 
 
 def rows(name):
