@@ -64,7 +64,7 @@ def test_times_of_control_steps_are_those_of_the_table():
 
 def test_limitations_state_what_the_benchmarks_count():
     [whole] = [row for row in rows("six_joint_arms") if row[0] == "all"]
-    assert f"so end {whole[2]} of {whole[1]} random pairs of a UR5" in README
+    assert f"{whole[2]} of {whole[1]} random pairs of a UR5 end like this" in README
     table = (ROOT / "docs" / "benchmarks" / "motionbenchmaker.md").read_text()
     [(every, refused, free)] = re.findall(r"Of all (\d+) problems (\d+) are refused.* (\d+) touch no obstacle", table)
     assert f"Of MotionBenchMaker's {every} problems of the Panda {refused} are refused, {free} of which" in README
