@@ -122,6 +122,13 @@ def claims(
             value=float(np.median(ratio)),
             holds=bool(np.median(ratio) < 1),
         ),
+        *(
+            Claim(
+                text=f"{name}: rms torque of (14) by that of (2)", paper="not stated", value=arm.torque(one) / arm.torque(plain)
+            )
+            for name, runs in everything.items()
+            if name in ("S1", "S2") and (one := runs["(14)"]) and (plain := runs["(2)"])
+        ),
         Claim(
             text="mean over all paths of LogDrive's mean index less that of (14)",
             paper="ours",

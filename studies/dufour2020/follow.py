@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
+import pinocchio as pin
 from scipy.optimize import minimize
 
 import manipplan as mp
@@ -218,6 +219,13 @@ class Arm:
             rollout=rollout,
             steps=steps,
         )
+
+    def torque(self, run: Run) -> float:
+        """Root mean square of the joint torques on the path [N m], by Pinocchio's inverse dynamics."""
+        model = self.robot.model
+        data = model.createData()
+        motion = zip(run.q, run.qd, run.acceleration, strict=False)  # accelerations end with the path
+        return float(np.sqrt(np.mean([pin.rnea(model, data, *each) ** 2 for each in motion])))
 
     def step_times(
         self,

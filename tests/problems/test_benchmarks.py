@@ -52,7 +52,7 @@ def test_the_first_problem_in_a_box_is_optimised(panda):
 
 
 def test_pairs_of_a_six_joint_arm_in_different_aspects_are_singular(tmp_path):
-    found = six_joint_arms.main(["--pairs", "5", "--out", str(tmp_path / "table.md")])
+    found = six_joint_arms.main(["--pairs", "3", "--out", str(tmp_path / "table.md")])
     apart = [each for each in found if not each.one_aspect]
     assert apart
     assert {each.status for each in apart} == {mp.Status.SINGULAR}
