@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.checks import existing_file
+from manipplan.checks import existing_file, whole_number
 from manipplan.errors import FileFormatError, InvalidInputError
 from manipplan.files import write_bytes, write_text
 from manipplan.paths.trajectory import Trajectory
@@ -134,25 +134,30 @@ def ros_time(nanoseconds: int) -> dict[str, int]:
 
 def from_ros(file: str | Path) -> Trajectory:
     """Read a JointTrajectory in YAML. Raises FileFormatError when names, positions, velocities or times are missing."""
-    import yaml
+    from manipplan.yaml_files import read_yaml
 
     path = existing_file("file", file)
     wanted = "a JointTrajectory in YAML: joint_names and points with positions, velocities and time_from_start"
 
     def read() -> Trajectory:
-        loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-        message = yaml.load(path.read_text(), Loader=loader)  # a safe loader, in C where there is one
+        message = read_yaml("file", path)
         if not isinstance(message, Mapping):
             raise FileFormatError("file", str(path), wanted)
-        stamps = [point["time_from_start"] for point in message["points"]]
         return Trajectory(
-            t=np.array([(stamp["sec"] * 10**9 + stamp["nanosec"]) / 1e9 for stamp in stamps]),
+            t=np.array([_seconds(point["time_from_start"]) for point in message["points"]]),
             q=np.array([point["positions"] for point in message["points"]], dtype=float),
             qd=np.array([point["velocities"] for point in message["points"]], dtype=float),
             joint_names=message["joint_names"],
         )
 
     return _reading(path, wanted, read)
+
+
+def _seconds(stamp: Mapping[str, Any]) -> float:
+    """ROS's Duration in seconds."""
+    sec = whole_number("time_from_start.sec", stamp["sec"], least=0, most=2**31 - 1)
+    nanosec = whole_number("time_from_start.nanosec", stamp["nanosec"], least=0, most=10**9 - 1)
+    return (sec * 10**9 + nanosec) / 1e9
 
 
 def to_npz(trajectory: Trajectory, file: str | Path) -> None:

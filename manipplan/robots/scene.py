@@ -12,7 +12,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.checks import Array, configurations, existing_file, finite_array, instance, number
+from manipplan.checks import Array, configurations, existing_file, finite_array, instance, number, number_array
 from manipplan.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.files import write_text
 
@@ -60,7 +60,7 @@ class Obstacle(ABC):
 
     def _rotation_matrix(self, rotation: ArrayLike) -> Array:
         argument = self._argument("rotation")
-        if np.shape(rotation) == (3,):
+        if number_array(argument, rotation).shape == (3,):
             return np.asarray(pin.rpy.rpyToMatrix(*finite_array(argument, rotation, (3,))))
         matrix = finite_array(argument, rotation, (3, 3))
         if not np.allclose(matrix @ matrix.T, np.eye(3), atol=1e-6) or np.linalg.det(matrix) < 0:
@@ -182,13 +182,10 @@ class Scene:
 
         Raises FileFormatError or InvalidInputError that names the obstacle, the key and what is allowed.
         """
-        import yaml
+        from manipplan.yaml_files import read_yaml
 
         path = existing_file("scene", file)
-        try:
-            data = yaml.safe_load(path.read_text())
-        except (yaml.YAMLError, UnicodeDecodeError) as error:
-            raise FileFormatError("scene", str(path), f"YAML ({' '.join(str(error).split())})") from error
+        data = read_yaml("scene", path)
         if not isinstance(data, dict) or set(data) != {"obstacles"} or not isinstance(data["obstacles"], list):
             keys = f" with the keys {', '.join(map(str, data))}" if isinstance(data, dict) else ""
             raise FileFormatError("scene", f"{path}{keys}", "one key, obstacles, with a list")
