@@ -13,6 +13,8 @@ import pinocchio as pin
 from manipplan.checks import Array
 from manipplan.errors import FileFormatError
 from manipplan.robots import mjcf_bodies, urdf_links
+from manipplan.robots.hulls import FARTHEST
+from manipplan.robots.ply import fault_of
 
 T = TypeVar("T")
 #: How deep elements of a file, or links of a robot, may follow one another: Pinocchio reads both by calls within calls.
@@ -72,6 +74,7 @@ def read_urdf(file: Path, package_dirs: Sequence[str | Path] = ()) -> Descriptio
     _check_chain(file, root)
     urdf_links.check_links(file, root)
     folders = [str(folder) for folder in package_dirs] + [str(folder) for folder in file.resolve().parents]
+    _check_ply(file, root, folders)
     model = _pinocchio(file, "a URDF", lambda: pin.buildModelFromUrdf(str(file)))
     geometry = _pinocchio(
         file,
@@ -88,6 +91,7 @@ def read_mjcf(file: Path) -> Description:
     root = _xml("file", file, "mujoco")
     _check_names(file, root)
     mjcf_bodies.check_bodies(file, root)
+    _check_ply(file, root, [str(file.parent / each.get("meshdir", "")) for each in (root, *root.iter("compiler"))])
     model = _pinocchio(file, "an MJCF file", lambda: pin.buildModelFromMJCF(str(file)))
     geometry = _pinocchio(
         file,
@@ -280,11 +284,26 @@ def _check_chain(file: Path, root: ET.Element) -> None:
                 raise FileFormatError("file", str(file), wanted)
 
 
+def _check_ply(file: Path, root: ET.Element, folders: Sequence[str]) -> None:
+    """Raise FileFormatError for a PLY mesh that the mesh loader would crash at."""
+    for mesh in root.iter("mesh"):
+        name = mesh.get("filename") or mesh.get("file") or ""
+        if not name.lower().endswith(".ply"):
+            continue
+        name = name.removeprefix("package://").removeprefix("file://")
+        for path in (Path(folder) / name for folder in folders):
+            fault = fault_of(path) if path.is_file() else None
+            if fault is not None:
+                raise FileFormatError("file", str(file), f"a description whose meshes can be read; {path}: {fault}")
+
+
 def _check_meshes(file: Path, geometry: pin.GeometryModel) -> None:
-    """Raise FileFormatError for a mesh with a vertex that is not finite."""
+    """Raise FileFormatError for a mesh with a vertex that is not finite, or further away than any robot."""
     for item in geometry.geometryObjects:
-        if isinstance(item.geometry, coal.BVHModelBase) and not np.isfinite(np.array(item.geometry.vertices())).all():
-            wanted = f"a description whose meshes have finite vertices, unlike {item.meshPath} of {item.name}"
+        if isinstance(item.geometry, coal.BVHModelBase) and not (np.abs(np.array(item.geometry.vertices())) <= FARTHEST).all():
+            wanted = (
+                f"a description whose meshes have finite vertices within {FARTHEST:g} m, unlike {item.meshPath} of {item.name}"
+            )
             raise FileFormatError("file", str(file), wanted)
 
 

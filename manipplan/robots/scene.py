@@ -15,6 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 from manipplan.checks import Array, configurations, existing_file, finite_array, instance, number, number_array
 from manipplan.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.files import write_text
+from manipplan.robots.hulls import FARTHEST, convex_hull, has_hull
+from manipplan.robots.ply import fault_of
 
 if TYPE_CHECKING:
     from manipplan.paths.joint import JointPath
@@ -304,6 +306,9 @@ def _hulls(argument: str, file: Path, scale: float) -> list[coal.CollisionGeomet
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
+    fault = fault_of(file) if file.suffix.lower() == ".ply" else None
+    if fault is not None:
+        raise FileFormatError(argument, str(file), f"a mesh (STL, OBJ, DAE, ...); {fault}")
     try:
         mesh = coal.MeshLoader(coal.NODE_TYPE.BV_OBBRSS).load(str(file), np.full(3, scale))
     except (ValueError, RuntimeError) as error:
@@ -319,14 +324,8 @@ def _hulls(argument: str, file: Path, scale: float) -> list[coal.CollisionGeomet
     hulls = []
     for part in range(count):
         corners = vertices[part_of == part]
-        if len(corners) < 4 or np.linalg.matrix_rank(corners - corners[0], tol=1e-9) < 3:
-            raise FileFormatError(argument, str(file), "a mesh whose parts have a volume; one part is flat")
-        points = coal.StdVec_Vec3s()
-        points.extend(list(corners))
-        cloud = coal.BVHModelOBBRSS()
-        cloud.beginModel(0, len(corners))
-        cloud.addVertices(corners)
-        cloud.endModel()
-        cloud.buildConvexHull(True, "Qt")
-        hulls.append(cloud.convex)
+        if not has_hull(corners):
+            wanted = f"a mesh whose parts have a volume, with corners within {FARTHEST:g} m; one part is flat or too far away"
+            raise FileFormatError(argument, str(file), wanted)
+        hulls.append(convex_hull(corners))
     return hulls

@@ -93,7 +93,7 @@ def test_a_mirrored_mesh_is_read(urdf, tmp_path):
 
 def test_a_mesh_with_a_vertex_that_is_not_finite(urdf, tmp_path):
     (tmp_path / "m.obj").write_text("v 0 0 nan\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
-    with pytest.raises(mp.FileFormatError, match=r"finite vertices, unlike .*m\.obj of arm_0"):
+    with pytest.raises(mp.FileFormatError, match=r"finite vertices within .*, unlike .*m\.obj of arm_0"):
         mp.load_robot(urdf(collision(f'<mesh filename="{tmp_path}/m.obj"/>')))
 
 
