@@ -13,6 +13,8 @@ T = TypeVar("T")
 
 #: How far a rotation matrix may be from one.
 ROTATION = 1e-6
+#: The largest seed of random numbers, which OMPL counts in 32 bits.
+LARGEST_SEED = 2**31 - 1
 
 
 def finite_array(argument: str, value: ArrayLike, shape: tuple[int | None, ...]) -> Array:
@@ -82,6 +84,11 @@ def whole_number(argument: str, value: Any, *, least: int, most: int | None = No
     if most is not None and value > most:
         raise InvalidInputError(argument, value, wanted)
     return int(value)
+
+
+def random_seed(argument: str, value: Any) -> int:
+    """`value` as a seed of random numbers: a whole number from 0 to `LARGEST_SEED`."""
+    return whole_number(argument, value, least=0, most=LARGEST_SEED)
 
 
 def instance(argument: str, value: Any, kind: type[T]) -> T:

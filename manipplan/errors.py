@@ -5,6 +5,7 @@ work out raises `PlanningError`, which holds the result and its status; ``throw=
 """
 
 import difflib
+import reprlib
 from collections.abc import Iterable
 from typing import Any
 
@@ -117,5 +118,12 @@ class PlanningError(ManipplanError):
 
 
 def _short(value: object) -> str:
-    text = " ".join(repr(value).split())
+    text = " ".join(_SHORT.repr(value).split())
     return text if len(text) <= 160 else text[:157] + "..."
+
+
+#: Representations that stop early: a value may hold a million numbers.
+_SHORT = reprlib.Repr()
+_SHORT.maxlevel = 4
+_SHORT.maxlist = _SHORT.maxtuple = _SHORT.maxdict = _SHORT.maxset = _SHORT.maxfrozenset = 60
+_SHORT.maxstring = _SHORT.maxother = _SHORT.maxlong = 400

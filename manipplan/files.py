@@ -17,7 +17,7 @@ def write_text(file: str | Path, text: str) -> None:
 def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
     """Let `write` fill a temporary file beside `file`, then rename it to `file`.
 
-    Raises InvalidInputError when the folder does not exist or cannot be written.
+    Raises InvalidInputError when the folder does not exist or cannot be written, or the disk is full.
     """
     if not isinstance(file, str | Path):
         raise InvalidInputError("file", file, "the path of a file")
@@ -36,8 +36,10 @@ def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
             write(stream)
         part.chmod(0o644)
         part.replace(path)
-    except BaseException:
+    except BaseException as error:
         part.unlink()
+        if isinstance(error, OSError):  # a full disk
+            raise InvalidInputError("file", str(path), f"a place that can be written ({_reason(error)})") from error
         raise
 
 

@@ -41,7 +41,7 @@ class Screws:
         pin.forwardKinematics(robot.model, data, pin.neutral(robot.model))
         pin.updateFramePlacements(robot.model, data)
         pin.computeJointJacobians(robot.model, data, pin.neutral(robot.model))
-        twists = pin.getFrameJacobian(robot.model, data, frame, pin.WORLD)
+        twists = pin.getFrameJacobian(robot.model, data, frame, pin.WORLD).reshape(6, -1)  # of one joint, it is flat
         slides = np.array([kind == "prismatic" for kind in robot.joint_types])
         axes = np.where(slides, twists[:3], twists[3:]).T
         points = np.where(slides[:, None], 0.0, np.cross(twists[3:].T, twists[:3].T))

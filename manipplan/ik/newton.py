@@ -130,14 +130,15 @@ def search(
     q: Array,
     steps: int,
     tolerance: float,
-) -> NDArray[np.bool_]:
+) -> Array:
     """Damped Newton steps (Levenberg-Marquardt, [sugihara2011]) from each row of q (k, n), in place, inside the limits.
 
-    Joints stop at their limits and leave them when the step leads back. Returns which rows met the pose.
+    Joints stop at their limits and leave them when the step leads back. A row ends once its pose is met to `tolerance`. Returns
+    the largest entry (k,) of each row's error [m, rad].
     """
     n = q.shape[1]
     pose, jacobian, error = np.eye(4), np.empty((6, n)), np.empty(6)
-    met = np.zeros(len(q), dtype=np.bool_)
+    miss = np.empty(len(q))
     trial = np.empty(n)
     held = np.empty(n, dtype=np.bool_)
     for k in range(len(q)):
@@ -147,7 +148,6 @@ def search(
         square = (error * error).sum()
         for _ in range(steps):
             if np.abs(error).max() <= tolerance:
-                met[k] = True
                 break
             gradient = jacobian.T @ error
             for j in range(n):
@@ -156,7 +156,7 @@ def search(
                 if held[j]:
                     jacobian[:, j] = 0.0
             gram = jacobian @ jacobian.T
-            least = LEAST * np.trace(gram) + 1e-12
+            least = LEAST * np.trace(gram)
             for i in range(6):
                 gram[i, i] += damping * square + least
             trial[:] = q[k] + jacobian.T @ np.linalg.solve(gram, error)
@@ -173,8 +173,9 @@ def search(
                     break
             else:
                 damping *= 8
-                if damping > 1e6:
-                    break
                 forward(axes, points, slides, home, q[k], pose, jacobian)
                 _error(pose, target, error)
-    return met
+                if damping > 1e6:
+                    break
+        miss[k] = np.abs(error).max()
+    return miss

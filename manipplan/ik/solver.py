@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.checks import Array, finite_array, instance, whole_number
+from manipplan.checks import Array, finite_array, instance, random_seed, whole_number
 from manipplan.errors import InvalidInputError, UnknownNameError
 from manipplan.ik.enumeration import answers
 from manipplan.ik.form import SWIVEL, ClosedForm, closed_form, held_indices
@@ -94,7 +94,7 @@ class Solver:
             screws=screws,
             held=indices,
             axis=axis,
-            seed=whole_number("seed", seed, least=0),
+            seed=random_seed("seed", seed),
         )
 
     @property

@@ -15,9 +15,13 @@ from manipplan.robots.robot import Robot
 #: Random starts of a round, and the most of them in all.
 ROUND = 64
 MOST = 4096
+#: After so many starts without an answer, there is none.
+FRUITLESS = 512
 #: Rounds go on until every answer was met this often on average and none only once.
 SEEN = 8
 STEPS = 80
+#: Where nothing is found, starts that came this near [m, rad] get more steps: at a singularity, steps are short.
+NEAR, MORE_STEPS = 1e-2, 500
 TOLERANCE = 1e-12
 #: Answers that differ by less are the same [rad or m].
 SAME = 1e-5
@@ -54,10 +58,10 @@ def random_answers(setup: Sampled, target: Array, rng: np.random.Generator) -> t
     moves = np.ones(screws.n, dtype=bool)
     moves[held] = False
     found, hits, starts = np.zeros((0, screws.n)), np.zeros(0), 0
-    while starts < MOST:
-        q = rng.uniform(lower, upper, (ROUND, screws.n))
-        q[:, held] = setup.values
-        met = search(
+    near = np.zeros((0, screws.n))
+
+    def advance(q: Array, steps: int) -> Array:
+        return search(
             screws.axes,
             screws.points,
             screws.slides,
@@ -67,19 +71,29 @@ def random_answers(setup: Sampled, target: Array, rng: np.random.Generator) -> t
             limits.lower,
             limits.upper,
             q,
-            STEPS,
+            steps,
             TOLERANCE,
         )
-        starts += ROUND
-        for each in _in_range(q[met], limits):
+
+    while starts < MOST:
+        if len(found) or starts < FRUITLESS:
+            q = rng.uniform(lower, upper, (ROUND, screws.n))
+            q[:, held] = setup.values
+            miss = advance(q, STEPS)
+            starts += ROUND
+            near = np.vstack([near, q[(miss > TOLERANCE) & (miss < NEAR)]])
+        elif len(near):
+            q, near = near[:ROUND].copy(), near[:0]
+            miss = advance(q, MORE_STEPS)
+        else:
+            break
+        for each in _in_range(q[miss <= TOLERANCE], limits):
             same = np.flatnonzero(np.abs(found - each).max(axis=1) < SAME)
             if len(same):
                 hits[same[0]] += 1
             else:
                 found, hits = np.vstack([found, each]), np.append(hits, 1)
         if hits.sum() >= SEEN * max(len(found), 1) and not (hits == 1).any():
-            break
-        if not len(found) and starts >= 8 * ROUND:
             break
     missing = float((hits == 1).sum() / hits.sum()) if len(found) else 1.0
     return found, missing

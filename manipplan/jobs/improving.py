@@ -24,7 +24,7 @@ from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller
 from manipplan.tracking.formulations import Formulation, LogDrive
 from manipplan.tracking.relaxation import Stiffness, StiffnessProfile, Tolerance
-from manipplan.tracking.track import HOLD, along, follow_poses
+from manipplan.tracking.track import HOLD, along, follow_poses, step_count
 
 
 @interruptible()
@@ -79,7 +79,7 @@ def improve(
     kinematics = robot.kinematics(controller.task)
     model = scene.collision_model(robot)
     tell(0.1, "following the recorded motion")
-    steps = max(round(motion.duration / dt), 1)
+    steps = step_count(float(np.round(motion.duration / dt)))
     u = np.arange(steps + 1) / steps
     if stiffness is None:
         stiffness = StiffnessProfile()

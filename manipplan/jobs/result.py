@@ -75,13 +75,13 @@ class Plan:
         if self.trajectory is None or self.report is None:
             raise PlanningError(f"there is no trajectory to save: {self.status.value}", self)
         to = writable_folder("folder", folder)
+        archive.write_plan(self, to / archive.NAME)
         self.trajectory.to_csv(to / "trajectory.csv")
         self.trajectory.to_json(to / "trajectory.json")
         self.trajectory.to_ros(to / "trajectory.yaml")
         self.report.to_json(to / "report.json")
         write_text(to / "report.txt", f"{self.report}\n")
-        save_plan(self, to / "plan.png")
-        archive.write_plan(self, to / archive.NAME)
+        save_plan(self, to / "plan.png")  # last: the data are on disk whatever becomes of the picture
         names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png", archive.NAME)
         return [to / name for name in names]
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, finite_array, instance, number, whole_number
+from manipplan.checks import Array, finite_array, instance, number, random_seed, whole_number
 from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
 from manipplan.interrupts import interruptible
 from manipplan.kinematics.kinematics import Kinematics
@@ -30,6 +30,8 @@ from manipplan.status import Status
 
 #: A polynomial of a higher degree is no better, only slower.
 MOST_DEGREE = 20
+#: First paths that are looked for to one goal.
+MOST_SEEDS = 10_000
 SHIFTS = ("none", "within-limits")
 
 
@@ -131,7 +133,7 @@ def optimize_path(
         raise UnknownNameError("shifts", str(shifts), SHIFTS)
     if shifts != "none" and initial is not None:
         raise InvalidInputError("shifts", shifts, "'none' together with an initial path")
-    seed, seeds = whole_number("seed", seed, least=0), whole_number("seeds", seeds, least=1)
+    seed, seeds = random_seed("seed", seed), whole_number("seeds", seeds, least=1, most=MOST_SEEDS)
     if seeds > 1 and initial is not None:
         raise InvalidInputError("seeds", seeds, "1 together with an initial path")
     time_limit = number("time_limit", time_limit, above=0.0)

@@ -3,13 +3,14 @@
 import csv
 import io
 import json
+import tokenize
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from manipplan.checks import existing_file
+from manipplan.checks import existing_file, whole_number
 from manipplan.errors import FileFormatError, InvalidInputError
 from manipplan.files import write_bytes, write_text
 from manipplan.paths.trajectory import Trajectory
@@ -18,6 +19,8 @@ FORMAT = "manipplan-trajectory"
 VERSION = 1
 #: ROS counts whole seconds in 32 bits; the first message of a bag is stamped 1 s.
 LONGEST = 2**31 - 2
+#: What a NumPy archive may hold [bytes].
+LARGEST = 2**30
 
 
 def to_csv(trajectory: Trajectory, file: str | Path) -> None:
@@ -134,25 +137,30 @@ def ros_time(nanoseconds: int) -> dict[str, int]:
 
 def from_ros(file: str | Path) -> Trajectory:
     """Read a JointTrajectory in YAML. Raises FileFormatError when names, positions, velocities or times are missing."""
-    import yaml
+    from manipplan.yaml_files import read_yaml
 
     path = existing_file("file", file)
     wanted = "a JointTrajectory in YAML: joint_names and points with positions, velocities and time_from_start"
 
     def read() -> Trajectory:
-        loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-        message = yaml.load(path.read_text(), Loader=loader)  # a safe loader, in C where there is one
+        message = read_yaml("file", path)
         if not isinstance(message, Mapping):
             raise FileFormatError("file", str(path), wanted)
-        stamps = [point["time_from_start"] for point in message["points"]]
         return Trajectory(
-            t=np.array([(stamp["sec"] * 10**9 + stamp["nanosec"]) / 1e9 for stamp in stamps]),
+            t=np.array([_seconds(point["time_from_start"]) for point in message["points"]]),
             q=np.array([point["positions"] for point in message["points"]], dtype=float),
             qd=np.array([point["velocities"] for point in message["points"]], dtype=float),
             joint_names=message["joint_names"],
         )
 
     return _reading(path, wanted, read)
+
+
+def _seconds(stamp: Mapping[str, Any]) -> float:
+    """ROS's Duration in seconds."""
+    sec = whole_number("time_from_start.sec", stamp["sec"], least=0, most=2**31 - 1)
+    nanosec = whole_number("time_from_start.nanosec", stamp["nanosec"], least=0, most=10**9 - 1)
+    return (sec * 10**9 + nanosec) / 1e9
 
 
 def to_npz(trajectory: Trajectory, file: str | Path) -> None:
@@ -162,20 +170,27 @@ def to_npz(trajectory: Trajectory, file: str | Path) -> None:
 
 
 def from_npz(file: str | Path) -> Trajectory:
-    """Read `to_npz`'s file. Raises FileFormatError for another archive."""
+    """Read `to_npz`'s file. Raises FileFormatError for another archive, or one of more than `LARGEST` bytes unpacked."""
+    import zipfile
+
     path = existing_file("file", file)
+    wanted = "a NumPy archive with t, q, qd and joint_names"
 
     def read() -> Trajectory:
+        with zipfile.ZipFile(path) as archive:
+            size = sum(each.file_size for each in archive.infolist())
+        if size > LARGEST:
+            raise FileFormatError("file", f"{path} with {size:,} bytes of numbers", f"{wanted}, of at most {LARGEST:,} bytes")
         with np.load(path, allow_pickle=False) as data:
             return Trajectory(t=data["t"], q=data["q"], qd=data["qd"], joint_names=tuple(data["joint_names"].tolist()))
 
-    return _reading(path, "a NumPy archive with t, q, qd and joint_names", read)
+    return _reading(path, wanted, read)
 
 
 def _reading(path: Path, wanted: str, read: Callable[[], Trajectory]) -> Trajectory:
+    """What `read` returns; what the libraries raise at a file becomes a FileFormatError."""
     import zipfile
-
-    import yaml
+    import zlib
 
     try:
         return read()
@@ -183,6 +198,21 @@ def _reading(path: Path, wanted: str, read: Callable[[], Trajectory]) -> Traject
         raise
     except InvalidInputError as error:
         raise FileFormatError("file", str(path), f"{wanted}; {error}") from error
-    except (KeyError, IndexError, TypeError, ValueError, EOFError, RecursionError, zipfile.BadZipFile, yaml.YAMLError) as error:
+    except (
+        ArithmeticError,
+        AttributeError,
+        EOFError,
+        LookupError,
+        MemoryError,
+        OSError,
+        RuntimeError,  # an encrypted archive, a compression that Python does not know, a depth that is too large
+        SyntaxError,  # the head of an array, or a zero byte in it
+        TypeError,
+        ValueError,
+        csv.Error,
+        tokenize.TokenError,
+        zipfile.BadZipFile,
+        zlib.error,
+    ) as error:
         reason = " ".join(f"{type(error).__name__}: {error}".split())[:160]
         raise FileFormatError("file", str(path), f"{wanted} ({reason})") from error

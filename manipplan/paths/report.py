@@ -216,7 +216,7 @@ class Report:
         path = existing_file("file", file)
         try:
             return cls.from_data(json.loads(path.read_text()))
-        except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError) as error:
+        except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError, OSError) as error:
             raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
 
 

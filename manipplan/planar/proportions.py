@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from manipplan.checks import Array, number, whole_number
+from manipplan.checks import Array, number, random_seed, whole_number
 from manipplan.errors import InvalidInputError
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.index import manipulability
@@ -68,7 +68,7 @@ def optimal_lengths(n: int, *, total: float = 1.0, least: float = 0.1, starts: i
     least = number("least", least, above=0.0)
     if n * least > total:
         raise InvalidInputError("least", least, f"at most total / n = {total / n:g} m")
-    spare, rng = total - n * least, np.random.default_rng(whole_number("seed", seed, least=0))
+    spare, rng = total - n * least, np.random.default_rng(random_seed("seed", seed))
 
     def unpacked(x: Array) -> tuple[Array, Array]:
         return least + spare * x[:n] ** 2 / (x[:n] @ x[:n]), np.r_[0.0, x[n:]]  # squares share what is spare

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from manipplan.checks import Array
 from manipplan.errors import InvalidInputError
 from manipplan.paths.joint import JointPath
+from manipplan.robots.hulls import has_hull
 from manipplan.robots.primitives import core_of, fit_primitives, mesh_triangles
 from manipplan.robots.robot import Robot
 from manipplan.robots.scene import Scene
@@ -271,6 +272,8 @@ def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]
 def _hull(item: pin.GeometryObject) -> pin.GeometryObject:
     if not isinstance(item.geometry, coal.BVHModelBase):
         return _renamed(item, item.geometry, "exact")
+    if not has_hull(np.unique(np.array(item.geometry.vertices()), axis=0)):  # flat: the mesh itself is as tight
+        return _mesh(item)
     item.geometry.buildConvexHull(True, "Qt")
     return _renamed(item, item.geometry.convex, "hull")
 

@@ -6,13 +6,21 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
+import coal
 import numpy as np
 import pinocchio as pin
 
 from manipplan.checks import Array
 from manipplan.errors import FileFormatError
+from manipplan.robots import mjcf_bodies, urdf_links
+from manipplan.robots.hulls import FARTHEST
+from manipplan.robots.ply import fault_of
 
 T = TypeVar("T")
+#: How deep elements of a file, or links of a robot, may follow one another: Pinocchio reads both by calls within calls.
+DEEPEST = 500
+#: What Pinocchio calls the world, as a joint and as a frame.
+WORLD = "universe"
 _LINK = " (link)"
 
 
@@ -62,25 +70,36 @@ def read_urdf(file: Path, package_dirs: Sequence[str | Path] = ()) -> Descriptio
             except ValueError as error:
                 raise FileFormatError("file", str(file), f"numbers in <mimic> of {joint.get('name')} ({error})") from error
             mimics[str(joint.get("name"))] = Mimic(leader=str(leader.get("joint")), multiplier=factor, offset=offset)
+    _check_names(file, root)
+    _check_chain(file, root)
+    urdf_links.check_links(file, root)
     folders = [str(folder) for folder in package_dirs] + [str(folder) for folder in file.resolve().parents]
+    _check_ply(file, root, folders)
     model = _pinocchio(file, "a URDF", lambda: pin.buildModelFromUrdf(str(file)))
     geometry = _pinocchio(
         file,
         "a URDF whose meshes can be found (package_dirs= says where package:// starts)",
         lambda: pin.buildGeomFromUrdf(model, str(file), pin.GeometryType.COLLISION, package_dirs=folders),
     )
+    urdf_links.check_loaded(file, root, model, geometry)
+    _check_meshes(file, geometry)
     return Description(file=file, source="URDF", model=plain_angles(model), geometry=geometry, mimics=mimics)
 
 
 def read_mjcf(file: Path) -> Description:
     """The robot of a MuJoCo MJCF file; unlimited hinges become plain angles."""
-    _xml("file", file, "mujoco")
+    root = _xml("file", file, "mujoco")
+    _check_names(file, root)
+    mjcf_bodies.check_bodies(file, root)
+    _check_ply(file, root, [str(file.parent / each.get("meshdir", "")) for each in (root, *root.iter("compiler"))])
     model = _pinocchio(file, "an MJCF file", lambda: pin.buildModelFromMJCF(str(file)))
     geometry = _pinocchio(
         file,
         "an MJCF file whose meshes can be found",
         lambda: pin.buildGeomFromMJCF(model, str(file), pin.GeometryType.COLLISION),
     )
+    mjcf_bodies.check_loaded(file, root, model, geometry)
+    _check_meshes(file, geometry)
     return Description(file=file, source="MJCF", model=plain_angles(model), geometry=geometry, mimics={})
 
 
@@ -213,13 +232,79 @@ def leaf_bodies(model: pin.Model) -> list[str]:
 
 
 def _xml(argument: str, file: Path, root_tag: str) -> ET.Element:
+    """The root of an XML file in UTF-8, which is what Pinocchio takes every file for."""
     try:
-        root = ET.parse(file).getroot()
+        file.read_text(encoding="utf-8")
+        root = _bounded(argument, file)
+    except FileFormatError:
+        raise
     except ET.ParseError as error:
         raise FileFormatError(argument, str(file), f"well-formed XML ({error})") from error
+    except (ValueError, LookupError) as error:  # other bytes, or an encoding that nobody knows
+        raise FileFormatError(argument, str(file), f"XML in UTF-8 ({error})") from error
+    except OSError as error:
+        raise FileFormatError(argument, str(file), f"a file that can be read ({error.strerror})") from error
     if root.tag != root_tag:
         raise FileFormatError(argument, str(file), f"an XML file whose root is <{root_tag}>, not <{root.tag}>")
     return root
+
+
+def _bounded(argument: str, file: Path) -> ET.Element:
+    """The root of an XML file whose elements are not nested deeper than `DEEPEST`."""
+    depth = 0
+    root: ET.Element | None = None
+    for event, element in ET.iterparse(file, events=("start", "end")):
+        depth += 1 if event == "start" else -1
+        root = element if root is None else root
+        if depth > DEEPEST:
+            raise FileFormatError(argument, str(file), f"XML with at most {DEEPEST} elements inside one another")
+    if root is None:
+        raise ET.ParseError("no element found")
+    return root
+
+
+def _check_names(file: Path, root: ET.Element) -> None:
+    if any(joint.get("name") == WORLD for joint in root.iter("joint")):
+        raise FileFormatError("file", str(file), f"joints with other names than {WORLD!r}, which is Pinocchio's for the world")
+
+
+def _check_chain(file: Path, root: ET.Element) -> None:
+    """Raise FileFormatError where links follow one another in longer chains than `DEEPEST`, or in a ring."""
+    parents = {}
+    for joint in root.findall("joint"):
+        parent, child = joint.find("parent"), joint.find("child")
+        if parent is not None and child is not None:
+            parents[child.get("link")] = parent.get("link")
+    for first in list(parents):
+        link, above = first, 0
+        while link in parents:
+            link, above = parents[link], above + 1
+            if above > DEEPEST:
+                wanted = f"a URDF with at most {DEEPEST} links in one chain, and no ring"
+                raise FileFormatError("file", str(file), wanted)
+
+
+def _check_ply(file: Path, root: ET.Element, folders: Sequence[str]) -> None:
+    """Raise FileFormatError for a PLY mesh that the mesh loader would crash at."""
+    for mesh in root.iter("mesh"):
+        name = mesh.get("filename") or mesh.get("file") or ""
+        if not name.lower().endswith(".ply"):
+            continue
+        name = name.removeprefix("package://").removeprefix("file://")
+        for path in (Path(folder) / name for folder in folders):
+            fault = fault_of(path) if path.is_file() else None
+            if fault is not None:
+                raise FileFormatError("file", str(file), f"a description whose meshes can be read; {path}: {fault}")
+
+
+def _check_meshes(file: Path, geometry: pin.GeometryModel) -> None:
+    """Raise FileFormatError for a mesh with a vertex that is not finite, or further away than any robot."""
+    for item in geometry.geometryObjects:
+        if isinstance(item.geometry, coal.BVHModelBase) and not (np.abs(np.array(item.geometry.vertices())) <= FARTHEST).all():
+            wanted = (
+                f"a description whose meshes have finite vertices within {FARTHEST:g} m, unlike {item.meshPath} of {item.name}"
+            )
+            raise FileFormatError("file", str(file), wanted)
 
 
 def _pinocchio(file: Path, wanted: str, build: Callable[[], T]) -> T:

@@ -12,9 +12,11 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.checks import Array, configurations, existing_file, finite_array, instance, number
+from manipplan.checks import Array, configurations, existing_file, finite_array, instance, number, number_array
 from manipplan.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.files import write_text
+from manipplan.robots.hulls import FARTHEST, convex_hull, has_hull
+from manipplan.robots.ply import fault_of
 
 if TYPE_CHECKING:
     from manipplan.paths.joint import JointPath
@@ -60,7 +62,7 @@ class Obstacle(ABC):
 
     def _rotation_matrix(self, rotation: ArrayLike) -> Array:
         argument = self._argument("rotation")
-        if np.shape(rotation) == (3,):
+        if number_array(argument, rotation).shape == (3,):
             return np.asarray(pin.rpy.rpyToMatrix(*finite_array(argument, rotation, (3,))))
         matrix = finite_array(argument, rotation, (3, 3))
         if not np.allclose(matrix @ matrix.T, np.eye(3), atol=1e-6) or np.linalg.det(matrix) < 0:
@@ -182,13 +184,10 @@ class Scene:
 
         Raises FileFormatError or InvalidInputError that names the obstacle, the key and what is allowed.
         """
-        import yaml
+        from manipplan.yaml_files import read_yaml
 
         path = existing_file("scene", file)
-        try:
-            data = yaml.safe_load(path.read_text())
-        except (yaml.YAMLError, UnicodeDecodeError) as error:
-            raise FileFormatError("scene", str(path), f"YAML ({' '.join(str(error).split())})") from error
+        data = read_yaml("scene", path)
         if not isinstance(data, dict) or set(data) != {"obstacles"} or not isinstance(data["obstacles"], list):
             keys = f" with the keys {', '.join(map(str, data))}" if isinstance(data, dict) else ""
             raise FileFormatError("scene", f"{path}{keys}", "one key, obstacles, with a list")
@@ -307,6 +306,9 @@ def _hulls(argument: str, file: Path, scale: float) -> list[coal.CollisionGeomet
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
+    fault = fault_of(file) if file.suffix.lower() == ".ply" else None
+    if fault is not None:
+        raise FileFormatError(argument, str(file), f"a mesh (STL, OBJ, DAE, ...); {fault}")
     try:
         mesh = coal.MeshLoader(coal.NODE_TYPE.BV_OBBRSS).load(str(file), np.full(3, scale))
     except (ValueError, RuntimeError) as error:
@@ -322,14 +324,8 @@ def _hulls(argument: str, file: Path, scale: float) -> list[coal.CollisionGeomet
     hulls = []
     for part in range(count):
         corners = vertices[part_of == part]
-        if len(corners) < 4 or np.linalg.matrix_rank(corners - corners[0], tol=1e-9) < 3:
-            raise FileFormatError(argument, str(file), "a mesh whose parts have a volume; one part is flat")
-        points = coal.StdVec_Vec3s()
-        points.extend(list(corners))
-        cloud = coal.BVHModelOBBRSS()
-        cloud.beginModel(0, len(corners))
-        cloud.addVertices(corners)
-        cloud.endModel()
-        cloud.buildConvexHull(True, "Qt")
-        hulls.append(cloud.convex)
+        if not has_hull(corners):
+            wanted = f"a mesh whose parts have a volume, with corners within {FARTHEST:g} m; one part is flat or too far away"
+            raise FileFormatError(argument, str(file), wanted)
+        hulls.append(convex_hull(corners))
     return hulls

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, instance, number, whole_number
+from manipplan.checks import Array, instance, number, random_seed, whole_number
 from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.task import Task
@@ -99,7 +99,7 @@ def seed_path(
     if objective == "index" and planner not in OPTIMISING:
         raise InvalidInputError("planner", planner, f"one that optimises, with objective 'index': {', '.join(OPTIMISING)}")
     power = number("power", power, above=0.0, most=100.0)
-    seed = whole_number("seed", seed, least=0)
+    seed = random_seed("seed", seed)
     checks = whole_number("checks", checks, least=1)
     clearance = number("clearance", clearance, least=0.0)
     time_limit = number("time_limit", time_limit, above=0.0)

@@ -33,6 +33,8 @@ HOLD = 1e4
 SETTLING = 2.0
 #: The share of the joints' limits that a path is timed for where no duration is given.
 PACE = 0.5
+#: Time steps of one motion; more is hours of work, and limits or durations that were not meant.
+MOST_STEPS = 1_000_000
 
 
 class TrackingStatus(Enum):
@@ -176,10 +178,20 @@ def track(
         stiffness = HOLD if tube is None or isinstance(formulation, Classical) else StiffnessProfile()
     if duration is None:
         duration = unhurried(robot.kinematics(controller.task, compiled=compiled), path, q)
-    steps = max(int(np.ceil(number("duration", duration, above=0.0) / dt - 1e-9)), 1)
+    steps = step_count(number("duration", duration, above=0.0) / dt - 1e-9)
     u = np.arange(steps + 1) / steps
     s = 3 * u**2 - 2 * u**3
     return follow_poses(controller, q, path(s), s, along(stiffness), tube)
+
+
+def step_count(least: float) -> int:
+    """The least whole number of time steps that is not below `least`; raises InvalidInputError above `MOST_STEPS`."""
+    if not least <= MOST_STEPS:
+        wanted = (
+            f"a motion of at most {MOST_STEPS:,} time steps: a shorter duration, a longer dt, or higher limits of the joints"
+        )
+        raise InvalidInputError("duration / dt", least, wanted)
+    return max(int(np.ceil(least)), 1)
 
 
 def follow_poses(

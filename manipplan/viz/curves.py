@@ -147,12 +147,12 @@ def plot_singular_values(kinematics: Kinematics, path: Motion, *, ax: Any = None
     ax = style.axes_for(ax)
     with style.shared():
         for k, value in enumerate(values.T):
-            label = f"$\\sigma_{k + 1}$" + (" (least)" if k == len(values.T) - 1 else "")
+            label = f"σ{str(k + 1).translate(style.SUBSCRIPTS)}" + (" (least)" if k == len(values.T) - 1 else "")
             [line] = ax.plot(shares, value, color=style.JOINTS[k % len(style.JOINTS)], label=label)
             ax.plot(shares[value.argmin()], value.min(), "o", color=line.get_color(), markersize=4, clip_on=False)
         unit = "m" if kinematics.task.metres == kinematics.task.rows else "1"
         ax.set(xlabel="share of the path's length", xlim=(0, 1), ylim=(0, None))
         ax.set_ylabel(style.with_unit("singular value", unit))
-        ax.set_title(f"singular values of the Jacobian, task {kinematics.task.name}")
+        ax.set_title(f"singular values of the Jacobian, task {kinematics.task.name}", parse_math=False)
         ax.legend(loc="best", ncols=2)
     return ax

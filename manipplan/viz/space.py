@@ -30,7 +30,7 @@ def draw_surface(ax: Any, surface: Surface, colour: str, *, alpha: float, edges:
         return
     shades = _brightness(surface.faces)[:, None] * to_rgb(colour)
     lit = np.concatenate([np.clip(shades, 0, 1), np.full((len(shades), 1), alpha)], axis=1)
-    ax.add_collection3d(Poly3DCollection(surface.faces, facecolors=lit, edgecolors="none", linewidths=0))
+    ax.add_collection3d(Poly3DCollection(_equal(surface.faces), facecolors=lit, edgecolors="none", linewidths=0))
     if edges:
         ax.add_collection3d(Line3DCollection(surface.edges, colors=colour, linewidths=0.8))
 
@@ -95,6 +95,15 @@ def box_around(seen: Iterable[Array]) -> tuple[Array, Array]:
     longest = (high - low).max()
     spare = MARGIN * longest + np.maximum(LEAST * longest - (high - low), 0.0) / 2
     return low - spare, high + spare
+
+
+def _equal(faces: tuple[Array, ...]) -> Array:
+    """Polygons as one array (f, k, 3), those with fewer corners with some of them repeated.
+
+    Of polygons that differ, Matplotlib makes an array with memory in it that nobody has set, and takes axis limits from it.
+    """
+    most = max(map(len, faces))
+    return np.array([face[np.arange(most) * len(face) // most] for face in faces])
 
 
 def _brightness(faces: tuple[Array, ...]) -> Array:

@@ -20,6 +20,7 @@ CANDIDATE = "#BFC5CC"
 LIMIT = "#D55E00"
 JOINTS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#000000", "#8F8F00", "#7F3C8D")
 
+SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 STYLE: dict[Any, Any] = {
@@ -35,6 +36,7 @@ STYLE: dict[Any, Any] = {
     "legend.frameon": False,
     "legend.fontsize": 8,
     "figure.dpi": 110,
+    "text.parse_math": False,  # names come from files, and may hold anything
 }
 
 

@@ -543,3 +543,39 @@ def test_a_slider_without_limits_is_refused():
 def test_no_poses_have_no_answers(method):
     found = mp.inverse_kinematics(mp.load_robot("panda"), np.zeros((0, 4, 4)), samples=2, method=method)
     assert len(found) == 0 and found.missing == 0.0
+
+
+def _arm(folder, kinds, size):
+    """An arm of revolute ("r") and prismatic ("p") joints about z, y, x, z, ..., links of `size` [m] along z."""
+    axes = ("0 0 1", "0 1 0", "1 0 0")
+    joints = "".join(
+        f'<link name="{k + 1}"/><joint name="j{k}" type="{"revolute" if kind == "r" else "prismatic"}"><parent link="{k}"/>'
+        f'<child link="{k + 1}"/><origin xyz="0 0 {size}"/><axis xyz="{axes[k % 3]}"/>'
+        f'<limit lower="{-3 if kind == "r" else -size}" upper="{3 if kind == "r" else size}" velocity="1" effort="1"/></joint>'
+        for k, kind in enumerate(kinds)
+    )
+    end = f'<joint name="end" type="fixed"><parent link="{len(kinds)}"/><child link="tip"/><origin xyz="{size} 0 {size}"/></joint>'
+    (folder / "arm.urdf").write_text(f'<robot name="arm"><link name="0"/>{joints}<link name="tip"/>{end}</robot>')
+    return mp.load_robot(folder / "arm.urdf", tool="tip")
+
+
+@pytest.mark.parametrize("kinds", ["r", "p", "rr", "pr", "rrr", "rpr"])
+def test_arms_of_few_joints(kinds, tmp_path, rng):
+    robot = _arm(tmp_path, kinds, 0.3)
+    for q in robot.random_configuration(rng, size=3):
+        found = mp.inverse_kinematics(robot, robot.kinematics(mp.Task.pose()).pose(q))
+        assert np.abs(found.q - q).max(axis=1).min() < 1e-8
+
+
+@pytest.mark.parametrize("kinds", ["rprrpr", "rrrrrr"])
+@pytest.mark.parametrize("size", [0.1, 1.0])
+def test_singular_poses_of_arms_without_a_closed_form(kinds, size, tmp_path, rng):
+    robot = _arm(tmp_path, kinds, size)
+    kinematics = robot.kinematics(mp.Task.pose())
+    # with the middle joints at zero, the first and the fourth axis are one line
+    for q in (np.zeros(6), np.array([0.4, 0.0, 0.0, 0.0, 0.0, -0.7])):
+        assert np.linalg.svd(kinematics.jacobian(q), compute_uv=False).min() < 1e-12
+        found = mp.inverse_kinematics(robot, kinematics.pose(q))
+        assert found.method == "newton"
+        assert len(found)
+        assert found.residual.max() <= 1e-10

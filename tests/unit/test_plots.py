@@ -12,12 +12,14 @@ import numpy as np
 import pinocchio as pin
 import pytest
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 from PIL import Image
 
 import manipplan as mp
 from manipplan import viz
 from manipplan.search.refine import Refinement
 from manipplan.viz.shapes import arm_surfaces, obstacle_surfaces, plane_patches, surface_of
+from manipplan.viz.space import draw_surface
 
 CUBE = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
 SVG = "{http://www.w3.org/2000/svg}"
@@ -495,3 +497,62 @@ def test_importing_viz_does_not_import_matplotlib():
     code = "import sys; from manipplan import viz; print('matplotlib' in sys.modules, 'PIL' in sys.modules)"
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert out.split() == ["False", "False"]
+
+
+def test_round_bodies_need_no_memory_that_nobody_has_set(space, monkeypatch):
+    # the flat ends of a cylinder have more corners than its sides: Matplotlib would fill up the sides from np.empty
+    empty = np.empty
+
+    def unset(shape, dtype=float, **options):
+        array = empty(shape, dtype, **options)
+        if array.dtype == float:
+            array.fill(1e308)
+        return array
+
+    monkeypatch.setattr(np, "empty", unset)
+    for body in (coal.Cylinder(0.1, 0.4), coal.Capsule(0.1, 0.4), coal.Sphere(0.1), coal.Box(0.1, 0.2, 0.3)):
+        draw_surface(space, surface_of(body), "#000000", alpha=1.0, edges=True)
+    low, high = space.get_zlim3d()
+    assert low < -0.3 < 0.3 < high < 0.4  # half the capsule's length and its radius, with a margin
+
+
+@pytest.fixture
+def odd_plan(tmp_path):
+    name = "$x_{$"
+    body = '<collision><geometry><cylinder radius="0.03" length="0.3"/></geometry></collision>'
+    limits = '<limit lower="-2" upper="2" velocity="1" effort="1"/>'
+    links = "".join(
+        f'<link name="{k}{name}">{body}</link><joint name="{k}{name}" type="revolute"><parent link="{k - 1}{name}"/>'
+        f'<child link="{k}{name}"/><origin xyz="0 0 0.3"/><axis xyz="{axis}"/>{limits}</joint>'
+        for k, axis in enumerate(("0 0 1", "0 1 0", "0 1 0"), start=1)
+    )
+    (tmp_path / "arm.urdf").write_text(
+        f'<robot name="{name}"><link name="0{name}"/>{links}<link name="tip"/><joint name="end" type="fixed"><parent link="3{name}"/><child link="tip"/><origin xyz="0 0 0.3"/></joint></robot>'
+    )
+    scene = mp.Scene(
+        [mp.Cylinder(radius=0.1, length=0.2, position=(1.0, 0, 0), name=name), mp.Plane(position=(0, 0, -1), name=f"{name}^")]
+    )
+    robot = mp.load_robot(tmp_path / "arm.urdf")
+    assert robot.name == name
+    return mp.plan(robot, [-0.5, 0.4, 0.6], [0.5, 0.8, 0.9], scene)
+
+
+def test_names_are_drawn_as_they_are(odd_plan, tmp_path):
+    assert (tmp_path / "out" / "plan.png") in odd_plan.save(tmp_path / "out")
+    figure = viz.plan_figure(odd_plan)
+    figure.savefig(tmp_path / "plan.svg")
+    named = [text for text in figure.findobj(Text) if "x_{" in text.get_text()]
+    assert len(named) == 5  # title, obstacle, joints
+    assert not any(text.get_parse_math() for text in named)
+
+
+def test_the_data_are_written_before_the_picture(odd_plan, tmp_path, monkeypatch):
+    def fails(plan, file):
+        raise RuntimeError("no picture")
+
+    monkeypatch.setattr(viz, "save_plan", fails)
+    with pytest.raises(RuntimeError, match="no picture"):
+        odd_plan.save(tmp_path / "out")
+    again = mp.Plan.load(tmp_path / "out")
+    np.testing.assert_array_equal(again.trajectory.q, odd_plan.trajectory.q)
+    assert len(list((tmp_path / "out").iterdir())) == 6

@@ -1,9 +1,13 @@
 """Obstacles, their files, and collision and distance against closed forms."""
 
+import re
+import struct
+
 import coal
 import numpy as np
 import pinocchio as pin
 import pytest
+from scipy.spatial import ConvexHull
 
 import manipplan as mp
 from manipplan.robots.primitives import fit_primitives, mesh_triangles, outside
@@ -159,3 +163,68 @@ def test_obstacles_need_a_robot_with_geometry(tmp_path):
       <child link="b"/><axis xyz="1 0 0"/><limit lower="-5" upper="5" velocity="1" effort="1"/></joint></robot>""")
     with pytest.raises(mp.InvalidInputError, match="no collision geometry"):
         mp.Scene([mp.Sphere(radius=1.0)]).in_collision(mp.load_robot(file), [0.0])
+
+
+@pytest.mark.parametrize(
+    "stretch", [(1, 1, 1e-7), (1, 1, 1e-8), (1, 1, 0), (1e15, 1, 1), (1.5e23, 1, 1), (1e7, 1e7, 1e7), (1e-10, 1e-10, 1e-10)]
+)
+def test_meshes_that_are_flat_or_far_away(tmp_path, stretch):
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]) * stretch
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in corners.tolist()] + ["f 1 3 2", "f 1 2 4", "f 2 3 4", "f 3 1 4"]
+    (tmp_path / "m.obj").write_text("\n".join(lines) + "\n")
+    with pytest.raises(mp.FileFormatError, match="one part is flat or too far away"):
+        mp.Mesh(file=tmp_path / "m.obj")
+
+
+@pytest.mark.parametrize("thickness", [1e-2, 1e-5])
+def test_thin_plates_are_bodies(tmp_path, thickness):
+    corners = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, thickness)]
+    faces = ConvexHull(np.array(corners)).simplices + 1
+    lines = [f"v {x} {y} {z}" for x, y, z in corners] + [f"f {a} {b} {c}" for a, b, c in faces]
+    (tmp_path / "m.obj").write_text("\n".join(lines) + "\n")
+    [hull] = mp.Mesh(file=tmp_path / "m.obj").shapes()
+    assert hull.num_points == 8
+
+
+def ply(file, *, form="ascii", last=3):
+    """A tetrahedron in PLY whose last face ends at the corner `last`."""
+    corners, faces = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, last]]
+    head = (
+        f"ply\nformat {form} 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 4\n"
+        "property list uchar int vertex_indices\nend_header\n"
+    )
+    if form == "ascii":
+        body = "".join(" ".join(map(str, row)) + "\n" for row in (*corners, *([3, *face] for face in faces))).encode()
+    else:
+        order = "<" if "little" in form else ">"
+        body = b"".join(struct.pack(f"{order}3f", *corner) for corner in corners)
+        body += b"".join(struct.pack(f"{order}B3i", 3, *face) for face in faces)
+    file.write_bytes(head.encode() + body)
+    return file
+
+
+@pytest.mark.parametrize("form", ["ascii", "binary_little_endian", "binary_big_endian"])
+def test_faces_of_a_ply_file(tmp_path, form):
+    [hull] = mp.Mesh(file=ply(tmp_path / "m.ply", form=form)).shapes()
+    assert hull.num_points == 4
+    for last in (4, -1, 100, 10_000_000):
+        with pytest.raises(mp.FileFormatError, match=re.escape(f"a face names corner {last:g} of 4")):
+            mp.Mesh(file=ply(tmp_path / "m.ply", form=form, last=last))
+    whole = ply(tmp_path / "m.ply", form=form).read_bytes()
+    for kept in (40, len(whole) - 8):
+        (tmp_path / "m.ply").write_bytes(whole[:kept])
+        with pytest.raises(mp.FileFormatError, match="cut off"):
+            mp.Mesh(file=tmp_path / "m.ply")
+
+
+@pytest.mark.parametrize("name", ["m.ply", "package://m.ply", "file://{folder}/m.ply", "{folder}/m.ply"])
+def test_faces_of_a_robots_ply_file(tmp_path, name):
+    ply(tmp_path / "m.ply", last=10_000_000)
+    mesh = f'<mesh filename="{name.format(folder=tmp_path)}"/>'
+    (tmp_path / "arm.urdf").write_text(
+        f'<robot name="a"><link name="b"/><link name="l"><collision><geometry>{mesh}</geometry></collision></link>'
+        '<joint name="j" type="revolute"><parent link="b"/><child link="l"/>'
+        '<limit lower="-1" upper="1" velocity="1" effort="1"/></joint></robot>'
+    )
+    with pytest.raises(mp.FileFormatError, match=r"m\.ply: a face names corner 1e\+07 of 4"):
+        mp.load_robot(tmp_path / "arm.urdf")

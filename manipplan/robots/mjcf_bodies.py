@@ -1,0 +1,114 @@
+"""What an MJCF file says of its bodies, read by ourselves: Pinocchio leaves out elements that it does not know, and takes
+numbers that are missing from memory that nobody has set.
+"""
+
+import xml.etree.ElementTree as ET
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import pinocchio as pin
+
+from manipplan.errors import FileFormatError
+from manipplan.robots.xml_numbers import numbers
+
+#: Elements with bodies or geoms in them that Pinocchio leaves out.
+LEFT_OUT = ("include", "frame", "replicate", "composite", "flexcomp", "attach")
+#: How many numbers an attribute has, in the elements that place bodies.
+COUNTS = {
+    "pos": 3,
+    "quat": 4,
+    "euler": 3,
+    "axisangle": 4,
+    "xyaxes": 6,
+    "zaxis": 3,
+    "fromto": 6,
+    "axis": 3,
+    "range": 2,
+    "mass": 1,
+    "diaginertia": 3,
+    "fullinertia": 6,
+    "scale": 3,
+}
+PLACED = ("body", "geom", "joint", "inertial", "mesh")
+#: How many sizes a shape needs; one where `fromto` gives its length.
+SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "box": 3, "ellipsoid": 3}
+
+Attributes = Mapping[str, str]
+
+
+def check_bodies(file: Path, root: ET.Element) -> None:
+    """Raise FileFormatError for the first element that would be left out or misread; the message names it."""
+    for element in root.iter():
+        if element.tag in LEFT_OUT:
+            raise _error(file, f"<{element.tag}> is not supported, what it adds would be left out: write it out, with MuJoCo")
+        for attribute, count in COUNTS.items() if element.tag in PLACED else ():
+            value = element.get(attribute)
+            if value is not None and numbers(value, count) is None:
+                wanted = f"{count} finite numbers" if count > 1 else "a finite number"
+                raise _error(file, f"{_called(element)} needs {attribute} with {wanted}, not {value!r}")
+    if len(root.findall("worldbody")) != 1:
+        raise _error(file, f"one <worldbody>, not {len(root.findall('worldbody'))}")
+    for body, geom, attributes in _geoms(root):
+        if _collides(attributes):
+            fault = _size_fault(attributes)
+            if fault is not None:
+                raise _error(file, f"{_called(geom)} of {body}: {fault}")
+
+
+def check_loaded(file: Path, root: ET.Element, model: pin.Model, geometry: pin.GeometryModel) -> None:
+    """Raise FileFormatError where a body has another number of collision shapes than colliding geoms in the file."""
+    loaded = Counter(model.frames[item.parentFrame].name for item in geometry.geometryObjects)
+    described = Counter(body for body, _, attributes in _geoms(root) if _collides(attributes))
+    for body in described | loaded:
+        if loaded[body] != described[body]:
+            hint = "" if body else "; give the body a name"
+            fault = f"{described[body]} in the file, {loaded[body]} loaded{hint}"
+            raise _error(file, f"the geoms for collision of body {body!r}: {fault}")
+
+
+def _error(file: Path, fault: str) -> FileFormatError:
+    return FileFormatError("file", str(file), f"an MJCF file whose bodies can all be read; {fault}")
+
+
+def _called(element: ET.Element) -> str:
+    return f"<{element.tag} name={element.get('name')!r}>" if element.get("name") else f"<{element.tag}>"
+
+
+def _geoms(root: ET.Element) -> Iterator[tuple[str, ET.Element, Attributes]]:
+    """Name of the body, element, and attributes with defaults, of every geom."""
+    defaults = _geom_defaults(root)
+    bodies = [("universe", world, "") for world in root.findall("worldbody")]
+    while bodies:
+        name, body, usual = bodies.pop()
+        usual = body.get("childclass", usual)
+        for geom in body.findall("geom"):
+            yield name, geom, {**defaults.get(geom.get("class", usual), {}), **geom.attrib}
+        bodies += [(child.get("name", ""), child, usual) for child in body.findall("body")]
+
+
+def _geom_defaults(root: ET.Element) -> dict[str, Attributes]:
+    """The attributes that geoms of each class have by default; "" is that of geoms without a class."""
+    classes: dict[str, Attributes] = {}
+    waiting: list[tuple[ET.Element, Attributes, str]] = [(each, {}, "") for each in root.findall("default")]
+    while waiting:
+        element, above, name = waiting.pop()
+        own = dict(above)
+        for geom in element.findall("geom"):
+            own |= geom.attrib
+        classes[name] = classes[element.get("class", name)] = own
+        waiting += [(child, own, child.get("class", name)) for child in element.findall("default")]
+    return classes
+
+
+def _collides(attributes: Attributes) -> bool:
+    return any(numbers(attributes.get(key, "1"), 1) != (0.0,) for key in ("contype", "conaffinity"))
+
+
+def _size_fault(attributes: Attributes) -> str | None:
+    count = 1 if "fromto" in attributes else SIZES.get(attributes.get("type", "sphere"), 0)
+    text = attributes.get("size", "")
+    sizes = numbers(text, max(count, len(text.split())))
+    if count and (sizes is None or min(sizes[:count]) <= 0):
+        return f"it needs a size with {count} number{'s' if count > 1 else ''} above zero, not {text!r}"
+    return None

@@ -1,0 +1,178 @@
+"""Descriptions that cannot be read as they were meant: no body of a robot is left out without an error."""
+
+import numpy as np
+import pytest
+
+import manipplan as mp
+
+SPHERE = '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
+GEOM = '<geom type="sphere" size="0.1"/>'
+
+
+def collision(shape, origin=""):
+    return f"<collision>{origin}<geometry>{shape}</geometry></collision>"
+
+
+@pytest.fixture
+def urdf(tmp_path):
+    """A URDF of one revolute joint whose link holds the elements given."""
+
+    def write(elements, *, joint="turn", link="arm", encoding="utf-8"):
+        file = tmp_path / "arm.urdf"
+        text = (
+            f'<robot name="one"><link name="base"/><link name="{link}">{elements}</link><joint name="{joint}" type="revolute">'
+            f'<parent link="base"/><child link="{link}"/><axis xyz="0 0 1"/>'
+            '<limit lower="-1" upper="1" velocity="1" effort="1"/></joint></robot>'
+        )
+        file.write_text(text, encoding=encoding)
+        return file
+
+    return write
+
+
+@pytest.fixture
+def mjcf(tmp_path):
+    """An MJCF file of one hinge whose body holds the elements given."""
+
+    def write(elements, *, before="", after="", joint="turn"):
+        file = tmp_path / "arm.xml"
+        file.write_text(
+            f'<mujoco>{before}<worldbody><body name="arm"><joint name="{joint}" axis="0 0 1"/>{elements}</body></worldbody>'
+            f"{after}</mujoco>"
+        )
+        return file
+
+    return write
+
+
+@pytest.mark.parametrize(
+    ("elements", "message"),
+    [
+        (collision('<capsule radius="0.1" length="1"/>'), "collision element 1 of link arm: <capsule> is not a shape"),
+        (SPHERE + collision('<cylinder radius="0.1"/>'), "element 2 of link arm: <cylinder> needs length with a number"),
+        (collision('<cylinder radius="0,04" length="1"/>'), "radius with a number above zero, not '0,04'"),
+        (collision('<sphere radius="nan"/>'), "not 'nan'"),
+        (collision('<sphere radius="-0.1"/>'), "above zero, not '-0.1'"),
+        (collision('<sphere radius="0"/>'), "above zero, not '0'"),
+        (collision('<box size="1 1"/>'), "<box> needs size with 3 numbers"),
+        (collision('<mesh filename="a.stl" scale="1"/>'), "scale with 3 numbers other than zero, not '1'"),
+        (collision('<mesh filename="a.stl" scale="1 1 0"/>'), "scale with 3 numbers other than zero"),
+        (collision("<mesh/>"), "needs a filename"),
+        (collision('<sphere radius="1"/>', '<origin xyz="0 0"/>'), "<origin> needs xyz with 3 numbers, not '0 0'"),
+        (collision('<sphere radius="1"/>', '<origin rpy="0 0 a"/>'), "<origin> needs rpy with 3 numbers"),
+        (collision('<sphere radius="1"/>', "<origin/><origin/>"), "more than one <origin>"),
+        (collision('<sphere radius="1"/><sphere radius="2"/>'), "one <geometry> with one shape"),
+        ("<collision/>", "one <geometry> with one shape"),
+        # Python reads these two numbers, urdfdom does not; an unreadable visual element takes the link's bodies with it
+        (collision('<sphere radius=" 0.1 "/>'), "collision elements of link arm: 1 in the file, 0 loaded"),
+        (SPHERE + collision('<sphere radius="1_0"/>'), "2 in the file, 0 loaded"),
+        ("<visual><geometry><capsule/></geometry></visual>" + SPHERE, "1 in the file, 0 loaded"),
+        ('<inertial><mass value="a"/></inertial>', "inertial element of link arm: <mass> needs a value"),
+        ('<inertial><mass value="1"/></inertial>', "it needs an <inertia>"),
+        ('<inertial><mass value="1"/><inertia ixx="1"/></inertial>', "<inertia> needs ixy"),
+    ],
+)
+def test_no_element_of_a_link_is_left_out(urdf, elements, message):
+    with pytest.raises(mp.FileFormatError, match=message):
+        mp.load_robot(urdf(elements))
+
+
+@pytest.mark.parametrize(
+    ("elements", "count"),
+    [("", 0), (SPHERE, 1), (SPHERE + collision('<box size="1 2 3"/>', '<origin rpy="0 1 0"/>'), 2)],
+)
+def test_bodies_of_a_link(urdf, elements, count):
+    assert mp.load_robot(urdf(elements)).geometry.ngeoms == count
+
+
+def test_a_mirrored_mesh_is_read(urdf, tmp_path):
+    (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+    robot = mp.load_robot(urdf(collision(f'<mesh filename="{tmp_path}/m.obj" scale="1 -1 1"/>')))
+    assert np.array(robot.geometry.geometryObjects[0].geometry.vertices()).min(axis=0)[1] == -1
+
+
+def test_a_mesh_with_a_vertex_that_is_not_finite(urdf, tmp_path):
+    (tmp_path / "m.obj").write_text("v 0 0 nan\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+    with pytest.raises(mp.FileFormatError, match=r"finite vertices within .*, unlike .*m\.obj of arm_0"):
+        mp.load_robot(urdf(collision(f'<mesh filename="{tmp_path}/m.obj"/>')))
+
+
+@pytest.mark.parametrize(
+    ("elements", "message"),
+    [
+        ('<geom type="sphere"/>', "<geom> of arm: it needs a size with 1 number above zero, not ''"),
+        ('<geom name="g" size="0,04"/>', "<geom name='g'> of arm: it needs a size"),
+        ('<geom size="nan"/>', "size with 1 number"),
+        ('<geom size="-0.1"/>', "above zero"),
+        ('<geom type="box" size="1 1"/>', "size with 3 numbers"),
+        ('<geom type="capsule" size="0.1"/>', "size with 2 numbers"),
+        ('<geom type="capsule" size="0.1" fromto="0 0 0 1"/>', "fromto with 6 finite numbers, not '0 0 0 1'"),
+        ('<geom size="0.1" pos="0 1"/>', "pos with 3 finite numbers"),
+        ('<geom size="0.1" pos="0 0 1e400"/>', "pos with 3 finite numbers"),
+        ('<geom size="0.1" euler="0 1"/>', "euler with 3 finite numbers"),
+        ('<body name="b" pos="0 1"/>', "<body name='b'> needs pos with 3 finite numbers"),
+        ('<frame pos="0 0 1"><geom size="0.1"/></frame>', "<frame> is not supported"),
+        ('<include file="b.xml"/>', "<include> is not supported"),
+        ('<replicate count="3"><geom size="0.1"/></replicate>', "<replicate> is not supported"),
+        ('<body><geom size="0.1"/></body>', "geoms for collision of body '': 1 in the file, 0 loaded; give the body a name"),
+    ],
+)
+def test_no_geom_of_a_body_is_left_out(mjcf, elements, message):
+    with pytest.raises(mp.FileFormatError, match=message):
+        mp.load_robot(mjcf(elements), tool="arm", velocity=1.0)
+
+
+def test_one_worldbody(mjcf):
+    with pytest.raises(mp.FileFormatError, match="one <worldbody>, not 2"):
+        mp.load_robot(mjcf(GEOM, after='<worldbody><body name="b"/></worldbody>'), velocity=1.0)
+
+
+@pytest.mark.parametrize(
+    ("before", "elements", "count"),
+    [
+        ("", GEOM + '<geom size="0.1" contype="0" conaffinity="0"/>', 1),
+        ("", GEOM + '<geom size="0.1" contype="0"/>', 2),
+        ('<default><geom contype="0" conaffinity="0"/></default>', GEOM, 0),
+        ('<default class="main"><geom type="box" size="1 1 1"/></default>', "<geom/>", 1),
+        (
+            '<default><default class="v"><geom contype="0" conaffinity="0"/><default class="w"><geom conaffinity="1"/></default>'
+            "</default></default>",
+            f'<geom class="v" size="1"/><body name="b" childclass="v">{GEOM}<body name="c">{GEOM}<geom class="w" size="1"/></body>'
+            "</body>",
+            1,
+        ),
+        ("", '<geom type="plane" size="1 1 1"/><geom type="box" size="0.1" fromto="0 0 0 0 0 1"/>', 2),
+    ],
+)
+def test_geoms_for_collision(mjcf, before, elements, count):
+    assert mp.load_robot(mjcf(elements, before=before), tool="arm", velocity=1.0).geometry.ngeoms == count
+
+
+def test_a_joint_called_as_the_world(urdf, mjcf):
+    for file in (urdf(SPHERE, joint="universe"), mjcf(GEOM, joint="universe")):
+        with pytest.raises(mp.FileFormatError, match="joints with other names than 'universe'"):
+            mp.load_robot(file, velocity=1.0)
+
+
+def test_descriptions_are_in_utf_8(urdf):
+    assert mp.load_robot(urdf(SPHERE, link="bras_é")).tool == "bras_é"
+    with pytest.raises(mp.FileFormatError, match="XML in UTF-8"):
+        mp.load_robot(urdf(SPHERE, link="bras_é", encoding="latin-1"))
+    file = urdf(SPHERE)
+    file.write_text('<?xml version="1.0" encoding="nobodys"?>' + file.read_text())
+    with pytest.raises(mp.FileFormatError, match="XML in UTF-8"):
+        mp.load_robot(file)
+
+
+def test_deep_descriptions(urdf, mjcf):
+    deep = "".join(f'<body name="b{i}">' for i in range(10_000)) + "</body>" * 10_000
+    with pytest.raises(mp.FileFormatError, match="at most 500 elements inside one another"):
+        mp.load_robot(mjcf(deep), velocity=1.0)
+    file = urdf(SPHERE)
+    joints = "".join(
+        f'<link name="l{i}"/><joint name="j{i}" type="fixed"><parent link="{f"l{i - 1}" if i else "arm"}"/><child link="l{i}"/></joint>'
+        for i in range(10_000)
+    )
+    file.write_text(file.read_text().replace("</robot>", joints + "</robot>"))
+    with pytest.raises(mp.FileFormatError, match="at most 500 links in one chain"):
+        mp.load_robot(file)

@@ -1,0 +1,101 @@
+"""Trajectory files that are damaged or hostile, and disks that are full: one of our errors each time."""
+
+import errno
+import io
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import manipplan as mp
+from manipplan.files import write_bytes
+
+
+@pytest.fixture
+def motion():
+    t = np.linspace(0.0, 1.0, 40)
+    return mp.Trajectory(t=t, q=np.stack([t, t**2], axis=1), qd=np.stack([t**0, 2 * t], axis=1), joint_names=("a", "b"))
+
+
+@pytest.mark.parametrize("compressed", [False, True])
+def test_mutated_archives(motion, tmp_path, rng, compressed):
+    whole = io.BytesIO()
+    save = np.savez_compressed if compressed else np.savez
+    save(whole, t=motion.t, q=motion.q, qd=motion.qd, joint_names=np.array(motion.joint_names))
+    file = tmp_path / "motion.npz"
+    refused = 0
+    for _ in range(400):
+        data = bytearray(whole.getvalue())
+        for place in rng.integers(0, len(data), rng.integers(1, 6)):
+            data[place] = rng.integers(0, 256)
+        file.write_bytes(bytes(data[: rng.integers(0, len(data))]) if rng.random() < 0.2 else bytes(data))
+        try:
+            mp.Trajectory.from_npz(file)
+        except mp.FileFormatError as error:
+            refused += 1
+            assert str(file) in str(error)
+    assert refused > 100
+
+
+def test_an_archive_that_unpacks_to_gigabytes(tmp_path):
+    file = tmp_path / "motion.npz"
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive, archive.open("t.npy", "w", force_zip64=True) as stream:
+        for _ in range(1100):
+            stream.write(bytes(2**20))
+    with pytest.raises(mp.FileFormatError, match="at most 1,073,741,824 bytes"):
+        mp.Trajectory.from_npz(file)
+
+
+@pytest.mark.parametrize("text", ["time,q_a\n0,0\n1," + "1" * 200_000, 'time,q_a\n0,0\n1,"1\x00', "time,q_a\n0,0\n1,1e400\n"])
+def test_odd_cells(tmp_path, text):
+    file = tmp_path / "motion.csv"
+    file.write_text(text)
+    with pytest.raises(mp.FileFormatError, match="a CSV with columns time"):
+        mp.Trajectory.from_csv(file)
+
+
+def test_a_full_disk(motion, tmp_path, monkeypatch):
+    def full(self, data):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    file = tmp_path / "motion.npz"
+    motion.to_npz(file)
+    before = file.read_bytes()
+    monkeypatch.setattr(np, "savez", lambda stream, **arrays: full(stream, arrays))
+    with pytest.raises(mp.InvalidInputError, match=r"motion\.npz.*can be written \(No space left on device\)"):
+        motion.to_npz(file)
+    assert file.read_bytes() == before
+    assert [each.name for each in tmp_path.iterdir()] == ["motion.npz"]
+
+
+def test_a_device_that_is_full(tmp_path):
+    if not Path("/dev/full").exists():
+        pytest.skip("this system has no /dev/full")
+    with pytest.raises(mp.InvalidInputError, match=r"file: got .*motion\.csv.*a place that can be written \(No space left"):
+        write_bytes(tmp_path / "motion.csv", lambda stream: Path("/dev/full").write_bytes(b"0"))
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("seed", [2**31, 10**19, -1, 0.5, True])
+def test_seeds_are_bounded(planar, seed):
+    pose = planar.kinematics(mp.Task.pose()).pose(planar.neutral)
+    with pytest.raises(mp.InvalidInputError, match="seed: got .*a whole number, at least 0, at most 2147483647"):
+        mp.plan(planar, [0.0, 1.0, 1.0], [1.0, 1.0, 1.0], seed=seed)
+    with pytest.raises(mp.InvalidInputError, match="seed: got .*at most 2147483647"):
+        mp.inverse_kinematics(planar, pose, seed=seed)
+
+
+def test_numbers_of_seeds_are_bounded(planar):
+    with pytest.raises(mp.InvalidInputError, match="seeds: got .*at most 10000"):
+        mp.plan(planar, [0.0, 1.0, 1.0], [1.0, 1.0, 1.0], seeds=10**19)
+
+
+def test_motions_of_too_many_time_steps(planar):
+    slow = planar.with_limits(velocity=1e-9)
+    line = mp.JointPath.line([0.0, 1.0, 1.0], [1.0, 1.0, 1.0])
+    with pytest.raises(mp.InvalidInputError, match="at most 1,000,000 time steps"):
+        mp.improve(slow, mp.retime(line, planar.limits, joint_names=planar.joint_names))
+    path = mp.CartesianPath.line(planar.kinematics().pose([0.0, 1.0, 1.0]), planar.kinematics().pose([0.1, 1.0, 1.0]))
+    with pytest.raises(mp.InvalidInputError, match="at most 1,000,000 time steps"):
+        mp.track(planar, path, [0.0, 1.0, 1.0], 1e-9, mp.LogDrive(), duration=1.0)
