@@ -2,19 +2,32 @@
 
 import os
 import signal
+import shutil
 import subprocess
 import sys
 import time
 import warnings
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import manipplan as mp
 from manipplan.kinematics import compile as module
-from manipplan.kinematics.compile import find_compiler, shared_library
+from manipplan.cache_folder import is_private
+from manipplan.kinematics.compile import find_compiler, load_library
 
 SOURCE = "int answer(void) { return 42; }"
+BUILD = f"""
+from pathlib import Path
+from manipplan.kinematics.compile import load_library
+print(load_library({SOURCE!r}, Path, subject="a test"))
+"""
+
+
+def shared_library(source, **options):
+    """The file of the library."""
+    return load_library(source, Path, subject="a test", **options)
 
 
 @pytest.fixture
@@ -46,18 +59,18 @@ def answer(file):
 
 
 def test_a_library_is_built_once(folder):
-    file = shared_library(SOURCE, subject="a test")
+    file = shared_library(SOURCE)
     built = file.stat().st_mtime_ns
     assert answer(file) == "42"
-    assert shared_library(SOURCE, subject="a test") == file
+    assert shared_library(SOURCE) == file
     assert file.stat().st_mtime_ns == built
-    assert shared_library(SOURCE.replace("42", "43"), subject="a test") != file
-    assert shared_library(SOURCE, flags=("-O1",), subject="a test") != file
+    assert shared_library(SOURCE.replace("42", "43")) != file
+    assert shared_library(SOURCE, flags=("-O1",)) != file
 
 
 @pytest.mark.parametrize("damage", ["truncated", "other bytes", "no checksum", "no library"])
 def test_a_damaged_entry_is_built_again(folder, damage):
-    file = shared_library(SOURCE, subject="a test")
+    file = shared_library(SOURCE)
     if damage == "truncated":
         file.write_bytes(file.read_bytes()[:1000])
     elif damage == "other bytes":
@@ -66,14 +79,13 @@ def test_a_damaged_entry_is_built_again(folder, damage):
         file.with_suffix(".sha256").unlink()
     else:
         file.unlink()
-    assert shared_library(SOURCE, subject="a test") == file
+    assert shared_library(SOURCE) == file
     assert answer(file) == "42"
     assert {each.name for each in folder.iterdir()} == {file.name, file.with_suffix(".sha256").name}
 
 
 def test_several_processes_build_at_once(folder):
-    code = f"from manipplan.kinematics.compile import shared_library; print(shared_library({SOURCE!r}, subject='a test'))"
-    running = [subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True) for _ in range(4)]
+    running = [subprocess.Popen([sys.executable, "-c", BUILD], stdout=subprocess.PIPE, text=True) for _ in range(4)]
     files = {process.communicate()[0].strip() for process in running}
     assert all(process.returncode == 0 for process in running)
     assert len(files) == 1
@@ -84,8 +96,7 @@ def test_several_processes_build_at_once(folder):
 def test_a_killed_build_leaves_nothing_that_is_used(folder, compiler):
     """The compiler is killed with its process group half way through writing the library."""
     compiler('for last; do :; done\nwhile [ "$1" != -o ]; do shift; done\necho half > "$2"\nsleep 60\n')
-    code = f"from manipplan.kinematics.compile import shared_library; shared_library({SOURCE!r}, subject='a test')"
-    process = subprocess.Popen([sys.executable, "-c", code], start_new_session=True)
+    process = subprocess.Popen([sys.executable, "-c", BUILD], start_new_session=True)
     end = time.monotonic() + 60
     while not list(folder.glob("building-*/*.so")):
         assert time.monotonic() < end, "the build never began"
@@ -128,7 +139,7 @@ def test_a_folder_that_cannot_be_written(tmp_path, monkeypatch):
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("MANIPPLAN_CACHE", str(tmp_path / "file" / "cache"))
     with pytest.raises(mp.CompilerError, match="cannot be written"):
-        shared_library(SOURCE, subject="a test")
+        shared_library(SOURCE)
     robot = mp.planar_arm([1.0, 0.7])
     with pytest.warns(mp.CompilerWarning, match="cannot be written"):
         assert robot.kinematics().manipulability([0.1, 0.5]) == robot.kinematics(compiled=False).manipulability([0.1, 0.5])
@@ -151,7 +162,7 @@ def test_a_library_that_cannot_be_loaded(folder, compiler):
 def test_a_compiler_with_options(monkeypatch, folder):
     monkeypatch.setenv("CC", "gcc -m64")
     find_compiler.cache_clear()
-    assert answer(shared_library(SOURCE, subject="a test")) == "42"
+    assert answer(shared_library(SOURCE)) == "42"
     monkeypatch.undo()
     find_compiler.cache_clear()
 
@@ -161,7 +172,7 @@ def test_old_remains_of_killed_builds_are_removed(folder):
     for each in (old, new):
         each.mkdir(parents=True)
     os.utime(old, (0, 0))
-    shared_library(SOURCE, subject="a test")
+    shared_library(SOURCE)
     assert not old.exists()
     assert new.exists()
 
@@ -170,7 +181,7 @@ def test_a_cxx_compiler_takes_c_as_c(folder, monkeypatch):
     monkeypatch.setenv("CC", "g++ -ffast-math")
     find_compiler.cache_clear()
     try:
-        assert answer(shared_library(SOURCE, subject="a test")) == "42"
+        assert answer(shared_library(SOURCE)) == "42"
     finally:
         monkeypatch.undo()
         find_compiler.cache_clear()
