@@ -1,6 +1,7 @@
 """What the tests share: real robots, loaded once, and the scene of five boxes."""
 
 import shutil
+import signal
 
 import numpy as np
 import pytest
@@ -55,6 +56,14 @@ def no_compiler(monkeypatch):
     yield
     monkeypatch.undo()
     find_compiler.cache_clear()
+
+
+@pytest.fixture
+def sigint():
+    """Interrupts reach this process and those that it starts; a shell's background job ignores them, and so would they."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture

@@ -282,12 +282,13 @@ def _sound(file: Path) -> bool:
 
 
 def _digest(file: Path) -> str:
-    return hashlib.sha256(file.read_bytes()).hexdigest()
+    """Of the library and of its name, so that no library passes for another."""
+    return hashlib.sha256(file.name.encode() + file.read_bytes()).hexdigest()
 
 
 def wants_machine_code(compiled: bool | str) -> bool:
     """Whether the option `compiled` (True, False or "auto") asks for a compiler on this machine."""
-    return compiled is True or (compiled == "auto" and find_compiler() is not None)
+    return compiled is True or (compiled == "auto" and find_compiler("c") is not None)
 
 
 def as_asked(functions: Sequence[ca.Function], compiled: bool | str, subject: str) -> tuple[ca.Function, ...]:
@@ -315,7 +316,7 @@ def do_without(error: CompilerError, compiled: bool | str) -> None:
 
 def first_failure() -> bool:
     """Whether this is asked for the first time with this compiler and cache folder, so that a failure is told once."""
-    return next(_once(find_compiler(), cache_folder()), False)
+    return next(_once(find_compiler("c"), cache_folder()), False)
 
 
 @cache
