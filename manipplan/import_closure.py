@@ -43,7 +43,7 @@ def _at_import(node: ast.AST) -> Iterator[ast.AST]:
         if isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
             continue
         if isinstance(child, ast.If) and ast.unparse(child.test) in ("TYPE_CHECKING", "typing.TYPE_CHECKING"):
-            continue
+            child = ast.Module(body=child.orelse, type_ignores=[])  # noqa: PLW2901
         yield child
         yield from _at_import(child)
 
