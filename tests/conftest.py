@@ -14,6 +14,12 @@ from manipplan.kinematics.compile import find_compiler
 def pytest_configure(config):
     """A $CC or $CXX of this machine that does not work is no failure of the tests, which run without a compiler then."""
     config.addinivalue_line("filterwarnings", r"ignore:\$(CC|CXX) = .* is not a compiler:manipplan.errors.CompilerWarning")
+    config.addinivalue_line("markers", "compiler: needs a C compiler that works")
+
+
+def pytest_runtest_setup(item):
+    if item.get_closest_marker("compiler") and find_compiler() is None:
+        pytest.skip("there is no C compiler that works")
 
 
 @pytest.fixture(scope="session")

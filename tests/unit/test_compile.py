@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -21,7 +22,6 @@ from manipplan.optimize.objective import PathObjective
 from manipplan.optimize.rows import ClearanceRow, row_functions
 from manipplan.processes import run
 
-needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler that works")
 SOURCE = "int answer(void) { return 42; }"
 BUILD = f"""
 from pathlib import Path
@@ -63,6 +63,7 @@ def answer(file):
     return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip()
 
 
+@pytest.mark.compiler
 def test_a_library_is_built_once(folder):
     file = shared_library(SOURCE)
     built = file.stat().st_mtime_ns
@@ -73,6 +74,7 @@ def test_a_library_is_built_once(folder):
     assert shared_library(SOURCE, flags=("-O1",)) != file
 
 
+@pytest.mark.compiler
 @pytest.mark.parametrize("damage", ["truncated", "other bytes", "no checksum", "no library"])
 def test_a_damaged_entry_is_built_again(folder, damage):
     file = shared_library(SOURCE)
@@ -89,6 +91,7 @@ def test_a_damaged_entry_is_built_again(folder, damage):
     assert {each.name for each in folder.iterdir()} == {file.name, file.with_suffix(".sha256").name}
 
 
+@pytest.mark.compiler
 def test_several_processes_build_at_once(folder):
     running = [subprocess.Popen([sys.executable, "-c", BUILD], stdout=subprocess.PIPE, text=True) for _ in range(4)]
     files = {process.communicate()[0].strip() for process in running}
@@ -140,6 +143,7 @@ def test_without_a_compiler_nothing_is_told(folder, monkeypatch):
     find_compiler.cache_clear()
 
 
+@pytest.mark.compiler
 def test_a_folder_that_cannot_be_written(tmp_path, monkeypatch):
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("MANIPPLAN_CACHE", str(tmp_path / "file" / "cache"))
@@ -164,6 +168,7 @@ def test_a_library_that_cannot_be_loaded(folder, compiler):
     np.testing.assert_allclose(robot.kinematics().manipulability([[0.1, 0.5, 0.9]]), expected)
 
 
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="there is no gcc")
 def test_a_compiler_with_options(monkeypatch, folder):
     monkeypatch.setenv("CC", "gcc -m64")
     find_compiler.cache_clear()
@@ -172,6 +177,7 @@ def test_a_compiler_with_options(monkeypatch, folder):
     find_compiler.cache_clear()
 
 
+@pytest.mark.compiler
 def test_old_remains_of_killed_builds_are_removed(folder):
     old, new = folder / "building-old", folder / "building-new"
     for each in (old, new):
@@ -182,6 +188,7 @@ def test_old_remains_of_killed_builds_are_removed(folder):
     assert new.exists()
 
 
+@pytest.mark.skipif(shutil.which("g++") is None, reason="there is no g++")
 def test_a_cxx_compiler_takes_c_as_c(folder, monkeypatch):
     monkeypatch.setenv("CC", "g++ -ffast-math")
     find_compiler.cache_clear()
@@ -247,7 +254,7 @@ def in_another_process():
     return run.stdout.strip()
 
 
-@needs_compiler
+@pytest.mark.compiler
 @pytest.mark.parametrize("content", ["garbage", "an empty file", "the library of another function"])
 def test_a_library_that_cannot_be_loaded_is_built_again(folder, content):
     """Its checksum fits, or fits another library: it was damaged before it was summed up, or copied there."""
@@ -267,7 +274,7 @@ def test_a_library_that_cannot_be_loaded_is_built_again(folder, content):
     assert all(file.stat().st_size > 8000 and module._sound(file) for file in files)
 
 
-@needs_compiler
+@pytest.mark.compiler
 def test_libraries_that_can_never_be_loaded(folder, compiler, tmp_path):
     """As in a cache folder on a file system that forbids execution: one warning, CasADi's virtual machine, no more builds."""
     calls = tmp_path / "calls"
@@ -394,7 +401,7 @@ root = pytest.mark.skipif(os.name != "posix" or os.geteuid() != 0, reason="only 
 
 
 @posix
-@needs_compiler
+@pytest.mark.compiler
 @pytest.mark.parametrize("which", ["library", "checksum"])
 @pytest.mark.parametrize("mode", [0o775, 0o757])
 def test_a_file_that_others_can_write_is_built_again(folder, which, mode):
@@ -409,7 +416,7 @@ def test_a_file_that_others_can_write_is_built_again(folder, which, mode):
 
 
 @root
-@needs_compiler
+@pytest.mark.compiler
 def test_another_user_s_library_is_built_again(folder, monkeypatch):
     """As this user, root, sees files of another one, and as that one sees those of a third."""
     file = shared_library(SOURCE)
@@ -429,7 +436,7 @@ def test_another_user_s_library_is_built_again(folder, monkeypatch):
 
 
 @posix
-@needs_compiler
+@pytest.mark.compiler
 @pytest.mark.parametrize("mode", [0o777, 0o1777, 0o770])
 def test_in_a_shared_cache_folder_each_user_has_a_folder_of_his_own(folder, mode):
     folder.mkdir()
@@ -447,7 +454,7 @@ def test_in_a_shared_cache_folder_each_user_has_a_folder_of_his_own(folder, mode
 
 
 @posix
-@needs_compiler
+@pytest.mark.compiler
 def test_a_lax_umask_does_no_harm(folder):
     before = os.umask(0o000)
     try:
@@ -461,7 +468,7 @@ def test_a_lax_umask_does_no_harm(folder):
 
 
 @posix
-@needs_compiler
+@pytest.mark.compiler
 def test_a_link_is_not_followed(folder, tmp_path):
     file = shared_library(SOURCE)
     file.rename(tmp_path / "elsewhere.so")

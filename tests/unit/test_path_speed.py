@@ -87,6 +87,7 @@ def test_the_steady_view_has_true_derivatives(panda, rng):
             np.testing.assert_allclose(each, 0.0, atol=1e-8)
 
 
+@pytest.mark.compiler
 def test_paths_are_the_same_compiled_or_not(panda, rng):
     start, goal = panda.random_configuration(rng, size=2)
     fast, slow = (mp.optimize_path(panda, start, goal, degree=5, compiled=compiled) for compiled in (True, False))
@@ -109,6 +110,7 @@ def test_compiled_has_to_be_known(planar):
         mp.optimize_path(planar, START, GOAL, compiled="yes")
 
 
+@pytest.mark.compiler
 def test_a_second_process_and_another_power_and_degree_find_the_library(folder):
     code = (
         "import manipplan as mp; arm = mp.planar_arm([1.0, 1.0, 1.0]);"

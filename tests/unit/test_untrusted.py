@@ -24,8 +24,6 @@ from manipplan.optimize.rows import row_functions
 from manipplan.tracking import machine
 from manipplan.untrusted import KEYWORDS, LONGEST, identifier, is_identifier, printable
 
-compiler = pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler that works")
-
 #: A C function that creates the file @MARK@ as soon as a library that holds it is loaded.
 BOOBY_TRAP = '\n#include <stdio.h>\n__attribute__((constructor)) static void trap(void) { fclose(fopen("@MARK@", "w")); }\n'
 HOSTILE = {
@@ -135,7 +133,7 @@ def without_name(text, name):
     return text.replace(f'"{identifier(name)}"', '"arm"')
 
 
-@compiler
+@pytest.mark.compiler
 def test_the_trap_works(tmp_path):
     """What the tests below would miss if the trap never sprang: a name in a comment, as text, runs code."""
     mark = tmp_path / "mark"
@@ -144,7 +142,7 @@ def test_the_trap_works(tmp_path):
     assert mark.exists()
 
 
-@compiler
+@pytest.mark.compiler
 @pytest.mark.parametrize("make", [urdf, mjcf])
 def test_compiled_code_is_that_of_a_harmless_name(make, tmp_path, compiled_sources):
     benign, _ = loaded(make, "arm", tmp_path)
@@ -180,7 +178,7 @@ def test_exported_c_is_that_of_a_harmless_name(make, tmp_path):
         assert not [comment for comment in re.findall(r"/\*.*?\*/", text, re.DOTALL) if '"arm"' in comment]
 
 
-@compiler
+@pytest.mark.compiler
 @pytest.mark.parametrize("kind", ["the end of a comment", "a trigraph", "a line that goes on"])
 def test_exported_c_of_a_hostile_name_compiles_and_runs(tmp_path, kind):
     robot, mark = loaded(urdf, HOSTILE[kind], tmp_path)
