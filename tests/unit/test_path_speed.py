@@ -28,6 +28,7 @@ def points(robot, rng, count=20):
     return q, rng.normal(size=q.shape), np.array([rng.uniform(1, 5, count), rng.uniform(0.5, 3, count)])
 
 
+@pytest.mark.compiler
 @pytest.mark.parametrize("density", [energy_density, length_density])
 @pytest.mark.parametrize("name", ["panda", "ur5"])
 def test_machine_code_equals_the_virtual_machine(density, name, rng):
@@ -41,6 +42,7 @@ def test_machine_code_equals_the_virtual_machine(density, name, rng):
         np.testing.assert_allclose(getattr(fast, part)(*at), expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
 
 
+@pytest.mark.compiler
 def test_rows_in_machine_code_equal_the_virtual_machine(panda, rng):
     fast, slow = (row_functions(panda.kinematics(compiled=compiled)) for compiled in (True, False))
     for _ in range(10):

@@ -562,7 +562,7 @@ def test_view_from_a_shell(plan, tmp_path, capsys, sigint):
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
-        env={**os.environ, "COLUMNS": "200"},
+        env={**os.environ, "COLUMNS": "200", "CC": ""},  # a $CC that does not work would be reported
     )
     try:
         line = process.stdout.readline()
