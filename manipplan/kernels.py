@@ -1,5 +1,6 @@
-"""Numba kernels: compiled once for each state of the package, and kept in the user's cache folder."""
+"""Numba kernels: compiled once for each state of the files that they are made of, and kept in the user's cache folder."""
 
+import errno
 import hashlib
 import logging
 import tempfile
@@ -11,17 +12,22 @@ from typing import Any, TypeVar
 
 import numba
 
+from manipplan.cache_folder import cache_folder, is_private, private_folder
 from manipplan.errors import CompilerWarning
-from manipplan.kinematics.compile import cache_folder
+from manipplan.import_closure import import_closure
 
 log = logging.getLogger(__name__)
 Function = TypeVar("Function", bound=Callable[..., Any])
 
+#: Kernels of other packages are compiled in each process: what they are made of is not known.
+PACKAGE = Path(__file__).parent
+
 
 def kernel(function: Function) -> Function:
     """Machine code that runs without Python's lock. Only modules that a computation has asked for may import this one."""
-    # numba looks for changes in a kernel's own file only, not in the files of kernels that it calls
-    folder = _folder()
+    # numba looks for changes in a kernel's own file only, not in the files of kernels and constants that it uses
+    file = Path(function.__code__.co_filename)
+    folder = _folder(state_of(file)) if file.is_relative_to(PACKAGE) else None
     if folder is None:
         uncached: Function = numba.njit(nogil=True)(function)
         return uncached
@@ -34,25 +40,42 @@ def kernel(function: Function) -> Function:
 
 
 @cache
-def _folder() -> Path | None:
-    """Where machine code is kept; None, with a CompilerWarning, where nothing can be."""
-    folder = cache_folder() / f"numba-{_sources()}"
-    try:
-        if not folder.exists():
-            log.info("... compiling kernels, once for this version of manipplan: about half a minute")
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
-            return folder
-    except OSError as error:
-        told = f"{folder} cannot be written ({error.strerror}): kernels are compiled in each process again"
-        warnings.warn(told, CompilerWarning, stacklevel=2)
-        return None
+def state_of(file: Path, package: Path = PACKAGE) -> str:
+    """A name for the state of all files that the kernels in `file` are made of; `package` is the package's folder."""
+    # what this module imports sets where code is kept, not what it computes
+    files = import_closure(file, package, leaves=[package / Path(__file__).name])
+    digest = hashlib.sha256()
+    for each in sorted(files):
+        digest.update(f"{each.relative_to(package)}\0{each.stat().st_size}\0".encode())
+        digest.update(each.read_bytes())
+    return digest.hexdigest()[:16]
 
 
 @cache
-def _sources() -> str:
-    """A name for the state of the package: kernels hold constants of files without kernels, too."""
-    digest = hashlib.sha256()
-    for file in sorted(Path(__file__).parent.rglob("*.py")):
-        digest.update(file.read_bytes())
-    return digest.hexdigest()[:16]
+def _folder(state: str) -> Path | None:
+    """Where machine code is kept; None, with a CompilerWarning, where nothing can be."""
+    folder = cache_folder()
+    try:
+        folder = private_folder() / f"numba-{state}"
+        new = not folder.exists()
+        folder.mkdir(mode=0o700, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+        if not is_private(folder):
+            raise PermissionError(errno.EPERM, "another user can write to it")
+    except OSError as error:
+        _warn_once(f"{folder} cannot be written ({error.strerror}): kernels are compiled in each process again")
+        return None
+    if new:
+        _tell_once("... compiling kernels, once for this version of manipplan: up to half a minute")
+    return folder
+
+
+@cache
+def _warn_once(told: str) -> None:
+    warnings.warn(told, CompilerWarning, stacklevel=4)
+
+
+@cache
+def _tell_once(told: str) -> None:
+    log.info(told)

@@ -1,6 +1,7 @@
 """What the tests share: real robots, loaded once, and the scene of five boxes."""
 
 import shutil
+import signal
 
 import numpy as np
 import pytest
@@ -8,6 +9,17 @@ import pytest
 import manipplan as mp
 from manipplan.demo import panda_among_boxes
 from manipplan.kinematics.compile import find_compiler
+
+
+def pytest_configure(config):
+    """A $CC or $CXX of this machine that does not work is no failure of the tests, which run without a compiler then."""
+    config.addinivalue_line("filterwarnings", r"ignore:\$(CC|CXX) = .* is not a compiler:manipplan.errors.CompilerWarning")
+    config.addinivalue_line("markers", "compiler: needs a C compiler that works")
+
+
+def pytest_runtest_setup(item):
+    if item.get_closest_marker("compiler") and find_compiler() is None:
+        pytest.skip("there is no C compiler that works")
 
 
 @pytest.fixture(scope="session")
@@ -55,6 +67,14 @@ def no_compiler(monkeypatch):
     yield
     monkeypatch.undo()
     find_compiler.cache_clear()
+
+
+@pytest.fixture
+def sigint():
+    """Interrupts reach this process and those that it starts; a shell's background job ignores them, and so would they."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture

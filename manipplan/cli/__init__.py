@@ -10,7 +10,6 @@ from collections.abc import Callable, Sequence
 
 import tyro
 from rich.console import Console
-from rich.markup import escape
 
 from manipplan.cli.demo import demo
 from manipplan.cli.follow import follow
@@ -18,8 +17,10 @@ from manipplan.cli.improve import improve
 from manipplan.cli.plan import plan
 from manipplan.cli.robots import robots
 from manipplan.cli.study import study
+from manipplan.cli.terminal import show_line
 from manipplan.cli.view import view
 from manipplan.errors import InvalidInputError, ManipplanError, MissingExtraError
+from manipplan.untrusted import printable
 
 COMMANDS: dict[str, Callable[..., int | None]] = {
     "demo": demo,
@@ -34,7 +35,9 @@ COMMANDS: dict[str, Callable[..., int | None]] = {
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns its exit code and prints errors in one line, without a traceback."""
-    logging.basicConfig(level=logging.WARNING, format="%(message)s")
+    log = logging.StreamHandler()
+    log.setFormatter(_Printable())
+    logging.basicConfig(level=logging.WARNING, handlers=[log])
     logging.getLogger("toppra").setLevel(logging.ERROR)
     logging.getLogger("manipplan.kernels").setLevel(logging.INFO)
     errors = Console(stderr=True)
@@ -46,12 +49,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
             args=arguments,
         )
     except ManipplanError as error:
-        errors.print(f"manipplan: {escape(str(error))}", style="red", highlight=False, soft_wrap=True)
+        show_line(errors, f"manipplan: {error}", style="red")
         return 2 if isinstance(error, InvalidInputError | MissingExtraError) else 1
     except KeyboardInterrupt:
         errors.print("manipplan: interrupted; finished files are whole, nothing half-written is left", style="red")
         return 130
     return code or 0
+
+
+class _Printable(logging.Formatter):
+    """The message alone, without the control characters that a name in it may hold."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        return printable(super().format(record))
 
 
 def run() -> None:

@@ -1,12 +1,12 @@
 """`manipplan robots`: the known arms."""
 
 from rich.console import Console
-from rich.markup import escape
 from rich.table import Table
 from tyro.conf import Positional
 
 from manipplan.cli import terminal
 from manipplan.robots.catalog import available_robots, load_robot
+from manipplan.untrusted import terminal_text
 
 
 def robots(name: Positional[str | None] = None, /) -> None:
@@ -17,7 +17,7 @@ def robots(name: Positional[str | None] = None, /) -> None:
     """
     console = Console()
     if name is not None:
-        console.print(escape(str(load_robot(name))), highlight=False, soft_wrap=True)
+        terminal.show_line(console, str(load_robot(name)))
         return
     table = Table("name", "joints", "tool frame", box=None)
     names = available_robots()
@@ -25,5 +25,5 @@ def robots(name: Positional[str | None] = None, /) -> None:
         for k, each in enumerate(names):
             tell(k / len(names), f"loading {each}")
             robot = load_robot(each)
-            table.add_row(each, str(robot.n), robot.tool)
+            table.add_row(each, str(robot.n), terminal_text(robot.tool))
     console.print(table)

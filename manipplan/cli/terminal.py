@@ -5,10 +5,10 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from rich.console import Console
-from rich.markup import escape
 
 from manipplan.jobs.result import Plan
 from manipplan.progress import Progress
+from manipplan.untrusted import printable, terminal_text
 
 #: How the source of limits begins that nobody gave.
 DEFAULT = "default"
@@ -25,16 +25,21 @@ def progress() -> Iterator[Progress]:
             nonlocal last
             if int(10 * share) > last:
                 last = int(10 * share)
-                console.print(f"... {10 * last} % {escape(text)}", highlight=False)
+                console.print(terminal_text(f"... {10 * last} % {text}"))
 
         yield line
         return
     from rich import progress as bars
 
-    columns = (bars.TextColumn("{task.description}"), bars.BarColumn(), bars.TimeElapsedColumn(), bars.TimeRemainingColumn())
+    columns = (
+        bars.TextColumn("{task.description}", markup=False),
+        bars.BarColumn(),
+        bars.TimeElapsedColumn(),
+        bars.TimeRemainingColumn(),
+    )
     with bars.Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task("", total=1.0)
-        yield lambda share, text: bar.update(task, completed=share, description=text)
+        yield lambda share, told: bar.update(task, completed=share, description=printable(told))
 
 
 def show_plan(plan: Plan, files: Sequence[Path], *lines: str) -> int:
@@ -46,7 +51,7 @@ def show_plan(plan: Plan, files: Sequence[Path], *lines: str) -> int:
     if plan.robot.locked:
         assumed.append("locked joints: " + ", ".join(f"{name} at {value:g}" for name, value in plan.robot.locked.items()))
     for line in assumed:
-        Console().print(escape(line), style="dim", highlight=False, soft_wrap=True)
+        show_line(Console(), line, style="dim")
     show_result("\n  ".join((str(plan.report), *lines)), files)
     return 0 if plan.status.ok else 3
 
@@ -54,5 +59,10 @@ def show_plan(plan: Plan, files: Sequence[Path], *lines: str) -> int:
 def show_result(report: str, files: Sequence[Path]) -> None:
     """Print a report and where it lies."""
     console = Console()
-    console.print(escape(report), highlight=False, soft_wrap=True)
-    console.print("wrote " + " ".join(escape(str(file)) for file in files) + "\n", highlight=False, soft_wrap=True)
+    show_line(console, report)
+    show_line(console, "wrote " + " ".join(map(str, files)) + "\n")
+
+
+def show_line(console: Console, text: str, style: str = "") -> None:
+    """Print `text` as it is, in lines as long as they are; names in it are no markup."""
+    console.print(terminal_text(text, style), soft_wrap=True)

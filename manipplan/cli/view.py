@@ -3,9 +3,9 @@
 from pathlib import Path
 
 from rich.console import Console
-from rich.markup import escape
 from tyro.conf import Positional
 
+from manipplan.cli.terminal import show_line
 from manipplan.jobs.result import Plan
 
 
@@ -30,10 +30,10 @@ def view(
     plan = Plan.load(result)
     if record is not None:
         file = plan.record(record)
-        console.print(f"wrote {escape(str(file))}; open it in a browser", highlight=False, soft_wrap=True)
+        show_line(console, f"wrote {file}; open it in a browser")
         return
     with plan.show(port=port, host=host, open_browser=False) as page:
-        console.print(f"{escape(plan.robot.name)} at {page.url}; Ctrl-C ends it", highlight=False, soft_wrap=True)
+        show_line(console, f"{plan.robot.name} at {page.url}; Ctrl-C ends it")
         if browser:
             page.open()
         page.wait()

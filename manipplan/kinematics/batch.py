@@ -5,12 +5,14 @@ import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
+from pathlib import Path
+from typing import Any
 
 import casadi as ca
 import numpy as np
 
 from manipplan.checks import Array
-from manipplan.kinematics.compile import NATIVE, loaded, shared_library
+from manipplan.kinematics.compile import NATIVE, load_library
 from manipplan.kinematics.simd import kernel_source
 
 #: A thread gets at least as many configurations.
@@ -22,10 +24,14 @@ Kernel = Callable[[Array, Array], bool]
 
 def simd_kernel(function: ca.Function, subject: str) -> Kernel:
     """A kernel in C on vectors of the processor's width; raises CompilerError where it cannot be built."""
-    library = shared_library(kernel_source(function), flags=(*NATIVE, "-fschedule-insns", "-lm"), subject=subject)
-    run = loaded(library, subject).manipplan_batch
-    run.argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long]
-    run.restype = ctypes.c_int
+
+    def load(file: Path) -> Any:
+        run = ctypes.CDLL(str(file)).manipplan_batch
+        run.argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long]
+        run.restype = ctypes.c_int
+        return run
+
+    run = load_library(kernel_source(function), load, flags=(*NATIVE, "-fschedule-insns", "-lm"), subject=subject)
     return lambda q, out: run(q.ctypes.data, out.ctypes.data, len(q)) == 0
 
 

@@ -1,11 +1,11 @@
 """Source code to a shared library by the machine's own compiler, kept in the user's cache folder.
 
 A library is named by a hash of all that it is made of: source, compiler, options and, where it is built for this processor
-alone, the processor. It is built in a temporary folder and renamed, so several processes may build at once; a checksum
-beside it is read before it is loaded, and one that does not fit is built again. The folder may be deleted at any time.
+alone, the processor. It is built in a temporary folder and renamed, so several processes may build at once. It is built again
+when the checksum beside it does not fit, when another user can have written it, or when it cannot be loaded. The folder may
+be deleted at any time.
 """
 
-import ctypes
 import hashlib
 import logging
 import os
@@ -16,18 +16,22 @@ import subprocess
 import tempfile
 import time
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import TypeVar
 
 import casadi as ca
-import platformdirs
 
-from manipplan.errors import CompilerError, CompilerWarning
+from manipplan.cache_folder import cache_folder, is_private, private_folder
+from manipplan.errors import CompilerError, CompilerWarning, ManipplanError
+from manipplan.processes import run
+from manipplan.untrusted import is_identifier, printable, terminal_text
 
 log = logging.getLogger("manipplan")
+Loaded = TypeVar("Loaded")
 
 #: For functions that only this machine runs.
 NATIVE = ("-O2", "-fno-fast-math", "-march=native", "-fno-math-errno", "-fno-trapping-math")
@@ -37,6 +41,12 @@ LONG = 200_000
 
 #: Functions of so many instructions are compiled in a few seconds; a user who did not ask for it waits no longer.
 SOON_DONE = 60_000
+
+#: Time limit of `--version` [s]: a compiler answers within milliseconds, one on a network drive within a second.
+VERSION_LIMIT = 10.0
+
+#: Time limit of one build [s]: the longest one, of Pinocchio's headers, takes two minutes, on a small computer ten.
+BUILD_LIMIT = 1200.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,27 +68,36 @@ def find_compiler(language: str = "c") -> Compiler | None:
         commands = [shlex.split(os.environ[variable])] if variable in os.environ else [[name] for name in usual]
     except ValueError:
         commands = [[os.environ[variable]]]
+    broken = []
     for command in commands:
         path = shutil.which(command[0]) if command else None
-        version = _version((path, *command[1:])) if path is not None else None
-        if path is not None and version is not None:
-            return Compiler(command=(path, *command[1:]), version=version)
+        if path is None:
+            continue
+        try:
+            return Compiler(command=(path, *command[1:]), version=_version([path, *command[1:]]))
+        except CompilerError as error:
+            broken.append(error.output)
     if os.environ.get(variable):
-        warnings.warn(f"${variable} = {os.environ[variable]!r} is not a compiler that runs", CompilerWarning, stacklevel=2)
+        reason = "".join(f": {each}" for each in broken)
+        told = f"${variable} = {os.environ[variable]!r} is not a compiler that runs{reason}"
+        warnings.warn(told, CompilerWarning, stacklevel=2)
+    elif broken:
+        warnings.warn(f"no {language.upper()} compiler runs: {'; '.join(broken)}", CompilerWarning, stacklevel=2)
     return None
 
 
-def _version(command: tuple[str, ...]) -> str | None:
-    """The first line of what a compiler says about itself; None for what does not run."""
+def _version(command: Sequence[str]) -> str:
+    """The first line of what a compiler says about itself; raises CompilerError for what does not run."""
+    question = [*command, "--version"]
     try:
-        answer = _run([*command, "--version"])
-    except OSError:
-        return None
-    return answer.stdout.partition("\n")[0] if answer.returncode == 0 else None
-
-
-def _run(command: Sequence[str]) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(command, capture_output=True, text=True, errors="replace", check=False)
+        answer = run(question, limit=VERSION_LIMIT)
+    except subprocess.TimeoutExpired as error:
+        raise CompilerError(command[0], f"{shlex.join(question)} did not end within {VERSION_LIMIT:g} s") from error
+    except OSError as error:
+        raise CompilerError(command[0], f"{shlex.join(question)} cannot be run ({error.strerror})") from error
+    if answer.returncode != 0:
+        raise CompilerError(command[0], f"{shlex.join(question)} failed with exit code {answer.returncode}")
+    return answer.stdout.partition("\n")[0]
 
 
 def install_line(language: str = "c") -> str:
@@ -87,37 +106,73 @@ def install_line(language: str = "c") -> str:
     return "xcode-select --install" if platform.system() == "Darwin" else f"apt install {package}"
 
 
-def cache_folder() -> Path:
-    """Where libraries are kept: $MANIPPLAN_CACHE, or the user's cache folder."""
-    return Path(os.environ.get("MANIPPLAN_CACHE") or platformdirs.user_cache_path("manipplan"))
-
-
-def shared_library(
-    source: str, *, flags: Sequence[str] = NATIVE, language: str = "c", subject: str, announce: bool = False
-) -> Path:
-    """The library of `source`, from the cache or built now.
+def load_library(
+    source: str,
+    load: Callable[[Path], Loaded],
+    *,
+    flags: Sequence[str] = NATIVE,
+    language: str = "c",
+    subject: str,
+    announce: bool = False,
+) -> Loaded:
+    """What `load` makes of the library of `source`, from the cache or built now.
 
     Args:
         source: one file of C or C++.
+        load: takes the library's file; raises OSError, RuntimeError or AttributeError when it is unusable.
         flags: options of the compiler, libraries included.
         language: "c" or "c++".
         subject: what is built, for messages.
         announce: show a line of progress on stderr while it is built.
 
     Raises:
-        CompilerError: there is no compiler, or it fails; its message is kept.
+        CompilerError: there is no compiler, it fails or hangs, or what it has built cannot be loaded; its message is kept.
     """
     compiler = find_compiler(language)
     if compiler is None:
-        raise CompilerError(subject, f"there is no {language.upper()} compiler; install one with: {install_line(language)}")
+        raise CompilerError(subject, _why_none(language))
+    with _cache_errors(cache_folder(), subject):
+        folder = private_folder()
+    for earlier in _given_up(compiler, folder):
+        raise CompilerError(subject, earlier.output)
     parts = [source, *compiler.command, compiler.version, *flags]
     parts.append(_processor() if "-march=native" in flags else platform.machine())
     key = hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
-    file = cache_folder() / f"{key}.so"
-    if not _sound(file):
-        with _announced(subject) if announce else nullcontext():
-            _build(file, source, compiler, flags, language, subject)
-    return file
+    file = folder / f"{key}.so"
+    if _sound(file):
+        try:
+            return load(file)
+        except _UNLOADABLE as error:
+            log.debug("%s cannot be loaded and is built again: %s", file, error)
+    with _announced(subject) if announce else nullcontext():
+        _build(file, source, compiler, flags, language, subject)
+    try:
+        return load(file)
+    except _UNLOADABLE as error:
+        raise _give_up(compiler, folder, subject, f"{file} cannot be loaded: {error}") from error
+
+
+#: What loading a library raises: ctypes without the file or a function in it, and CasADi.
+_UNLOADABLE = (OSError, RuntimeError, AttributeError)
+
+
+def _why_none(language: str) -> str:
+    variable = {"c": "CC", "c++": "CXX"}[language]
+    if os.environ.get(variable):
+        return f"${variable} = {os.environ[variable]!r} is not a compiler that runs"
+    return f"there is no {language.upper()} compiler; install one with: {install_line(language)}"
+
+
+@cache
+def _given_up(_compiler: Compiler, _folder: Path) -> list[CompilerError]:
+    """Why this process builds nothing more with this compiler in this folder: each further try would fail as slowly."""
+    return []
+
+
+def _give_up(compiler: Compiler, folder: Path, subject: str, reason: str) -> CompilerError:
+    error = CompilerError(subject, reason)
+    _given_up(compiler, folder).append(error)
+    return error
 
 
 def native_flags(source: str) -> tuple[str, ...]:
@@ -132,23 +187,24 @@ def compiled(function: ca.Function, subject: str) -> ca.Function:
 
 def compiled_together(functions: Sequence[ca.Function], subject: str) -> tuple[ca.Function, ...]:
     """Several functions as one library of machine code; raises as `compiled`."""
+    source = generated_source(functions)
+
+    def load(file: Path) -> tuple[ca.Function, ...]:
+        return tuple(ca.external(function.name(), str(file)) for function in functions)
+
+    return load_library(source, load, flags=(*native_flags(source), "-lm"), subject=subject)
+
+
+def generated_source(functions: Sequence[ca.Function]) -> str:
+    """C source of CasADi Functions. All their names are identifiers: CasADi writes those of arguments as they are."""
     generator = ca.CodeGenerator(functions[0].name(), {"casadi_real": "double"})
     for function in functions:
+        for name in (function.name(), *function.name_in(), *function.name_out()):
+            if not is_identifier(name):
+                raise ManipplanError(f"{name!r} cannot be written to C source: it is no identifier")
         generator.add(function)
-    source = generator.dump()
-    file = shared_library(source, flags=(*native_flags(source), "-lm"), subject=subject)
-    try:
-        return tuple(ca.external(function.name(), str(file)) for function in functions)
-    except RuntimeError as error:
-        raise CompilerError(subject, f"{file} cannot be loaded: {error}") from error
-
-
-def loaded(file: Path, subject: str) -> ctypes.CDLL:
-    """A library of our own; raises CompilerError when it cannot be loaded."""
-    try:
-        return ctypes.CDLL(str(file))
-    except OSError as error:
-        raise CompilerError(subject, f"it cannot be loaded: {error}") from error
+    source: str = generator.dump()
+    return source
 
 
 def _build(file: Path, source: str, compiler: Compiler, flags: Sequence[str], language: str, subject: str) -> None:
@@ -161,14 +217,22 @@ def _build(file: Path, source: str, compiler: Compiler, flags: Sequence[str], la
         command = [*compiler.command, *options, "-shared", "-fPIC", *named, "-o", str(library), *libraries]
         with _cache_errors(file.parent, subject):
             code.write_text(source, encoding="utf-8")
-        answer = _run(command)
+        try:
+            answer = run(command, limit=BUILD_LIMIT)
+        except subprocess.TimeoutExpired as error:
+            reason = f"{shlex.join(command)}\ndid not end within {BUILD_LIMIT:g} s"
+            raise _give_up(compiler, file.parent, subject, reason) from error
+        except OSError as error:
+            raise CompilerError(subject, f"{shlex.join(command)}\ncannot be run ({error.strerror})") from error
         if answer.returncode != 0 or not library.is_file():
-            raise CompilerError(subject, f"{' '.join(command)}\n{answer.stderr.strip()}")
+            raise CompilerError(subject, f"{shlex.join(command)}\n{answer.stderr.strip()}")
         checksum = place / "checksum"
         # Each rename is one step. Between the two, and after two builds that crossed, the checksum does not fit, and the
         # next one who asks builds again.
         with _cache_errors(file.parent, subject):
             checksum.write_text(_digest(library))
+            library.chmod(0o755)  # whatever the umask: what a group can write is not loaded
+            checksum.chmod(0o644)
             library.replace(file)
             checksum.replace(file.with_suffix(".sha256"))
 
@@ -186,7 +250,6 @@ def _cache_errors(folder: Path, subject: str) -> Iterator[None]:
 def _place_to_build(folder: Path, subject: str) -> Iterator[Path]:
     """A temporary folder inside the cache folder; removes those that killed builds left there more than a day ago."""
     with _cache_errors(folder, subject):
-        folder.mkdir(parents=True, exist_ok=True)
         for left in folder.glob("building-*"):
             with suppress(FileNotFoundError):  # another process may have removed it
                 if left.stat().st_mtime < time.time() - 86400:
@@ -200,27 +263,32 @@ def _place_to_build(folder: Path, subject: str) -> Iterator[Path]:
 def _announced(subject: str) -> Iterator[None]:
     from rich.console import Console
 
-    console = Console(stderr=True)
+    console, text = Console(stderr=True), terminal_text(f"compiling {subject} ...")
     if not console.is_terminal:
-        console.print(f"compiling {subject} ...")
-    with console.status(f"compiling {subject} ..."):
+        console.print(text)
+    with console.status(text):
         yield
 
 
 def _sound(file: Path) -> bool:
+    """Whether a library is there, whole, and written by nobody else."""
+    checksum = file.with_suffix(".sha256")
     try:
-        return file.with_suffix(".sha256").read_text() == _digest(file)
+        if file.is_symlink() or not (is_private(file) and is_private(checksum)):
+            return False
+        return checksum.read_text() == _digest(file)
     except (OSError, UnicodeDecodeError):
         return False
 
 
 def _digest(file: Path) -> str:
-    return hashlib.sha256(file.read_bytes()).hexdigest()
+    """Of the library and of its name, so that no library passes for another."""
+    return hashlib.sha256(file.name.encode() + file.read_bytes()).hexdigest()
 
 
 def wants_machine_code(compiled: bool | str) -> bool:
     """Whether the option `compiled` (True, False or "auto") asks for a compiler on this machine."""
-    return compiled is True or (compiled == "auto" and find_compiler() is not None)
+    return compiled is True or (compiled == "auto" and find_compiler("c") is not None)
 
 
 def as_asked(functions: Sequence[ca.Function], compiled: bool | str, subject: str) -> tuple[ca.Function, ...]:
@@ -243,12 +311,12 @@ def do_without(error: CompilerError, compiled: bool | str) -> None:
     if compiled is True:
         raise error
     if first_failure():
-        warnings.warn(f"CasADi's virtual machine is used instead: {error}", CompilerWarning, stacklevel=6)
+        warnings.warn(printable(f"CasADi's virtual machine is used instead: {error}"), CompilerWarning, stacklevel=6)
 
 
 def first_failure() -> bool:
     """Whether this is asked for the first time with this compiler and cache folder, so that a failure is told once."""
-    return next(_once(find_compiler(), cache_folder()), False)
+    return next(_once(find_compiler("c"), cache_folder()), False)
 
 
 @cache

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import casadi as ca
 
 from manipplan.errors import CompilerError, InvalidInputError, ManipplanError, UnknownNameError
-from manipplan.kinematics.compile import loaded, shared_library
+from manipplan.kinematics.compile import load_library
 from manipplan.robots.description import frame_index
 
 if TYPE_CHECKING:
@@ -157,7 +157,11 @@ def _bridge() -> ctypes.CDLL:
         "-lcasadi",
     ]
     subject = "Pinocchio's algorithms in CasADi's scalar, once for this machine, about two minutes"
-    library = loaded(shared_library(source, flags=flags, language="c++", subject=subject, announce=True), subject)
+    return load_library(source, _loaded, flags=flags, language="c++", subject=subject, announce=True)
+
+
+def _loaded(file: Path) -> ctypes.CDLL:
+    library = ctypes.CDLL(str(file))
     library.manipplan_functions.argtypes = [ctypes.c_char_p, ctypes.c_ulong, ctypes.POINTER(ctypes.c_void_p)]
     library.manipplan_functions.restype = ctypes.c_int
     library.manipplan_free.argtypes = [ctypes.c_void_p]

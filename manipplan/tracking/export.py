@@ -49,7 +49,6 @@ def _example(controller: "Controller") -> dict[str, str]:
     robot = controller.robot
     pose = robot.kinematics(controller.task).pose(robot.neutral)
     return {
-        "ROBOT": robot.name,
         "START": _numbers(robot.neutral),
         "POSE": _numbers(pose.ravel()),
         "STIFFNESS": repr(controller.stiffness),

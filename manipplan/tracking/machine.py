@@ -10,8 +10,9 @@ import numpy as np
 
 from manipplan.checks import Array
 from manipplan.errors import ManipplanError
-from manipplan.kinematics.compile import loaded, native_flags, shared_library
+from manipplan.kinematics.compile import generated_source, load_library, native_flags
 from manipplan.tracking.step import REPORT, STEP_NAME
+from manipplan.untrusted import identifier
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,12 +26,10 @@ class Sources:
     @classmethod
     def of(cls, function: ca.Function, robot: str, dt: float) -> "Sources":
         """The sources of a step's Function."""
-        generator = ca.CodeGenerator(function.name(), {"casadi_real": "double"})
-        generator.add(function)
-        step = _going_on(generator.dump())
+        step = _going_on(generated_source([function]))
         here = files("manipplan.tracking")
         numbers = {
-            "ROBOT": robot,
+            "ROBOT": identifier(robot),
             "JOINTS": function.size1_in("q"),
             "DT": repr(dt),
             "OBSTACLES": function.nnz_in("obstacles"),
@@ -74,11 +73,14 @@ class MachineCode:
             str(folder / "libdaqpstat.a"),
             "-lm",
         )
-        file = shared_library(f"{sources.step}\n{wrapper}", flags=flags, subject=subject)
-        self.function = ca.external(STEP_NAME, str(file))
-        self._library = loaded(file, subject)
-        for name in ("controller_new", "controller_rollout", "controller_free", "controller_reset"):
-            getattr(self._library, name).restype = ctypes.c_void_p if name == "controller_new" else ctypes.c_int
+
+        def load(file: Path) -> tuple[ca.Function, ctypes.CDLL]:
+            library = ctypes.CDLL(str(file))
+            for name in ("controller_new", "controller_rollout", "controller_free", "controller_reset"):
+                getattr(library, name).restype = ctypes.c_void_p if name == "controller_new" else ctypes.c_int
+            return ca.external(STEP_NAME, str(file)), library
+
+        self.function, self._library = load_library(f"{sources.step}\n{wrapper}", load, flags=flags, subject=subject)
         self._controller = ctypes.c_void_p(self._library.controller_new())
 
     def rollout(self, inputs: list[Array], q: Array, qd: Array, qdd: Array, report: Array) -> None:

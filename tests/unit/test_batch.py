@@ -9,6 +9,7 @@ import manipplan as mp
 from manipplan.kinematics import kinematics as module
 from manipplan.kinematics.compile import find_compiler
 
+COMPILED = [pytest.param(True, marks=pytest.mark.compiler), False]
 QUANTITIES = ["pose", "jacobian", "manipulability", "gradient", "hessian"]
 
 
@@ -16,6 +17,7 @@ def one_by_one(kinematics, quantity, q):
     return np.array([getattr(kinematics, quantity)(each) for each in q])
 
 
+@pytest.mark.compiler
 @pytest.mark.parametrize("quantity", QUANTITIES)
 @pytest.mark.parametrize("task", [mp.Task.pose(), mp.Task.pointing(), mp.Task.position()], ids=lambda task: task.name)
 def test_batch_equals_single(panda, quantity, task, rng):
@@ -31,7 +33,7 @@ def test_batch_equals_single(panda, quantity, task, rng):
     np.testing.assert_allclose(getattr(reference, quantity)(q), single, rtol=1e-10, atol=1e-13)
 
 
-@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("compiled", COMPILED)
 def test_layouts_and_kinds_of_numbers(panda, compiled, rng):
     kinematics = panda.kinematics(compiled=compiled)
     q = panda.random_configuration(rng, size=(20))
@@ -47,7 +49,7 @@ def test_layouts_and_kinds_of_numbers(panda, compiled, rng):
     assert kinematics.manipulability(np.empty((0, 7))).shape == (0,)
 
 
-@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("compiled", COMPILED)
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
 def test_what_is_not_finite_is_found(panda, compiled, bad):
     kinematics = panda.kinematics(compiled=compiled)
@@ -58,6 +60,7 @@ def test_what_is_not_finite_is_found(panda, compiled, bad):
             kinematics.manipulability(q)
 
 
+@pytest.mark.compiler
 def test_far_angles_and_prismatic_joints(rng):
     """Angles far from zero lose no digits, and lengths are not turned back."""
     robot = mp.load_robot("tiago")
@@ -70,6 +73,7 @@ def test_far_angles_and_prismatic_joints(rng):
     np.testing.assert_allclose(fast.pose(q), slow.pose(q), rtol=1e-12, atol=1e-12)
 
 
+@pytest.mark.compiler
 def test_index_to_ten_digits_against_pinocchio(panda, rng):
     kinematics = panda.kinematics(mp.Task.pose(1.0), compiled=True)
     q = panda.random_configuration(rng, size=3000)
@@ -94,6 +98,7 @@ def test_without_compiler_by_numba(quantity, no_compiler, monkeypatch, rng):
         getattr(kinematics, quantity)(q)
 
 
+@pytest.mark.compiler
 @pytest.mark.parametrize("measure", mp.available_measures())
 def test_every_measure_runs_in_a_kernel(measure, panda, rng):
     chosen = {"velocity_transmission": mp.VelocityTransmission, "force_transmission": mp.ForceTransmission}
@@ -104,6 +109,7 @@ def test_every_measure_runs_in_a_kernel(measure, panda, rng):
     np.testing.assert_allclose(fast.gradient(q), slow.gradient(q), rtol=1e-7, atol=1e-9)
 
 
+@pytest.mark.compiler
 def test_every_operation_of_the_kernels(tmp_path):
     """Each operation that the kernels in C and by numba claim to know, against CasADi's virtual machine."""
     from manipplan.kinematics import jit, simd
@@ -127,6 +133,7 @@ def test_every_operation_of_the_kernels(tmp_path):
         np.testing.assert_allclose(run_kernel(kernel, values, len(expressions), threads=1), expected, rtol=1e-13, atol=1e-13)
 
 
+@pytest.mark.compiler
 def test_an_operation_that_kernels_do_not_know(panda, rng):
     """A user's own measure with an exotic function still works, in CasADi's virtual machine."""
     from manipplan.measures.measure import JacobianMeasure

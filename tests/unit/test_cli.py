@@ -245,7 +245,7 @@ def test_poses_that_cannot_be_read_or_reached(six_file, tmp_path, capsys, text, 
         ("writing files", 0.35),
     ],
 )
-def test_an_interrupt_leaves_no_broken_file(tmp_path, step, delay):
+def test_an_interrupt_leaves_no_broken_file(tmp_path, step, delay, sigint):
     """A real process, interrupted by a real signal while it plans or writes."""
     process = subprocess.Popen(
         [sys.executable, "-m", "manipplan", "demo", "--out", str(tmp_path / "demo")],

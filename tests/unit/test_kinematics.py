@@ -226,7 +226,7 @@ def test_derivatives_equal_automatic_differentiation(panda, task, rng):
         np.testing.assert_allclose(symbolic.hessian(at), bend, rtol=1e-6, atol=1e-8)
 
 
-@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("compiled", [pytest.param(True, marks=pytest.mark.compiler), False])
 def test_derivatives_are_finite_on_a_singularity(compiled):
     """A stretched planar arm, and a UR5 with its wrist straight."""
     planar = mp.planar_arm([1.0, 1.0, 1.0])
@@ -247,7 +247,7 @@ def test_a_larger_regularisation_smooths_the_kink(planar):
     assert bends[0] == pytest.approx(10 * bends[1], rel=1e-3)
 
 
-@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("compiled", [pytest.param(True, marks=pytest.mark.compiler), False])
 def test_evaluator_gives_the_same_as_the_methods(panda, compiled, rng):
     kinematics = panda.kinematics(mp.Task.pose(), compiled=compiled)
     names = ("pose", "jacobian", "manipulability", "gradient", "hessian")

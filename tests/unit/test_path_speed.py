@@ -28,6 +28,7 @@ def points(robot, rng, count=20):
     return q, rng.normal(size=q.shape), np.array([rng.uniform(1, 5, count), rng.uniform(0.5, 3, count)])
 
 
+@pytest.mark.compiler
 @pytest.mark.parametrize("density", [energy_density, length_density])
 @pytest.mark.parametrize("name", ["panda", "ur5"])
 def test_machine_code_equals_the_virtual_machine(density, name, rng):
@@ -41,6 +42,7 @@ def test_machine_code_equals_the_virtual_machine(density, name, rng):
         np.testing.assert_allclose(getattr(fast, part)(*at), expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
 
 
+@pytest.mark.compiler
 def test_rows_in_machine_code_equal_the_virtual_machine(panda, rng):
     fast, slow = (row_functions(panda.kinematics(compiled=compiled)) for compiled in (True, False))
     for _ in range(10):
@@ -87,6 +89,7 @@ def test_the_steady_view_has_true_derivatives(panda, rng):
             np.testing.assert_allclose(each, 0.0, atol=1e-8)
 
 
+@pytest.mark.compiler
 def test_paths_are_the_same_compiled_or_not(panda, rng):
     start, goal = panda.random_configuration(rng, size=2)
     fast, slow = (mp.optimize_path(panda, start, goal, degree=5, compiled=compiled) for compiled in (True, False))
@@ -109,6 +112,7 @@ def test_compiled_has_to_be_known(planar):
         mp.optimize_path(planar, START, GOAL, compiled="yes")
 
 
+@pytest.mark.compiler
 def test_a_second_process_and_another_power_and_degree_find_the_library(folder):
     code = (
         "import manipplan as mp; arm = mp.planar_arm([1.0, 1.0, 1.0]);"

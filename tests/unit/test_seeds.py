@@ -205,7 +205,7 @@ while time.monotonic() - began < 20:
 
 
 @pytest.mark.parametrize("after", [0.05, 0.4, 0.75])
-def test_an_interrupt_returns_the_best_so_far(after):
+def test_an_interrupt_returns_the_best_so_far(after, sigint):
     run = subprocess.run(
         [sys.executable, "-c", INTERRUPTED, str(after)], capture_output=True, text=True, timeout=60, check=False
     )
@@ -214,7 +214,7 @@ def test_an_interrupt_returns_the_best_so_far(after):
     assert "AssertionError" not in run.stderr
 
 
-def test_an_interrupt_between_two_solves(planar, monkeypatch):
+def test_an_interrupt_between_two_solves(planar, monkeypatch, sigint):
     """The second solve is interrupted: what the first found is returned, and told."""
     from manipplan.optimize.problem import PathProgram
 
@@ -239,7 +239,7 @@ def test_an_interrupt_between_two_solves(planar, monkeypatch):
         mp.plan(planar, START, GOAL, POST, power=2)
 
 
-def test_an_interrupt_of_the_measurement_keeps_the_path(planar, monkeypatch):
+def test_an_interrupt_of_the_measurement_keeps_the_path(planar, monkeypatch, sigint):
     """What was found is returned when the interrupt comes after the last solve."""
     from manipplan.optimize.local import LocalSearch
 
@@ -250,7 +250,7 @@ def test_an_interrupt_of_the_measurement_keeps_the_path(planar, monkeypatch):
     assert np.isnan(result.certificate.unconstrained_g)
 
 
-def test_an_interrupt_of_a_solve_is_quiet(planar):
+def test_an_interrupt_of_a_solve_is_quiet(planar, sigint):
     """CasADi tells of it on the standard error stream, in pieces."""
     code = (
         "import os, signal, threading, time\n"
@@ -267,7 +267,7 @@ def test_an_interrupt_of_a_solve_is_quiet(planar):
     assert "CasADi" not in run.stderr
 
 
-def test_other_lines_pass_while_an_interrupt_is_told(capsys):
+def test_other_lines_pass_while_an_interrupt_is_told(capsys, sigint):
     from manipplan.interrupts import interruptible
 
     with pytest.raises(KeyboardInterrupt), interruptible():
@@ -279,7 +279,7 @@ def test_other_lines_pass_while_an_interrupt_is_told(capsys):
     assert capsys.readouterr().err == "before\nafter\nCasA"
 
 
-def test_an_interrupt_of_the_planner_is_raised(planar, monkeypatch):
+def test_an_interrupt_of_the_planner_is_raised(planar, monkeypatch, sigint):
     def interrupt(*_, **__):
         signal.raise_signal(signal.SIGINT)
 

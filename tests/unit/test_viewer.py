@@ -552,7 +552,7 @@ def test_importing_it_imports_no_viewer():
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
-def test_view_from_a_shell(plan, tmp_path, capsys):
+def test_view_from_a_shell(plan, tmp_path, capsys, sigint):
     plan.save(tmp_path)
     assert main(["view", str(tmp_path), "--record", str(tmp_path / "motion.html")]) == 0
     assert (tmp_path / "motion.html").stat().st_size > 500_000
@@ -562,7 +562,7 @@ def test_view_from_a_shell(plan, tmp_path, capsys):
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
-        env={**os.environ, "COLUMNS": "200"},
+        env={**os.environ, "COLUMNS": "200", "CC": ""},  # a $CC that does not work would be reported
     )
     try:
         line = process.stdout.readline()

@@ -2,6 +2,7 @@
 
 import threading
 import time
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -117,7 +118,7 @@ class PlanViewer(Page):
         self._values = gui.add_html(table(self.motion.values(0.0)))
         switches(gui, self.stage.layers)
         with gui.add_folder("About", expand_by_default=False):
-            gui.add_markdown(about(self.motion))
+            gui.add_html(about(self.motion))
 
         def slide(event: Any) -> None:
             if event.client is not None:  # not what `_show` itself set
@@ -164,9 +165,9 @@ def chart_of(motion: Motion) -> Chart:
 
 
 def about(motion: Motion) -> str:
-    """What is shown, in words."""
+    """What is shown, in words, as HTML, in which names are escaped."""
     plan, robot = motion.plan, motion.robot
-    lines = [f"**{robot.name}**, tool frame {robot.tool}; drawn by its {appearance_of(robot).origin}."]
+    lines = [f"{robot.name}, tool frame {robot.tool}; drawn by its {appearance_of(robot).origin}."]
     lines.append(plan.status.value[0].upper() + plan.status.value[1:] + ".")
     if motion.seed is not None:
         lines.append(f"The {motion.seed.name} is shown where it has covered the same share of its length.")
@@ -174,4 +175,5 @@ def about(motion: Motion) -> str:
         "Ellipsoids: velocities of the tool for joint speeds of norm 1, all drawn to one scale, "
         f"{1e3 * motion.scale:.3g} mm for 1 m/s."
     )
-    return "\n\n".join(lines)
+    paragraphs = "".join(f"<p>{escape(line)}</p>" for line in lines)
+    return f'<div style="padding:0 0.75em;font:12px sans-serif;color:#222">{paragraphs}</div>'

@@ -1,0 +1,37 @@
+"""The user's cache folder, and which files in it may be loaded: machine code of another user would run as this user."""
+
+import errno
+import os
+from pathlib import Path
+
+import platformdirs
+
+
+def cache_folder() -> Path:
+    """$MANIPPLAN_CACHE, or the user's cache folder."""
+    return Path(os.environ.get("MANIPPLAN_CACHE") or platformdirs.user_cache_path("manipplan")).absolute()
+
+
+def private_folder() -> Path:
+    """The folder for this user's machine code, made if it does not exist.
+
+    That is the cache folder, or a folder of this user inside it where others can write to the cache folder, too. Raises
+    OSError when it cannot be made, or when others can write to that one as well.
+    """
+    folder = cache_folder()
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    if is_private(folder):
+        return folder
+    own = folder / f"user-{os.geteuid()}"
+    own.mkdir(mode=0o700, exist_ok=True)
+    if not is_private(own):
+        raise PermissionError(errno.EPERM, "another user can write to it", str(own))
+    return own
+
+
+def is_private(path: Path) -> bool:
+    """Whether only this user or root can have written to `path`; Windows' permissions are not looked at."""
+    if os.name != "posix":
+        return True
+    status = path.stat()
+    return status.st_uid in (0, os.geteuid()) and not status.st_mode & 0o022

@@ -1,0 +1,62 @@
+"""Text that came from a file or a user, before it reaches generated source or a terminal.
+
+Names of robots, joints and frames may hold anything. Generated source takes a name only through `identifier`, a terminal
+only through `terminal_text`. Pages in HTML use `html.escape`.
+"""
+
+import keyword
+import re
+import unicodedata
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.text import Text
+
+#: Characters of an identifier that every C99 compiler tells apart.
+LONGEST = 63
+
+_OF_C_AND_CXX = """
+    alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class compl concept
+    const consteval constexpr constinit const_cast continue co_await co_return co_yield decltype default delete do double
+    dynamic_cast else enum explicit export extern false float for friend goto if inline int long mutable namespace new
+    noexcept not not_eq nullptr operator or or_eq private protected public register reinterpret_cast requires restrict return
+    short signed sizeof static static_assert static_cast struct switch template this thread_local throw true try typedef
+    typeid typename typeof typeof_unqual union unsigned using virtual void volatile wchar_t while xor xor_eq
+"""
+#: Words that C, C++ and Python keep for themselves.
+KEYWORDS = frozenset(_OF_C_AND_CXX.split()) | frozenset(keyword.kwlist)
+
+
+def identifier(name: str) -> str:
+    """`name` as an identifier of C, C++ and Python: ASCII letters, digits and single underscores, a letter first.
+
+    It is never empty, never a keyword and never longer than `LONGEST`. Two names may become the same identifier.
+    """
+    text = "_".join(re.findall("[A-Za-z0-9]+", name)) or "unnamed"
+    if text[0].isdigit():
+        text = f"n{text}"
+    if text in KEYWORDS:
+        text += "_name"
+    return text[:LONGEST].rstrip("_")
+
+
+def is_identifier(name: str) -> bool:
+    """Whether `identifier` leaves `name` as it is."""
+    return identifier(name) == name
+
+
+def printable(text: str) -> str:
+    """`text` with control characters, but for line ends and tabs, written as escapes: a terminal obeys them."""
+    return "".join(_shown(character) for character in text)
+
+
+def terminal_text(text: str, style: str = "") -> "Text":
+    """`text` for rich, which prints it as it is: no markup, no emoji codes, no control characters."""
+    from rich.text import Text
+
+    return Text(printable(text), style=style)
+
+
+def _shown(character: str) -> str:
+    hidden = unicodedata.category(character) in ("Cc", "Cf", "Cs", "Zl", "Zp") and character not in "\n\t"
+    return character.encode("unicode_escape").decode() if hidden else character
