@@ -6,6 +6,7 @@ import numpy as np
 
 from manipplan.checks import Array
 from manipplan.optimize.objective import PathCost, PathObjective
+from manipplan.optimize.optimality import ACTIVE, COMPLEMENTARITY, GRADIENT, Optimality
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.continuous import path_clearance
@@ -41,7 +42,13 @@ class Certificate:
 
     Attributes:
         status: how the path came about.
-        solver: IPOPT's word on the solve that gave the path; "" for a seed, and where there was nothing to solve.
+        solver: how the solver ended that gave the path; "" for a seed, and where there was nothing to solve.
+        projected_gradient: what the active limits and clearances leave of the gradient of g, over g [1/rad]: the relative
+            change of g per radian of the root mean square of a change of q'(s). nan for a path that was not optimised.
+        complementarity: by what share g would fall, about, if no active pair of bodies kept more than the clearance; nan as
+            above.
+        active_clearance: largest difference between the distance of an active pair of bodies and the clearance [m]; 0 where no
+            clearance is active, nan as above.
         g: ∫ ‖q'‖_W / m^power ds, to ten digits; to four where a power below 1 lets a path cross a singularity.
         unconstrained_g: g of the local optimum that is reached from this path when limits and obstacles are taken away, in the
             same basis and with the same end conditions. nan when g is infinite, and for a path that the path optimiser did
@@ -57,6 +64,9 @@ class Certificate:
 
     status: Status
     solver: str
+    projected_gradient: float
+    complementarity: float
+    active_clearance: float
     g: float
     unconstrained_g: float
     power: float
@@ -87,6 +97,7 @@ class Certificate:
         status: Status,
         solver: str,
         unconstrained_g: float,
+        optimality: Optimality | None = None,
     ) -> "Certificate":
         """Measure a path whose cost is known, and that should keep `clearance` [m]."""
         kinematics = objective.kinematics
@@ -94,6 +105,9 @@ class Certificate:
         return cls(
             status=status,
             solver=solver,
+            projected_gradient=np.nan if optimality is None else optimality.projected_gradient,
+            complementarity=np.nan if optimality is None else optimality.complementarity,
+            active_clearance=np.nan if optimality is None else optimality.active_clearance,
             g=cost.g,
             unconstrained_g=unconstrained_g,
             power=objective.power,
@@ -113,6 +127,7 @@ class Certificate:
         lines = [
             f"status       {self.status.value}",
             f"solver       {self.solver or 'nothing was solved for this path'}",
+            f"optimality   {self._optimality()}",
             f"g            {self.g:.6g}, exponent {self.power:g}{self._beside()}",
             f"least index  {self.min_manipulability:.4g}{unit} at s = {self.min_at:.3f} ({self.measure})",
         ]
@@ -129,6 +144,16 @@ class Certificate:
             for each in self.limits
         ]
         return "\n".join(lines if self.limits else [*lines, "limit        no joint has a position limit"])
+
+    def _optimality(self) -> str:
+        """The first-order conditions and their tolerances."""
+        if np.isnan(self.projected_gradient):
+            return "not measured: this path was not optimised"
+        return (
+            f"projected gradient {self.projected_gradient:.1e} (at most {GRADIENT:g} per rad), "
+            f"complementarity {self.complementarity:.1e} (at most {COMPLEMENTARITY:g}), "
+            f"active clearances within {1e3 * self.active_clearance:.3f} mm (at most {1e3 * ACTIVE:g} mm)"
+        )
 
     def _beside(self) -> str:
         """How g compares with the unconstrained optimum, where that is known."""

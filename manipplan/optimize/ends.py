@@ -35,16 +35,17 @@ class EndConditions:
 
     def check_degree(self, basis_of: Callable[[int], Basis], degree: int) -> None:
         """Raise InvalidInputError for a degree below what the conditions need in the basis, given by `basis_of` a degree."""
-        if self._possible(basis_of(degree)):
+        if self.possible(basis_of(degree)):
             return
         count = len(self.pattern)
-        least = next(k for k in range(degree + 1, degree + 2 + count) if self._possible(basis_of(k)))
+        least = next(k for k in range(degree + 1, degree + 2 + count) if self.possible(basis_of(k)))
         wanted = f"at least {least}: start and goal need one, and each of the {count} end conditions one more"
         if len(basis_of(degree).breaks) > 2:
             wanted = f"at least {least} for these {count} end conditions and so many pieces"
         raise InvalidInputError("degree", degree, wanted)
 
-    def _possible(self, basis: Basis) -> bool:
+    def possible(self, basis: Basis) -> bool:
+        """Whether a path in the basis can have these derivatives."""
         rows = end_rows(self.pattern, basis)
         return not len(rows) or (basis.size > 0 and int(np.linalg.matrix_rank(rows)) == len(rows))
 

@@ -1,35 +1,39 @@
-"""Local optima between one start and goal: solve, look where the path comes near something, renew rows there, repeat."""
+"""Local optima between one start and goal: a path of low energy first, then a descent on g among the true obstacles."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from manipplan.checks import Array
-from manipplan.interrupts import interruptible
 from manipplan.optimize import clearance as near
+from manipplan.optimize.descent import descend
 from manipplan.optimize.ends import EndConditions
 from manipplan.optimize.objective import PathCost
-from manipplan.optimize.problem import AGREEMENT, POLISH_PANELS, PathProgram, Solution
+from manipplan.optimize.optimality import SINGLE, UNKNOWN, Optimality, measure_optimality
+from manipplan.optimize.problem import PathProgram, Solution
 from manipplan.optimize.rows import ClearanceRow
+from manipplan.optimize.surroundings import MARGIN, Surroundings
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
-from manipplan.robots.continuous import path_clearance
-from manipplan.robots.robot import Robot
+from manipplan.robots.continuous import PathClearance, path_clearance
 
 #: Rounds of solving and renewing clearance rows, from one first path.
 ROUNDS = 8
-#: Rounds end when one lowers g by less than this share.
-SMALL_GAIN = 1e-2
-#: Clearance rows are added at so many places a round, the deepest dips first.
+#: Clearance rows are added at up to this number of places per round, the deepest dips first.
 NEW_PLACES = 10
-#: Steps from one free path to the next, and how far one may go, at first and least: see `PathProgram.solve`.
-STEPS, REACH, LEAST_REACH = 20, 0.3, 0.02
+#: Descents from one path: another one begins where the proof or the rule of the one before it failed.
+DESCENTS = 4
+#: Paths that have to keep less than this keep wider margins at first [m]: round a corner at a tenth of a millimetre a descent
+#: creeps.
+ROUND, WIDE_MARGINS = 5e-3, (2e-3, 3e-4)
+#: A rule sees all of a path when it agrees with g to this share.
+AGREEMENT = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
 class Step:
-    """One solve of the optimiser: from which first path, its g, its clearance [m] and IPOPT's word."""
+    """One solve of the optimiser: from which first path, its g, its clearance [m] and how the solver ended."""
 
     first: str
     g: float
@@ -39,13 +43,12 @@ class Step:
 
 @dataclass(frozen=True, kw_only=True)
 class Candidate:
-    """An optimised path that is inside the limits and proven free, with its coefficients and the places its rows were at."""
+    """An optimised path that is inside the limits and proven free, with its coefficients and how optimal it is."""
 
     path: JointPath
     coefficients: Array
     cost: PathCost
-    places: tuple[near.Place, ...]
-    converged: bool
+    optimality: Optimality
     solver: str
 
 
@@ -64,76 +67,100 @@ class LocalSearch:
 
     def only_one(self) -> list[Candidate]:
         """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
-        solution = Solution(coefficients=self._straight(), status="Solve_Succeeded")
-        candidate, *_ = self.judged("straight", solution, ())
-        self.history.clear()  # nothing was solved
-        return [candidate] if candidate else []
+        path = self.program.basis.path(self.start, self.goal, self._straight())
+        proof = self._proof(path)
+        if not self._inside_limits(path) or not (proof is None or proof.proven):
+            return []
+        cost = self.program.objective.cost(path)
+        return [Candidate(path=path, coefficients=self._straight(), cost=cost, optimality=SINGLE, solver="no unknowns")]
 
     def unconstrained(self) -> list[Candidate]:
-        """The optimum as if nothing were in the way, from the straight line; used when it is free."""
+        """The local optimum near that of the energy as if nothing were in the way, from the straight line, when that is free."""
         solution = self.program.solve(self.start, self.goal, self._straight())
-        candidate, distances, _ = self.judged("straight", solution, ())
-        return [] if candidate is None else [self._watching(candidate, distances)]
+        free, *_ = self._judged("straight", solution, ())
+        if not free:
+            return []
+        return self.settled("straight", solution.coefficients) or [self._unsettled(solution.coefficients, solution.status)]
+
+    def nearest_to(self, first: JointPath) -> list[Candidate]:
+        """The local optimum that is reached from the fit to a path."""
+        return self.settled("path", self._followed(first)[1])
+
+    def embedded(self, path: JointPath) -> list[Candidate]:
+        """The local optimum that is reached from a path of a lower degree."""
+        basis = self.program.basis
+        coefficients = basis.fit(path, np.linspace(0.0, 1.0, near.PLACES + 1))
+        return self.settled("lower degree", self.ends.met(basis, coefficients, self.start, self.goal))
+
+    def settled(self, name: str, coefficients: Array) -> list[Candidate]:
+        """The local optimum of the true problem that is reached from coefficients (n, size); none when it is not free."""
+        program, objective = self.program, self.program.objective
+        surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
+        candidate: Candidate | None = None
+        steps = 0
+        margins = [*WIDE_MARGINS, MARGIN] if surroundings is not None and self.clearance < ROUND else [MARGIN]
+        for margin in margins + [MARGIN] * (DESCENTS - 1):
+            if surroundings is not None:
+                surroundings.margin = margin
+            true, z = program.true_program(self.start, self.goal, coefficients, surroundings)
+            if not np.isfinite(true.length.g0):
+                break
+            descent = descend(true, z)
+            steps += descent.steps
+            coefficients = true.length.curves.coefficients(descent.z)
+            if margin > MARGIN:
+                continue
+            path = true.path(descent.z)
+            cost, proof = objective.cost(path), self._proof(path)
+            least = np.inf if proof is None else proof.upper
+            self.history.append(Step(first=name, g=cost.g, clearance=least, solver=descent.reason))
+            if surroundings is not None and proof is not None and not proof.proven:
+                surroundings.always.append((proof.at, proof.index))
+                continue
+            if not self._inside_limits(path):
+                break
+            solver = f"{descent.reason} after {steps} steps"
+            optimality = measure_optimality(true, descent.z)
+            candidate = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)
+            on_rule = objective.on_rule(path, true.length.s, true.length.weights)
+            if abs(on_rule - cost.g) <= AGREEMENT * cost.g or not np.isfinite(cost.g):
+                break
+        if candidate is None:
+            return []
+        self.accepted.append(candidate)
+        return [candidate]
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
-        """From the fit to a free path, with rows that hold the path on that side of everything it comes near."""
+        """The local optimum near a free path, by way of a path of low energy on that side of everything it comes near.
+
+        Rows hold the energy's solution on that side; they are renewed until one is free.
+        """
         s, coefficients = self._followed(first)
         even = np.linspace(0.0, 1.0, len(s))
         places: tuple[near.Place, ...] = ()
         if self.model is not None:
             places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
-        found: list[Candidate] = []
         for _ in range(ROUNDS):
             path = self.program.basis.path(self.start, self.goal, coefficients)
             watched = places
             if self.model is not None:
-                most = np.inf if found else self.clearance + near.FAR
-                watched = near.nearest(self.model, path, places, most=most)
+                watched = near.nearest(self.model, path, places, most=self.clearance + near.FAR)
             rows = self.rows(path, lambda at: first(np.interp(at, even, s)), watched)
             solution = self.program.solve(self.start, self.goal, coefficients, rows)
-            candidate, distances, touched = self.judged("seed", solution, places)
             coefficients = solution.coefficients
-            if candidate is not None:
-                found.append(candidate)
-                if len(found) > 1 and found[-2].cost.g - candidate.cost.g < SMALL_GAIN * candidate.cost.g:
-                    break
-            if candidate is not None and not places:
-                found[-1] = self._watching(candidate, distances)
-                break
-            places = self.more_places(places, distances, touched, touching=candidate is None)
-        return found
+            free, distances, touched = self._judged("seed", solution, places)
+            if free:
+                return self.settled("seed", coefficients) or [self._unsettled(coefficients, solution.status)]
+            places = self.more_places(places, distances, touched)
+        return []
 
-    def by_steps(self, first: JointPath) -> list[Candidate]:
-        """From the fit to a free path by steps that are short enough to stay free: for a basis that can follow that path.
-
-        Where low degrees have no free path nearby and have to jump, many pieces have too much freedom for it. After a free
-        step the next may go twice as far; after another one it starts again from the free path, half as far.
-        """
-        assert self.model is not None
-        s, coefficients = self._followed(first)
-        even, far = np.linspace(0.0, 1.0, len(s)), self.clearance + near.FAR
-        places = tuple(near.dips(near.distance_profile(self.model, first(s)), far))
-        reach = REACH
-        found: list[Candidate] = []
-        for _ in range(STEPS):
-            path = self.program.basis.path(self.start, self.goal, coefficients)
-            rows = self.rows(path, lambda at: first(np.interp(at, even, s)), near.nearest(self.model, path, places))
-            solution = self.program.solve(self.start, self.goal, coefficients, rows, reach=reach)
-            candidate, distances, touched = self.judged("steps", solution, places)
-            if candidate is None:
-                more = self.more_places(places, distances, touched, touching=True)
-                if found and reach == LEAST_REACH and len(more) == len(places):
-                    break
-                places, reach = more, max(reach / 2, LEAST_REACH)
-                coefficients = coefficients if found else solution.coefficients
-                continue
-            found.append(candidate)
-            small = len(found) > 1 and found[-2].cost.g - candidate.cost.g < SMALL_GAIN * candidate.cost.g
-            if small and reach >= REACH:
-                break
-            coefficients, reach = candidate.coefficients, 2 * reach
-            places = tuple(near.merged(places, near.dips(distances, far)))
-        return found
+    def _unsettled(self, coefficients: Array, solver: str) -> Candidate:
+        """The free path from which no descent came to an end."""
+        path = self.program.basis.path(self.start, self.goal, coefficients)
+        cost = self.program.objective.cost(path)
+        candidate = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=UNKNOWN, solver=solver)
+        self.accepted.append(candidate)
+        return candidate
 
     def unconstrained_g(self, path: JointPath) -> float:
         """g of the local optimum near a path with neither limits nor obstacles."""
@@ -141,29 +168,11 @@ class LocalSearch:
         same_breaks = np.isin(path.breaks, basis.breaks).all()  # which the fit gives back as it is
         even = np.linspace(0.0, 1.0, near.PLACES + 1)
         s = even if same_breaks else self.program.objective.constant_speed(path, near.PLACES + 1)
-        guess = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
-        objective = self.program.objective
+        coefficients = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
         if not self.program.free.size:
-            return objective.cost(basis.path(self.start, self.goal, guess)).g
-        first = objective.cost(basis.path(self.start, self.goal, guess)).g
-        least = self._polished_g(self.program.solve(self.start, self.goal, guess, limited=False).coefficients)
-        if least > first:  # the least energy nearby lies in another basin
-            least = min(first, self._polished_g(guess))
-        return least
-
-    def _polished_g(self, guess: Array) -> float:
-        """The least g that polishing coefficients (n, size) comes to, as if there were no limits."""
-        basis, objective = self.program.basis, self.program.objective
-        least = np.inf
-        for panels in POLISH_PANELS:
-            solution = self.program.polish(self.start, self.goal, guess, panels=panels, limited=False)
-            found = basis.path(self.start, self.goal, solution.coefficients)
-            g = objective.cost(found).g
-            if g < least:
-                least, guess = g, solution.coefficients
-            if objective.agree(found, g, panels, AGREEMENT):
-                break
-        return least
+            return self.program.objective.cost(basis.path(self.start, self.goal, coefficients)).g
+        true, z = self.program.true_program(self.start, self.goal, coefficients, None, limited=False)
+        return self.program.objective.cost(true.path(descend(true, z).z)).g
 
     def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
         """Clearance rows at the places of `path`, with planes of the path `safe` where it is not free."""
@@ -172,52 +181,50 @@ class LocalSearch:
         return near.rows_for(self.model, path, safe, places, self.clearance)
 
     def more_places(
-        self, places: tuple[near.Place, ...], distances: Array, touched: tuple[near.Place, ...], *, touching: bool
+        self, places: tuple[near.Place, ...], distances: Array, touched: tuple[near.Place, ...]
     ) -> tuple[near.Place, ...]:
-        """The places, where the path `touched` something, and where its distance profile (m, k) [m] dips below the clearance.
+        """The places, where a path `touched` something, and where its distance profile (m, k) [m] dips below the clearance.
 
-        Of a path that is `touching` something, though not where it was looked at, those where it is nearest to.
+        Of a path that touches something, though not where it was looked at, those where it is nearest to.
         """
-        for spare in (0.0, near.SPARE) if touching else (0.0,):
+        for spare in (0.0, near.SPARE):
             deepest = [*touched, *near.dips(distances, self.clearance + spare)][:NEW_PLACES]
-            for apart in (near.APART, near.CLOSE) if touching else (near.APART,):
+            for apart in (near.APART, near.CLOSE):
                 more = near.merged(places, near.around(deepest), apart)
                 if len(more) > len(places):
                     return tuple(more)
         return places
 
-    @interruptible()
-    def judged(
+    def _judged(
         self, name: str, solution: Solution, places: tuple[near.Place, ...]
-    ) -> tuple[Candidate | None, Array, tuple[near.Place, ...]]:
-        """The candidate when the solution is inside the limits and proven free, and its distance profile (m, k) [m].
+    ) -> tuple[bool, Array, tuple[near.Place, ...]]:
+        """Whether a solution of the energy is inside the limits and proven free, and its distance profile (m, k) [m].
 
         Third the place where the proof failed, of a path that is free where the profile was taken.
         """
         path = self.program.basis.path(self.start, self.goal, solution.coefficients)
-        cost = self.program.objective.cost(path)
         distances = np.full((near.PLACES + 1, 1), np.inf)
         if self.model is not None:
             distances = near.distance_profile(self.model, path(np.linspace(0.0, 1.0, near.PLACES + 1)))
         least = float(distances.min(initial=np.inf))
-        self.history.append(Step(first=name, g=cost.g, clearance=least, solver=solution.status))
-        if least <= self.clearance or not _inside_limits(self.program.kinematics.robot, path):
-            return None, distances, ()
-        if self.model is not None:
-            proof = path_clearance(self.model, path, clearance=self.clearance, tolerance=None)
-            if not proof.proven:
-                return None, distances, ((proof.at, proof.index),)
-        converged = solution.status == "Solve_Succeeded"
-        candidate = Candidate(
-            path=path,
-            coefficients=solution.coefficients,
-            cost=cost,
-            places=places,
-            converged=converged,
-            solver=solution.status,
-        )
-        self.accepted.append(candidate)
-        return candidate, distances, ()
+        g = self.program.objective.cost(path).g
+        self.history.append(Step(first=name, g=g, clearance=least, solver=solution.status))
+        if least <= self.clearance or not self._inside_limits(path):
+            return False, distances, ()
+        proof = self._proof(path)
+        if proof is not None and not proof.proven:
+            return False, distances, ((proof.at, proof.index),)
+        return True, distances, ()
+
+    def _proof(self, path: JointPath) -> PathClearance | None:
+        """The proof that a path keeps its clearance; None where nothing is checked."""
+        if self.model is None or not self.model.pair_names:
+            return None
+        return path_clearance(self.model, path, clearance=self.clearance, tolerance=None)
+
+    def _inside_limits(self, path: JointPath) -> bool:
+        limits = self.program.kinematics.robot.limits
+        return all(not (limits.outside(q) > 1e-7).any() for q in path.bounds())
 
     def _straight(self) -> Array:
         """Coefficients (n, size) of the path nearest to the straight line that meets the end conditions."""
@@ -228,12 +235,3 @@ class LocalSearch:
         s = self.program.objective.constant_speed(path, near.PLACES + 1)
         basis = self.program.basis
         return s, self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
-
-    def _watching(self, candidate: Candidate, distances: Array) -> Candidate:
-        """The candidate with places where it comes near something, though no row was needed to keep it away."""
-        return replace(candidate, places=tuple(near.dips(distances, self.clearance + near.NEAR)))
-
-
-def _inside_limits(robot: Robot, path: JointPath) -> bool:
-    low, high = path.bounds()
-    return not (robot.limits.outside(low) > 1e-7).any() and not (robot.limits.outside(high) > 1e-7).any()

@@ -145,6 +145,7 @@ def optimize_path(
     check_task(kinematics)
     check_measure(kinematics)
     problem = PathProblem(
+        given=recorded is not None,
         robot=robot,
         scene=scene,
         task=kinematics.task,

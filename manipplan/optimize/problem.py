@@ -1,7 +1,7 @@
-"""Solves of the path program: coefficients in a basis that minimise the energy, or g, within joint limits and clearance rows.
+"""The path program in one basis: solves of the energy, which find a first path, and g as the descent takes it.
 
-Everything that changes from one solve to the next (ends, guess, rows) is a parameter of the program in `nlp`, so it is built
-once for an objective and a basis.
+Everything that changes from one solve of the energy to the next (ends, guess, rows) is a parameter of the program in `nlp`, so
+it is built once for an objective and a basis.
 """
 
 from collections.abc import Sequence
@@ -14,26 +14,26 @@ import numpy as np
 from manipplan.checks import Array
 from manipplan.interrupts import interruptible
 from manipplan.optimize.basis import Basis
-from manipplan.optimize.density import Density, energy_density, length_density
+from manipplan.optimize.batch import BatchFunction
+from manipplan.optimize.constraints import LimitRows, RowFunctions
+from manipplan.optimize.density import energy_density, length_density
+from manipplan.optimize.descent import TrueProgram
 from manipplan.optimize.ends import free_directions
+from manipplan.optimize.length_model import BatchDensity, Curves, LengthModel
 from manipplan.optimize.nlp import Hull, Integral, ipopt_solver
 from manipplan.optimize.objective import PathObjective
 from manipplan.optimize.rows import ClearanceRow, column_height, met_column, row_functions
-from manipplan.paths.joint import JointPath
+from manipplan.optimize.surroundings import Surroundings
 
 #: Gauss points of the energy on the whole path, and at least on each piece.
 NODES, PIECE_NODES = 40, 8
-#: Panels of ten Gauss points each on which g is polished: the next where these do not see how narrow a dip of the index is.
-POLISH_PANELS = (12, 48, 192)
-#: A rule sees all of a path when it agrees with g to this share.
-AGREEMENT = 1e-7
 #: The curve is cut into at least so many parts, whose control points all obey the joint limits: so does the curve.
 LIMIT_PARTS = 6
 
 
 @dataclass(frozen=True, kw_only=True)
 class Solution:
-    """What one solve gave: coefficients (n, size) and IPOPT's word."""
+    """What one solve gave: coefficients (n, size) and IPOPT's return status."""
 
     coefficients: Array
     status: str
@@ -53,8 +53,7 @@ class PathProgram:
         line, rows = basis.hull(LIMIT_PARTS)
         moving = np.abs(rows @ self.free).max(axis=1, initial=0.0) > 1e-9
         self._hull = Hull(line=line[moving], rows=rows[moving])
-        self._lengths: dict[int, Integral] = {}
-        self._solvers: dict[tuple[Integral, int, bool], ca.Function] = {}
+        self._solvers: dict[tuple[int, bool], ca.Function] = {}
 
     @cached_property
     def _rows(self) -> tuple[ca.Function, ...]:
@@ -66,84 +65,74 @@ class PathProgram:
         return Integral(density=energy_density(self.objective), s=s, weights=weights, tolerance=1e-7, steps=100)
 
     @cached_property
-    def _length_density(self) -> Density:
-        return length_density(self.objective)
+    def _length_density(self) -> BatchDensity:
+        return BatchDensity.of(length_density(self.objective))
 
-    def _length(self, panels: int) -> Integral:
-        if panels not in self._lengths:
-            line = JointPath(breaks=self.basis.breaks, control=self.basis.line[..., None])
-            s, weights = line.quadrature(panels=panels)
-            self._lengths[panels] = Integral(density=self._length_density, s=s, weights=weights, tolerance=1e-9, steps=300)
-        return self._lengths[panels]
+    @cached_property
+    def _batch_rows(self) -> RowFunctions:
+        value, gradient, _ = self._rows
+        return RowFunctions(value=BatchFunction(value), gradient=BatchFunction(gradient))
 
-    def solve(
-        self,
-        start: Array,
-        goal: Array,
-        guess: Array,
-        rows: Sequence[ClearanceRow] = (),
-        *,
-        reach: float = np.inf,
-        limited: bool = True,
-    ) -> Solution:
-        """Minimise the energy from a guess (n, size), which has the fixed end derivatives.
+    @cached_property
+    def _directions(self) -> Array:
+        """The free directions (size, f), so combined that their slopes are orthonormal."""
+        s, weights = self.basis.gauss(self.basis.degree)
+        slopes = np.sqrt(weights)[:, None] * (self.basis.values(s, 1) @ self.free)
+        return np.asarray(self.free @ np.linalg.inv(np.linalg.qr(slopes).R))
 
-        Rows that cannot hold come back with their slack. No unknown moves further than `reach` from the guess: in a basis of
-        several pieces, by which each moves a joint's slope, in the mean square over s [rad or m]. With `limited` False as if
-        there were no joint limits.
+    def true_program(
+        self, start: Array, goal: Array, coefficients: Array, surroundings: Surroundings | None, *, limited: bool = True
+    ) -> tuple[TrueProgram, Array]:
+        """The program of g among the true obstacles, and its unknowns z (f, n) of the path of coefficients (n, size).
+
+        g is integrated on a rule that is fine where it has to be on that path. With `limited` False as if there were no
+        joint limits.
         """
-        size = self._energy_of(start, goal, guess)
-        return self._solve(self._energy, start, goal, guess, rows, size, 1.0, limited=limited, reach=reach)
-
-    def polish(
-        self,
-        start: Array,
-        goal: Array,
-        guess: Array,
-        rows: Sequence[ClearanceRow] = (),
-        *,
-        panels: int = POLISH_PANELS[0],
-        limited: bool = True,
-    ) -> Solution:
-        """Minimise g itself from a guess (n, size), with so little of the energy that its minimum is one point.
-
-        Args:
-            start, goal, guess, rows, limited: as in `solve`.
-            panels: of ten Gauss points each, on which g is integrated.
-        """
-        size = np.sqrt(self._energy_of(start, goal, guess))
-        return self._solve(self._length(panels), start, goal, guess, rows, size, size, limited=limited)
+        directions = self._directions
+        z = np.linalg.lstsq(directions, coefficients.T, rcond=None)[0]
+        kept = coefficients - (directions @ z).T
+        curves = Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal)
+        path = self.basis.path(start, goal, coefficients)
+        s, weights = self.objective.rule(path)
+        length = LengthModel(
+            density=self._length_density,
+            curves=curves,
+            s=s,
+            weights=weights,
+            g0=self.objective.on_rule(path, s, weights),
+            power=self.objective.power,
+        )
+        limits = self.kinematics.robot.limits
+        unlimited = np.full(self.n, np.inf)
+        line = start + np.outer(self._hull.line, goal - start) + self._hull.rows @ kept.T
+        limit_rows = LimitRows(
+            line=line,
+            directions=self._hull.rows @ directions,
+            lower=limits.lower if limited else -unlimited,
+            upper=limits.upper if limited else unlimited,
+        )
+        return TrueProgram(length=length, limits=limit_rows, functions=self._batch_rows, surroundings=surroundings), z
 
     @interruptible()
-    def _solve(
-        self,
-        integral: Integral,
-        start: Array,
-        goal: Array,
-        guess: Array,
-        rows: Sequence[ClearanceRow],
-        size: float,
-        g0: float,
-        *,
-        limited: bool,
-        reach: float = np.inf,
-    ) -> Solution:
-        """Minimise an integral in units of `size`, the slacks' cost beside it; `g0` is about the path's g."""
+    def solve(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
+        """Minimise the energy from a guess (n, size), which has the fixed end derivatives.
+
+        Rows that cannot hold come back with their slack.
+        """
         capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
         limits = self.kinematics.robot.limits
-        limited = limited and bool(np.isfinite([limits.lower, limits.upper]).any())
-        solver = self._solver(integral, capacity, limited)
+        limited = bool(np.isfinite([limits.lower, limits.upper]).any())
+        solver = self._solver(capacity, limited)
         unknowns = guess @ self._along
         kept = guess - unknowns @ self.free.T
-        numbers = [start, goal, [1 / size, g0], kept.ravel(order="F")]
+        numbers = [start, goal, [1 / self._energy_of(start, goal, guess), 1.0], kept.ravel(order="F")]
         parameters = np.concatenate([*numbers, self._row_parameters(rows, capacity).ravel(order="F")])
         count = len(self._hull.line) if limited else 0
         joint_limits = [np.tile(each, count) for each in (limits.lower, limits.upper)]
         result = solver(
             x0=np.concatenate([unknowns.ravel(order="F"), np.zeros(capacity)]),
             p=parameters,
-            lbx=np.concatenate([unknowns.ravel(order="F") - reach, np.zeros(capacity)]),
-            ubx=np.concatenate([unknowns.ravel(order="F") + reach, np.full(capacity, np.inf)]),
+            lbx=np.concatenate([np.full(unknowns.size, -np.inf), np.zeros(capacity)]),
             lbg=np.concatenate([joint_limits[0], np.zeros(capacity)]),
             ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
         )
@@ -175,12 +164,12 @@ class PathProgram:
             table[:, k] = [*values, row.s, *row.column(self.n)]
         return table
 
-    def _solver(self, integral: Integral, capacity: int, limited: bool) -> ca.Function:
+    def _solver(self, capacity: int, limited: bool) -> ca.Function:
         """IPOPT with room for `capacity` clearance rows, built when it is first asked for."""
-        key = (integral, capacity, limited)
+        key = (capacity, limited)
         if key not in self._solvers:
             self._solvers[key] = ipopt_solver(
-                integral,
+                self._energy,
                 basis=self.basis,
                 free=self.free,
                 hull=self._hull if limited else self._hull.none(),

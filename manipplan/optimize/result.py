@@ -11,6 +11,7 @@ from manipplan.measures.task import Task
 from manipplan.optimize.certificate import Certificate
 from manipplan.optimize.local import Step
 from manipplan.optimize.objective import PathCost, PathObjective
+from manipplan.optimize.optimality import Optimality
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
 from manipplan.status import Status
@@ -62,12 +63,21 @@ def measured(
     clearance: float,
     status: Status,
     solver: str = "",
+    optimality: Optimality | None = None,
     unconstrained_g: float = np.nan,
     history: tuple[Step, ...] = (),
 ) -> PathResult:
     """The result for a path of known cost that came from `seed`, with every other figure measured on the path."""
     certificate = Certificate.of(
-        path, objective, cost, model, clearance=clearance, status=status, solver=solver, unconstrained_g=unconstrained_g
+        path,
+        objective,
+        cost,
+        model,
+        clearance=clearance,
+        status=status,
+        solver=solver,
+        optimality=optimality,
+        unconstrained_g=unconstrained_g,
     )
     return PathResult(
         path=path,

@@ -1,7 +1,8 @@
-"""One solve from a start to a goal: local optima, polish, and the choice between them and the seed."""
+"""One solve from a start to a goal: local optima from several first paths, and the choice between them and the seed."""
 
 import logging
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -11,9 +12,8 @@ from manipplan.measures.measure import Measure
 from manipplan.measures.task import Task
 from manipplan.optimize.basis import named_basis
 from manipplan.optimize.ends import EndConditions
-from manipplan.optimize.local import LocalSearch, Step
+from manipplan.optimize.local import Candidate, LocalSearch, Step
 from manipplan.optimize.objective import ACCURACY, PathObjective
-from manipplan.optimize.polish import polished
 from manipplan.optimize.problem import PathProgram
 from manipplan.optimize.result import PathResult, measured
 from manipplan.paths.joint import JointPath
@@ -23,6 +23,11 @@ from manipplan.robots.scene import Scene
 from manipplan.status import Status
 
 log = logging.getLogger("manipplan")
+
+#: Higher degrees also start from the optimum of this one, or of the next lower one in steps of STRIDE.
+BEGINNING, STRIDE = 6, 3
+#: A later local optimum is preferred to an earlier one when its g is lower by more than this share.
+TIE = 1e-5
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -37,6 +42,8 @@ class PathProblem:
         time_limit: of the planner [s].
         ends: fixed derivatives at start and goal.
         compiled: as in `Robot.kinematics`.
+        given: the user gave the first path: the optimum nearest to it is wanted.
+        climbs: also start from the optimum of a lower degree.
     """
 
     robot: Robot
@@ -52,6 +59,8 @@ class PathProblem:
     time_limit: float
     ends: EndConditions = field(default_factory=EndConditions)
     compiled: bool | str = "auto"
+    given: bool = False
+    climbs: bool = True
 
     def objective(self) -> PathObjective:
         """The objective for this process' robot."""
@@ -61,6 +70,18 @@ class PathProblem:
     def model(self) -> CollisionModel | None:
         """The collision model; None without a scene."""
         return None if self.scene is None else self.scene.collision_model(self.robot)
+
+    def lower(self) -> "PathProblem | None":
+        """The same in the polynomials of a lower degree whose optimum is a start for this one; None for low degrees."""
+        if self.pieces > 1:
+            degree = BEGINNING
+        elif self.degree > BEGINNING:
+            degree = max(BEGINNING, STRIDE * ((self.degree - 1) // STRIDE))
+        else:
+            return None
+        if not self.climbs or not self.ends.possible(named_basis("legendre", degree)):
+            return None
+        return replace(self, basis=self.basis if self.pieces == 1 else "legendre", degree=degree, pieces=1)
 
 
 def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *, straight: bool = True) -> PathResult:
@@ -72,27 +93,21 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
     search = LocalSearch(
         program=program, start=start, goal=goal, model=model, clearance=clearance, history=history, ends=problem.ends
     )
-    is_line = len(first.control) == 1 and first.degree == 1
     is_free = bool(program.free.size)
     interrupted = False
     try:
         with interruptible():
-            found = search.only_one() if not is_free else search.unconstrained() if straight or is_line else []
-            if is_free and not (found and is_line):  # from a straight seed the same solve would come again
-                by_steps = model is not None and len(program.basis.breaks) > 2
-                found += search.by_steps(first) if by_steps else search.from_safe_path(first)
-            best = min(found, key=lambda candidate: candidate.cost.g, default=None)
-            if best is not None and is_free:
-                best = polished(search, best)
+            found = _local_optima(problem, search, first, straight) if is_free else search.only_one()
+            best = _best(found)
     except KeyboardInterrupt:
         interrupted = True
-        best = min(search.accepted, key=lambda candidate: candidate.cost.g, default=None)
+        best = _best(search.accepted)
     safe = model is None or best is not None
     fallback = problem.ends.met_by(first)
     # two that differ by less than g is measured to are as good
     if best is not None and (best.cost.g <= first_cost.g * (1 + ACCURACY) or not fallback):
         path, cost = best.path, best.cost
-        status = Status.OPTIMAL if best.converged else Status.STOPPED_EARLY
+        status = Status.OPTIMAL if best.optimality.reached else Status.STOPPED_EARLY
     else:
         path, cost = first, first_cost
         status = Status.SEED_IS_BETTER if safe else Status.SEED_IS_SAFE
@@ -120,9 +135,35 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
         clearance=clearance,
         status=status,
         solver=solver,
+        optimality=best.optimality if best is not None and path is best.path else None,
         unconstrained_g=unconstrained,
         history=tuple(history),
     )
+
+
+def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, straight: bool) -> list[Candidate]:
+    """From the straight line, from the first path, and from the optimum of a lower degree."""
+    is_line = len(first.control) == 1 and first.degree == 1
+    found = search.unconstrained() if straight or is_line else []
+    if not (found and is_line):  # from a straight seed the same solve would come again
+        nearby = search.nearest_to(first) if problem.given or problem.pieces > 1 else []
+        found += nearby or search.from_safe_path(first)
+    lower = problem.lower()
+    if lower is not None:
+        result = solved(lower, search.start, search.goal, first, straight=straight)
+        search.history.extend(result.history)
+        if result.status.ok and result.path is not None:
+            found += search.embedded(result.path)
+    return found
+
+
+def _best(found: Sequence[Candidate]) -> Candidate | None:
+    """The candidate of least g; of those that tie the first, so that rounding does not choose."""
+    best: Candidate | None = None
+    for each in found:
+        if best is None or each.cost.g < best.cost.g * (1 - TIE):
+            best = each
+    return best
 
 
 def _program(problem: PathProblem, objective: PathObjective) -> PathProgram:

@@ -24,6 +24,8 @@ ALWAYS = 0.95
 #: A pair whose primitives touch while its meshes do not at more than this share of the samples is checked with convex hulls,
 #: and when these are too coarse as well, with its meshes.
 COARSE = 0.02
+#: Accuracy of coal's distances between curved bodies [m]; by default it is 1e-6, and gradients are off by 5 %.
+GJK_TOLERANCE = 1e-10
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,6 +47,23 @@ class Contact:
     normal: Array
     offset: float
     points: Array
+    radius: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Witness:
+    """Two points, one on each body of a pair: the pair is never further apart than they are.
+
+    Attributes:
+        first, second: indices of the joints that carry them (0: the world).
+        point, other: (3,) the points, in the frames of these joints [m].
+        radius: of the balls about the points that belong to the bodies, added [m].
+    """
+
+    first: int
+    second: int
+    point: Array
+    other: Array
     radius: float
 
 
@@ -71,6 +90,8 @@ class CollisionModel:
         self.pair_names = tuple((objects[p.first].name, objects[p.second].name) for p in geometry.collisionPairs)
         self._data = robot.model.createData()
         self._geometry_data = pin.GeometryData(geometry)
+        for request in self._geometry_data.distanceRequests:
+            request.gjk_tolerance = GJK_TOLERANCE
         self._margin = 0.0
         self._cores: dict[int, tuple[Array, float]] = {}
         self.cache: dict[str, Any] = {}  # what is derived from the geometry and built once, such as the reach of its bodies
@@ -165,6 +186,33 @@ class CollisionModel:
             points=points,
             radius=radius,
         )
+
+    def witness(self, q: Array, pair: int) -> tuple[Witness, Array]:
+        """The nearest points of the pair with the given index at q (n,), and the unit vector from the second to the first.
+
+        The vector (3,) is in the frame of the joint that carries the second body.
+        """
+        pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
+        result = pin.computeDistance(self.geometry, self._geometry_data, pair)
+        bodies = self.geometry.collisionPairs[pair]
+        normal = np.array(result.normal)  # coal's points from the first body to the second
+        carriers, points, radii = [], [], []
+        for body, nearest, outwards in (
+            (bodies.first, result.getNearestPoint1(), normal),
+            (bodies.second, result.getNearestPoint2(), -normal),
+        ):
+            item = self.geometry.geometryObjects[body]
+            radius = float(item.geometry.radius) if isinstance(item.geometry, coal.Sphere | coal.Capsule) else 0.0
+            carriers.append(int(item.parentJoint))
+            points.append(self._data.oMi[item.parentJoint].actInv(np.array(nearest) - radius * outwards))
+            radii.append(radius)
+        witness = Witness(first=carriers[0], second=carriers[1], point=points[0], other=points[1], radius=sum(radii))
+        return witness, -self._data.oMi[carriers[1]].rotation.T @ normal
+
+    def turned(self, q: Array, vector: Array, joint: int, into: int) -> Array:
+        """A vector (3,) in the frame of one joint (0: the world) in that of another at q (n,)."""
+        pin.forwardKinematics(self.robot.model, self._data, q)
+        return np.asarray(self._data.oMi[into].rotation.T @ (self._data.oMi[joint].rotation @ vector))
 
     def nearest_points(self, q: Array, contact: Contact, count: int) -> Array:
         """The `count` core points of the contact's first body that are nearest to its plane at q (n,)."""

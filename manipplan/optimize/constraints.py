@@ -1,0 +1,196 @@
+"""Joint limits and clearances of a path as functions of its unknowns z: values, Jacobian, and sums of Hessians.
+
+Every row is value(z) >= 0 [rad or m]. The limits are linear: control points of the curve stay inside. A clearance row keeps
+a point of one body beyond a plane that the other carries; on the path on which it was made its value and gradient are those
+of the distance between the two bodies.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.checks import Array
+from manipplan.optimize.batch import BatchFunction
+from manipplan.optimize.length_model import Curves
+from manipplan.optimize.rows import column_height
+from manipplan.optimize.surroundings import Look, Surroundings
+from manipplan.paths.joint import JointPath
+
+#: A dip of a distance along the path is bent by at least this [m], or its bottom does not move.
+LEAST_BEND = 1e-3
+#: Maximum number of places of a rejected step whose planes are kept.
+MOST_SEEN = 10
+#: A plane may stand nearer to a body than the true distance by this [m].
+STRICT = 1e-7
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RowFunctions:
+    """Distance and gradient in q of many clearance rows, at a configuration each."""
+
+    value: BatchFunction
+    gradient: BatchFunction
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LinearRows:
+    """Rows value + jacobian p of a step p from some z: (r,) and (r, f n)."""
+
+    value: Array
+    jacobian: Array
+
+    def with_rows(self, other: "LinearRows") -> "LinearRows":
+        """These rows, then the other ones."""
+        return LinearRows(
+            value=np.concatenate([self.value, other.value]), jacobian=np.concatenate([self.jacobian, other.jacobian])
+        )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LimitRows:
+    """The control points (r, n) of the curve between lower and upper limits (n,).
+
+    Attributes:
+        line, directions: (r, n) and (r, f): the points at z are line + directions z.
+        lower, upper: limits (n,).
+    """
+
+    line: Array
+    directions: Array
+    lower: Array
+    upper: Array
+
+    def violation(self, z: Array) -> float:
+        """How far a point is beyond a limit at most [rad or m]; 0 where none is."""
+        points = self.line + self.directions @ z
+        return float(max(np.max(self.lower - points, initial=0.0), np.max(points - self.upper, initial=0.0)))
+
+    def near(self, z: Array, radius: float) -> LinearRows:
+        """The rows at z that a step whose entries are at most `radius` can make negative."""
+        points = self.line + self.directions @ z
+        change = radius * np.abs(self.directions).sum(axis=1, keepdims=True)
+        values, rows = [], []
+        for distance, sign in ((points - self.lower, 1.0), (self.upper - points, -1.0)):
+            point, joint = np.nonzero(distance < change)
+            jacobian = np.zeros((len(point), *z.shape))
+            jacobian[np.arange(len(point)), :, joint] = sign * self.directions[point]
+            values.append(distance[point, joint])
+            rows.append(jacobian.reshape(len(point), z.size))
+        return LinearRows(value=np.concatenate(values), jacobian=np.concatenate(rows))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ClearanceTable:
+    """Clearance rows at places of the curves.
+
+    Attributes:
+        functions: of the rows.
+        curves: on which they are.
+        surroundings: where they were measured; None: nothing is checked.
+        places: s and pair of each row, and whether it is where the pair is nearest on a stretch of the path.
+        columns: (r, ...) the rows as numbers.
+    """
+
+    functions: RowFunctions
+    curves: Curves
+    surroundings: Surroundings | None
+    places: tuple[tuple[float, int, bool], ...]
+    columns: Array
+
+    @classmethod
+    def of(
+        cls, functions: RowFunctions, curves: Curves, surroundings: Surroundings | None, path: JointPath, look: Look
+    ) -> "ClearanceTable":
+        """The rows at the nearest places of a look at `path`."""
+        n = len(curves.start)
+        places = () if surroundings is None else tuple(surroundings.places(look))
+        columns = np.empty((len(places), column_height(n)))
+        if surroundings is not None and places:
+            for k, ((s, pair, _), q) in enumerate(zip(places, path(np.array([s for s, *_ in places])), strict=True)):
+                columns[k] = surroundings.row(q, s, pair).column(n)
+        return cls(functions=functions, curves=curves, surroundings=surroundings, places=places, columns=columns)
+
+    @classmethod
+    def seen(
+        cls, functions: RowFunctions, curves: Curves, surroundings: Surroundings, path: JointPath, look: Look
+    ) -> "ClearanceTable":
+        """Rows where `path` violates the clearance: of planes that the second body carries, and of the same the first carries."""
+        places = [(look.places[k][0], look.places[k][1], False) for k in np.flatnonzero(look.distances < surroundings.target)]
+        places = places[:MOST_SEEN]
+        columns = [
+            row.column(len(curves.start))
+            for s, pair, _ in places
+            for row in (surroundings.row(path(s), s, pair), surroundings.reverse_row(path(s), s, pair))
+        ]
+        table = np.array(columns).reshape(-1, column_height(len(curves.start)))
+        twice = tuple(place for place in places for _ in range(2))
+        return cls(functions=functions, curves=curves, surroundings=surroundings, places=twice, columns=table)
+
+    def usable(self, z: Array) -> "ClearanceTable | None":
+        """The rows that do not ask for more than the true distance of their pair allows at z; None without any."""
+        assert self.surroundings is not None
+        if not self.places:
+            return None
+        values = self.linear(z, z).value
+        s = np.array([s for s, *_ in self.places])
+        q = self.curves.line(s) + self.curves.values(s) @ z
+        true = [self.surroundings.model.pair_distances(each, [pair])[0] for each, (_, pair, _) in zip(q, self.places, strict=True)]
+        kept = np.flatnonzero(values >= np.array(true) - self.surroundings.target - STRICT)
+        if not len(kept):
+            return None
+        return replace(self, places=tuple(self.places[k] for k in kept), columns=self.columns[kept])
+
+    def linear(self, z: Array, about: Array) -> LinearRows:
+        """The rows linearised at z, as functions of a step from `about`."""
+        if not self.places:
+            return LinearRows(value=np.empty(0), jacobian=np.empty((0, z.size)))
+        s = np.array([s for s, *_ in self.places])
+        values = self.curves.values(s)
+        q = self.curves.line(s) + values @ z
+        value = self.functions.value(q, self.columns)[:, 0, 0]
+        gradient = self.functions.gradient(q, self.columns)[:, :, 0]
+        jacobian = (values[:, :, None] * gradient[:, None, :]).reshape(len(q), z.size)
+        return LinearRows(value=value + jacobian @ (about - z).ravel(), jacobian=jacobian)
+
+    def curvature(self, z: Array, multipliers: Array) -> Array:
+        """Σ_i λ_i ∇²d_i (f n, f n) of the true distances d_i; of a dip along the path, that of its least distance.
+
+        With d(s, z) and its least value over s, at s*: ∇²(min d) = ∇²d - (∂_s ∇d) (∂_s ∇d)ᵀ / ∂²_s d.
+        """
+        size, n = z.shape
+        total = np.zeros((size, n, size, n))
+        for k in np.flatnonzero(multipliers > 0):
+            assert self.surroundings is not None
+            s, pair, bottom = self.places[k]
+            at = np.array([s])
+            value, slope = (self.curves.values(at, order)[0] for order in (0, 1))
+            q, qs = (self.curves.line(at, order)[0] + each @ z for order, each in ((0, value), (1, slope)))
+            gradient, hessian = self.surroundings.bend(q, pair)
+            total += multipliers[k] * np.einsum("a,c,bd->abcd", value, value, hessian)
+            qss = self.curves.basis.values(at, 2)[0] @ self.curves.coefficients(z).T
+            bend = qs @ hessian @ qs + gradient @ qss
+            if bottom and bend > LEAST_BEND:
+                change = np.outer(slope, gradient) + np.outer(value, hessian @ qs)
+                total -= multipliers[k] / bend * np.einsum("ab,cd->abcd", change, change)
+        return total.reshape(z.size, z.size)
+
+    def gradients_nearby(self, z: Array, rows: NDArray[np.intp], step: float) -> tuple[Array, NDArray[np.intp]]:
+        """Gradients (k, f n) of the distances of some rows, on the path and with each joint moved by a step, and whose they are.
+
+        Args:
+            z: unknowns (f, n).
+            rows: numbers of the rows.
+            step: of each joint to either side [rad or m].
+        """
+        found, owner = [np.empty((0, z.size))], []
+        for k in rows.tolist():
+            assert self.surroundings is not None
+            s, pair, _ = self.places[k]
+            value = self.curves.values(np.array([s]))[0]
+            q = self.curves.line(np.array([s]))[0] + value @ z
+            moves = step * np.concatenate([np.zeros((1, len(q))), np.eye(len(q)), -np.eye(len(q))])
+            gradients = np.array([self.surroundings.model.distance_gradient(q + move, pair) for move in moves])
+            found.append((value[None, :, None] * gradients[:, None, :]).reshape(len(moves), z.size))
+            owner += [k] * len(moves)
+        return np.concatenate(found), np.array(owner, dtype=np.intp)

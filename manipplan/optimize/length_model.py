@@ -1,0 +1,120 @@
+"""g of a path as a function of its coefficients, with exact gradient and Hessian, on a rule that is fine where g is."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from manipplan.checks import Array
+from manipplan.optimize.basis import Basis
+from manipplan.optimize.batch import BatchFunction
+from manipplan.optimize.density import Density
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Curves:
+    """The curves start + s (goal - start) + Σ_j (kept + zᵀ directionsᵀ)_j φ_j(s) of unknowns z (f, n).
+
+    Attributes:
+        basis: the functions φ_j.
+        directions: (size, f) coefficients of functions whose slopes are orthonormal: ‖z‖ is the root mean square of the
+            slope's change over s [rad or m].
+        kept: (n, size) coefficients at z = 0.
+        start, goal: (n,) ends.
+    """
+
+    basis: Basis
+    directions: Array
+    kept: Array
+    start: Array
+    goal: Array
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Of z: (f, n)."""
+        return self.directions.shape[1], len(self.start)
+
+    def coefficients(self, z: Array) -> Array:
+        """Coefficients (n, size) of the curve at z."""
+        return np.asarray(self.kept + (self.directions @ z).T)
+
+    def values(self, s: Array, order: int = 0) -> Array:
+        """Change of the curve, or of its derivative, with z: (m, f)."""
+        return np.asarray(self.basis.values(s, order) @ self.directions)
+
+    def line(self, s: Array, order: int = 0) -> Array:
+        """The curve at z = 0, or its derivative of order 1: (m, n)."""
+        straight = self.start + s[:, None] * (self.goal - self.start) if order == 0 else self.goal - self.start
+        return np.asarray(straight + self.basis.values(s, order) @ self.kept.T)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BatchDensity:
+    """A density's value, gradient and Hessian at many points."""
+
+    value: BatchFunction
+    gradient: BatchFunction
+    hessian: BatchFunction
+
+    @classmethod
+    def of(cls, density: Density) -> "BatchDensity":
+        """The three functions of a density with buffers of their own."""
+        return cls(
+            value=BatchFunction(density.value), gradient=BatchFunction(density.gradient), hessian=BatchFunction(density.hessian)
+        )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LengthModel:
+    """Σ_i w_i e(q_i, q'_i) / g₀ over the points of a rule, as a function of the unknowns z (f, n) of `curves`.
+
+    Attributes:
+        density: of g, with a little of the energy.
+        s, weights: (m,) the rule.
+        g0: the path's g, about; the value at the path is about 1.
+        power: exponent p.
+    """
+
+    density: BatchDensity
+    curves: Curves
+    s: Array
+    weights: Array
+    g0: float
+    power: float
+
+    @cached_property
+    def _values(self) -> tuple[Array, Array, Array, Array]:
+        curves = self.curves
+        return (curves.line(self.s), curves.line(self.s, 1), curves.values(self.s), curves.values(self.s, 1))
+
+    @cached_property
+    def _products(self) -> Array:
+        """Products (f², 4 m) of the functions and slopes at each point, by which Hessians are summed."""
+        _, _, values, slopes = self._values
+        both = np.stack([values, slopes], axis=1)
+        count, _, size = both.shape
+        return np.einsum("ipj,iqk->jkipq", both, both).reshape(size * size, count * 4)
+
+    def _points(self, z: Array) -> tuple[Array, Array, Array]:
+        line, slope, values, slopes = self._values
+        numbers = np.tile([self.g0, self.power], (len(self.s), 1))
+        return line + values @ z, slope + slopes @ z, numbers
+
+    def value(self, z: Array) -> float:
+        """The integral at z (f, n)."""
+        return float(self.weights @ self.density.value(*self._points(z))[:, 0, 0]) / self.g0
+
+    def gradient(self, z: Array) -> Array:
+        """Its gradient (f, n)."""
+        _, _, values, slopes = self._values
+        weighed = self.density.gradient(*self._points(z))[:, :, 0] * (self.weights[:, None] / self.g0)
+        n = weighed.shape[1] // 2
+        return np.asarray(values.T @ weighed[:, :n] + slopes.T @ weighed[:, n:])
+
+    def hessian(self, z: Array) -> Array:
+        """Its Hessian (f n, f n), z in row-major order."""
+        size, n = z.shape
+        weighed = self.density.hessian(*self._points(z)) * (self.weights / self.g0)[:, None, None]
+        blocks = weighed.reshape(len(self.s), 2, n, 2, n).transpose(0, 1, 3, 2, 4).reshape(-1, n * n)
+        summed = (self._products @ blocks).reshape(size, size, n, n)
+        return np.asarray(summed.transpose(0, 2, 1, 3).reshape(size * n, size * n))

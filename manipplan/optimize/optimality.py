@@ -1,0 +1,83 @@
+"""How near a path is to a local optimum of the true problem: first-order conditions, measured on the path.
+
+Multipliers λ >= 0 of the rows that are active on the path are those that leave the least of the gradient of g; they come from a
+non-negative least-squares fit, not from the solver that found the path.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import nnls
+
+from manipplan.checks import Array
+from manipplan.optimize.descent import TrueProgram
+
+#: A path is optimal when the projected gradient is at most this [1/rad], ...
+GRADIENT = 1e-3
+#: ... the complementarity at most this share of g, ...
+COMPLEMENTARITY = 1e-5
+#: ... and active clearances differ from the demanded one by at most this [m].
+ACTIVE = 1e-4
+#: Limits nearer than this are active [rad or m].
+LIMIT = 1e-6
+#: The gradient of a distance may be any of those at configurations whose joints differ by this from the path's: beside the
+#: edges of two bodies it turns within a fraction of a millimetre [rad or m].
+KINK = 1e-4
+#: Rows whose multiplier is above this share of the largest are active.
+NOTABLE = 1e-3
+
+
+@dataclass(frozen=True, kw_only=True)
+class Optimality:
+    """First-order conditions of a path.
+
+    Attributes:
+        projected_gradient: what the active limits and clearances leave of the gradient of g, over g [1/rad]: the relative
+            change of g per radian of the root mean square of the slope's change, all joints together.
+        complementarity: Σ λ_i (d_i - clearance) over g: by how much g would fall, about, if no active row kept more than
+            is demanded.
+        active_clearance: largest difference between the distance of an active pair and the demanded clearance [m]; 0 where
+            no clearance is active.
+    """
+
+    projected_gradient: float
+    complementarity: float
+    active_clearance: float
+
+    @property
+    def reached(self) -> bool:
+        """Whether all three are below their tolerances."""
+        return bool(
+            self.projected_gradient <= GRADIENT
+            and self.complementarity <= COMPLEMENTARITY
+            and self.active_clearance <= ACTIVE
+        )
+
+
+#: Of a path without any unknown.
+SINGLE = Optimality(projected_gradient=0.0, complementarity=0.0, active_clearance=0.0)
+#: Of a path at which no descent ended.
+UNKNOWN = Optimality(projected_gradient=np.inf, complementarity=np.inf, active_clearance=np.inf)
+
+
+def measure_optimality(program: TrueProgram, z: Array) -> Optimality:
+    """The first-order conditions at z (f, n)."""
+    gradient = program.length.gradient(z).ravel() / program.length.value(z)
+    limits = program.limits.near(z, LIMIT)
+    margin, beyond, jacobian, owner = 0.0, np.empty(0), np.empty((0, z.size)), np.empty(0, dtype=int)
+    if program.surroundings is not None:
+        margin = program.surroundings.target - program.surroundings.clearance
+        table = program.table(z, program.look(z, 0.0))
+        beyond = table.linear(z, z).value
+        jacobian, owner = table.gradients_nearby(z, np.flatnonzero(beyond < ACTIVE), KINK)
+    whole = np.concatenate([limits.jacobian, jacobian])
+    if not len(whole):
+        return Optimality(projected_gradient=float(np.linalg.norm(gradient)), complementarity=0.0, active_clearance=0.0)
+    multipliers, left = nnls(whole.T, gradient)
+    multipliers = np.bincount(owner, multipliers[len(limits.value) :], minlength=len(beyond))
+    active = multipliers > NOTABLE * multipliers.max(initial=0.0)
+    return Optimality(
+        projected_gradient=float(left),
+        complementarity=float(multipliers @ np.abs(beyond)),
+        active_clearance=float(np.abs(beyond[active] + margin).max(initial=0.0)),
+    )

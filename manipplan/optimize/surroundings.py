@@ -1,0 +1,216 @@
+"""How near the bodies of a scene come on a whole path, and the clearance rows at the places where they are nearest."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.checks import Array
+from manipplan.optimize.clearance import Place
+from manipplan.optimize.rows import ClearanceRow
+from manipplan.paths.joint import JointPath
+from manipplan.robots.collision import CollisionModel
+
+#: Intervals of a path at whose ends distances are measured. Every SPACING-th is measured always, those between where it can matter.
+INTERVALS, SPACING = 160, 4
+#: How much faster than on the widest step of such a grid a distance can change, and how much it can change at least [m].
+FASTER, SLOWEST = 1.5, 0.02
+#: Distance kept beyond the demanded one, so that the proof, whose bounds are not exact, succeeds [m].
+MARGIN = 5e-5
+#: Pairs that come nearer than this on a path are measured on those that follow it [m].
+WATCHED = 0.15
+#: They are chosen again when the joints have moved further than this, all together [rad or m].
+MOVED = 0.1
+#: Dips that may come nearer to the target than this are followed to their bottom [m], to this accuracy of s.
+DEEP, BOTTOM = 1e-3, 1e-6
+#: Maximum number of steps to the bottom of a dip.
+BOTTOM_STEPS = 12
+#: Where a pair is nearer to the target than this [m], every place of the grid has a row.
+CLOSE = 2e-3
+#: A place of the grid has none when it is nearer to the bottom of a dip of its pair than this.
+APART = 1e-2
+#: Maximum number of places with rows.
+MOST_PLACES = 80
+#: Step of a joint by which second derivatives of a distance are taken [rad or m].
+JOINT_STEP = 1e-4
+
+
+@dataclass(frozen=True, kw_only=True)
+class Look:
+    """What was measured on one path.
+
+    Attributes:
+        places: (s, pair) in the order of their distances.
+        distances: their signed distances [m].
+        bottoms: numbers of those where the distance has a minimum along the path.
+    """
+
+    places: tuple[Place, ...]
+    distances: Array
+    bottoms: frozenset[int]
+
+    @property
+    def least(self) -> float:
+        """The least distance [m]; inf where nothing is near."""
+        return float(self.distances.min(initial=np.inf))
+
+
+@dataclass(kw_only=True, eq=False)
+class Surroundings:
+    """Distances on paths that differ little from each other.
+
+    Attributes:
+        model: the arm among its obstacles.
+        clearance: demanded distance [m].
+        margin: distance kept beyond the demanded one [m]; larger at first, as corners are rounder at a distance.
+        always: places about which a dip is looked for on every path.
+    """
+
+    model: CollisionModel
+    clearance: float
+    margin: float = MARGIN
+    always: list[Place] = field(default_factory=list)
+    _reference: Array | None = None
+    _pairs: NDArray[np.intp] = field(default_factory=lambda: np.empty(0, dtype=np.intp))
+
+    @property
+    def target(self) -> float:
+        """The distance that is kept [m]: the demanded one and a margin."""
+        return self.clearance + self.margin
+
+    def look(self, path: JointPath, band: float) -> Look:
+        """The places where a pair is nearer than the target plus `band` [m]: of an even grid, and the bottoms of dips."""
+        s = np.linspace(0.0, 1.0, INTERVALS + 1)
+        q = path(s)
+        pairs = self._watched(q)
+        near = self.target + band
+        grid = self._profile(q, pairs, near)
+        wanted = grid < self.target + CLOSE
+        wanted[::SPACING] |= grid[::SPACING] < near
+        found = [(float(grid[k, c]), float(s[k]), int(pairs[c]), False) for k, c in zip(*np.nonzero(wanted), strict=True)]
+        found += self._dips(path, s, grid, pairs)
+        if self.always:
+            at, known = np.array([x for x, _ in self.always]), [pair for _, pair in self.always]
+            bracket = np.maximum(at - 1 / INTERVALS, 0.0), np.minimum(at + 1 / INTERVALS, 1.0)
+            at, distances = self._bottoms(path, bracket, at, self._at(path, at, known), known)
+            found += [(float(d), float(x), pair, True) for d, x, pair in zip(distances, at, known, strict=True)]
+        found.sort()
+        return Look(
+            places=tuple((x, pair) for _, x, pair, _ in found),
+            distances=np.array([each[0] for each in found]),
+            bottoms=frozenset(k for k, (*_, bottom) in enumerate(found) if bottom),
+        )
+
+    def places(self, look: Look) -> list[tuple[float, int, bool]]:
+        """The places of a look that get rows: s, pair, and whether it is the bottom of a dip."""
+        bottoms = [look.places[k] for k in look.bottoms]
+        chosen: list[tuple[float, int, bool]] = []
+        for k, (s, pair) in enumerate(look.places):
+            bottom = k in look.bottoms
+            if bottom or all(pair != other or abs(s - at) >= APART for at, other in bottoms):
+                chosen.append((s, pair, bottom))
+            if len(chosen) == MOST_PLACES:
+                break
+        return chosen
+
+    def row(self, q: Array, s: float, pair: int) -> ClearanceRow:
+        """The row of a pair at q (n,), which the path has at s: the planes through the nearest points."""
+        witness, normal = self.model.witness(q, pair)
+        return ClearanceRow(
+            s=s,
+            joint=witness.first,
+            point=witness.point,
+            other=witness.second,
+            normal=normal,
+            offset=float(normal @ witness.other),
+            distance=witness.radius + self.target,
+        )
+
+    def reverse_row(self, q: Array, s: float, pair: int) -> ClearanceRow:
+        """The same with the plane on the first body: for a corner of the second one before a face of the first."""
+        witness, normal = self.model.witness(q, pair)
+        normal = -self.model.turned(q, normal, witness.second, witness.first)
+        return ClearanceRow(
+            s=s,
+            joint=witness.second,
+            point=witness.other,
+            other=witness.first,
+            normal=normal,
+            offset=float(normal @ witness.point),
+            distance=witness.radius + self.target,
+        )
+
+    def bend(self, q: Array, pair: int) -> tuple[Array, Array]:
+        """Gradient (n,) and Hessian (n, n) of a pair's distance at q (n,), the Hessian by differences of the gradient."""
+        gradient = self.model.distance_gradient(q, pair)
+        hessian = np.array([self.model.distance_gradient(q + JOINT_STEP * each, pair) - gradient for each in np.eye(len(q))])
+        return gradient, (hessian + hessian.T) / (2 * JOINT_STEP)
+
+    def _watched(self, q: Array) -> NDArray[np.intp]:
+        """The pairs that come near on paths about q (m, n)."""
+        if self._reference is None or np.abs(q - self._reference).sum(axis=1).max() > MOVED:
+            nearest = np.min([self.model.distances(each) for each in q], axis=0)
+            self._pairs, self._reference = np.flatnonzero(nearest < self.target + WATCHED), q
+        return self._pairs
+
+    def _profile(self, q: Array, pairs: NDArray[np.intp], near: float) -> Array:
+        """Distances (m, k) of pairs at q (m, n) [m]; interpolated where a pair cannot be nearer than `near`."""
+        numbers = pairs.tolist()
+        coarse = np.array([self.model.pair_distances(each, numbers) for each in q[::SPACING]]).reshape(-1, len(pairs))
+        share = np.arange(len(q)) / SPACING
+        low = np.minimum(share.astype(int), len(coarse) - 2)
+        grid = coarse[low] + (share - low)[:, None] * (coarse[low + 1] - coarse[low])
+        change = FASTER * np.abs(np.diff(coarse, axis=0)).max(axis=0, initial=0.0) + SLOWEST
+        measured = ((coarse[:-1] + coarse[1:] - change) / 2 < near)[low]
+        measured[::SPACING] = False
+        for k in np.flatnonzero(measured.any(axis=1)):
+            grid[k, measured[k]] = self.model.pair_distances(q[k], pairs[measured[k]].tolist())
+        return np.asarray(grid)
+
+    def _dips(self, path: JointPath, s: Array, grid: Array, pairs: NDArray[np.intp]) -> list[tuple[float, float, int, bool]]:
+        """Distance, s and pair of the bottoms of dips that may be near the target."""
+        before, after = (np.pad(grid, ((1, 1), (0, 0)), constant_values=np.inf)[k : k + len(s)] for k in (0, 2))
+        sides = np.stack([before, after])
+        rise = np.where(np.isfinite(sides), sides, -np.inf).max(axis=0) - grid  # a dip is hardly deeper than a side is high
+        k, c = np.nonzero((before >= grid) & (after > grid) & (grid - rise < self.target + DEEP))
+        if not len(k):
+            return []
+        bracket = s[np.maximum(k - 1, 0)], s[np.minimum(k + 1, INTERVALS)]
+        at, distances = self._bottoms(path, bracket, s[k], grid[k, c], pairs[c].tolist())
+        return [(float(d), float(x), int(pair), True) for d, x, pair in zip(distances, at, pairs[c], strict=True)]
+
+    def _bottoms(
+        self, path: JointPath, bracket: tuple[Array, Array], middle: Array, least: Array, pairs: list[int]
+    ) -> tuple[Array, Array]:
+        """Where pairs are nearest between the ends of their brackets (k,), and how near [m].
+
+        By parabolas and, every third time, by halving the longer side, side by side for all; `middle` (k,) is where
+        they are `least` (k,) apart.
+        """
+        (low, high), (left, right) = bracket, (self._at(path, side, pairs) for side in bracket)
+        for step in range(BOTTOM_STEPS):
+            a, b = middle - low, high - middle
+            if (a + b < BOTTOM).all():
+                break
+            longer = np.where(a > b, -a / 2, b / 2)
+            with np.errstate(divide="ignore", invalid="ignore"):
+                falls, rises = (left - least) / a, (right - least) / b
+                parabola = (b * falls - a * rises) / (2 * (falls + rises))
+            usable = np.isfinite(parabola) & (parabola > -a) & (parabola < b) & (step % 3 < 2)
+            change = np.where(usable, parabola, longer)
+            gap = np.maximum(0.02 * (a + b), BOTTOM / 4)
+            change = np.where(np.abs(change) < gap, np.copysign(gap, longer), change)
+            new = np.clip(middle + change, low, high)
+            value = self._at(path, new, pairs)
+            better, after = value < least, new > middle
+            # the better one is the middle from now on, and the other an end
+            end, end_value = np.where(better, middle, new), np.where(better, least, value)
+            is_low = better == after
+            low, left = np.where(is_low, end, low), np.where(is_low, end_value, left)
+            high, right = np.where(is_low, high, end), np.where(is_low, right, end_value)
+            middle, least = np.where(better, new, middle), np.where(better, value, least)
+        return middle, least
+
+    def _at(self, path: JointPath, s: Array, pairs: list[int]) -> Array:
+        """Distances [m] of pairs (k,) at s (k,)."""
+        return np.array([self.model.pair_distances(q, [pair])[0] for q, pair in zip(path(s), pairs, strict=True)])
