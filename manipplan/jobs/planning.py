@@ -12,7 +12,7 @@ from manipplan.interrupts import interruptible
 from manipplan.jobs.result import Plan, checked, failed
 from manipplan.measures.measure import Measure
 from manipplan.measures.task import Task
-from manipplan.optimize.optimize import MOST_DEGREE, optimize_path
+from manipplan.optimize.optimize import MOST_DEGREE, optimize_from, optimize_path
 from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import JointPath
 from manipplan.progress import Progress, part, teller
@@ -79,16 +79,8 @@ def plan(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     tell = teller(progress)
     check_timing_limits(robot.limits)
-    optimise = partial(
-        optimize_path,
-        robot,
-        scene=scene,
-        power=power,
-        task=task,
-        measure=measure,
-        metric=metric,
-        clearance=clearance,
-    )
+    options = {"scene": scene, "power": power, "task": task, "measure": measure, "metric": metric, "clearance": clearance}
+    optimise, optimise_from = (partial(f, robot, **options) for f in (optimize_path, optimize_from))
     draft = Plan(robot=robot, scene=scene, status=Status.NO_PATH)
     try:
         result = optimise(
@@ -113,7 +105,7 @@ def plan(
         if result.status.ok or result.status is Status.SINGULAR:  # another degree crosses the same singularity
             break
         tell(0.6, f"{basis} of degree {each}")
-        more = optimise(first.start, first.goal, each, basis=basis, pieces=pieces, initial=first, throw=False)
+        more = optimise_from(first, degree=each, basis=basis, pieces=pieces)
         if more.status is Status.INTERRUPTED:
             raise KeyboardInterrupt
         result = min(result, more, key=lambda tried: (not tried.status.ok, tried.g))

@@ -106,7 +106,20 @@ class IntegratedLegendre(Series):
     def values(self, s: Array, order: int = 0) -> Array:
         if order == 1:
             return np.asarray(legvander(2 * s - 1, max(self.degree - 1, 1)), dtype=float)[:, 1 : self.degree]
-        return super().values(s, order)
+        return np.asarray(legvander(2 * s - 1, self.degree) @ self._series(order))
+
+    def _series(self, order: int) -> Array:
+        """Legendre coefficients (degree + 1, size) of the derivatives of an order."""
+        if order not in self._known:
+            self._known[order] = np.zeros((self.degree + 1, self.size))
+            for j, function in enumerate(self.functions):
+                series = function.deriv(order).coef
+                self._known[order][: len(series), j] = series
+        return self._known[order]
+
+    @cached_property
+    def _known(self) -> dict[int, Array]:
+        return {}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -6,6 +6,7 @@ of the distance between the two bodies.
 """
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -133,21 +134,26 @@ class ClearanceTable:
         if not self.places:
             return None
         values = self.linear(z, z).value
-        s = np.array([s for s, *_ in self.places])
-        q = self.curves.line(s) + self.curves.values(s) @ z
+        line, change = self._at
+        q = line + change @ z
         true = [self.surroundings.model.pair_distances(each, [pair])[0] for each, (_, pair, _) in zip(q, self.places, strict=True)]
         kept = np.flatnonzero(values >= np.array(true) - self.surroundings.target - STRICT)
         if not len(kept):
             return None
         return replace(self, places=tuple(self.places[k] for k in kept), columns=self.columns[kept])
 
+    @cached_property
+    def _at(self) -> tuple[Array, Array]:
+        """The curve at z = 0 and its change with z, at the places of the rows."""
+        s = np.array([s for s, *_ in self.places])
+        return self.curves.line(s), self.curves.values(s)
+
     def linear(self, z: Array, about: Array) -> LinearRows:
         """The rows linearised at z, as functions of a step from `about`."""
         if not self.places:
             return LinearRows(value=np.empty(0), jacobian=np.empty((0, z.size)))
-        s = np.array([s for s, *_ in self.places])
-        values = self.curves.values(s)
-        q = self.curves.line(s) + values @ z
+        line, values = self._at
+        q = line + values @ z
         value = self.functions.value(q, self.columns)[:, 0, 0]
         gradient = self.functions.gradient(q, self.columns)[:, :, 0]
         jacobian = (values[:, :, None] * gradient[:, None, :]).reshape(len(q), z.size)
@@ -160,18 +166,21 @@ class ClearanceTable:
         """
         size, n = z.shape
         total = np.zeros((size, n, size, n))
-        for k in np.flatnonzero(multipliers > 0):
-            assert self.surroundings is not None
-            s, pair, bottom = self.places[k]
-            at = np.array([s])
-            value, slope = (self.curves.values(at, order)[0] for order in (0, 1))
-            q, qs = (self.curves.line(at, order)[0] + each @ z for order, each in ((0, value), (1, slope)))
-            gradient, hessian = self.surroundings.bend(q, pair)
-            total += multipliers[k] * np.einsum("a,c,bd->abcd", value, value, hessian)
-            qss = self.curves.basis.values(at, 2)[0] @ self.curves.coefficients(z).T
-            bend = qs @ hessian @ qs + gradient @ qss
+        used = np.flatnonzero(multipliers > 0)
+        if not len(used):
+            return total.reshape(z.size, z.size)
+        assert self.surroundings is not None
+        at = np.array([self.places[k][0] for k in used])
+        (values, slopes), (q, qs) = ([f(at, 0), f(at, 1)] for f in (self.curves.values, self.curves.line))
+        q, qs = q + values @ z, qs + slopes @ z
+        qss = self.curves.basis.values(at, 2) @ self.curves.coefficients(z).T
+        for i, k in enumerate(used):
+            _, pair, bottom = self.places[k]
+            gradient, hessian = self.surroundings.bend(q[i], pair)
+            total += multipliers[k] * np.einsum("a,c,bd->abcd", values[i], values[i], hessian)
+            bend = qs[i] @ hessian @ qs[i] + gradient @ qss[i]
             if bottom and bend > LEAST_BEND:
-                change = np.outer(slope, gradient) + np.outer(value, hessian @ qs)
+                change = np.outer(slopes[i], gradient) + np.outer(values[i], hessian @ qs[i])
                 total -= multipliers[k] / bend * np.einsum("ab,cd->abcd", change, change)
         return total.reshape(z.size, z.size)
 
@@ -186,9 +195,9 @@ class ClearanceTable:
         found, owner = [np.empty((0, z.size))], []
         for k in rows.tolist():
             assert self.surroundings is not None
-            s, pair, _ = self.places[k]
-            value = self.curves.values(np.array([s]))[0]
-            q = self.curves.line(np.array([s]))[0] + value @ z
+            pair = self.places[k][1]
+            line, change = self._at
+            value, q = change[k], line[k] + change[k] @ z
             moves = step * np.concatenate([np.zeros((1, len(q))), np.eye(len(q)), -np.eye(len(q))])
             gradients = np.array([self.surroundings.model.distance_gradient(q + move, pair) for move in moves])
             found.append((value[None, :, None] * gradients[:, None, :]).reshape(len(moves), z.size))

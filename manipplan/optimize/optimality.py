@@ -69,7 +69,7 @@ def measure_optimality(program: TrueProgram, z: Array) -> Optimality:
         margin = program.surroundings.target - program.surroundings.clearance
         table = program.table(z, program.look(z, 0.0))
         beyond = table.linear(z, z).value
-        jacobian, owner = table.gradients_nearby(z, np.flatnonzero(beyond < ACTIVE), KINK)
+        jacobian, owner = table.gradients_nearby(z, np.flatnonzero(beyond < ACTIVE - margin), KINK)
     whole = np.concatenate([limits.jacobian, jacobian])
     if not len(whole):
         return Optimality(projected_gradient=float(np.linalg.norm(gradient)), complementarity=0.0, active_clearance=0.0)

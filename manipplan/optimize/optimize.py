@@ -19,7 +19,7 @@ from manipplan.optimize.homotopy import Crew, best_and_rivals, seed_classes, shi
 from manipplan.optimize.initial import check_initial, initial_path
 from manipplan.optimize.metric import metric_matrix
 from manipplan.optimize.result import PathResult, no_path
-from manipplan.optimize.solve import PathProblem
+from manipplan.optimize.solve import PathProblem, solved
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.progress import Progress, teller
@@ -194,6 +194,40 @@ def optimize_path(
     if throw and not np.isfinite(best.g) and best.status is not Status.INTERRUPTED:
         raise PlanningError(f"the index vanishes on the path at s = {best.min_at:.3f}, so g is infinite", best)
     return best
+
+
+def optimize_from(
+    robot: Robot,
+    first: JointPath,
+    *,
+    scene: Scene | None,
+    degree: int,
+    basis: str,
+    pieces: int,
+    power: float,
+    task: Task | None,
+    measure: Measure | str | None,
+    metric: ArrayLike | None,
+    clearance: float,
+) -> PathResult:
+    """As `optimize_path` from a first path that is known to be free, and not from the optimum of a lower degree."""
+    kinematics = robot.kinematics(task, measure=measure)
+    problem = PathProblem(
+        robot=robot,
+        scene=scene,
+        task=kinematics.task,
+        measure=kinematics.measure,
+        power=power,
+        metric=metric_matrix("metric", metric, robot.n),
+        basis=basis,
+        degree=degree,
+        pieces=pieces,
+        clearance=clearance,
+        time_limit=np.inf,
+        given=True,
+        climbs=False,
+    )
+    return solved(problem, first.start, first.goal, first)
 
 
 def check_task(kinematics: Kinematics) -> None:

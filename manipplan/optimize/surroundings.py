@@ -18,9 +18,9 @@ FASTER, SLOWEST = 1.5, 0.02
 #: Distance kept beyond the demanded one, so that the proof, whose bounds are not exact, succeeds [m].
 MARGIN = 5e-5
 #: Pairs that come nearer than this on a path are measured on those that follow it [m].
-WATCHED = 0.15
+WATCHED = 0.25
 #: They are chosen again when the joints have moved further than this, all together [rad or m].
-MOVED = 0.1
+MOVED = 0.15
 #: Dips that may come nearer to the target than this are followed to their bottom [m], to this accuracy of s.
 DEEP, BOTTOM = 1e-3, 1e-6
 #: Maximum number of steps to the bottom of a dip.
@@ -149,7 +149,7 @@ class Surroundings:
     def _watched(self, q: Array) -> NDArray[np.intp]:
         """The pairs that come near on paths about q (m, n)."""
         if self._reference is None or np.abs(q - self._reference).sum(axis=1).max() > MOVED:
-            nearest = np.min([self.model.distances(each) for each in q], axis=0)
+            nearest = np.min([self.model.distances(each) for each in q[::SPACING]], axis=0)
             self._pairs, self._reference = np.flatnonzero(nearest < self.target + WATCHED), q
         return self._pairs
 
