@@ -79,8 +79,12 @@ def plan(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     tell = teller(progress)
     check_timing_limits(robot.limits)
-    options = {"scene": scene, "power": power, "task": task, "measure": measure, "metric": metric, "clearance": clearance}
-    optimise, optimise_from = (partial(f, robot, **options) for f in (optimize_path, optimize_from))
+    optimise = partial(
+        optimize_path, robot, scene=scene, power=power, task=task, measure=measure, metric=metric, clearance=clearance
+    )
+    optimise_from = partial(
+        optimize_from, robot, scene=scene, power=power, task=task, measure=measure, metric=metric, clearance=clearance
+    )
     draft = Plan(robot=robot, scene=scene, status=Status.NO_PATH)
     try:
         result = optimise(

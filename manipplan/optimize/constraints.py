@@ -116,7 +116,7 @@ class ClearanceTable:
     def seen(
         cls, functions: RowFunctions, curves: Curves, surroundings: Surroundings, path: JointPath, look: Look
     ) -> "ClearanceTable":
-        """Rows where `path` violates the clearance: of planes that the second body carries, and of the same the first carries."""
+        """Rows where `path` violates the clearance: of planes on the second body, and of the same planes on the first."""
         places = [(look.places[k][0], look.places[k][1], False) for k in np.flatnonzero(look.distances < surroundings.target)]
         places = places[:MOST_SEEN]
         columns = [
@@ -136,7 +136,9 @@ class ClearanceTable:
         values = self.linear(z, z).value
         line, change = self._at
         q = line + change @ z
-        true = [self.surroundings.model.pair_distances(each, [pair])[0] for each, (_, pair, _) in zip(q, self.places, strict=True)]
+        true = [
+            self.surroundings.model.pair_distances(each, [pair])[0] for each, (_, pair, _) in zip(q, self.places, strict=True)
+        ]
         kept = np.flatnonzero(values >= np.array(true) - self.surroundings.target - STRICT)
         if not len(kept):
             return None
@@ -185,7 +187,7 @@ class ClearanceTable:
         return total.reshape(z.size, z.size)
 
     def gradients_nearby(self, z: Array, rows: NDArray[np.intp], step: float) -> tuple[Array, NDArray[np.intp]]:
-        """Gradients (k, f n) of the distances of some rows, on the path and with each joint moved by a step, and whose they are.
+        """Gradients (k, f n) of some rows' distances, on the path and with each joint moved by a step; and the rows' numbers.
 
         Args:
             z: unknowns (f, n).

@@ -93,7 +93,7 @@ class LengthModel:
         _, _, values, slopes = self._values
         both = np.stack([values, slopes], axis=1)
         count, _, size = both.shape
-        return np.einsum("ipj,iqk->jkipq", both, both).reshape(size * size, count * 4)
+        return np.asarray(np.einsum("ipj,iqk->jkipq", both, both).reshape(size * size, count * 4))
 
     def _points(self, z: Array) -> tuple[Array, Array, Array]:
         line, slope, values, slopes = self._values

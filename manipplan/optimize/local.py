@@ -24,8 +24,8 @@ ROUNDS = 8
 NEW_PLACES = 10
 #: Descents from one path: another one begins where the proof or the rule of the one before it failed.
 DESCENTS = 4
-#: Paths that have to keep less than this keep wider margins at first [m]: round a corner at a tenth of a millimetre a descent
-#: creeps.
+#: A path that has to keep less than this keeps wider margins at first [m]: a descent creeps around corners at a tenth of a
+#: millimetre.
 ROUND, WIDE_MARGINS = 5e-3, (2e-3, 3e-4)
 #: A rule sees all of a path when it agrees with g to this share.
 AGREEMENT = 1e-6
@@ -75,9 +75,9 @@ class LocalSearch:
         return [Candidate(path=path, coefficients=self._straight(), cost=cost, optimality=SINGLE, solver="no unknowns")]
 
     def unconstrained(self) -> list[Candidate]:
-        """The local optimum near that of the energy as if nothing were in the way, from the straight line, when that is free."""
+        """The local optimum near the energy's from the straight line, as if nothing were in the way; none when that is not free."""
         solution = self.program.solve(self.start, self.goal, self._straight())
-        free, *_ = self._judged("straight", solution, ())
+        free, *_ = self._judged("straight", solution)
         if not free:
             return []
         return self.settled("straight", solution.coefficients) or [self._unsettled(solution.coefficients, solution.status)]
@@ -148,7 +148,7 @@ class LocalSearch:
             rows = self.rows(path, lambda at: first(np.interp(at, even, s)), watched)
             solution = self.program.solve(self.start, self.goal, coefficients, rows)
             coefficients = solution.coefficients
-            free, distances, touched = self._judged("seed", solution, places)
+            free, distances, touched = self._judged("seed", solution)
             if free:
                 return self.settled("seed", coefficients) or [self._unsettled(coefficients, solution.status)]
             places = self.more_places(places, distances, touched)
@@ -195,9 +195,7 @@ class LocalSearch:
                     return tuple(more)
         return places
 
-    def _judged(
-        self, name: str, solution: Solution, places: tuple[near.Place, ...]
-    ) -> tuple[bool, Array, tuple[near.Place, ...]]:
+    def _judged(self, name: str, solution: Solution) -> tuple[bool, Array, tuple[near.Place, ...]]:
         """Whether a solution of the energy is inside the limits and proven free, and its distance profile (m, k) [m].
 
         Third the place where the proof failed, of a path that is free where the profile was taken.

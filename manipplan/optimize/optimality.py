@@ -48,9 +48,7 @@ class Optimality:
     def reached(self) -> bool:
         """Whether all three are below their tolerances."""
         return bool(
-            self.projected_gradient <= GRADIENT
-            and self.complementarity <= COMPLEMENTARITY
-            and self.active_clearance <= ACTIVE
+            self.projected_gradient <= GRADIENT and self.complementarity <= COMPLEMENTARITY and self.active_clearance <= ACTIVE
         )
 
 

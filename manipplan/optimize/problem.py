@@ -89,7 +89,7 @@ class PathProgram:
         joint limits.
         """
         directions = self._directions
-        z = np.linalg.lstsq(directions, coefficients.T, rcond=None)[0]
+        z: Array = np.asarray(np.linalg.lstsq(directions, coefficients.T, rcond=None)[0], dtype=float)
         kept = coefficients - (directions @ z).T
         curves = Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal)
         path = self.basis.path(start, goal, coefficients)

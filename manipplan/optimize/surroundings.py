@@ -11,7 +11,7 @@ from manipplan.optimize.rows import ClearanceRow
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
 
-#: Intervals of a path at whose ends distances are measured. Every SPACING-th is measured always, those between where it can matter.
+#: Number of intervals of a path at whose ends distances are measured: at every SPACING-th always, between where it can matter.
 INTERVALS, SPACING = 160, 4
 #: How much faster than on the widest step of such a grid a distance can change, and how much it can change at least [m].
 FASTER, SLOWEST = 1.5, 0.02
