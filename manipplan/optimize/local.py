@@ -22,6 +22,8 @@ from manipplan.robots.continuous import PathClearance, path_clearance
 ROUNDS = 8
 #: Clearance rows are added at up to this number of places per round, the deepest dips first.
 NEW_PLACES = 10
+#: For comparison only, the unconstrained optimum is found to about this share of g.
+ROUGH = 1e-6
 #: Descents from one path: another one begins where the proof or the rule of the one before it failed.
 DESCENTS = 4
 #: A path that has to keep less than this keeps wider margins at first [m]: a descent creeps around corners at a tenth of a
@@ -75,7 +77,7 @@ class LocalSearch:
         return [Candidate(path=path, coefficients=self._straight(), cost=cost, optimality=SINGLE, solver="no unknowns")]
 
     def unconstrained(self) -> list[Candidate]:
-        """The local optimum near the energy's from the straight line, as if nothing were in the way; none when that is not free."""
+        """The local optimum near the energy's as if nothing were in the way, from the straight line; none when it is not free."""
         solution = self.program.solve(self.start, self.goal, self._straight())
         free, *_ = self._judged("straight", solution)
         if not free:
@@ -172,7 +174,7 @@ class LocalSearch:
         if not self.program.free.size:
             return self.program.objective.cost(basis.path(self.start, self.goal, coefficients)).g
         true, z = self.program.true_program(self.start, self.goal, coefficients, None, limited=False)
-        return self.program.objective.cost(true.path(descend(true, z).z)).g
+        return self.program.objective.cost(true.path(descend(true, z, promise=ROUGH).z)).g
 
     def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
         """Clearance rows at the places of `path`, with planes of the path `safe` where it is not free."""
