@@ -25,7 +25,7 @@ import time
 from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from itertools import islice, zip_longest
+from itertools import cycle, islice, zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -339,11 +339,12 @@ def limited(given: Row) -> Row:
 
 
 def run_old(tasks: list[Row], folder: Path, old: Path) -> list[Row]:
-    """Rows with the answers of both versions, which take turns."""
+    """Rows with the answers of both versions, which take turns; which one begins alternates."""
     given = [limited(each | {"job": "plan"}) for each in tasks]
     warm = set()
     with Progress() as progress, Worker(ROOT) as new_worker, Worker(old) as old_worker:
         bar = progress.add_task("both versions", total=len(given))
+        turns = cycle(([("new", new_worker), ("old", old_worker)], [("old", old_worker), ("new", new_worker)]))
 
         def solve(each: Row) -> Row:
             # Problems outside have a scene each: there the first of each set stands for the others.
@@ -351,7 +352,8 @@ def run_old(tasks: list[Row], folder: Path, old: Path) -> list[Row]:
             for worker in (new_worker, old_worker) if group not in warm else ():
                 worker(each)
             warm.add(group)
-            return {"new": new_worker(each), "old": old_worker(each), "clearance": each["options"].get("clearance", 0.0)}
+            answers = {version: worker(each) for version, worker in next(turns)}
+            return answers | {"clearance": each["options"].get("clearance", 0.0)}
 
         made_by = sources(ROOT) + sources(old)
         return answered(folder / "old.jsonl", given, made_by, solve, lambda: progress.advance(bar))
@@ -521,7 +523,7 @@ def table_old(rows: Sequence[Row]) -> list[str]:
     return [
         *table(["figure", *suites], lines),
         "",
-        "Both versions solve each problem in turn. Not counted: the first call for each arm and scene, and for each "
+        "Both versions solve each problem; which one begins alternates. Not counted: the first call for each arm and scene, and for each "
         f"set where every problem has its own scene. The planner's time limit is {TIME_LIMIT:g} s. Problems without a finite g "
         "from either version have no ratio.",
         *named("Problems with a higher g than in 0.1:", worse),
