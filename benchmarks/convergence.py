@@ -523,9 +523,9 @@ def table_old(rows: Sequence[Row]) -> list[str]:
     return [
         *table(["figure", *suites], lines),
         "",
-        "Both versions solve each problem; which one begins alternates. Not counted: the first call for each arm and scene, and for each "
-        f"set where every problem has its own scene. The planner's time limit is {TIME_LIMIT:g} s. Problems without a finite g "
-        "from either version have no ratio.",
+        "Both versions solve each problem; which one begins alternates. Not counted: the first call for each arm and scene, "
+        f"and for each set where every problem has its own scene. The planner's time limit is {TIME_LIMIT:g} s. Problems "
+        "without a finite g from either version have no ratio.",
         *named("Problems with a higher g than in 0.1:", worse),
     ]
 
