@@ -2,8 +2,9 @@
 PYTHON ?= python3
 BIN := .venv/bin
 READY := .venv/.ready
+OLD := .peers/manipplan-0.1
 
-.PHONY: demo test test-long browser ffmpeg lint types docs links pictures benchmark benchmark-peers benchmark-paths clean
+.PHONY: demo test test-long browser ffmpeg lint types docs links pictures benchmark benchmark-peers benchmark-paths benchmark-convergence clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
@@ -73,6 +74,13 @@ benchmark-peers: $(READY)
 
 benchmark-paths: $(READY)
 	$(BIN)/python benchmarks/path_suite.py
+
+# Beside a checkout of version 0.1, which is made first.
+benchmark-convergence: $(READY) $(OLD)
+	$(BIN)/python benchmarks/convergence.py --old $(OLD)
+
+$(OLD):
+	git worktree add --detach $(OLD) 6f9afba
 
 $(READY): requirements.txt pyproject.toml
 	@$(PYTHON) -c 'import sys; v = sys.version_info[:2]; sys.exit(0 if (3, 11) <= v <= (3, 13) else "manipplan needs Python 3.11 to 3.13, not %d.%d; name another: make PYTHON=python3.12" % v)'
