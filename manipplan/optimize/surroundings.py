@@ -155,6 +155,8 @@ class Surroundings:
 
     def _profile(self, q: Array, pairs: NDArray[np.intp], near: float) -> Array:
         """Distances (m, k) of pairs at q (m, n) [m]; interpolated where a pair cannot be nearer than `near`."""
+        if not len(pairs):
+            return np.empty((len(q), 0))
         numbers = pairs.tolist()
         coarse = np.array([self.model.pair_distances(each, numbers) for each in q[::SPACING]]).reshape(-1, len(pairs))
         share = np.arange(len(q)) / SPACING
