@@ -31,6 +31,8 @@ STEPS, FREE_STEPS = 100, 300
 RADIUS, LARGEST_RADIUS, SMALLEST_RADIUS = 0.1, 0.8, 1e-8
 #: The descent ends when the model promises to lower the merit by a smaller share of g than this: among obstacles, and without.
 PROMISE, FREE_PROMISE = 5e-7, 1e-11
+#: Before it does, it tries longer steps up to this number of times: where g has a saddle the gradient does not show the way.
+WIDE_TRIES = 3
 #: A step is taken when the merit falls by this share of what the model promised; a second-order correction is tried below this.
 TAKEN, CORRECTED = 1e-4, 0.75
 #: A violation below this needs no correction [rad or m].
@@ -202,7 +204,7 @@ def descend(program: TrueProgram, z: Array, *, promise: float | None = None) -> 
     here = _Point.of(program, z, radius)
     model: _Model | None = None
     curvature = np.zeros((z.size, z.size))
-    form = 0
+    form, wide_tries = 0, 0
 
     def ended(steps: int, reason: str) -> Descent:
         log.debug("descent: %s after %d steps", reason, steps)
@@ -225,21 +227,28 @@ def descend(program: TrueProgram, z: Array, *, promise: float | None = None) -> 
             penalty = max(penalty, min(-model.promise(step, restored, 0.0) / (MENDED * restored), LARGEST_PENALTY))
         promised = model.promise(step, restored, penalty)
         if promised < least_promise:
-            if form + 1 == len(model.forms):
+            if form + 1 < len(model.forms):
+                form += 1
+            elif wide_tries == 0:
+                radius, form, wide_tries = RADIUS, 0, WIDE_TRIES
+            else:
                 return ended(count, "no step lowers g")
-            form += 1
             continue
         new, gain = _tried(program, model, form, here, step, promised, radius, penalty)
         size = float(np.abs(step.p).max())
         if gain <= TAKEN * promised:
             model = model.with_seen(program, here, new)
         else:
-            here, model = new, None
+            here, model, wide_tries = new, None, 0
             penalty = max(penalty / 2, LEAST_PENALTY)
             if gain > 0.5 * promised and size > 0.7 * radius:
                 radius = min(2 * radius, LARGEST_RADIUS)
         if gain < 0.25 * promised:
             radius = size / 4
+            if wide_tries > 0:
+                wide_tries -= 1
+                if wide_tries == 0:
+                    return ended(count + 1, "no step lowers g")
             if radius < SMALLEST_RADIUS:
                 return ended(count + 1, "steps became too short")
     return ended(steps, "the maximum number of steps was reached")

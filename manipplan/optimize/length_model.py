@@ -70,6 +70,7 @@ class LengthModel:
 
     Attributes:
         density: of g, with a little of the energy.
+        edges: (k + 1,) of the panels of the rule.
         s, weights: (m,) the rule.
         g0: the path's g, about; the value at the path is about 1.
         power: exponent p.
@@ -77,6 +78,7 @@ class LengthModel:
 
     density: BatchDensity
     curves: Curves
+    edges: Array
     s: Array
     weights: Array
     g0: float

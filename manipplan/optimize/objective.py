@@ -60,9 +60,13 @@ class PathObjective:
         """g and the least index of a path, as `path_cost`."""
         return path_cost(path, self.kinematics, self.power, metric=self.metric)
 
-    def rule(self, path: JointPath) -> tuple[Array, Array]:
-        """Gauss points and weights (m,) that give the path's g to RULE_ACCURACY, finer where the index has a dip."""
-        edges = np.unique(np.concatenate([np.linspace(0.0, 1.0, RULE_PANELS + 1), path.breaks]))
+    def panels(self, path: JointPath, edges: Array | None = None) -> Array:
+        """Edges (k + 1,) of panels of Gauss points that give the path's g to RULE_ACCURACY, narrower where m has a dip.
+
+        With `edges` those that another path needs are among them.
+        """
+        if edges is None:
+            edges = np.unique(np.concatenate([np.linspace(0.0, 1.0, RULE_PANELS + 1), path.breaks]))
         for _ in range(RULE_HALVINGS):
             middle = (edges[:-1] + edges[1:]) / 2
             whole = self._panels(path, edges)
@@ -72,15 +76,14 @@ class PathObjective:
             if not rough.any() or len(edges) > MOST_RULE_PANELS:
                 break
             edges = np.sort(np.concatenate([edges, middle[rough]]))
-        s, weights = _gauss(edges)
-        return s.ravel(), weights.ravel()
+        return edges
 
-    def on_rule(self, path: JointPath, s: Array, weights: Array) -> float:
-        """g of a path by a rule (m,), (m,)."""
-        return float(weights @ _weighed_speed(path, s, self.kinematics, self.power, self.metric))
+    def on_panels(self, path: JointPath, edges: Array) -> float:
+        """g of a path by the Gauss points of panels."""
+        return float(self._panels(path, edges).sum())
 
     def _panels(self, path: JointPath, edges: Array) -> Array:
-        s, weights = _gauss(edges)
+        s, weights = gauss(edges)
         density = _weighed_speed(path, s.ravel(), self.kinematics, self.power, self.metric)
         return np.asarray((weights * density.reshape(s.shape)).sum(axis=1))
 
@@ -95,7 +98,7 @@ class PathObjective:
         return np.interp(np.linspace(0.0, gained[-1], count), gained, s)
 
 
-def _gauss(edges: Array) -> tuple[Array, Array]:
+def gauss(edges: Array) -> tuple[Array, Array]:
     """Gauss points and weights (k, POINTS) of the panels between edges (k + 1,)."""
     nodes, weights = np.polynomial.legendre.leggauss(POINTS)
     half = np.diff(edges)[:, None] / 2

@@ -21,7 +21,7 @@ from manipplan.optimize.descent import TrueProgram
 from manipplan.optimize.ends import free_directions
 from manipplan.optimize.length_model import BatchDensity, Curves, LengthModel
 from manipplan.optimize.nlp import Hull, Integral, ipopt_solver
-from manipplan.optimize.objective import PathObjective
+from manipplan.optimize.objective import PathObjective, gauss
 from manipplan.optimize.rows import ClearanceRow, column_height, met_column, row_functions
 from manipplan.optimize.surroundings import Surroundings
 
@@ -81,25 +81,34 @@ class PathProgram:
         return np.asarray(self.free @ np.linalg.inv(np.linalg.qr(slopes).R))
 
     def true_program(
-        self, start: Array, goal: Array, coefficients: Array, surroundings: Surroundings | None, *, limited: bool = True
+        self,
+        start: Array,
+        goal: Array,
+        coefficients: Array,
+        surroundings: Surroundings | None,
+        *,
+        limited: bool = True,
+        edges: Array | None = None,
     ) -> tuple[TrueProgram, Array]:
         """The program of g among the true obstacles, and its unknowns z (f, n) of the path of coefficients (n, size).
 
-        g is integrated on a rule that is fine where it has to be on that path. With `limited` False as if there were no
-        joint limits.
+        g is integrated on panels that are narrow where that path needs it, and between `edges`, which other paths needed.
+        With `limited` False as if there were no joint limits.
         """
         directions = self._directions
         z: Array = np.asarray(np.linalg.lstsq(directions, coefficients.T, rcond=None)[0], dtype=float)
         kept = coefficients - (directions @ z).T
         curves = Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal)
         path = self.basis.path(start, goal, coefficients)
-        s, weights = self.objective.rule(path)
+        edges = self.objective.panels(path, edges)
+        s, weights = gauss(edges)
         length = LengthModel(
             density=self._length_density,
             curves=curves,
-            s=s,
-            weights=weights,
-            g0=self.objective.on_rule(path, s, weights),
+            edges=edges,
+            s=s.ravel(),
+            weights=weights.ravel(),
+            g0=self.objective.on_panels(path, edges),
             power=self.objective.power,
         )
         limits = self.kinematics.robot.limits
