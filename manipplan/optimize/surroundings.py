@@ -156,7 +156,8 @@ class Surroundings:
     def _profile(self, q: Array, pairs: NDArray[np.intp], near: float) -> Array:
         """Distances (m, k) of pairs at q (m, n) [m]; interpolated where a pair cannot be nearer than `near`."""
         numbers = pairs.tolist()
-        coarse = np.array([self.model.pair_distances(each, numbers) for each in q[::SPACING]]).reshape(-1, len(pairs))
+        few = q[::SPACING]
+        coarse = np.array([self.model.pair_distances(each, numbers) for each in few]).reshape(len(few), len(pairs))
         share = np.arange(len(q)) / SPACING
         low = np.minimum(share.astype(int), len(coarse) - 2)
         grid = coarse[low] + (share - low)[:, None] * (coarse[low + 1] - coarse[low])
