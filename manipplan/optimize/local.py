@@ -20,6 +20,8 @@ from manipplan.robots.continuous import PathClearance, path_clearance
 
 #: Rounds of solving and renewing clearance rows, from one first path.
 ROUNDS = 8
+#: Rounds end when one lowers g by less than this share.
+SMALL_GAIN = 1e-2
 #: Clearance rows are added at up to this number of places per round, the deepest dips first.
 NEW_PLACES = 10
 #: For comparison only, the unconstrained optimum is found to about this share of g.
@@ -135,26 +137,35 @@ class LocalSearch:
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """The local optimum near a free path, by way of a path of low energy on that side of everything it comes near.
 
-        Rows hold the energy's solution on that side; they are renewed until one is free.
+        Rows hold the energy's solution on that side. They are renewed until one is free and the next has no lower g.
         """
         s, coefficients = self._followed(first)
         even = np.linspace(0.0, 1.0, len(s))
         places: tuple[near.Place, ...] = ()
         if self.model is not None:
             places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
+        free: list[Solution] = []
+        costs: list[float] = []
         for _ in range(ROUNDS):
             path = self.program.basis.path(self.start, self.goal, coefficients)
             watched = places
             if self.model is not None:
-                watched = near.nearest(self.model, path, places, most=self.clearance + near.FAR)
+                most = np.inf if free else self.clearance + near.FAR
+                watched = near.nearest(self.model, path, places, most=most)
             rows = self.rows(path, lambda at: first(np.interp(at, even, s)), watched)
             solution = self.program.solve(self.start, self.goal, coefficients, rows)
             coefficients = solution.coefficients
-            free, distances, touched = self._judged("seed", solution)
-            if free:
-                return self.settled("seed", coefficients) or [self._unsettled(coefficients, solution.status)]
-            places = self.more_places(places, distances, touched)
-        return []
+            is_free, distances, touched = self._judged("seed", solution)
+            if is_free:
+                free.append(solution)
+                costs.append(self.history[-1].g)
+                if not places or (len(free) > 1 and costs[-2] - costs[-1] < SMALL_GAIN * costs[-1]):
+                    break
+            places = self.more_places(places, distances, touched, touching=not is_free)
+        if not free:
+            return []
+        best = free[int(np.argmin(costs))]
+        return self.settled("seed", best.coefficients) or [self._unsettled(best.coefficients, best.status)]
 
     def _unsettled(self, coefficients: Array, solver: str) -> Candidate:
         """The free path from which no descent came to an end."""
@@ -183,15 +194,15 @@ class LocalSearch:
         return near.rows_for(self.model, path, safe, places, self.clearance)
 
     def more_places(
-        self, places: tuple[near.Place, ...], distances: Array, touched: tuple[near.Place, ...]
+        self, places: tuple[near.Place, ...], distances: Array, touched: tuple[near.Place, ...], *, touching: bool
     ) -> tuple[near.Place, ...]:
         """The places, where a path `touched` something, and where its distance profile (m, k) [m] dips below the clearance.
 
-        Of a path that touches something, though not where it was looked at, those where it is nearest to.
+        Of a path that is `touching` something, though not where it was looked at, those where it is nearest to.
         """
-        for spare in (0.0, near.SPARE):
+        for spare in (0.0, near.SPARE) if touching else (0.0,):
             deepest = [*touched, *near.dips(distances, self.clearance + spare)][:NEW_PLACES]
-            for apart in (near.APART, near.CLOSE):
+            for apart in (near.APART, near.CLOSE) if touching else (near.APART,):
                 more = near.merged(places, near.around(deepest), apart)
                 if len(more) > len(places):
                     return tuple(more)

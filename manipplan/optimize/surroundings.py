@@ -155,6 +155,8 @@ class Surroundings:
 
     def _profile(self, q: Array, pairs: NDArray[np.intp], near: float) -> Array:
         """Distances (m, k) of pairs at q (m, n) [m]; interpolated where a pair cannot be nearer than `near`."""
+        if not len(pairs):
+            return np.empty((len(q), 0))
         numbers = pairs.tolist()
         few = q[::SPACING]
         coarse = np.array([self.model.pair_distances(each, numbers) for each in few]).reshape(len(few), len(pairs))
