@@ -158,8 +158,7 @@ class Surroundings:
         if not len(pairs):
             return np.empty((len(q), 0))
         numbers = pairs.tolist()
-        few = q[::SPACING]
-        coarse = np.array([self.model.pair_distances(each, numbers) for each in few]).reshape(len(few), len(pairs))
+        coarse = np.array([self.model.pair_distances(each, numbers) for each in q[::SPACING]]).reshape(-1, len(pairs))
         share = np.arange(len(q)) / SPACING
         low = np.minimum(share.astype(int), len(coarse) - 2)
         grid = coarse[low] + (share - low)[:, None] * (coarse[low + 1] - coarse[low])
