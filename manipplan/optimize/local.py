@@ -79,7 +79,7 @@ class LocalSearch:
         return [Candidate(path=path, coefficients=self._straight(), cost=cost, optimality=SINGLE, solver="no unknowns")]
 
     def unconstrained(self) -> list[Candidate]:
-        """The local optimum near the energy's as if nothing were in the way, from the straight line; none when it is not free."""
+        """The local optimum from the straight line near the energy's, which ignores obstacles; none when that is not free."""
         solution = self.program.solve(self.start, self.goal, self._straight())
         free, *_ = self._judged("straight", solution)
         if not free:
@@ -185,7 +185,8 @@ class LocalSearch:
         if not self.program.free.size:
             return self.program.objective.cost(basis.path(self.start, self.goal, coefficients)).g
         true, z = self.program.true_program(self.start, self.goal, coefficients, None, limited=False)
-        return self.program.objective.cost(true.path(descend(true, z, promise=ROUGH).z)).g
+        costs = [self.program.objective.cost(each).g for each in (path, true.path(descend(true, z, promise=ROUGH).z))]
+        return min(costs)
 
     def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
         """Clearance rows at the places of `path`, with planes of the path `safe` where it is not free."""

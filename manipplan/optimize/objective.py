@@ -67,7 +67,8 @@ class PathObjective:
             middle = (edges[:-1] + edges[1:]) / 2
             whole = self._panels(path, edges)
             parts = self._panels(path, np.sort(np.concatenate([edges, middle]))).reshape(-1, 2).sum(axis=1)
-            rough = ~(np.abs(whole - parts) <= RULE_ACCURACY * parts.sum())
+            with np.errstate(invalid="ignore"):  # of a path that is singular
+                rough = ~(np.abs(whole - parts) <= RULE_ACCURACY * parts.sum())
             if not rough.any() or len(edges) > MOST_RULE_PANELS:
                 break
             edges = np.sort(np.concatenate([edges, middle[rough]]))

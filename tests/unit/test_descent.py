@@ -1,0 +1,150 @@
+"""The descent on g among the true obstacles: its derivatives, what it converges to, and that it says when it did not."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import manipplan as mp
+from manipplan.optimize import descent
+from manipplan.optimize.basis import named_basis
+from manipplan.optimize.local import Candidate
+from manipplan.optimize.objective import PathObjective
+from manipplan.optimize.optimality import SINGLE
+from manipplan.optimize.problem import PathProgram
+from manipplan.optimize.solve import TIE, _best
+from manipplan.optimize.surroundings import Surroundings
+
+POST = mp.Box(size=(0.1, 0.1, 0.6), position=(0.45, 0.0, 0.3), name="post")
+START, GOAL = [-0.6, 0.3, 0.0, -2.0, 0.0, 2.3, 0.8], [0.9, 0.2, -0.2, -2.1, 0.3, 2.2, 0.8]
+CLEARANCE = 0.01
+
+
+@pytest.fixture(scope="module")
+def around_a_post(panda):
+    """The example of docs/start.md, with everything that goes into its last descent."""
+    result = mp.optimize_path(panda, START, GOAL, scene=mp.Scene([POST]), clearance=CLEARANCE)
+    program = PathProgram(PathObjective(kinematics=panda.kinematics(), power=1.0), named_basis("legendre", 6))
+    surroundings = Surroundings(model=mp.Scene([POST]).collision_model(panda), clearance=CLEARANCE)
+    coefficients = program.basis.fit(result.path, np.linspace(0.0, 1.0, 161))
+    true, z = program.true_program(np.array(START), np.array(GOAL), coefficients, surroundings)
+    return result, true, z
+
+
+def differences(f, z, step):
+    """The derivative (z.size, ...) of f by every unknown, by central differences."""
+    rows = []
+    for k in range(z.size):
+        change = step * np.eye(z.size)[k].reshape(z.shape)
+        rows.append((f(z + change) - f(z - change)) / (2 * step))
+    return np.array(rows)
+
+
+def test_derivatives_of_g_are_exact(around_a_post):
+    _, true, z = around_a_post
+    gradient = true.length.gradient(z).ravel()
+    np.testing.assert_allclose(gradient, differences(true.length.value, z, 1e-5), atol=1e-8)
+    hessian = differences(lambda at: true.length.gradient(at).ravel(), z, 1e-5)
+    np.testing.assert_allclose(true.length.hessian(z), hessian, atol=1e-6)
+
+
+def test_rows_have_value_gradient_and_curvature_of_the_least_distance(around_a_post):
+    """Also as the place of least distance moves along the path."""
+    _, true, z = around_a_post
+    look = true.look(z, 0.0)
+    table = true.table(z, look)
+    k = next(k for k, (_, _, bottom) in enumerate(table.places) if bottom)
+    s, pair, _ = table.places[k]
+    rows = table.linear(z, z)
+
+    def least(at):
+        found = true.look(at, 0.0)
+        near = [d for (x, p), d in zip(found.places, found.distances, strict=True) if p == pair and abs(x - s) < 0.03]
+        return min(near) - true.surroundings.target
+
+    assert rows.value[k] == pytest.approx(least(z), abs=1e-9)
+    np.testing.assert_allclose(rows.jacobian[k], differences(least, z, 1e-5), atol=1e-6)
+    curvature = table.curvature(z, np.eye(len(table.places))[k])
+    direction = np.linalg.eigh(curvature)[1][:, -1]
+    for across in (direction, np.roll(direction, 3)):
+        h = 1e-3
+        along = [least(z + t * across.reshape(z.shape)) for t in (-h, 0.0, h)]
+        measured = (along[0] - 2 * along[1] + along[2]) / h**2
+        assert across @ curvature @ across == pytest.approx(measured, rel=0.05, abs=0.05)
+
+
+def test_the_post_is_touched_at_the_clearance_and_nothing_is_left_to_gain(around_a_post):
+    result, true, z = around_a_post
+    certificate = result.certificate
+    assert result.status is mp.Status.OPTIMAL
+    assert result.g < 178.0, "version 0.1 stopped at 182.3 here, 13.1 mm from the post"
+    assert certificate.clearance == pytest.approx(CLEARANCE, abs=1e-4)
+    assert certificate.proven_clearance > CLEARANCE
+    assert certificate.projected_gradient < 1e-3
+    assert certificate.complementarity < 1e-5
+    assert 0 < certificate.active_clearance < 1e-4
+    again = descent.descend(true, z)
+    assert true.length.value(again.z) == pytest.approx(true.length.value(z), rel=1e-5)
+
+
+@pytest.mark.parametrize("options", [{}, {"degree": 9}, {"degree": 3, "basis": "bspline", "pieces": 8}])
+def test_optimising_the_result_again_lowers_g_by_nothing(panda, options):
+    scene = mp.Scene([POST])
+    first = mp.optimize_path(panda, START, GOAL, scene=scene, clearance=CLEARANCE, **options)
+    again = mp.optimize_path(panda, START, GOAL, scene=scene, clearance=CLEARANCE, initial=first.path, **options)
+    assert again.g == pytest.approx(first.g, rel=5e-4)
+
+
+def test_a_higher_degree_and_a_spline_are_never_worse(panda):
+    scene = mp.Scene([POST])
+    costs = [mp.optimize_path(panda, START, GOAL, k, scene=scene, clearance=CLEARANCE).g for k in (6, 8, 12)]
+    assert costs[1] <= costs[0] * (1 + 1e-6)
+    assert costs[2] <= costs[1] * (1 + 1e-3)  # by way of degree 9
+    spline = mp.optimize_path(panda, START, GOAL, 3, scene=scene, clearance=CLEARANCE, basis="bspline", pieces=8)
+    assert spline.g <= costs[0] * (1 + 1e-3)
+
+
+def test_what_was_cut_off_is_not_called_optimal(panda, monkeypatch):
+    monkeypatch.setattr(descent, "STEPS", 3)
+    result = mp.optimize_path(panda, START, GOAL, scene=mp.Scene([POST]), clearance=CLEARANCE)
+    assert result.status is mp.Status.STOPPED_EARLY
+    assert result.certificate.projected_gradient > 1e-3
+    assert result.certificate.proven_clearance > CLEARANCE
+
+
+@pytest.mark.parametrize("clearance", [0.0, 0.002, 0.03])
+def test_other_clearances_are_kept_exactly_too(panda, clearance):
+    result = mp.optimize_path(panda, START, GOAL, scene=mp.Scene([POST]), clearance=clearance)
+    assert result.certificate.clearance == pytest.approx(clearance, abs=1e-4)
+    assert result.certificate.proven_clearance > clearance
+
+
+def test_of_two_optima_that_tie_the_earlier_one_is_taken():
+    def candidate(g):
+        cost = mp.PathCost(g=g, length=1.0, min_manipulability=1.0, at=0.0)
+        return Candidate(path=None, coefficients=np.zeros((1, 1)), cost=cost, optimality=SINGLE, solver="")
+
+    first, second = candidate(1.0), candidate(1.0 - TIE / 2)
+    assert _best([first, second]) is first
+    assert _best([first, candidate(1.0 - 2 * TIE)]).cost.g < 1.0
+    assert _best([]) is None
+
+
+PROGRAM = f"""
+import manipplan as mp
+post = mp.Box(size=(0.1, 0.1, 0.6), position=(0.45, 0.0, 0.3), name="post")
+result = mp.optimize_path(mp.load_robot("panda"), {START}, {GOAL}, scene=mp.Scene([post]), clearance={CLEARANCE})
+print(repr(result.g))
+"""
+
+
+def test_g_does_not_depend_on_the_processor():
+    """OpenBLAS has kernels for each kind of processor, whose sums round differently."""
+    found = []
+    for kind in ("Haswell", "Nehalem"):
+        environment = {**os.environ, "OPENBLAS_CORETYPE": kind}
+        done = subprocess.run([sys.executable, "-c", PROGRAM], env=environment, capture_output=True, text=True, check=True)
+        found.append(float(done.stdout))
+    assert found[0] == pytest.approx(found[1], rel=1e-6)
