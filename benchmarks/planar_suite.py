@@ -1,4 +1,4 @@
-"""The planar examples of kth2012, degrees 1 to 8: the thesis, the energy optimum, the polished g, and 60 random starts.
+"""The planar examples of kth2012, degrees 1 to 8: the thesis, the energy optimum, the optimised g, and 60 random starts.
 
 Writes docs/benchmarks/planar_suite.md. The random starts are a reference of their own: another formulation of g, its
 gradient by NumPy, minimised by SciPy's BFGS from random polynomials.
@@ -77,7 +77,7 @@ def main() -> None:
     arm = mp.planar_arm([1.0, 1.0, 1.0])
     kinematics = arm.kinematics()
     lines = [
-        "| path | p | degree | thesis | energy optimum | polished g | best of 60 random starts (reached by) | difference |",
+        "| path | p | degree | thesis | energy optimum | optimised g | best of 60 random starts (reached by) | difference |",
         "|---|---|---|---|---|---|---|---|",
     ]
     cases = [(name, power, degree) for name in PROBLEMS for power in (1, 2) for degree in DEGREES]
@@ -98,7 +98,7 @@ def main() -> None:
         lines.append(f"| {name} | {power} | {degree} | {thesis} | {energy:.6f} | {result.g:.6f} | {random} | {beside} |")
         if printed is not None and round(result.g, 4) > printed:
             raise SystemExit(f"{name}, degree {degree}: {result.g:.6f} is above the {printed} that the thesis prints")
-    lines += ["", f"Largest share by which the polished g is above the best of the random starts: {worst:.1e}."]
+    lines += ["", f"Largest share by which the optimised g is above the best of the random starts: {worst:.1e}."]
     OUT.write_text("\n".join(lines) + "\n")
     print("\n".join(lines))
 

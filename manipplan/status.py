@@ -6,10 +6,10 @@ from enum import Enum
 class Status(Enum):
     """How a path came about. The value is the text for people; `ok` tells whether it is what was asked for."""
 
-    OPTIMAL = "optimal: the optimiser converged to a local optimum and every check passed"
+    OPTIMAL = "optimal: the first-order conditions of a local optimum hold, and every check passed"
     STOPPED_EARLY = (
-        "feasible, not converged: every check passed, but the optimiser stopped before its tolerance; "
-        "raise degree or start it from initial="
+        "feasible, not converged: every check passed, but the first-order conditions of a local optimum do not hold; "
+        "start again from this path with initial=, raise degree, or try another seed="
     )
     SEED_IS_BETTER = (
         "seed: no optimised path of this degree has a lower g than the collision-free seed, which is returned; "

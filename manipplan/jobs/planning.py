@@ -49,8 +49,10 @@ def plan(
 ) -> Plan:
     """Plan a motion from start to goal: free of collision, far from singularities, timed, and checked when finished.
 
-    OMPL finds a first path and the path optimiser improves it. Where no polynomial of `degree` stays clear, three degrees more
-    are tried, then a cubic B-spline. Where that fails too, the first path itself is timed, and the status says so.
+    OMPL finds a first path, and the path optimiser looks for a local optimum of g near it (see `optimize_path`). Where no
+    polynomial of `degree` stays clear or has a lower g than the first path, three degrees more are tried, then a cubic B-spline
+    of eight pieces, which starts from the fit to the first path. Where that fails too, the first path itself is timed, and the
+    status says so. A path that is checked but not at its optimum is timed with Status.STOPPED_EARLY.
 
     Args:
         robot: the arm.

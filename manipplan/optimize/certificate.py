@@ -134,8 +134,8 @@ class Certificate:
         if self.nearest_pair:
             pair = " and ".join(self.nearest_pair)
             lines.append(
-                f"clearance    {1e3 * self.clearance:.1f} mm at s = {self.clearance_at:.3f}, {pair}; "
-                f"proven on the whole curve: {1e3 * self.proven_clearance:.1f} mm"
+                f"clearance    {1e3 * self.clearance:.2f} mm at s = {self.clearance_at:.3f}, {pair}; "
+                f"proven on the whole curve: {1e3 * self.proven_clearance:.2f} mm"
             )
         else:
             lines.append("clearance    nothing is checked for collision")

@@ -1,4 +1,4 @@
-"""What is integrated along a path: the energy that is minimised first, and the length that is g itself.
+"""What is integrated along a path: the energy, which is minimised until a free path is found, and the length, g itself.
 
 g = ∫ h ds with h = ‖q'‖_W / m^p does not change when a path is re-parametrised, so its Hessian is singular. The energy
 E = ∫ h² ds is not: g² <= E, with equality where h is constant, so both have the same minimum over all curves; over the
@@ -23,7 +23,7 @@ REGULARISATION = 1e-5
 MEASURE_REGULARISATION = 1e-6
 #: Speeds [rad] are rounded off below this, so that ‖q'‖ has derivatives where a path stands still.
 STANDSTILL = 1e-9
-#: Share κ of the speed's variance in the polished objective ∫ h + κ h² / g₀ ds. It picks one of the re-parametrisations
+#: Share κ of the speed's variance in the descent's objective ∫ h + κ h² / g₀ ds. It picks one of the re-parametrisations
 #: of a curve, and moves g by less than κ times that variance.
 CONSTANCY = 1e-6
 

@@ -86,8 +86,8 @@ def end_rows(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Array:
 def free_directions(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Array:
     """Directions (size, f) of a joint's coefficients that keep the conditions, and whose slopes are orthogonal.
 
-    IPOPT adds multiples of the identity to the Hessian, which so mean the same in every basis: a polish in monomials of
-    degree 6 as they are did not converge in 100 steps, along these directions it took 14.
+    IPOPT adds multiples of the identity to the Hessian, which so mean the same in every basis; so do the trust region of the
+    descent and the norm of its gradient.
     """
     across = orthonormal(basis)
     if pattern:

@@ -20,8 +20,8 @@ COMPLEMENTARITY = 1e-5
 ACTIVE = 1e-4
 #: Limits nearer than this are active [rad or m].
 LIMIT = 1e-6
-#: The gradient of a distance may be any of those at configurations whose joints differ by this from the path's: beside the
-#: edges of two bodies it turns within a fraction of a millimetre [rad or m].
+#: The gradient of a distance may be any mixture of those at configurations whose joints differ by this from the path's: beside
+#: the edges of two bodies it turns within a fraction of a millimetre [goldstein1977] [rad or m].
 KINK = 1e-4
 #: Rows whose multiplier is above this share of the largest are active.
 NOTABLE = 1e-3

@@ -169,8 +169,8 @@ class Report:
         ]
         if self.nearest_pair:
             lines.append(
-                f"  clearance    {1e3 * self.clearance:.1f} mm between {' and '.join(self.nearest_pair)}; "
-                f"proven on the whole motion: {1e3 * self.proven_clearance:.1f} mm"
+                f"  clearance    {1e3 * self.clearance:.2f} mm between {' and '.join(self.nearest_pair)}; "
+                f"proven on the whole motion: {1e3 * self.proven_clearance:.2f} mm"
             )
         else:
             lines.append(
