@@ -30,7 +30,7 @@ STEPS, FREE_STEPS = 100, 300
 #: First, largest and smallest radius of the trust region, in every unknown [rad or m].
 RADIUS, LARGEST_RADIUS, SMALLEST_RADIUS = 0.1, 0.8, 1e-8
 #: The descent ends when the model promises to lower the merit by a smaller share of g than this: among obstacles, and without.
-PROMISE, FREE_PROMISE = 5e-7, 1e-11
+PROMISE, FREE_PROMISE = 5e-7, 1e-9
 #: Before it does, it tries longer steps up to this number of times: where g has a saddle the gradient does not show the way.
 WIDE_TRIES = 3
 #: A step is taken when the merit falls by this share of what the model promised; a second-order correction is tried below this.

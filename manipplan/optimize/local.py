@@ -1,7 +1,7 @@
 """Local optima between one start and goal: a path of low energy first, then a descent on g among the true obstacles."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -95,7 +95,8 @@ class LocalSearch:
         basis, even = self.program.basis, np.linspace(0.0, 1.0, near.PLACES + 1)
         coefficients = self.ends.met(basis, basis.fit(first, even), self.start, self.goal)
         off = np.abs(basis.path(self.start, self.goal, coefficients)(even) - first(even)).max()
-        return self.settled("path", coefficients if off < SAME else self._followed(first)[1])
+        found = self._descended("path", coefficients if off < SAME else self._followed(first)[1])
+        return [] if found is None else [found]
 
     def embedded(self, path: JointPath) -> list[Candidate]:
         """The local optimum that is reached from a path of a lower degree."""
@@ -121,6 +122,9 @@ class LocalSearch:
         """Where a descent from coefficients (n, size) ends; None when that is not free."""
         program, objective = self.program, self.program.objective
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
+        path = program.basis.path(self.start, self.goal, coefficients)
+        if not np.isfinite(objective.cost(path).g):  # no descent leads away from a singularity between two aspects
+            return None
         best: Candidate | None = None
         edges: Array | None = None
         steps = 0
@@ -149,8 +153,10 @@ class LocalSearch:
             solver = f"{descent.reason} after {steps} steps"
             optimality = measure_optimality(true, descent.z)
             candidate = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)
+            agrees = abs(objective.on_panels(path, edges) - cost.g) <= AGREEMENT * cost.g
+            candidate = candidate if agrees else replace(candidate, optimality=UNKNOWN)
             best = candidate if best is None or cost.g < best.cost.g else best
-            if abs(objective.on_panels(path, edges) - cost.g) <= AGREEMENT * cost.g or not np.isfinite(cost.g):
+            if agrees or not np.isfinite(cost.g):
                 break
         if best is not None:
             self.accepted.append(best)
