@@ -75,6 +75,8 @@ class PathObjective:
                 rough = ~(np.abs(whole - parts) <= RULE_ACCURACY * parts.sum())
             if not rough.any() or len(edges) > MOST_RULE_PANELS:
                 break
+            rough[1:] |= rough[:-1].copy()  # the neighbours, too: a dip moves when the path does
+            rough[:-1] |= rough[1:].copy()
             edges = np.sort(np.concatenate([edges, middle[rough]]))
         return edges
 
