@@ -1,4 +1,4 @@
-"""A CasADi Function at many points at once, through buffers that stay."""
+"""A CasADi Function at many points at once, through buffers that are used again."""
 
 from typing import Any
 
@@ -12,12 +12,12 @@ CHUNK = 40
 
 
 class BatchFunction:
-    """Evaluates a Function of several vectors at many points; not for sharing between threads."""
+    """Evaluates a Function of several vectors at many points. Threads must not share it: it holds its buffers."""
 
     def __init__(self, function: ca.Function) -> None:
         """`function` takes dense vectors and gives one dense matrix."""
         mapped = function.map(CHUNK)
-        self.shape = function.size1_out(0), function.size2_out(0)
+        self._shape = function.size1_out(0), function.size2_out(0)
         self._inputs = [np.zeros((CHUNK, function.nnz_in(i))) for i in range(function.n_in())]
         self._output = np.zeros((CHUNK, function.nnz_out(0)))
         self._buffer, self._run = mapped.buffer()
@@ -34,8 +34,8 @@ class BatchFunction:
             size = min(CHUNK, count - begin)
             for array, values in zip(self._inputs, points, strict=True):
                 array[:size] = values[begin : begin + size]
-                array[size:] = array[:1]
+                array[size:] = array[:1]  # the rest of the last chunk is computed, too, and must be valid
             self._run()
             out[begin : begin + size] = self._output[:size]
-        rows, columns = self.shape
-        return out.reshape(count, columns, rows).transpose(0, 2, 1)
+        rows, columns = self._shape
+        return out.reshape(count, columns, rows).transpose(0, 2, 1)  # CasADi stores matrices by columns

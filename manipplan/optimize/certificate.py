@@ -13,7 +13,7 @@ from manipplan.robots.continuous import path_clearance
 from manipplan.robots.robot import Robot
 from manipplan.status import Status
 
-#: Places along the path at which all distances are measured; around the least one they are measured closer.
+#: Number of intervals of the path at whose ends all distances are measured; around the least one the grid is made finer.
 PLACES = 400
 
 
@@ -42,11 +42,11 @@ class Certificate:
 
     Attributes:
         status: how the path came about.
-        solver: how the solver ended that gave the path; "" for a seed, and where there was nothing to solve.
+        solver: how the solver that gave the path ended; "" for a seed, and where there was nothing to solve.
         projected_gradient: what the active limits and clearances leave of the gradient of g, over g [1/rad]: the relative
             change of g per radian of the root mean square of a change of q'(s). nan for a path that was not optimised.
-        complementarity: by what share g would fall, about, if no active pair of bodies kept more than the clearance; nan as
-            above.
+        complementarity: about the share by which g would fall if no active pair of bodies kept more than the clearance and the
+            margin for the proof; nan as above.
         active_clearance: largest difference between the distance of an active pair of bodies and the clearance [m]; 0 where no
             clearance is active, nan as above.
         g: ∫ ‖q'‖_W / m^power ds, to ten digits; to four where a power below 1 lets a path cross a singularity.
@@ -180,7 +180,7 @@ def limit_approaches(path: JointPath, robot: Robot) -> tuple[LimitApproach, ...]
 
 
 def _clearance(path: JointPath, model: CollisionModel | None) -> tuple[float, float, tuple[str, ...]]:
-    """Least distance of all pairs, the s where it is, and which pair."""
+    """Least distance of all pairs [m], the s where it is, and the names of the pair."""
     if model is None or not model.pair_names:
         return np.inf, np.nan, ()
     s = np.linspace(0.0, 1.0, PLACES + 1)

@@ -18,17 +18,17 @@ from manipplan.optimize.rows import column_height
 from manipplan.optimize.surroundings import Look, Surroundings
 from manipplan.paths.joint import JointPath
 
-#: A dip of a distance along the path is bent by at least this [m], or its bottom does not move.
+#: The bottom of a dip moves with the path only where the second derivative of the distance by s is above this [m].
 LEAST_BEND = 1e-3
-#: Maximum number of places of a rejected step whose planes are kept.
-MOST_SEEN = 10
-#: A plane may stand nearer to a body than the true distance by this [m].
+#: Maximum number of places of a rejected path whose planes become rows, the nearest first.
+MOST_REJECTED = 10
+#: A row may be smaller than the true distance allows by this [m].
 STRICT = 1e-7
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RowFunctions:
-    """Distance and gradient in q of many clearance rows, at a configuration each."""
+    """Distance (m, 1, 1) and gradient (m, n, 1) in q of m clearance rows, each at its own configuration."""
 
     value: BatchFunction
     gradient: BatchFunction
@@ -36,7 +36,7 @@ class RowFunctions:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LinearRows:
-    """Rows value + jacobian p of a step p from some z: (r,) and (r, f n)."""
+    """Rows value + jacobian p >= 0 for a step p (f n,): (r,) [rad or m] and (r, f n)."""
 
     value: Array
     jacobian: Array
@@ -86,11 +86,11 @@ class ClearanceTable:
     """Clearance rows at places of the curves.
 
     Attributes:
-        functions: of the rows.
+        functions: distance and gradient of the rows.
         curves: on which they are.
         surroundings: where they were measured; None: nothing is checked.
-        places: s and pair of each row, and whether it is where the pair is nearest on a stretch of the path.
-        columns: (r, ...) the rows as numbers.
+        places: s and pair of each row, and whether the distance has a minimum along the path there.
+        columns: (r, column_height(n)) the rows as numbers, see `ClearanceRow.column`.
     """
 
     functions: RowFunctions
@@ -113,12 +113,12 @@ class ClearanceTable:
         return cls(functions=functions, curves=curves, surroundings=surroundings, places=places, columns=columns)
 
     @classmethod
-    def seen(
+    def of_rejected(
         cls, functions: RowFunctions, curves: Curves, surroundings: Surroundings, path: JointPath, look: Look
     ) -> "ClearanceTable":
-        """Rows where `path` violates the clearance: of planes on the second body, and of the same planes on the first."""
+        """Two rows at each place where a rejected `path` violates the clearance: with the plane on either body."""
         places = [(look.places[k][0], look.places[k][1], False) for k in np.flatnonzero(look.distances < surroundings.target)]
-        places = places[:MOST_SEEN]
+        places = places[:MOST_REJECTED]
         columns = [
             row.column(len(curves.start))
             for s, pair, _ in places
@@ -129,7 +129,10 @@ class ClearanceTable:
         return cls(functions=functions, curves=curves, surroundings=surroundings, places=twice, columns=table)
 
     def usable(self, z: Array) -> "ClearanceTable | None":
-        """The rows that do not ask for more than the true distance of their pair allows at z; None without any."""
+        """The rows that are not stricter at z (f, n) than the true distance of their pair; None without any.
+
+        A plane that was made on another path can be: its row would forbid configurations that are free.
+        """
         assert self.surroundings is not None
         if not self.places:
             return None
@@ -146,12 +149,12 @@ class ClearanceTable:
 
     @cached_property
     def _at(self) -> tuple[Array, Array]:
-        """The curve at z = 0 and its change with z, at the places of the rows."""
+        """The curve at z = 0 (r, n) and its change with z (r, f), at the places of the rows."""
         s = np.array([s for s, *_ in self.places])
         return self.curves.line(s), self.curves.values(s)
 
     def linear(self, z: Array, about: Array) -> LinearRows:
-        """The rows linearised at z, as functions of a step from `about`."""
+        """The rows linearised at z (f, n), as functions of a step from `about` (f, n)."""
         if not self.places:
             return LinearRows(value=np.empty(0), jacobian=np.empty((0, z.size)))
         line, values = self._at
@@ -162,9 +165,9 @@ class ClearanceTable:
         return LinearRows(value=value + jacobian @ (about - z).ravel(), jacobian=jacobian)
 
     def curvature(self, z: Array, multipliers: Array) -> Array:
-        """Σ_i λ_i ∇²d_i (f n, f n) of the true distances d_i; of a dip along the path, that of its least distance.
+        """Σ_i λ_i ∇²d_i (f n, f n) at z (f, n) of the true distances d_i with multipliers λ (r,).
 
-        With d(s, z) and its least value over s, at s*: ∇²(min d) = ∇²d - (∂_s ∇d) (∂_s ∇d)ᵀ / ∂²_s d.
+        At a minimum along the path, d_i is the minimum over s, at s* [m]: ∇²(min d) = ∇²d - (∂_s ∇d) (∂_s ∇d)ᵀ / ∂²_s d.
         """
         size, n = z.shape
         total = np.zeros((size, n, size, n))
@@ -187,12 +190,15 @@ class ClearanceTable:
         return total.reshape(z.size, z.size)
 
     def gradients_nearby(self, z: Array, rows: NDArray[np.intp], step: float) -> tuple[Array, NDArray[np.intp]]:
-        """Gradients (k, f n) of some rows' distances, on the path and with each joint moved by a step; and the rows' numbers.
+        """Gradients of the distances of some rows, on the path and with each joint moved by a step.
 
         Args:
             z: unknowns (f, n).
-            rows: numbers of the rows.
+            rows: indices of the rows (r,).
             step: of each joint to either side [rad or m].
+
+        Returns:
+            The gradients (k, f n) with k = r (2 n + 1), and for each the index of its row (k,).
         """
         found, owner = [np.empty((0, z.size))], []
         for k in rows.tolist():

@@ -1,13 +1,11 @@
-"""Sequential quadratic programming on g itself, among the true obstacles.
+"""Sequential quadratic programming on g itself, among the true obstacles, in a trust region [nocedal2006, sec. 18.5].
 
 Each step minimises a quadratic model of g in a trust region, with linear rows for the joint limits and for the clearance at
-every place where the path is near something. It is taken when a merit falls: g and ν times the largest violation of limits
-and clearance, which is measured on the whole path with the true distances. So g does not go up and down between steps, and
-the rows follow the nearest points until both settle [nocedal2006, ch. 18].
+every place where the path is near something. A step is accepted only when the merit function φ = g + ν v falls. Here v is the
+largest violation of limits and clearance, measured on the whole path with the true distances, and ν is the penalty parameter.
 
-The Hessian of the model is that of the Lagrangian. Its part of the clearance is exact: it has the turn of the plane between
-two bodies, and the shift of the place where they are nearest. Along active rows it is made convex by adding ρ AᵀA, which
-does not change the step while these rows stay active.
+The Hessian of the model is that of the Lagrangian. It includes the second derivatives of the clearance: the turn of the plane
+between two bodies, and the shift of the place where they are nearest. The model is made convex before it is minimised.
 """
 
 import logging
@@ -25,30 +23,33 @@ from manipplan.paths.joint import JointPath
 
 log = logging.getLogger("manipplan")
 
-#: Maximum number of steps among obstacles, and where nothing is in the way, which takes a tenth of the time.
+#: Maximum number of steps with collision checks, and without them, where a step takes a tenth of the time.
 STEPS, FREE_STEPS = 100, 300
-#: First, largest and smallest radius of the trust region, in every unknown [rad or m].
+#: First, largest and smallest radius of the trust region: the maximum change of each unknown [rad or m].
 RADIUS, LARGEST_RADIUS, SMALLEST_RADIUS = 0.1, 0.8, 1e-8
-#: The descent ends when the model promises to lower the merit by a smaller share of g than this: among obstacles, and without.
-PROMISE, FREE_PROMISE = 5e-7, 1e-9
-#: Before it does, it tries longer steps up to this number of times: where g has a saddle the gradient does not show the way.
-WIDE_TRIES = 3
-#: A step is taken when the merit falls by this share of what the model promised; a second-order correction is tried below this.
-TAKEN, CORRECTED = 1e-4, 0.75
-#: A violation below this needs no correction [rad or m].
+#: The descent ends when the model predicts that the merit function falls by less than this share of g: with collision checks,
+#: and without.
+TOLERANCE, FREE_TOLERANCE = 5e-7, 1e-9
+#: Before it ends, the radius is set back to RADIUS for up to this number of steps. At a saddle of g the gradient is zero, and
+#: only a long step along negative curvature lowers g.
+WIDE_STEPS = 3
+#: A step is accepted when the actual decrease is more than this share of the predicted one. Up to the second share, a
+#: second-order correction is tried.
+ACCEPTED, CORRECTED = 1e-4, 0.75
+#: A violation below this is ignored by second-order corrections and by the update of ν [rad or m].
 EXACT = 1e-9
-#: Curvatures of the model are at least this share of the largest.
+#: Minimum eigenvalue of a convex model, as a share of the largest absolute one.
 LEAST_CURVATURE = 1e-7
-#: The same where no step meets all rows.
+#: Where no step meets all rows: curvature that is added to the model, as a share of its largest and of ν, and the minimum ν.
 SOFT, SOFT_PENALTY = 1e-5, 1e3
-#: First, smallest and largest ν, in units of g per metre.
+#: First, smallest and largest penalty parameter ν, in units of g per metre or radian.
 PENALTY, LEAST_PENALTY, LARGEST_PENALTY = 10.0, 10.0, 1e6
-#: Share of the merit's fall by mended violations that may be spent on g.
+#: 1 - ρ in (18.36) of nocedal2006: the share of ν times the restored violation that g may rise by.
 MENDED = 0.7
-#: Distance from the target that a step can use up [m per rad of the radius], at least and at most [m].
+#: Rows are made for bodies within this distance of the target: metres per radian of the radius, at least and at most [m].
 BAND, LEAST_BAND, MOST_BAND = 1.0, 2e-3, 0.1
-#: Bound that stands for none, for DAQP; its tolerances, the next where it fails with one; its maximum number of iterations.
-NONE, TOLERANCES, QP_STEPS = 1e30, (1e-10, 1e-8), 3000
+#: For DAQP: the bound that stands for none, the tolerances that are tried in turn, and the maximum number of iterations.
+NONE, QP_TOLERANCES, QP_STEPS = 1e30, (1e-10, 1e-8), 3000
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,20 +58,25 @@ class Descent:
 
     Attributes:
         z: unknowns (f, n).
-        violation: the largest violation of limits and target clearance there [rad or m].
-        steps: how many were tried.
+        steps: number of steps that were tried.
         reason: why it ended.
     """
 
     z: Array
-    violation: float
     steps: int
     reason: str
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class TrueProgram:
-    """g of the curves, joint limits, and the clearance of the true bodies."""
+    """What a descent minimises and what it obeys.
+
+    Attributes:
+        length: g as a function of the unknowns.
+        limits: the joint limits.
+        functions: of the clearance rows.
+        surroundings: distances of the true bodies; None: nothing is checked for collision.
+    """
 
     length: LengthModel
     limits: LimitRows
@@ -83,31 +89,33 @@ class TrueProgram:
         return curves.basis.path(curves.start, curves.goal, curves.coefficients(z))
 
     def look(self, z: Array, radius: float) -> Look:
-        """What is near the path at z, as far as a step of `radius` can come."""
+        """The bodies that are near the path at z (f, n), within the distance that a step of `radius` can use up."""
         if self.surroundings is None:
             return Look(places=(), distances=np.empty(0), bottoms=frozenset())
         return self.surroundings.look(self.path(z), min(max(BAND * radius, LEAST_BAND), MOST_BAND))
 
     def violation(self, z: Array, look: Look) -> float:
-        """The largest violation at z [rad or m]."""
+        """The largest violation of limits and target clearance at z (f, n) [rad or m]."""
         short = 0.0 if self.surroundings is None else max(self.surroundings.target - look.least, 0.0)
         return max(short, self.limits.violation(z))
 
-    def seen(self, here: "_Point", there: "_Point") -> ClearanceTable | None:
-        """Rows at `here` of planes that separate bodies `there`, where they say nothing that is not true `here`."""
+    def rejected_rows(self, here: "_Point", there: "_Point") -> ClearanceTable | None:
+        """Rows with the separating planes of a rejected path `there`, as far as they are not too strict at `here`."""
         if self.surroundings is None:
             return None
-        table = ClearanceTable.seen(self.functions, self.length.curves, self.surroundings, self.path(there.z), there.look)
+        table = ClearanceTable.of_rejected(
+            self.functions, self.length.curves, self.surroundings, self.path(there.z), there.look
+        )
         return table.usable(here.z)
 
     def table(self, z: Array, look: Look) -> ClearanceTable:
-        """The clearance rows at z."""
+        """The clearance rows at z (f, n)."""
         return ClearanceTable.of(self.functions, self.length.curves, self.surroundings, self.path(z), look)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Point:
-    """A path that was tried: its unknowns, g in units of g₀, what is near it, and its largest violation."""
+    """A path that was tried: its unknowns (f, n), g over g₀, the bodies near it, and its largest violation [rad or m]."""
 
     z: Array
     value: float
@@ -121,12 +129,13 @@ class _Point:
         return cls(z=z, value=value if np.isfinite(value) else np.inf, look=look, violation=program.violation(z, look))
 
     def merit(self, penalty: float) -> float:
+        """φ = g + ν v."""
         return self.value + penalty * self.violation
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Step:
-    """A step p (f n,), how far its rows stay violated, and the multipliers of its rows."""
+    """A step p (f n,), the violation that its linear rows keep [rad or m], and the multipliers (r,) of these rows."""
 
     p: Array
     slack: float
@@ -138,116 +147,126 @@ class _Model:
     """The quadratic model of the Lagrangian about a point.
 
     Attributes:
-        gradient: of g (f n,).
-        hessian: of the Lagrangian (f n, f n).
-        clearance: rows about the point.
-        forms: Hessians with positive eigenvalues and gradients by which steps are looked for, one after the other.
-        curvature: the part of `hessian` that the clearance has.
+        gradient: (f n,) of g.
+        hessian: (f n, f n) of the Lagrangian: that of g minus `curvature`. It may be indefinite.
+        clearance: linear clearance rows about the point.
+        convex: two convex models, each a Hessian (f n, f n) and a gradient (f n,). Where the first gives no step that lowers
+            the merit function, the second is tried. The first has ½ ρ ‖A p + c‖² added for the active rows A p + c, which
+            does not change the step while these rows stay active. The second has not.
+        curvature: (f n, f n) Σ_i λ_i ∇²d_i of the clearance rows.
     """
 
     gradient: Array
     hessian: Array
     clearance: LinearRows
-    forms: tuple[tuple[Array, Array], ...]
+    convex: tuple[tuple[Array, Array], tuple[Array, Array]]
     curvature: Array
 
     @classmethod
-    def of(cls, program: TrueProgram, at: _Point, radius: float, penalty: float, known: Array) -> "_Model | None":
-        """The model about a point; `known` is the curvature of the point before it. None where DAQP fails."""
+    def of(cls, program: TrueProgram, at: _Point, radius: float, penalty: float, previous: Array) -> "_Model | None":
+        """The model about a point; None where DAQP fails.
+
+        The multipliers come from a first quadratic program, with the `previous` curvature (f n, f n) of the clearance.
+        """
         table = program.table(at.z, at.look)
         clearance = table.linear(at.z, at.z)
         gradient, hessian = program.length.gradient(at.z).ravel(), program.length.hessian(at.z)
         rows = program.limits.near(at.z, radius).with_rows(clearance)
-        step = _solve(_convex(hessian - known), gradient, rows, radius, penalty)
+        step = _solve(_convex(hessian - previous), gradient, rows, radius, penalty)
         if step is None:
             return None
         multipliers = step.multipliers
         curvature = table.curvature(at.z, multipliers[len(multipliers) - len(clearance.value) :])
-        whole = hessian - curvature
+        lagrangian = hessian - curvature
         active = multipliers > 0
         jacobian = rows.jacobian[active]
-        stiff = float(np.abs(np.diag(hessian)).max()) / max(float((jacobian**2).sum(axis=1).max(initial=0.0)), 1e-12)
-        firm = _convex(whole + stiff * jacobian.T @ jacobian)
+        rho = float(np.abs(np.diag(hessian)).max()) / max(float((jacobian**2).sum(axis=1).max(initial=0.0)), 1e-12)
+        augmented = _convex(lagrangian + rho * jacobian.T @ jacobian), gradient + rho * jacobian.T @ rows.value[active]
         return cls(
             gradient=gradient,
-            hessian=whole,
+            hessian=lagrangian,
             clearance=clearance,
-            forms=((firm, gradient + stiff * jacobian.T @ rows.value[active]), (_convex(whole), gradient)),
+            convex=(augmented, (_convex(lagrangian), gradient)),
             curvature=curvature,
         )
 
-    def with_seen(self, program: TrueProgram, here: _Point, there: _Point) -> "_Model":
-        """The same with rows of the planes between bodies that a step from `here` met `there`."""
-        table = program.seen(here, there)
+    def with_rejected(self, program: TrueProgram, here: _Point, there: _Point) -> "_Model":
+        """The same about `here` with rows for the bodies that a rejected step met at `there`."""
+        table = program.rejected_rows(here, there)
         if table is None:
             return self
         return replace(self, clearance=self.clearance.with_rows(table.linear(here.z, here.z)))
 
-    def promise(self, step: _Step, restored: float, penalty: float) -> float:
-        """By how much the model lowers the merit with a step that lowers the violation by `restored`."""
+    def predicted_decrease(self, step: _Step, restored: float, penalty: float) -> float:
+        """Decrease of the merit function that the model predicts for a step that lowers the violation by `restored`.
+
+        -(∇gᵀ p + ½ pᵀ H p) + ν restored, where H is the Hessian of the Lagrangian and not a convex one.
+        """
         return float(-(self.gradient @ step.p + 0.5 * step.p @ self.hessian @ step.p) + penalty * restored)
 
 
 @interruptible()
-def descend(program: TrueProgram, z: Array, *, promise: float | None = None) -> Descent:
+def descend(program: TrueProgram, z: Array, *, tolerance: float | None = None) -> Descent:
     """Minimise g from z (f, n) to a local optimum of the true problem.
 
     Args:
         program: what is minimised.
-        z: unknowns (f, n) to begin with.
-        promise: by which share of g the model has to promise to lower the merit; default PROMISE or FREE_PROMISE.
+        z: first unknowns (f, n).
+        tolerance: the descent ends when the predicted decrease of the merit function is a smaller share of g₀ than this;
+            default TOLERANCE, or FREE_TOLERANCE without collision checks.
     """
-    is_free = program.surroundings is None
-    steps, least_promise = (FREE_STEPS, FREE_PROMISE) if is_free else (STEPS, PROMISE)
-    least_promise = promise if promise is not None else least_promise
+    is_unchecked = program.surroundings is None
+    steps, usual_tolerance = (FREE_STEPS, FREE_TOLERANCE) if is_unchecked else (STEPS, TOLERANCE)
+    tolerance = usual_tolerance if tolerance is None else tolerance
     radius, penalty = RADIUS, PENALTY
     here = _Point.of(program, z, radius)
     model: _Model | None = None
     curvature = np.zeros((z.size, z.size))
-    form, wide_tries = 0, 0
+    choice = 0  # which of model.convex gives the step
+    wide_steps = 0  # steps left since the radius was set back to RADIUS, 0 before that
 
     def ended(steps: int, reason: str) -> Descent:
         log.debug("descent: %s after %d steps", reason, steps)
-        return Descent(z=here.z, violation=here.violation, steps=steps, reason=reason)
+        return Descent(z=here.z, steps=steps, reason=reason)
 
     for count in range(steps):
         if model is None:
-            model, form = _Model.of(program, here, radius, penalty, curvature), 0
+            model, choice = _Model.of(program, here, radius, penalty, curvature), 0
             if model is None:
                 return ended(count, "the quadratic program failed")
             curvature = model.curvature
         rows = program.limits.near(here.z, radius).with_rows(model.clearance)
-        step = _solve(*model.forms[form], rows, radius, penalty)
+        step = _solve(*model.convex[choice], rows, radius, penalty)
         if step is None:
             return ended(count, "the quadratic program failed")
-        if step.slack == 0.0:
+        if step.slack == 0.0:  # φ is exact where ν is larger than Σ λ [nocedal2006, sec. 17.2]
             penalty = max(penalty, min(2 * float(step.multipliers.sum()), LARGEST_PENALTY))
         restored = here.violation - step.slack
-        if restored > EXACT:  # the merit must fall where a step mends a violation at the cost of g
-            penalty = max(penalty, min(-model.promise(step, restored, 0.0) / (MENDED * restored), LARGEST_PENALTY))
-        promised = model.promise(step, restored, penalty)
-        if promised < least_promise:
-            if form + 1 < len(model.forms):
-                form += 1
-            elif wide_tries == 0:
-                radius, form, wide_tries = RADIUS, 0, WIDE_TRIES
+        if restored > EXACT:  # a step that restores feasibility may raise g, and φ must fall: (18.36) in nocedal2006
+            penalty = max(penalty, min(-model.predicted_decrease(step, restored, 0.0) / (MENDED * restored), LARGEST_PENALTY))
+        predicted = model.predicted_decrease(step, restored, penalty)
+        if predicted < tolerance:
+            if choice + 1 < len(model.convex):
+                choice += 1
+            elif wide_steps == 0:
+                radius, choice, wide_steps = RADIUS, 0, WIDE_STEPS
             else:
                 return ended(count, "no step lowers g")
             continue
-        new, gain = _tried(program, model, form, here, step, promised, radius, penalty)
+        new, decrease = _tried(program, model.convex[choice], here, step, predicted, radius, penalty)
         size = float(np.abs(step.p).max())
-        if gain <= TAKEN * promised:
-            model = model.with_seen(program, here, new)
+        if decrease <= ACCEPTED * predicted:
+            model = model.with_rejected(program, here, new)
         else:
-            here, model, wide_tries = new, None, 0
+            here, model, wide_steps = new, None, 0
             penalty = max(penalty / 2, LEAST_PENALTY)
-            if gain > 0.5 * promised and size > 0.7 * radius:
+            if decrease > 0.5 * predicted and size > 0.7 * radius:
                 radius = min(2 * radius, LARGEST_RADIUS)
-        if gain < 0.25 * promised:
+        if decrease < 0.25 * predicted:
             radius = size / 4
-            if wide_tries > 0:
-                wide_tries -= 1
-                if wide_tries == 0:
+            if wide_steps > 0:
+                wide_steps -= 1
+                if wide_steps == 0:
                     return ended(count + 1, "no step lowers g")
             if radius < SMALLEST_RADIUS:
                 return ended(count + 1, "steps became too short")
@@ -255,42 +274,53 @@ def descend(program: TrueProgram, z: Array, *, promise: float | None = None) -> 
 
 
 def _tried(
-    program: TrueProgram, model: _Model, form: int, here: _Point, step: _Step, promise: float, radius: float, penalty: float
+    program: TrueProgram,
+    convex: tuple[Array, Array],
+    here: _Point,
+    step: _Step,
+    predicted: float,
+    radius: float,
+    penalty: float,
 ) -> tuple[_Point, float]:
-    """Where a step leads, or its second-order correction when that is better, and by how much the merit falls."""
+    """The point a step leads to, and the actual decrease of the merit function.
+
+    Where that point violates a limit or the clearance and the decrease is small, a second-order correction is tried, with rows
+    from there. Its point is returned if it is better [nocedal2006, sec. 15.6].
+    """
     before = here.merit(penalty)
     new = _Point.of(program, here.z + step.p.reshape(here.z.shape), radius)
-    gain = before - new.merit(penalty)
-    if gain > CORRECTED * promise or new.violation < EXACT or not np.isfinite(new.value):
-        return new, gain
+    decrease = before - new.merit(penalty)
+    if decrease > CORRECTED * predicted or new.violation < EXACT or not np.isfinite(new.value):
+        return new, decrease
     moved = program.table(new.z, new.look).linear(new.z, here.z)
     rows = program.limits.near(here.z, radius).with_rows(moved)
-    corrected = _solve(*model.forms[form], rows, radius, penalty)
+    corrected = _solve(*convex, rows, radius, penalty)
     if corrected is not None:
         other = _Point.of(program, here.z + corrected.p.reshape(here.z.shape), radius)
-        if before - other.merit(penalty) > gain:
+        if before - other.merit(penalty) > decrease:
             return other, before - other.merit(penalty)
-    return new, gain
+    return new, decrease
 
 
 def _convex(hessian: Array) -> Array:
-    """The matrix with its small and negative eigenvalues raised to a small positive one."""
+    """The symmetric part of a matrix, with its negative and small eigenvalues raised to a small positive one."""
     values, vectors = np.linalg.eigh((hessian + hessian.T) / 2)
     values = np.maximum(values, LEAST_CURVATURE * np.abs(values).max())
     return np.asarray((vectors * values) @ vectors.T)
 
 
 def _solve(hessian: Array, gradient: Array, rows: LinearRows, radius: float, penalty: float) -> _Step | None:
-    """Minimise ½ pᵀ H p + gᵀ p with value + jacobian p >= 0 and |p| <= radius; None where DAQP fails.
+    """Minimise ½ pᵀ H p + gᵀ p with value + jacobian p >= 0 and |p_i| <= radius; None where DAQP fails.
 
-    Where that cannot be, with value + jacobian p + t >= 0 and ν t beside it, t >= 0.
+    Where no p meets these, or the multipliers are very large, the rows are relaxed to value + jacobian p + t >= 0 with one
+    slack t >= 0 that costs ν t [nocedal2006, sec. 18.3].
     """
     size = len(gradient)
     bound = np.full(size, radius)
     step = _daqp(hessian, gradient, rows.jacobian, -rows.value, -bound, bound)
     if step is not None and step.multipliers.sum() < LARGEST_PENALTY:
         return step
-    # DAQP wants some curvature in every unknown where rows contradict each other
+    # where rows contradict each other DAQP needs some curvature in every unknown, the slack included
     largest = float(np.abs(np.diag(hessian)).max())
     penalty = max(penalty, SOFT_PENALTY)
     whole = np.diag(np.append(np.full(size, SOFT * largest), SOFT * penalty))
@@ -304,7 +334,7 @@ def _daqp(hessian: Array, gradient: Array, jacobian: Array, least: Array, low: A
     """Minimise ½ xᵀ H x + gᵀ x with jacobian x >= least and low <= x <= high; None where DAQP finds no solution."""
     lower, upper = np.concatenate([low, least]), np.concatenate([high, np.full(len(least), NONE)])
     sense = np.zeros(len(lower), dtype=np.int32)
-    for tolerance in TOLERANCES:
+    for tolerance in QP_TOLERANCES:
         x, _, flag, info = daqp.solve(
             hessian,
             gradient,

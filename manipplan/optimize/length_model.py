@@ -1,4 +1,4 @@
-"""g of a path as a function of its coefficients, with exact gradient and Hessian, on a rule that is fine where g is."""
+"""g of a path as a function of its unknowns, with exact gradient and Hessian, by Gauss points on panels of uneven width."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -13,7 +13,7 @@ from manipplan.optimize.density import Density
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Curves:
-    """The curves start + s (goal - start) + Σ_j (kept + zᵀ directionsᵀ)_j φ_j(s) of unknowns z (f, n).
+    """The curves start + s (goal - start) + Σ_j (kept + zᵀ directionsᵀ)_j φ_j(s) for unknowns z (f, n).
 
     Attributes:
         basis: the functions φ_j.
@@ -29,21 +29,16 @@ class Curves:
     start: Array
     goal: Array
 
-    @property
-    def shape(self) -> tuple[int, int]:
-        """Of z: (f, n)."""
-        return self.directions.shape[1], len(self.start)
-
     def coefficients(self, z: Array) -> Array:
         """Coefficients (n, size) of the curve at z."""
         return np.asarray(self.kept + (self.directions @ z).T)
 
     def values(self, s: Array, order: int = 0) -> Array:
-        """Change of the curve, or of its derivative, with z: (m, f)."""
+        """Change of the curve, or of its derivative of an order, with z at s (m,): (m, f), the same for every joint."""
         return np.asarray(self.basis.values(s, order) @ self.directions)
 
     def line(self, s: Array, order: int = 0) -> Array:
-        """The curve at z = 0, or its derivative of order 1: (m, n)."""
+        """The curve at z = 0, or its derivative of order 1, at s (m,): (m, n)."""
         straight = self.start + s[:, None] * (self.goal - self.start) if order == 0 else self.goal - self.start
         return np.asarray(straight + self.basis.values(s, order) @ self.kept.T)
 
@@ -66,13 +61,14 @@ class BatchDensity:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LengthModel:
-    """Σ_i w_i e(q_i, q'_i) / g₀ over the points of a rule, as a function of the unknowns z (f, n) of `curves`.
+    """Σ_i w_i e(q_i, q'_i) / g₀ over the points of a quadrature rule, as a function of the unknowns z (f, n) of `curves`.
 
     Attributes:
-        density: of g, with a little of the energy.
-        edges: (k + 1,) of the panels of the rule.
-        s, weights: (m,) the rule.
-        g0: the path's g, about; the value at the path is about 1.
+        density: e, the integrand of g plus a small share of that of the energy.
+        curves: the paths.
+        edges: (k + 1,) of the quadrature panels.
+        s, weights: (m,) Gauss points of all panels and their weights.
+        g0: g of the path where the descent begins, so that the value there is about 1.
         power: exponent p.
     """
 
@@ -86,18 +82,20 @@ class LengthModel:
 
     @cached_property
     def _values(self) -> tuple[Array, Array, Array, Array]:
+        """At the Gauss points: the curve at z = 0 and its slope (m, n), and their changes with z (m, f)."""
         curves = self.curves
         return (curves.line(self.s), curves.line(self.s, 1), curves.values(self.s), curves.values(self.s, 1))
 
     @cached_property
     def _products(self) -> Array:
-        """Products (f², 4 m) of the functions and slopes at each point, by which Hessians are summed."""
+        """Products (f², 4 m) of two values or slopes at each point: one matrix product sums the blocks of a Hessian."""
         _, _, values, slopes = self._values
         both = np.stack([values, slopes], axis=1)
         count, _, size = both.shape
         return np.asarray(np.einsum("ipj,iqk->jkipq", both, both).reshape(size * size, count * 4))
 
     def _points(self, z: Array) -> tuple[Array, Array, Array]:
+        """Arguments of the density at the Gauss points: q and q' (m, n), and g₀ and p (m, 2)."""
         line, slope, values, slopes = self._values
         numbers = np.tile([self.g0, self.power], (len(self.s), 1))
         return line + values @ z, slope + slopes @ z, numbers

@@ -24,24 +24,25 @@ ROUNDS = 8
 SMALL_GAIN = 1e-2
 #: Clearance rows are added at up to this number of places per round, the deepest dips first.
 NEW_PLACES = 10
-#: A path is in the basis when its fit is nowhere further from it than this [rad or m].
+#: A basis contains a path when its fit is nowhere further from the path than this [rad or m].
 SAME = 1e-9
-#: A path at an even pace is tried again while that lowers g by more than this share.
+#: The descent is repeated from the optimum at an even pace while that lowers g by more than this share.
 WORTH = 1e-3
-#: For comparison only, the unconstrained optimum is found to about this share of g.
+#: Tolerance of the descent to the unconstrained optimum, as a share of g: it serves only for comparison.
 ROUGH = 1e-6
-#: Descents from one path: another one begins where the proof or the rule of the one before it failed.
+#: Maximum number of descents from one path with the final margin. Another one follows where the proof fails, or where the
+#: quadrature panels do not resolve g on the path that was reached.
 DESCENTS = 8
-#: A path that has to keep less than this keeps wider margins at first [m]: a descent creeps around corners at a tenth of a
-#: millimetre.
+#: A path with a demanded clearance below the first value keeps these margins first [m]: a descent is slow around a corner of
+#: which it keeps only a tenth of a millimetre.
 ROUND, WIDE_MARGINS = 5e-3, (2e-3, 3e-4)
-#: A rule sees all of a path when it agrees with g to this share.
+#: Quadrature panels resolve a path when they give its g to this share.
 AGREEMENT = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
 class Step:
-    """One solve of the optimiser: from which first path, its g, its clearance [m] and how the solver ended."""
+    """One solve of the optimiser: the kind of its first path, its g, its clearance [m], and how the solver ended."""
 
     first: str
     g: float
@@ -51,7 +52,7 @@ class Step:
 
 @dataclass(frozen=True, kw_only=True)
 class Candidate:
-    """An optimised path that is inside the limits and proven free, with its coefficients and how optimal it is."""
+    """An optimised path inside the limits and proven free: coefficients (n, size), cost, first-order conditions, solver."""
 
     path: JointPath
     coefficients: Array
@@ -62,7 +63,17 @@ class Candidate:
 
 @dataclass(frozen=True, kw_only=True)
 class LocalSearch:
-    """Solves of one program between one start and goal, written down in `history`, and the candidates in `accepted`."""
+    """Searches for local optima of one program between one start and goal.
+
+    Attributes:
+        program: the objective in one basis.
+        start, goal: (n,) [rad or m].
+        model: the arm among its obstacles; None: nothing is checked for collision.
+        clearance: demanded distance [m].
+        history: every solve is appended to it.
+        ends: fixed derivatives at start and goal.
+        accepted: every candidate is appended to it, so that an interrupt loses none.
+    """
 
     program: PathProgram
     start: Array
@@ -73,7 +84,7 @@ class LocalSearch:
     ends: EndConditions = field(default_factory=EndConditions)
     accepted: list[Candidate] = field(default_factory=list)
 
-    def only_one(self) -> list[Candidate]:
+    def single_path(self) -> list[Candidate]:
         """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
         path = self.program.basis.path(self.start, self.goal, self._straight())
         proof = self._proof(path)
@@ -83,47 +94,52 @@ class LocalSearch:
         return [Candidate(path=path, coefficients=self._straight(), cost=cost, optimality=SINGLE, solver="no unknowns")]
 
     def unconstrained(self) -> list[Candidate]:
-        """The local optimum from the straight line near the energy's, which ignores obstacles; none when that is not free."""
+        """The local optimum near that of the energy from the straight line without obstacles; none when that is not free."""
         solution = self.program.solve(self.start, self.goal, self._straight())
         free, *_ = self._judged("straight", solution)
         if not free:
             return []
-        return self.settled("straight", solution.coefficients) or [self._unsettled(solution.coefficients, solution.status)]
+        found = self.optimum_from("straight", solution.coefficients)
+        return found or [self._low_energy_path(solution)]
 
     def nearest_to(self, first: JointPath) -> list[Candidate]:
-        """The local optimum that is reached from a path, or from the fit to it where the basis does not have it."""
+        """The local optimum that is reached from a path, or from the fit to it at an even pace where the basis lacks it."""
         basis, even = self.program.basis, np.linspace(0.0, 1.0, near.PLACES + 1)
         coefficients = self.ends.met(basis, basis.fit(first, even), self.start, self.goal)
         off = np.abs(basis.path(self.start, self.goal, coefficients)(even) - first(even)).max()
-        found = self._descended("path", coefficients if off < SAME else self._followed(first)[1])
+        found = self._descend("path", coefficients if off < SAME else self._followed(first)[1])
         return [] if found is None else [found]
 
     def embedded(self, path: JointPath) -> list[Candidate]:
         """The local optimum that is reached from a path of a lower degree."""
         basis = self.program.basis
         coefficients = basis.fit(path, np.linspace(0.0, 1.0, near.PLACES + 1))
-        return self.settled("lower degree", self.ends.met(basis, coefficients, self.start, self.goal))
+        return self.optimum_from("lower degree", self.ends.met(basis, coefficients, self.start, self.goal))
 
-    def settled(self, name: str, coefficients: Array) -> list[Candidate]:
+    def optimum_from(self, name: str, coefficients: Array) -> list[Candidate]:
         """The local optimum of the true problem that is reached from coefficients (n, size); none when it is not free.
 
-        Where nothing is in its way, it is run through at an even pace and fitted again, which in a basis changes it a
-        little, and from there may lead to a better one.
+        Where no clearance is active, the optimum is fitted again at an even pace. The fit differs a little, so that another
+        descent from it may reach a lower g.
         """
-        best = self._descended(name, coefficients)
+        best = self._descend(name, coefficients)
         while best is not None and best.optimality.active_clearance == 0.0 and np.isfinite(best.cost.g):
-            again = self._descended("even pace", self._followed(best.path)[1])
+            again = self._descend("even pace", self._followed(best.path)[1])
             if again is None or again.cost.g > best.cost.g * (1 - WORTH):
                 break
             best = again
         return [] if best is None else [best]
 
-    def _descended(self, name: str, coefficients: Array) -> Candidate | None:
-        """Where a descent from coefficients (n, size) ends; None when that is not free."""
+    def _descend(self, name: str, coefficients: Array) -> Candidate | None:
+        """The path on which a descent from coefficients (n, size) ends; None when it is not free or leaves the limits.
+
+        Descents follow each other until a path is proven free and its g is resolved by the quadrature panels. Each gets the
+        place where the proof failed, and the panels that the one before it needed.
+        """
         program, objective = self.program, self.program.objective
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
         path = program.basis.path(self.start, self.goal, coefficients)
-        if not np.isfinite(objective.cost(path).g):  # no descent leads away from a singularity between two aspects
+        if not np.isfinite(objective.cost(path).g):  # a path that crosses a singularity has no finite g to descend from
             return None
         best: Candidate | None = None
         edges: Array | None = None
@@ -139,7 +155,7 @@ class LocalSearch:
             descent = descend(true, z)
             steps += descent.steps
             coefficients = true.length.curves.coefficients(descent.z)
-            if margin > MARGIN:
+            if margin > MARGIN:  # only an intermediate stage
                 continue
             path = true.path(descent.z)
             cost, proof = objective.cost(path), self._proof(path)
@@ -163,9 +179,10 @@ class LocalSearch:
         return best
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
-        """The local optimum near a free path, by way of a path of low energy on that side of everything it comes near.
+        """The local optimum near a free path, by way of a path of low energy that passes bodies on the same sides.
 
-        Rows hold the energy's solution on that side. They are renewed until one is free and the next has no lower g.
+        Clearance rows keep the energy's solution on these sides. They are renewed on each solution, until one is free and
+        the next one has hardly a lower g.
         """
         s, coefficients = self._followed(first)
         even = np.linspace(0.0, 1.0, len(s))
@@ -193,27 +210,32 @@ class LocalSearch:
         if not free:
             return []
         best = free[int(np.argmin(costs))]
-        return self.settled("seed", best.coefficients) or [self._unsettled(best.coefficients, best.status)]
+        return self.optimum_from("seed", best.coefficients) or [self._low_energy_path(best)]
 
-    def _unsettled(self, coefficients: Array, solver: str) -> Candidate:
-        """The free path from which no descent came to an end."""
-        path = self.program.basis.path(self.start, self.goal, coefficients)
-        cost = self.program.objective.cost(path)
-        candidate = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=UNKNOWN, solver=solver)
+    def _low_energy_path(self, solution: Solution) -> Candidate:
+        """The free path of low energy itself, where the descent from it gave no free path."""
+        path = self.program.basis.path(self.start, self.goal, solution.coefficients)
+        candidate = Candidate(
+            path=path,
+            coefficients=solution.coefficients,
+            cost=self.program.objective.cost(path),
+            optimality=UNKNOWN,
+            solver=solution.status,
+        )
         self.accepted.append(candidate)
         return candidate
 
     def unconstrained_g(self, path: JointPath) -> float:
         """g of the local optimum near a path with neither limits nor obstacles."""
         basis = self.program.basis
-        same_breaks = np.isin(path.breaks, basis.breaks).all()  # which the fit gives back as it is
+        same_breaks = np.isin(path.breaks, basis.breaks).all()  # then the fit at even places gives the path back
         even = np.linspace(0.0, 1.0, near.PLACES + 1)
         s = even if same_breaks else self.program.objective.constant_speed(path, near.PLACES + 1)
         coefficients = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
         if not self.program.free.size:
             return self.program.objective.cost(basis.path(self.start, self.goal, coefficients)).g
         true, z = self.program.true_program(self.start, self.goal, coefficients, None, limited=False)
-        costs = [self.program.objective.cost(each).g for each in (path, true.path(descend(true, z, promise=ROUGH).z))]
+        costs = [self.program.objective.cost(each).g for each in (path, true.path(descend(true, z, tolerance=ROUGH).z))]
         return min(costs)
 
     def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
@@ -225,9 +247,10 @@ class LocalSearch:
     def more_places(
         self, places: tuple[near.Place, ...], distances: Array, touched: tuple[near.Place, ...], *, touching: bool
     ) -> tuple[near.Place, ...]:
-        """The places, where a path `touched` something, and where its distance profile (m, k) [m] dips below the clearance.
+        """The places, those where a path `touched` something, and the dips of its distance profile (m, k) [m] below the clearance.
 
-        Of a path that is `touching` something, though not where it was looked at, those where it is nearest to.
+        Where that adds none although the path is `touching` something, dips a little above the clearance and closer places
+        are added as well.
         """
         for spare in (0.0, near.SPARE) if touching else (0.0,):
             deepest = [*touched, *near.dips(distances, self.clearance + spare)][:NEW_PLACES]
@@ -240,7 +263,7 @@ class LocalSearch:
     def _judged(self, name: str, solution: Solution) -> tuple[bool, Array, tuple[near.Place, ...]]:
         """Whether a solution of the energy is inside the limits and proven free, and its distance profile (m, k) [m].
 
-        Third the place where the proof failed, of a path that is free where the profile was taken.
+        The third value is the place where the proof failed although the path is free at all places of the profile.
         """
         path = self.program.basis.path(self.start, self.goal, solution.coefficients)
         distances = np.full((near.PLACES + 1, 1), np.inf)

@@ -1,4 +1,4 @@
-"""The path objective g = ∫ ‖θ'‖ / μ^p ds of kth2012, measured until it no longer changes, and the least index of a path."""
+"""The path objective g = ∫ ‖θ'‖ / μ^p ds of kth2012, by adaptive quadrature, and the minimum manipulability of a path."""
 
 from dataclasses import dataclass
 
@@ -14,26 +14,26 @@ from manipplan.paths.joint import JointPath
 SINGULAR = 1e-9
 #: Panels are halved until their halves agree with them to this share of g ...
 ACCURACY = 1e-10
-#: ... at most so often.
+#: ... at most this number of times.
 HALVINGS = 25
-#: More than 2 to this times the first panels are open only where the integrand is rounding errors.
+#: More than 2^NOISE times the first number of panels fail this test only where the integrand consists of rounding errors.
 NOISE = 6
-#: Gauss points of a panel.
+#: Gauss points per panel.
 POINTS = 10
-#: The rule on which g is minimised: its first panels, the share of g to which it is exact on the path where a descent begins,
-#: how often panels are halved for that, and the number of panels from which they are not.
+#: Panels on which g is minimised: their first number, the error per panel as a share of g on the path where a descent begins,
+#: the maximum number of halvings, and the number of panels above which none is halved.
 RULE_PANELS, RULE_ACCURACY, RULE_HALVINGS, MOST_RULE_PANELS = 12, 1e-9, 12, 200
 
 
 @dataclass(frozen=True, kw_only=True)
 class PathCost:
-    """g and the least index of one path.
+    """g and the minimum manipulability of one path.
 
     Attributes:
         g: ∫ ‖q'‖_W / m^p ds, (6.6) in kth2012; inf when the path meets a singularity.
         length: ∫ ‖q'‖ ds [rad], (6.5), without W.
-        min_manipulability: least index m, found by ever finer grids around its dips.
-        at: the parameter s where it is least.
+        min_manipulability: the minimum of m, found by ever finer grids around its dips.
+        at: the parameter s where m has its minimum.
     """
 
     g: float
@@ -57,13 +57,15 @@ class PathObjective:
     metric: Array | None = None
 
     def cost(self, path: JointPath) -> PathCost:
-        """g and the least index of a path, as `path_cost`."""
+        """g and the minimum manipulability of a path, as `path_cost`."""
         return path_cost(path, self.kinematics, self.power, metric=self.metric)
 
     def panels(self, path: JointPath, edges: Array | None = None) -> Array:
-        """Edges (k + 1,) of panels of Gauss points that give the path's g to RULE_ACCURACY, narrower where m has a dip.
+        """Edges (k + 1,) of quadrature panels for the descent from a path, narrow where m has a dip.
 
-        With `edges` those that another path needs are among them.
+        A panel is halved, together with its two neighbours, until its two halves change its integral by at most
+        RULE_ACCURACY of g. The panels begin at `edges`, which other paths needed; default: RULE_PANELS of even width and the
+        breaks of the path. Beyond MOST_RULE_PANELS they are returned as they are.
         """
         if edges is None:
             edges = np.unique(np.concatenate([np.linspace(0.0, 1.0, RULE_PANELS + 1), path.breaks]))
@@ -71,30 +73,31 @@ class PathObjective:
             middle = (edges[:-1] + edges[1:]) / 2
             whole = self._panels(path, edges)
             parts = self._panels(path, np.sort(np.concatenate([edges, middle]))).reshape(-1, 2).sum(axis=1)
-            with np.errstate(invalid="ignore"):  # of a path that is singular
+            with np.errstate(invalid="ignore"):  # inf - inf on a singular path
                 rough = ~(np.abs(whole - parts) <= RULE_ACCURACY * parts.sum())
             if not rough.any() or len(edges) > MOST_RULE_PANELS:
                 break
-            rough[1:] |= rough[:-1].copy()  # the neighbours, too: a dip moves when the path does
+            rough[1:] |= rough[:-1].copy()  # the neighbours as well: a dip moves with the path
             rough[:-1] |= rough[1:].copy()
             edges = np.sort(np.concatenate([edges, middle[rough]]))
         return edges
 
     def on_panels(self, path: JointPath, edges: Array) -> float:
-        """g of a path by the Gauss points of panels."""
+        """g of a path by the Gauss points of the panels between edges (k + 1,)."""
         return float(self._panels(path, edges).sum())
 
     def _panels(self, path: JointPath, edges: Array) -> Array:
+        """The integral over each panel (k,)."""
         s, weights = gauss(edges)
         density = _weighed_speed(path, s.ravel(), self.kinematics, self.power, self.metric)
         return np.asarray((weights * density.reshape(s.shape)).sum(axis=1))
 
     def constant_speed(self, path: JointPath, count: int) -> Array:
-        """Parameters s (count,) at which equal shares of g have been gained, or of length where the index vanishes on most."""
+        """Parameters s (count,) at equal shares of g, or of length where m vanishes on most of the path."""
         s = np.linspace(0.0, 1.0, 1001)
         density = _weighed_speed(path, s, self.kinematics, self.power, self.metric)
         median = np.median(density)
-        # beside a singularity
+        # a cap, so that the places do not all gather near a singularity
         density = np.minimum(density, 1e3 * median) if np.isfinite(median) else speeds(path(s, 1), self.metric)
         gained = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2)])
         return np.interp(np.linspace(0.0, gained[-1], count), gained, s)
@@ -117,14 +120,14 @@ def speeds(v: Array, metric: Array | None) -> Array:
 def path_cost(
     path: JointPath, kinematics: Kinematics, power: float, *, metric: ArrayLike | None = None, panels: int = 40
 ) -> PathCost:
-    """Measure g, on panels of ten Gauss points that are halved where that still changes it, and the least index.
+    """Measure g, on panels of ten Gauss points that are halved where that still changes it, and the minimum manipulability.
 
     Args:
         path: the path.
         kinematics: whose measure counts.
         power: exponent of the measure.
         metric: W in ‖q'‖_W, weights (n,) or a matrix (n, n); None: the identity.
-        panels: to begin with.
+        panels: first number of panels.
 
     Raises:
         InvalidInputError: `metric` is no metric.
@@ -144,10 +147,10 @@ def _weighed_speed(path: JointPath, s: Array, kinematics: Kinematics, power: flo
 
 
 def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Array | None, panels: int) -> float:
-    """g to ACCURACY: a dip of the index can be a thousand times narrower than any even panel.
+    """g to ACCURACY by halving panels: a dip of the index can be a thousand times narrower than an even panel.
 
-    Infinite where the index is nothing but rounding errors, as on a path that is singular all along: a dip stays narrow,
-    these are everywhere.
+    Infinite where the index consists of rounding errors, as on a path that is singular all along. A dip needs few narrow panels,
+    rounding errors need them everywhere.
     """
     nodes, weights = np.polynomial.legendre.leggauss(POINTS)
 
@@ -177,7 +180,7 @@ def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Arr
 
 
 def _least_index(path: JointPath, kinematics: Kinematics) -> tuple[float, float, float]:
-    """The least index on the path, where it is, and the largest: local minima of 2001 points are looked at ever closer.
+    """The minimum manipulability, its s, and the maximum: the deepest dips of 2001 points are searched on ever finer grids.
 
     Where a path crosses a singularity the index has a sharp kink, which no fixed grid would hit.
     """
@@ -189,7 +192,7 @@ def _least_index(path: JointPath, kinematics: Kinematics) -> tuple[float, float,
     deepest = dips[np.argsort(values[dips])[:5]]
     low, high = s[np.maximum(deepest - 1, 0)], s[np.minimum(deepest + 1, 2000)]
     for _ in range(8):
-        grid = np.linspace(low, high, 41)  # a column a dip
+        grid = np.linspace(low, high, 41)  # one column per dip
         inside = kinematics.manipulability(path(grid))
         lowest, dip = inside.argmin(axis=0), np.arange(len(deepest))
         column = int(inside[lowest, dip].argmin())

@@ -1,7 +1,7 @@
-"""How near a path is to a local optimum of the true problem: first-order conditions, measured on the path.
+"""How near a path is to a local optimum of the true problem: first-order conditions [nocedal2006, sec. 12.3] on the path.
 
-Multipliers λ >= 0 of the rows that are active on the path are those that leave the least of the gradient of g; they come from a
-non-negative least-squares fit, not from the solver that found the path.
+The multipliers λ >= 0 of the active rows come from a non-negative least-squares fit, min ‖∇g - Σ λ_i ∇d_i‖, and not from the
+solver that found the path.
 """
 
 from dataclasses import dataclass
@@ -18,12 +18,12 @@ GRADIENT = 1e-3
 COMPLEMENTARITY = 1e-5
 #: ... and active clearances differ from the demanded one by at most this [m].
 ACTIVE = 1e-4
-#: Limits nearer than this are active [rad or m].
+#: Joint limits nearer than this are active [rad or m].
 LIMIT = 1e-6
-#: The gradient of a distance may be any mixture of those at configurations whose joints differ by this from the path's: beside
-#: the edges of two bodies it turns within a fraction of a millimetre [goldstein1977] [rad or m].
+#: The gradient of a distance may be any convex combination of those at configurations whose joints differ by this from the
+#: path's [rad or m]: near the edges of two bodies it turns within a fraction of a millimetre [goldstein1977].
 KINK = 1e-4
-#: Rows whose multiplier is above this share of the largest are active.
+#: Clearances count as active when their multiplier is above this share of the largest.
 NOTABLE = 1e-3
 
 
@@ -32,10 +32,10 @@ class Optimality:
     """First-order conditions of a path.
 
     Attributes:
-        projected_gradient: what the active limits and clearances leave of the gradient of g, over g [1/rad]: the relative
-            change of g per radian of the root mean square of the slope's change, all joints together.
-        complementarity: Σ λ_i (d_i - clearance) over g: by how much g would fall, about, if no active row kept more than
-            is demanded.
+        projected_gradient: norm of what the active limits and clearances leave of the gradient of g, over g [1/rad]: the
+            relative change of g per radian of the root mean square of the slope's change, all joints together.
+        complementarity: Σ λ_i |d_i - target| over g, where the target is the demanded clearance plus the margin for the proof:
+            about the share by which g would fall if no active pair kept more than the target.
         active_clearance: largest difference between the distance of an active pair and the demanded clearance [m]; 0 where
             no clearance is active.
     """
@@ -46,15 +46,15 @@ class Optimality:
 
     @property
     def reached(self) -> bool:
-        """Whether all three are below their tolerances."""
+        """Whether all three are within their tolerances."""
         return bool(
             self.projected_gradient <= GRADIENT and self.complementarity <= COMPLEMENTARITY and self.active_clearance <= ACTIVE
         )
 
 
-#: Of a path without any unknown.
+#: Of the only path of a basis, which has no unknowns.
 SINGLE = Optimality(projected_gradient=0.0, complementarity=0.0, active_clearance=0.0)
-#: Of a path at which no descent ended.
+#: Of a path at which no descent ended, or whose g the quadrature panels of the descent do not resolve.
 UNKNOWN = Optimality(projected_gradient=np.inf, complementarity=np.inf, active_clearance=np.inf)
 
 
@@ -72,6 +72,7 @@ def measure_optimality(program: TrueProgram, z: Array) -> Optimality:
     if not len(whole):
         return Optimality(projected_gradient=float(np.linalg.norm(gradient)), complementarity=0.0, active_clearance=0.0)
     multipliers, left = nnls(whole.T, gradient)
+    # several gradients of one row are one convex combination times the sum of their multipliers [goldstein1977]
     multipliers = np.bincount(owner, multipliers[len(limits.value) :], minlength=len(beyond))
     active = multipliers > NOTABLE * multipliers.max(initial=0.0)
     return Optimality(

@@ -28,9 +28,9 @@ from manipplan.robots.scene import Scene
 from manipplan.seeds.ompl import check_apart
 from manipplan.status import Status
 
-#: A polynomial of a higher degree is no better, only slower.
+#: Maximum degree: a higher one is slower and no better.
 MOST_DEGREE = 20
-#: First paths that are looked for to one goal.
+#: Maximum number of first paths to one goal.
 MOST_SEEDS = 10_000
 SHIFTS = ("none", "within-limits")
 
@@ -217,7 +217,7 @@ def optimize_from(
     metric: ArrayLike | None,
     clearance: float,
 ) -> PathResult:
-    """As `optimize_path` from a first path that is known to be free, and not from the optimum of a lower degree."""
+    """As `optimize_path` with a first path that is known to be free, without starts from the optimum of a lower degree."""
     kinematics = robot.kinematics(task, measure=measure)
     problem = PathProblem(
         robot=robot,

@@ -1,4 +1,4 @@
-"""The path program in one basis: solves of the energy, which find a first path, and g as the descent takes it.
+"""The path program in one basis: solves of the energy, which find a first path, and the true program of g for the descent.
 
 Everything that changes from one solve of the energy to the next (ends, guess, rows) is a parameter of the program in `nlp`, so
 it is built once for an objective and a basis.
@@ -27,20 +27,20 @@ from manipplan.optimize.surroundings import Surroundings
 
 #: Gauss points of the energy on the whole path, and at least on each piece.
 NODES, PIECE_NODES = 40, 8
-#: The curve is cut into at least so many parts, whose control points all obey the joint limits: so does the curve.
+#: Minimum number of parts the curve is cut into. Their control points obey the joint limits, and so does the whole curve.
 LIMIT_PARTS = 6
 
 
 @dataclass(frozen=True, kw_only=True)
 class Solution:
-    """What one solve gave: coefficients (n, size) and IPOPT's return status."""
+    """Result of one solve of the energy: coefficients (n, size) and IPOPT's return status."""
 
     coefficients: Array
     status: str
 
 
 class PathProgram:
-    """The program for one objective, basis and pattern of fixed end derivatives; see the module's text."""
+    """The program for one objective, basis and pattern of fixed end derivatives; see the docstring of the module."""
 
     def __init__(self, objective: PathObjective, basis: Basis, fixed: tuple[tuple[float, int], ...] = ()) -> None:
         self.objective = objective
@@ -75,7 +75,7 @@ class PathProgram:
 
     @cached_property
     def _directions(self) -> Array:
-        """The free directions (size, f), so combined that their slopes are orthonormal."""
+        """Combinations of the free directions (size, f) whose slopes are orthonormal."""
         s, weights = self.basis.gauss(self.basis.degree)
         slopes = np.sqrt(weights)[:, None] * (self.basis.values(s, 1) @ self.free)
         return np.asarray(self.free @ np.linalg.inv(np.linalg.qr(slopes).R))
@@ -90,10 +90,15 @@ class PathProgram:
         limited: bool = True,
         edges: Array | None = None,
     ) -> tuple[TrueProgram, Array]:
-        """The program of g among the true obstacles, and its unknowns z (f, n) of the path of coefficients (n, size).
+        """The program of g among the true obstacles, and the unknowns z (f, n) that give the path of coefficients (n, size).
 
-        g is integrated on panels that are narrow where that path needs it, and between `edges`, which other paths needed.
-        With `limited` False as if there were no joint limits.
+        Args:
+            start, goal: (n,) [rad or m].
+            coefficients: (n, size) of the path where the descent begins. g is integrated on quadrature panels that are narrow
+                where this path needs it.
+            surroundings: distances of the true bodies; None: nothing is checked for collision.
+            limited: False: as if there were no joint limits.
+            edges: (k + 1,) of panels that earlier paths needed; they are kept and refined.
         """
         directions = self._directions
         z: Array = np.asarray(np.linalg.lstsq(directions, coefficients.T, rcond=None)[0], dtype=float)
@@ -126,7 +131,7 @@ class PathProgram:
     def solve(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
         """Minimise the energy from a guess (n, size), which has the fixed end derivatives.
 
-        Rows that cannot hold come back with their slack.
+        Rows have slacks, so that there is a solution even where they contradict each other.
         """
         capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
         limits = self.kinematics.robot.limits
@@ -153,7 +158,7 @@ class PathProgram:
         )
 
     def _energy_of(self, start: Array, goal: Array, guess: Array) -> float:
-        """The energy of a guess, by the rule of the program; 1 where it is not a number above zero."""
+        """The energy of a guess (n, size), by the quadrature of the program; 1 where it is not a number above zero."""
         s = self._energy.s
         q = start[:, None] + np.outer(goal - start, s) + guess @ self.basis.values(s).T
         v = (goal - start)[:, None] + guess @ self.basis.values(s, 1).T
@@ -174,7 +179,7 @@ class PathProgram:
         return table
 
     def _solver(self, capacity: int, limited: bool) -> ca.Function:
-        """IPOPT with room for `capacity` clearance rows, built when it is first asked for."""
+        """IPOPT with room for `capacity` clearance rows, built on first use."""
         key = (capacity, limited)
         if key not in self._solvers:
             self._solvers[key] = ipopt_solver(

@@ -1,4 +1,4 @@
-"""One solve from a start to a goal: local optima from several first paths, and the choice between them and the seed."""
+"""The best path from a start to a goal: local optima from several first paths, and the choice between them and the seed."""
 
 import logging
 from collections.abc import Sequence
@@ -24,7 +24,7 @@ from manipplan.status import Status
 
 log = logging.getLogger("manipplan")
 
-#: Higher degrees also start from the optimum of this one, or of the next lower one in steps of STRIDE.
+#: Degrees above BEGINNING also start from the optimum of a lower one: of BEGINNING or of the next lower multiple of STRIDE.
 BEGINNING, STRIDE = 6, 3
 #: A later local optimum is preferred to an earlier one when its g is lower by more than this share.
 TIE = 1e-5
@@ -32,17 +32,17 @@ TIE = 1e-5
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PathProblem:
-    """What is asked of the optimiser but for start and goal; it can be pickled and sent to another process.
+    """All arguments of the optimiser except start and goal; it can be pickled and sent to another process.
 
     Attributes:
         robot, scene: the arm and its obstacles; None: nothing is checked for collision.
         task, measure, power, metric: of the objective.
-        basis, degree, pieces: a name of BASES, the degree of its pieces, and how many there are.
-        clearance: to keep [m].
+        basis, degree, pieces: a name of BASES, the degree of each piece, and the number of pieces.
+        clearance: demanded distance [m].
         time_limit: of the planner [s].
         ends: fixed derivatives at start and goal.
         compiled: as in `Robot.kinematics`.
-        given: the user gave the first path: the optimum nearest to it is wanted.
+        given: the caller gave the first path, so the search also descends from it as it is.
         climbs: also start from the optimum of a lower degree.
     """
 
@@ -97,14 +97,14 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
     interrupted = False
     try:
         with interruptible():
-            found = _local_optima(problem, search, first, straight) if is_free else search.only_one()
+            found = _local_optima(problem, search, first, straight) if is_free else search.single_path()
             best = _best(found)
     except KeyboardInterrupt:
         interrupted = True
         best = _best(search.accepted)
     safe = model is None or best is not None
     fallback = problem.ends.met_by(first)
-    # two that differ by less than g is measured to are as good
+    # a difference below the accuracy of g does not count
     if best is not None and (best.cost.g <= first_cost.g * (1 + ACCURACY) or not fallback):
         path, cost = best.path, best.cost
         status = Status.OPTIMAL if best.optimality.reached else Status.STOPPED_EARLY
@@ -142,10 +142,16 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
 
 
 def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, straight: bool) -> list[Candidate]:
-    """From the straight line, from the first path, and from the optimum of a lower degree."""
+    """The local optima that are reached from several first paths, in this order.
+
+    1. The straight line, with `straight` or where `first` is straight.
+    2. The path `first`. A given path, or one in several pieces, is descended from as it is. Otherwise, and where that gives no
+       free path, a path of low energy near it comes first.
+    3. The optimum of a lower degree.
+    """
     is_line = len(first.control) == 1 and first.degree == 1
     found = search.unconstrained() if straight or is_line else []
-    if not (found and is_line):  # from a straight seed the same solve would come again
+    if not (found and is_line):  # a straight first path would repeat the same solve
         nearby = search.nearest_to(first) if problem.given or problem.pieces > 1 else []
         found += nearby or search.from_safe_path(first)
     lower = problem.lower()
@@ -158,7 +164,7 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
 
 
 def _best(found: Sequence[Candidate]) -> Candidate | None:
-    """The candidate of least g; of those that tie the first, so that rounding does not choose."""
+    """The candidate of least g; the earlier one of two that tie, so that rounding does not choose."""
     best: Candidate | None = None
     for each in found:
         if best is None or each.cost.g < best.cost.g * (1 - TIE):
@@ -167,6 +173,7 @@ def _best(found: Sequence[Candidate]) -> Candidate | None:
 
 
 def _program(problem: PathProblem, objective: PathObjective) -> PathProgram:
+    """The program of a problem, built once per robot, objective, basis and pattern of fixed derivatives."""
     kinematics, fixed = objective.kinematics, problem.ends.pattern
     basis = (problem.basis, problem.degree, problem.pieces)
     metric = None if objective.metric is None else objective.metric.tobytes()

@@ -11,25 +11,26 @@ from manipplan.optimize.rows import ClearanceRow
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
 
-#: Number of intervals of a path at whose ends distances are measured: at every SPACING-th always, between where it can matter.
+#: Number of intervals of the grid along the path. Distances are always measured at every SPACING-th place, and at the others
+#: where a pair can come near.
 INTERVALS, SPACING = 160, 4
-#: How much faster than on the widest step of such a grid a distance can change, and how much it can change at least [m].
+#: Between two such places a distance may change by this factor times its largest change from one to the next, plus this [m].
 FASTER, SLOWEST = 1.5, 0.02
 #: Distance kept beyond the demanded one, so that the proof, whose bounds are not exact, succeeds [m].
 MARGIN = 5e-5
-#: Pairs that come nearer than this on a path are measured on those that follow it [m].
+#: Only pairs that come this near to the target on a reference path are measured [m].
 WATCHED = 0.25
-#: They are chosen again when the joints have moved further than this, all together [rad or m].
+#: A path becomes the new reference where its joints are further than this from the old one, summed over the joints [rad or m].
 MOVED = 0.15
-#: Dips that may come nearer to the target than this are followed to their bottom [m], to this accuracy of s.
+#: Dips of a distance that may come this near to the target [m] are followed to their bottom, to this accuracy of s.
 DEEP, BOTTOM = 1e-3, 1e-6
 #: Maximum number of steps to the bottom of a dip.
 BOTTOM_STEPS = 12
 #: Where a pair is nearer to the target than this [m], every place of the grid has a row.
 CLOSE = 2e-3
-#: A place of the grid has none when it is nearer to the bottom of a dip of its pair than this.
+#: A place of the grid has no row within this distance in s of the bottom of a dip of its pair.
 APART = 1e-2
-#: Maximum number of places with rows.
+#: Maximum number of places with rows, the nearest first.
 MOST_PLACES = 80
 #: Step of a joint by which second derivatives of a distance are taken [rad or m].
 JOINT_STEP = 1e-4
@@ -40,9 +41,9 @@ class Look:
     """What was measured on one path.
 
     Attributes:
-        places: (s, pair) in the order of their distances.
-        distances: their signed distances [m].
-        bottoms: numbers of those where the distance has a minimum along the path.
+        places: (s, pair), nearest first.
+        distances: (k,) their signed distances [m].
+        bottoms: indices of the places where the distance has a minimum along the path.
     """
 
     places: tuple[Place, ...]
@@ -63,7 +64,7 @@ class Surroundings:
         model: the arm among its obstacles.
         clearance: demanded distance [m].
         margin: distance kept beyond the demanded one [m]; larger at first, as corners are rounder at a distance.
-        always: places about which a dip is looked for on every path.
+        always: places (s, pair) about which a dip is looked for on every path, such as those where a proof failed.
     """
 
     model: CollisionModel
@@ -79,7 +80,7 @@ class Surroundings:
         return self.clearance + self.margin
 
     def look(self, path: JointPath, band: float) -> Look:
-        """The places where a pair is nearer than the target plus `band` [m]: of an even grid, and the bottoms of dips."""
+        """The places where a pair is nearer than the target plus `band` [m]: on an even grid, and at the bottoms of dips."""
         s = np.linspace(0.0, 1.0, INTERVALS + 1)
         q = path(s)
         pairs = self._watched(q)
@@ -114,7 +115,7 @@ class Surroundings:
         return chosen
 
     def row(self, q: Array, s: float, pair: int) -> ClearanceRow:
-        """The row of a pair at q (n,), which the path has at s: the planes through the nearest points."""
+        """The row of a pair at q (n,), where the path is at s: the plane through the nearest point of the second body."""
         witness, normal = self.model.witness(q, pair)
         return ClearanceRow(
             s=s,
@@ -127,7 +128,7 @@ class Surroundings:
         )
 
     def reverse_row(self, q: Array, s: float, pair: int) -> ClearanceRow:
-        """The same with the plane on the first body: for a corner of the second one before a face of the first."""
+        """As `row`, with the plane on the first body: the better one where a corner of the second faces a side of the first."""
         witness, normal = self.model.witness(q, pair)
         normal = -self.model.turned(q, normal, witness.second, witness.first)
         return ClearanceRow(
@@ -147,7 +148,7 @@ class Surroundings:
         return gradient, (hessian + hessian.T) / (2 * JOINT_STEP)
 
     def _watched(self, q: Array) -> NDArray[np.intp]:
-        """The pairs that come near on paths about q (m, n)."""
+        """Indices of the pairs that come near on paths about q (m, n)."""
         if self._reference is None or np.abs(q - self._reference).sum(axis=1).max() > MOVED:
             nearest = np.min([self.model.distances(each) for each in q[::SPACING]], axis=0)
             self._pairs, self._reference = np.flatnonzero(nearest < self.target + WATCHED), q
@@ -170,10 +171,12 @@ class Surroundings:
         return np.asarray(grid)
 
     def _dips(self, path: JointPath, s: Array, grid: Array, pairs: NDArray[np.intp]) -> list[tuple[float, float, int, bool]]:
-        """Distance, s and pair of the bottoms of dips that may be near the target."""
+        """Distance [m], s, pair and True for the bottom of every dip of the grid (m, k) [m] that may be near the target."""
         before, after = (np.pad(grid, ((1, 1), (0, 0)), constant_values=np.inf)[k : k + len(s)] for k in (0, 2))
         sides = np.stack([before, after])
-        rise = np.where(np.isfinite(sides), sides, -np.inf).max(axis=0) - grid  # a dip is hardly deeper than a side is high
+        rise = (
+            np.where(np.isfinite(sides), sides, -np.inf).max(axis=0) - grid
+        )  # a dip between two places is seldom deeper than its higher side
         k, c = np.nonzero((before >= grid) & (after > grid) & (grid - rise < self.target + DEEP))
         if not len(k):
             return []
@@ -184,10 +187,16 @@ class Surroundings:
     def _bottoms(
         self, path: JointPath, bracket: tuple[Array, Array], middle: Array, least: Array, pairs: list[int]
     ) -> tuple[Array, Array]:
-        """Where pairs are nearest between the ends of their brackets (k,), and how near [m].
+        """The s (k,) where pairs are nearest inside their brackets, and their distances there (k,) [m].
 
-        By parabolas and, every third time, by halving the longer side, side by side for all; `middle` (k,) is where
-        they are `least` (k,) apart.
+        All brackets are narrowed together: two steps go to the minimum of a parabola, every third halves the longer side.
+
+        Args:
+            path: the path.
+            bracket: low and high ends (k,) in s.
+            middle: s (k,) between them.
+            least: distances (k,) at `middle` [m].
+            pairs: (k,) indices.
         """
         (low, high), (left, right) = bracket, (self._at(path, side, pairs) for side in bracket)
         for step in range(BOTTOM_STEPS):
@@ -205,7 +214,7 @@ class Surroundings:
             new = np.clip(middle + change, low, high)
             value = self._at(path, new, pairs)
             better, after = value < least, new > middle
-            # the better one is the middle from now on, and the other an end
+            # the nearer of the two becomes the middle, the other an end of the bracket
             end, end_value = np.where(better, middle, new), np.where(better, least, value)
             is_low = better == after
             low, left = np.where(is_low, end, low), np.where(is_low, end_value, left)

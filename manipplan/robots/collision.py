@@ -52,12 +52,14 @@ class Contact:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Witness:
-    """Two points, one on each body of a pair: the pair is never further apart than they are.
+    """Two points of a pair of bodies, fixed to them: the distance of the pair is at most theirs minus `radius`.
+
+    The point of a sphere or capsule lies on its centre or axis, that of any other body on its surface.
 
     Attributes:
-        first, second: indices of the joints that carry them (0: the world).
-        point, other: (3,) the points, in the frames of these joints [m].
-        radius: of the balls about the points that belong to the bodies, added [m].
+        first, second: indices of the joints that carry the two bodies (0: the world).
+        point, other: (3,) the points of the first and the second body, in the frames of these joints [m].
+        radius: sum of the radii of the two bodies around their points [m]; 0 for points on the surface.
     """
 
     first: int
@@ -149,7 +151,7 @@ class CollisionModel:
         return [pin.computeDistance(self.geometry, self._geometry_data, pair).min_distance for pair in pairs]
 
     def distance_gradient(self, q: Array, pair: int) -> Array:
-        """How fast the distance of a pair grows with each joint at q (n,), (n,) [m per rad or m]."""
+        """Gradient (n,) of the distance of a pair at q (n,) [m per rad or m]."""
         model, data = self.robot.model, self._data
         pin.computeJointJacobians(model, data, q)
         pin.updateGeometryPlacements(model, data, self.geometry, self._geometry_data)
@@ -210,7 +212,7 @@ class CollisionModel:
         return witness, -self._data.oMi[carriers[1]].rotation.T @ normal
 
     def turned(self, q: Array, vector: Array, joint: int, into: int) -> Array:
-        """A vector (3,) in the frame of one joint (0: the world) in that of another at q (n,)."""
+        """Components (3,) in the frame of joint `into` of a vector given in that of `joint` (0: the world), at q (n,)."""
         pin.forwardKinematics(self.robot.model, self._data, q)
         return np.asarray(self._data.oMi[into].rotation.T @ (self._data.oMi[joint].rotation @ vector))
 
