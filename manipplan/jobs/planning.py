@@ -67,7 +67,7 @@ def plan(
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         torque: obey the joints' effort limits as well.
         seed: of the planner; the same seed gives the same plan.
-        seeds: how many first paths are looked for; see `optimize_path`.
+        seeds: number of first paths that are looked for; see `optimize_path`.
         time_limit: of the planner, for each first path [s].
         executor: where first paths and solves run side by side. Default: one by one, here.
         throw: raise PlanningError where no trajectory can be had; False: return a Plan whose status says why.
@@ -107,14 +107,14 @@ def plan(
     if result.status is Status.INTERRUPTED:
         raise KeyboardInterrupt
     first = instance("seed", result.seed, JointPath)
-    for each, basis, pieces in ((min(degree + 3, MOST_DEGREE), "legendre", 1), (3, "bspline", SPLINE_PIECES)):
+    for tried, basis, pieces in ((min(degree + 3, MOST_DEGREE), "legendre", 1), (3, "bspline", SPLINE_PIECES)):
         if result.status.ok or result.status is Status.SINGULAR:  # another degree crosses the same singularity
             break
-        tell(0.6, f"{basis} of degree {each}")
-        more = optimise_from(first, degree=each, basis=basis, pieces=pieces)
+        tell(0.6, f"{basis} of degree {tried}")
+        more = optimise_from(first, degree=tried, basis=basis, pieces=pieces)
         if more.status is Status.INTERRUPTED:
             raise KeyboardInterrupt
-        result = min(result, more, key=lambda tried: (not tried.status.ok, tried.g))
+        result = min(result, more, key=lambda each: (not each.status.ok, each.g))
     path = instance("path", result.path, JointPath)
     draft = replace(draft, path=path, result=result, status=result.status)
     try:

@@ -262,7 +262,7 @@ def descend(program: TrueProgram, z: Array, *, tolerance: float | None = None) -
             penalty = max(penalty / 2, LEAST_PENALTY)
             if decrease > 0.5 * predicted and size > 0.7 * radius:
                 radius = min(2 * radius, LARGEST_RADIUS)
-        if decrease < 0.25 * predicted:
+        if decrease < 0.25 * predicted:  # as in algorithm 4.1 of nocedal2006
             radius = size / 4
             if wide_steps > 0:
                 wide_steps -= 1

@@ -247,7 +247,7 @@ class LocalSearch:
     def more_places(
         self, places: tuple[near.Place, ...], distances: Array, touched: tuple[near.Place, ...], *, touching: bool
     ) -> tuple[near.Place, ...]:
-        """The places, those where a path `touched` something, and the dips of its distance profile (m, k) [m] below the clearance.
+        """The places, and those where a path `touched` something or its distance profile (m, k) [m] dips below the clearance.
 
         Where that adds none although the path is `touching` something, dips a little above the clearance and closer places
         are added as well.

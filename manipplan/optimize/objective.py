@@ -149,8 +149,8 @@ def _weighed_speed(path: JointPath, s: Array, kinematics: Kinematics, power: flo
 def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Array | None, panels: int) -> float:
     """g to ACCURACY by halving panels: a dip of the index can be a thousand times narrower than an even panel.
 
-    Infinite where the index consists of rounding errors, as on a path that is singular all along. A dip needs few narrow panels,
-    rounding errors need them everywhere.
+    Infinite where the index consists of rounding errors, as on a path that is singular all along. A dip needs few narrow
+    panels, rounding errors need them everywhere.
     """
     nodes, weights = np.polynomial.legendre.leggauss(POINTS)
 

@@ -18,7 +18,7 @@ GRADIENT = 1e-3
 COMPLEMENTARITY = 1e-5
 #: ... and active clearances differ from the demanded one by at most this [m].
 ACTIVE = 1e-4
-#: Joint limits nearer than this are active [rad or m].
+#: Joint limits that a step of this radius can reach are active [rad or m].
 LIMIT = 1e-6
 #: The gradient of a distance may be any convex combination of those at configurations whose joints differ by this from the
 #: path's [rad or m]: near the edges of two bodies it turns within a fraction of a millimetre [goldstein1977].
