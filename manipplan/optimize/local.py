@@ -72,6 +72,7 @@ class LocalSearch:
     history: list[Step]
     ends: EndConditions = field(default_factory=EndConditions)
     accepted: list[Candidate] = field(default_factory=list)
+    repaces: bool = True
 
     def only_one(self) -> list[Candidate]:
         """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
@@ -111,7 +112,7 @@ class LocalSearch:
         little, and from there may lead to a better one.
         """
         best = self._descended(name, coefficients)
-        while best is not None and best.optimality.active_clearance == 0.0 and np.isfinite(best.cost.g):
+        while self.repaces and best is not None and best.optimality.active_clearance == 0.0 and np.isfinite(best.cost.g):
             again = self._descended("even pace", self._followed(best.path)[1])
             if again is None or again.cost.g > best.cost.g * (1 - WORTH):
                 break
