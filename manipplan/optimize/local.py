@@ -73,6 +73,7 @@ class LocalSearch:
         history: every solve is appended to it.
         ends: fixed derivatives at start and goal.
         accepted: every candidate is appended to it, so that an interrupt loses none.
+        repaces: whether optima are fitted again at an even pace.
     """
 
     program: PathProgram
@@ -83,6 +84,7 @@ class LocalSearch:
     history: list[Step]
     ends: EndConditions = field(default_factory=EndConditions)
     accepted: list[Candidate] = field(default_factory=list)
+    repaces: bool = True
 
     def single_path(self) -> list[Candidate]:
         """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
@@ -119,11 +121,11 @@ class LocalSearch:
     def optimum_from(self, name: str, coefficients: Array) -> list[Candidate]:
         """The local optimum of the true problem that is reached from coefficients (n, size); none when it is not free.
 
-        Where no clearance is active, the optimum is fitted again at an even pace. The fit differs a little, so that another
-        descent from it may reach a lower g.
+        With `repaces`, where no clearance is active, the optimum is fitted again at an even pace. The fit differs a little, so
+        that another descent from it may reach a lower g.
         """
         best = self._descend(name, coefficients)
-        while best is not None and best.optimality.active_clearance == 0.0 and np.isfinite(best.cost.g):
+        while self.repaces and best is not None and best.optimality.active_clearance == 0.0 and np.isfinite(best.cost.g):
             again = self._descend("even pace", self._followed(best.path)[1])
             if again is None or again.cost.g > best.cost.g * (1 - WORTH):
                 break

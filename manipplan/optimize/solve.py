@@ -91,7 +91,14 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
     history: list[Step] = []
     program = _program(problem, objective)
     search = LocalSearch(
-        program=program, start=start, goal=goal, model=model, clearance=clearance, history=history, ends=problem.ends
+        program=program,
+        start=start,
+        goal=goal,
+        model=model,
+        clearance=clearance,
+        history=history,
+        ends=problem.ends,
+        repaces=problem.lower() is None,
     )
     is_free = bool(program.free.size)
     interrupted = False
