@@ -249,7 +249,8 @@ def descend(program: TrueProgram, z: Array, *, tolerance: float | None = None) -
             if choice + 1 < len(model.convex):
                 choice += 1
             elif wide_steps == 0:
-                radius, choice, wide_steps = RADIUS, 0, WIDE_STEPS
+                radius, wide_steps = RADIUS, WIDE_STEPS
+                here, model = _Point.of(program, here.z, radius), None
             else:
                 return ended(count, "no step lowers g")
             continue

@@ -173,7 +173,8 @@ class LocalSearch:
             candidate = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)
             agrees = abs(objective.on_panels(path, edges) - cost.g) <= AGREEMENT * cost.g
             candidate = candidate if agrees else replace(candidate, optimality=UNKNOWN)
-            best = candidate if best is None or cost.g < best.cost.g else best
+            worth = WORTH if agrees else 0.0  # a confirmed optimum may be a little higher
+            best = candidate if best is None or cost.g < best.cost.g * (1 + worth) else best
             if agrees or not np.isfinite(cost.g):
                 break
         if best is not None:
