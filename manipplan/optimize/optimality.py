@@ -7,7 +7,6 @@ solver that found the path.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import nnls
 
 from manipplan.checks import Array
 from manipplan.optimize.descent import TrueProgram
@@ -60,6 +59,8 @@ UNKNOWN = Optimality(projected_gradient=np.inf, complementarity=np.inf, active_c
 
 def measure_optimality(program: TrueProgram, z: Array) -> Optimality:
     """The first-order conditions at z (f, n)."""
+    from scipy.optimize import nnls
+
     gradient = program.length.gradient(z).ravel() / program.length.value(z)
     limits = program.limits.near(z, LIMIT)
     margin, beyond, jacobian, owner = 0.0, np.empty(0), np.empty((0, z.size)), np.empty(0, dtype=int)

@@ -133,7 +133,7 @@ def test_a_trajectory_of_many_pieces_has_the_clearance_of_its_path(demo_problem,
     assert len(motion.t) > 100
     one, many = (problem.scene.path_clearance(problem.robot, path, tolerance=3e-4) for path in (result.path, motion.path()))
     assert one.lower == pytest.approx(many.lower, abs=4e-4)
-    assert one.pair == many.pair
+    assert one.upper == pytest.approx(many.upper, abs=4e-4)  # the path touches its clearance at several pairs, any may be named
     assert many.checks < 40 * len(motion.t), "runs of pieces are looked at as one"
 
 
@@ -144,7 +144,7 @@ def test_certificate_and_report_hold_the_proof(demo_problem, demo_plan):
         (demo_plan.report.clearance, demo_plan.report.proven_clearance),
     ):
         assert 0 < proven <= measured <= proven + 1.1e-3
-    assert f"proven on the whole curve: {1e3 * certificate.proven_clearance:.1f} mm" in str(certificate)
+    assert f"proven on the whole curve: {1e3 * certificate.proven_clearance:.2f} mm" in str(certificate)
     assert "proven on the whole motion" in str(demo_plan.report)
 
 
