@@ -497,7 +497,7 @@ def test_a_row_is_the_distance_that_coal_measures(demo_problem, rng):
 def test_an_initial_path_is_used(planar):
     detour = mp.JointPath.through([[0, 1.5, -2], [1.0, 1.0, 1.0], [np.pi, -2, 2]])
     result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2, initial=detour)
-    assert {step.first for step in result.history} == {"straight", "path"}
+    assert {"straight", "path"} <= {step.first for step in result.history} <= {"straight", "even pace", "path"}
     assert result.g <= result.seed_cost.g
 
 

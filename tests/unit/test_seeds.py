@@ -215,18 +215,18 @@ def test_an_interrupt_returns_the_best_so_far(after, sigint):
 
 
 def test_an_interrupt_between_two_solves(planar, monkeypatch, sigint):
-    """The second solve is interrupted: what the first found is returned, and told."""
-    from manipplan.optimize.problem import PathProgram
+    """A later descent is interrupted: the best path so far is returned, and the status says so."""
+    from manipplan.optimize import local
 
-    solve, calls = PathProgram.solve, []
+    descend, calls = local.descend, []
 
-    def interrupted(*arguments):
+    def interrupted(*arguments, **options):
         calls.append(arguments)
         if len(calls) == 3:
             signal.raise_signal(signal.SIGINT)
-        return solve(*arguments)
+        return descend(*arguments, **options)
 
-    monkeypatch.setattr(PathProgram, "solve", interrupted)
+    monkeypatch.setattr(local, "descend", interrupted)
     seed = mp.seed_path(planar, START, GOAL, POST)
     result = mp.optimize_path(planar, START, GOAL, power=2, scene=POST, initial=seed)
     assert len(calls) == 3
