@@ -36,7 +36,8 @@ class Optimality:
         complementarity: Σ λ_i |d_i - target| over g, where the target is the demanded clearance plus the margin for the proof:
             about the share by which g would fall if no active pair kept more than the target.
         active_clearance: largest difference between the distance of an active pair and the demanded clearance [m]; 0 where
-            no clearance is active.
+            no clearance is active. Only pairs within ACTIVE of the demanded clearance can be active, so it never exceeds
+            ACTIVE: a pair that is kept further away shows in the projected gradient instead.
     """
 
     projected_gradient: float

@@ -174,9 +174,8 @@ class Surroundings:
         """Distance [m], s, pair and True for the bottom of every dip of the grid (m, k) [m] that may be near the target."""
         before, after = (np.pad(grid, ((1, 1), (0, 0)), constant_values=np.inf)[k : k + len(s)] for k in (0, 2))
         sides = np.stack([before, after])
-        rise = (
-            np.where(np.isfinite(sides), sides, -np.inf).max(axis=0) - grid
-        )  # a dip between two places is seldom deeper than its higher side
+        # a dip between two places is seldom deeper than its higher side
+        rise = np.where(np.isfinite(sides), sides, -np.inf).max(axis=0) - grid
         k, c = np.nonzero((before >= grid) & (after > grid) & (grid - rise < self.target + DEEP))
         if not len(k):
             return []
