@@ -4,7 +4,7 @@ The multipliers λ >= 0 of the active rows come from a non-negative least-square
 solver that found the path.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -22,6 +22,9 @@ LIMIT = 1e-6
 #: The gradient of a distance may be any convex combination of those at configurations whose joints differ by this from the
 #: path's [rad or m]: near the edges of two bodies it turns within a fraction of a millimetre [goldstein1977].
 KINK = 1e-4
+#: Where the pairs within ACTIVE do not balance the gradient, pairs further away are tried, up to these distances from the
+#: demanded clearance [m]. Where they do, the path keeps a distance that nothing demands, and the active clearance says how much.
+KEPT_AWAY = tuple(ACTIVE * 2.0**k for k in range(1, 8))
 #: Clearances count as active when their multiplier is above this share of the largest.
 NOTABLE = 1e-3
 
@@ -36,8 +39,7 @@ class Optimality:
         complementarity: Σ λ_i |d_i - target| over g, where the target is the demanded clearance plus the margin for the proof:
             about the share by which g would fall if no active pair kept more than the target.
         active_clearance: largest difference between the distance of an active pair and the demanded clearance [m]; 0 where
-            no clearance is active. Only pairs within ACTIVE of the demanded clearance can be active, so it never exceeds
-            ACTIVE: a pair that is kept further away shows in the projected gradient instead.
+            no clearance is active. Above ACTIVE where only pairs that are further away balance the gradient.
     """
 
     projected_gradient: float
@@ -60,16 +62,26 @@ UNKNOWN = Optimality(projected_gradient=np.inf, complementarity=np.inf, active_c
 
 def measure_optimality(program: TrueProgram, z: Array) -> Optimality:
     """The first-order conditions at z (f, n)."""
+    close = _fitted(program, z, ACTIVE)
+    if program.surroundings is None or close.projected_gradient <= GRADIENT:
+        return close
+    further = (_fitted(program, z, reach) for reach in KEPT_AWAY)
+    return next((each for each in further if each.projected_gradient <= GRADIENT), close)
+
+
+def _fitted(program: TrueProgram, z: Array, reach: float) -> Optimality:
+    """The conditions with the multipliers that fit best, of pairs within `reach` of the demanded clearance [m]."""
     from scipy.optimize import nnls
 
     gradient = program.length.gradient(z).ravel() / program.length.value(z)
     limits = program.limits.near(z, LIMIT)
     margin, beyond, jacobian, owner = 0.0, np.empty(0), np.empty((0, z.size)), np.empty(0, dtype=int)
     if program.surroundings is not None:
-        margin = program.surroundings.target - program.surroundings.clearance
-        table = program.table(z, program.look(z, 0.0))
-        beyond = table.linear(z, z).value
-        jacobian, owner = table.gradients_nearby(z, np.flatnonzero(beyond < ACTIVE - margin), KINK)
+        further, margin = reach - ACTIVE, program.surroundings.margin
+        looking = replace(program, surroundings=replace(program.surroundings, clearance=program.surroundings.clearance + further))
+        table = looking.table(z, looking.look(z, 0.0))
+        beyond = table.linear(z, z).value + further
+        jacobian, owner = table.gradients_nearby(z, np.flatnonzero(beyond < reach - margin), KINK)
     whole = np.concatenate([limits.jacobian, jacobian])
     if not len(whole):
         return Optimality(projected_gradient=float(np.linalg.norm(gradient)), complementarity=0.0, active_clearance=0.0)

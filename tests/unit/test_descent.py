@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from manipplan.optimize import descent
 from manipplan.optimize.basis import named_basis
 from manipplan.optimize.local import Candidate
 from manipplan.optimize.objective import PathObjective
-from manipplan.optimize.optimality import SINGLE
+from manipplan.optimize.optimality import SINGLE, measure_optimality
 from manipplan.optimize.problem import PathProgram
 from manipplan.optimize.solve import TIE, _best
 from manipplan.optimize.surroundings import Surroundings
@@ -87,6 +88,18 @@ def test_the_post_is_touched_at_the_clearance_and_nothing_is_left_to_gain(around
     assert 0 < certificate.active_clearance < 1e-4
     again = descent.descend(true, z)
     assert true.length.value(again.z) == pytest.approx(true.length.value(z), rel=1e-5)
+
+
+def test_a_path_that_keeps_more_than_the_clearance_is_not_optimal(around_a_post):
+    """The optimum for 10 mm, measured as a path for 7 mm: the post is 3 mm further away than it has to be."""
+    _, true, z = around_a_post
+    assert measure_optimality(true, z).reached
+    demanded = replace(true.surroundings, clearance=CLEARANCE - 3e-3)
+    measured = measure_optimality(replace(true, surroundings=demanded), z)
+    assert not measured.reached
+    assert measured.projected_gradient < 1e-3
+    assert measured.active_clearance == pytest.approx(3e-3, abs=1e-4)
+    assert measured.complementarity > 1e-5
 
 
 @pytest.mark.parametrize("options", [{}, {"degree": 9}, {"degree": 3, "basis": "bspline", "pieces": 8}])
