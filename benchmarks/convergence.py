@@ -1,6 +1,6 @@
 """Whether OPTIMAL means a local optimum: four measurements of the path optimiser.
 
-- cpu: the same problems with the kernels of three processors, with and without machine code.
+- cpu: the same problems with the kernels of several processors, with and without machine code.
 - old: g and processor time beside version 0.1, whose checkout `--old` names: `git worktree add PATH 6f9afba`.
 - again: results are optimised twice more, from themselves; none that was OPTIMAL may get lower.
 - degree: degree 12 beside degree 6; more freedom may not give a higher g.
@@ -38,7 +38,7 @@ ROOT = Path(__file__).resolve().parents[1]
 OUT = ROOT / "docs" / "benchmarks" / "convergence.md"
 #: The environment variables that hold every worker to one thread. OpenBLAS prints the kernels it uses.
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "OPENBLAS_VERBOSE": "2"}
-CORES = ("Haswell", "Zen", "SkylakeX")
+CORES = ("Haswell", "Zen", "SkylakeX", "Nehalem")
 COMPILED = {True: "machine code", False: "virtual machine"}
 #: Values of g that differ by no more than this share are the same; a g that is lower or higher by more than CHANGED differs.
 SAME, CHANGED = 1e-6, 1e-3
@@ -311,6 +311,29 @@ def answered(file: Path, tasks: list[Row], made_by: str, solve: Solve, advance: 
             rows.append(known[key])
             advance()
     return rows
+
+
+def kernels_of(core: str) -> str:
+    """The kernels that OpenBLAS uses when asked for those of a processor; "" where this machine cannot run them."""
+    program = "import numpy as np; np.linalg.eigh(np.ones((64, 64)) @ np.ones((64, 64)))"
+    environment = os.environ | ONE_THREAD | {"OPENBLAS_CORETYPE": core}
+    done = subprocess.run([sys.executable, "-c", program], check=False, env=environment, capture_output=True, text=True)
+    return ", ".join(sorted(set(re.findall(r"Core: (\w+)", done.stderr)))) if done.returncode == 0 else ""
+
+
+def different(cores: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Those whose kernels this machine can run and which differ from those of an earlier one, and a sentence for each other."""
+    used: dict[str, str] = {}
+    left_out = []
+    for core in cores:
+        kernels = kernels_of(core)
+        if not kernels:
+            left_out.append(f"This machine cannot run the kernels for {core}.")
+        elif kernels in used:
+            left_out.append(f"For {core} OpenBLAS uses the kernels that it uses for {used[kernels]}.")
+        else:
+            used[kernels] = core
+    return list(used.values()), left_out
 
 
 def run_cpu(tasks: list[Row], folder: Path, cores: Sequence[str] = CORES) -> dict[str, list[Row]]:
@@ -642,7 +665,8 @@ def measured(part: str, options: argparse.Namespace) -> list[str]:
 
     if part == "cpu":
         tasks = of(planar_tasks()) + random_tasks(counted(200)) + boxes_tasks(counted(20)) + of(pairs_tasks(30))
-        return table_cpu(run_cpu(tasks, options.results))
+        cores, left_out = different(CORES)
+        return [*table_cpu(run_cpu(tasks, options.results, cores)), *(["", " ".join(left_out)] if left_out else [])]
     if part == "old":
         tasks = of(pairs_tasks(50)) + boxes_tasks(counted(20)) + of(outside_tasks(options.outside))
         return table_old(run_old(tasks, options.results, options.old))

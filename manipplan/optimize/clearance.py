@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 
 from manipplan.checks import Array
+from manipplan.optimize.rounding import FINE, on_grid
 from manipplan.optimize.rows import ClearanceRow
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
@@ -39,7 +40,7 @@ Place = tuple[float, int]
 
 def distance_profile(model: CollisionModel, configurations: Array) -> Array:
     """Distance of every pair (m, k) [m] at each of the configurations (m, n)."""
-    return np.array([model.distances(q) for q in configurations])
+    return np.array([model.distances(q) for q in on_grid(configurations, FINE)])
 
 
 def dips(distances: Array, near: float) -> list[Place]:
@@ -69,7 +70,8 @@ def nearest(model: CollisionModel, path: JointPath, places: Sequence[Place], *, 
     """All places, or where they are more than MOST_PLACES, the nearest of them on `path` that are not beyond `most` [m]."""
     if len(places) <= MOST_PLACES:
         return tuple(places)
-    distances = np.array([model.contact(path(s), pair).distance for s, pair in places])
+    at = on_grid(path(np.array([s for s, _ in places])), FINE)
+    distances = np.array([model.contact(q, pair).distance for q, (_, pair) in zip(at, places, strict=True)])
     chosen = np.argsort(distances, kind="stable")[:MOST_PLACES]
     return tuple(places[k] for k in sorted(chosen) if distances[k] <= most)
 
@@ -82,11 +84,11 @@ def rows_for(
     `safe` gives the configuration (n,) of a collision-free path at s.
     """
     rows = []
-    for s, pair in places:
-        contact = model.contact(path(s), pair)
+    for (s, pair), q in zip(places, on_grid(path(np.array([s for s, _ in places])), FINE), strict=True):
+        contact = model.contact(q, pair)
         if contact.distance <= 0:
-            contact = model.contact(safe(s), pair)
-        for point in model.nearest_points(path(s), contact, POINTS):
+            contact = model.contact(on_grid(safe(s), FINE), pair)
+        for point in model.nearest_points(q, contact, POINTS):
             rows.append(
                 ClearanceRow(
                     s=s,

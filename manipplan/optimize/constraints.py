@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from manipplan.checks import Array
 from manipplan.optimize.batch import BatchFunction
 from manipplan.optimize.length_model import Curves
+from manipplan.optimize.rounding import FINE, on_grid
 from manipplan.optimize.rows import column_height
 from manipplan.optimize.surroundings import Look, Surroundings
 from manipplan.paths.joint import JointPath
@@ -108,7 +109,8 @@ class ClearanceTable:
         places = () if surroundings is None else tuple(surroundings.places(look))
         columns = np.empty((len(places), column_height(n)))
         if surroundings is not None and places:
-            for k, ((s, pair, _), q) in enumerate(zip(places, path(np.array([s for s, *_ in places])), strict=True)):
+            at = on_grid(path(np.array([s for s, *_ in places])), FINE)
+            for k, ((s, pair, _), q) in enumerate(zip(places, at, strict=True)):
                 columns[k] = surroundings.row(q, s, pair).column(n)
         return cls(functions=functions, curves=curves, surroundings=surroundings, places=places, columns=columns)
 
@@ -119,10 +121,11 @@ class ClearanceTable:
         """Two rows at each place where a rejected `path` violates the clearance: with the plane on either body."""
         places = [(look.places[k][0], look.places[k][1], False) for k in np.flatnonzero(look.distances < surroundings.target)]
         places = places[:MOST_REJECTED]
+        at = on_grid(path(np.array([s for s, *_ in places])), FINE)
         columns = [
             row.column(len(curves.start))
-            for s, pair, _ in places
-            for row in (surroundings.row(path(s), s, pair), surroundings.reverse_row(path(s), s, pair))
+            for (s, pair, _), q in zip(places, at, strict=True)
+            for row in (surroundings.row(q, s, pair), surroundings.reverse_row(q, s, pair))
         ]
         table = np.array(columns).reshape(-1, column_height(len(curves.start)))
         twice = tuple(place for place in places for _ in range(2))
@@ -181,7 +184,7 @@ class ClearanceTable:
         qss = self.curves.basis.values(at, 2) @ self.curves.coefficients(z).T
         for i, k in enumerate(used):
             _, pair, bottom = self.places[k]
-            gradient, hessian = self.surroundings.bend(q[i], pair)
+            gradient, hessian = self.surroundings.bend(on_grid(q[i], FINE), pair)
             total += multipliers[k] * np.einsum("a,c,bd->abcd", values[i], values[i], hessian)
             bend = qs[i] @ hessian @ qs[i] + gradient @ qss[i]
             if bottom and bend > LEAST_BEND:
@@ -205,7 +208,7 @@ class ClearanceTable:
             assert self.surroundings is not None
             pair = self.places[k][1]
             line, change = self._at
-            value, q = change[k], line[k] + change[k] @ z
+            value, q = change[k], on_grid(line[k] + change[k] @ z, FINE)
             moves = step * np.concatenate([np.zeros((1, len(q))), np.eye(len(q)), -np.eye(len(q))])
             gradients = np.array([self.surroundings.model.distance_gradient(q + move, pair) for move in moves])
             found.append((value[None, :, None] * gradients[:, None, :]).reshape(len(moves), z.size))

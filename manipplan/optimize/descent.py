@@ -18,6 +18,7 @@ from manipplan.checks import Array
 from manipplan.interrupts import interruptible
 from manipplan.optimize.constraints import ClearanceTable, LimitRows, LinearRows, RowFunctions
 from manipplan.optimize.length_model import LengthModel
+from manipplan.optimize.rounding import on_grid, with_bits
 from manipplan.optimize.surroundings import Look, Surroundings
 from manipplan.paths.joint import JointPath
 
@@ -39,7 +40,7 @@ ACCEPTED, CORRECTED = 1e-4, 0.75
 #: A violation below this is ignored by second-order corrections and by the update of ν [rad or m].
 EXACT = 1e-9
 #: Minimum eigenvalue of a convex model, as a share of the largest absolute one.
-LEAST_CURVATURE = 1e-7
+LEAST_CURVATURE = 1e-6
 #: Where no step meets all rows: curvature that is added to the model, as a share of its largest and of ν, and the minimum ν.
 SOFT, SOFT_PENALTY = 1e-5, 1e3
 #: First, smallest and largest penalty parameter ν, in units of g per metre or radian.
@@ -48,6 +49,9 @@ PENALTY, LEAST_PENALTY, LARGEST_PENALTY = 10.0, 10.0, 1e6
 MENDED = 0.7
 #: Rows are made for bodies within this distance of the target: metres per radian of the radius, at least and at most [m].
 BAND, LEAST_BAND, MOST_BAND = 1.0, 2e-3, 0.1
+#: What DAQP gets is rounded to this number of bits, values of rows to multiples of a spacing [rad or m], and steps to fewer
+#: bits, so that rounding errors are not amplified from step to step.
+QP_BITS, ROW_SPACING, STEP_BITS = 24, 2.0**-30, 12
 #: For DAQP: the bound that stands for none, the tolerances that are tried in turn, and the maximum number of iterations.
 NONE, QP_TOLERANCES, QP_STEPS = 1e30, (1e-10, 1e-8), 3000
 
@@ -311,16 +315,18 @@ def _convex(hessian: Array) -> Array:
 
 
 def _solve(hessian: Array, gradient: Array, rows: LinearRows, radius: float, penalty: float) -> _Step | None:
-    """Minimise ½ pᵀ H p + gᵀ p with value + jacobian p >= 0 and |p_i| <= radius; None where DAQP fails.
+    """Minimise ½ pᵀ H p + gᵀ p with value + jacobian p >= 0 and |p_i| <= radius, up to rounding; None where DAQP fails.
 
     Where no p meets these, or the multipliers are very large, the rows are relaxed to value + jacobian p + t >= 0 with one
     slack t >= 0 that costs ν t [nocedal2006, sec. 18.3].
     """
     size = len(gradient)
     bound = np.full(size, radius)
+    hessian, gradient = with_bits(hessian, QP_BITS), with_bits(gradient, QP_BITS)
+    rows = LinearRows(value=on_grid(rows.value, ROW_SPACING), jacobian=with_bits(rows.jacobian, QP_BITS))
     step = _daqp(hessian, gradient, rows.jacobian, -rows.value, -bound, bound)
     if step is not None and step.multipliers.sum() < LARGEST_PENALTY:
-        return step
+        return replace(step, p=with_bits(step.p, STEP_BITS))
     # where rows contradict each other DAQP needs some curvature in every unknown, the slack included
     largest = float(np.abs(np.diag(hessian)).max())
     penalty = max(penalty, SOFT_PENALTY)
@@ -328,7 +334,9 @@ def _solve(hessian: Array, gradient: Array, rows: LinearRows, radius: float, pen
     whole[:size, :size] += hessian
     jacobian = np.hstack([rows.jacobian, np.ones((len(rows.value), 1))])
     soft = _daqp(whole, np.append(gradient, penalty), jacobian, -rows.value, np.append(-bound, 0.0), np.append(bound, NONE))
-    return None if soft is None else _Step(p=soft.p[:size], slack=float(soft.p[size]), multipliers=soft.multipliers)
+    if soft is None:
+        return None
+    return _Step(p=with_bits(soft.p[:size], STEP_BITS), slack=float(soft.p[size]), multipliers=soft.multipliers)
 
 
 def _daqp(hessian: Array, gradient: Array, jacobian: Array, least: Array, low: Array, high: Array) -> _Step | None:

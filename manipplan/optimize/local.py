@@ -22,6 +22,9 @@ from manipplan.robots.continuous import PathClearance, path_clearance
 ROUNDS = 8
 #: Rounds end when one lowers g by less than this share.
 SMALL_GAIN = 1e-2
+#: Where no round gives a free path, the descent starts from the solution that misses the demanded clearance by the least,
+#: if that is less than this [m].
+NEARLY_FREE = 0.1
 #: Clearance rows are added at up to this number of places per round, the deepest dips first.
 NEW_PLACES = 10
 #: A basis contains a path when its fit is nowhere further from the path than this [rad or m].
@@ -194,6 +197,7 @@ class LocalSearch:
             places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
         free: list[Solution] = []
         costs: list[float] = []
+        nearly_free, depth = coefficients, NEARLY_FREE
         for _ in range(ROUNDS):
             path = self.program.basis.path(self.start, self.goal, coefficients)
             watched = places
@@ -209,11 +213,14 @@ class LocalSearch:
                 costs.append(self.history[-1].g)
                 if not places or (len(free) > 1 and costs[-2] - costs[-1] < SMALL_GAIN * costs[-1]):
                     break
+            missing = self.clearance - float(distances.min(initial=np.inf))
+            if missing < depth:
+                nearly_free, depth = coefficients, missing
             places = self.more_places(places, distances, touched, touching=not is_free)
-        if not free:
-            return []
-        best = free[int(np.argmin(costs))]
-        return self.optimum_from("seed", best.coefficients) or [self._low_energy_path(best)]
+        if free:
+            best = free[int(np.argmin(costs))]
+            return self.optimum_from("seed", best.coefficients) or [self._low_energy_path(best)]
+        return self.optimum_from("seed", nearly_free) if depth < NEARLY_FREE else []
 
     def _low_energy_path(self, solution: Solution) -> Candidate:
         """The free path of low energy itself, where the descent from it gave no free path."""

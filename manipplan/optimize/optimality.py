@@ -23,7 +23,7 @@ LIMIT = 1e-6
 #: path's [rad or m]: near the edges of two bodies it turns within a fraction of a millimetre [goldstein1977].
 KINK = 1e-4
 #: Where the pairs within ACTIVE do not balance the gradient, pairs further away are tried, up to these distances from the
-#: demanded clearance [m]. Where they do, the path keeps a distance that nothing demands, and the active clearance says how much.
+#: demanded clearance [m]. Where they do, the path keeps a distance that nothing demands: the active clearance says how much.
 KEPT_AWAY = tuple(ACTIVE * 2.0**k for k in range(1, 8))
 #: Clearances count as active when their multiplier is above this share of the largest.
 NOTABLE = 1e-3
@@ -77,8 +77,9 @@ def _fitted(program: TrueProgram, z: Array, reach: float) -> Optimality:
     limits = program.limits.near(z, LIMIT)
     margin, beyond, jacobian, owner = 0.0, np.empty(0), np.empty((0, z.size)), np.empty(0, dtype=int)
     if program.surroundings is not None:
-        further, margin = reach - ACTIVE, program.surroundings.margin
-        looking = replace(program, surroundings=replace(program.surroundings, clearance=program.surroundings.clearance + further))
+        near, further = program.surroundings, reach - ACTIVE
+        margin = near.margin
+        looking = replace(program, surroundings=replace(near, clearance=near.clearance + further))
         table = looking.table(z, looking.look(z, 0.0))
         beyond = table.linear(z, z).value + further
         jacobian, owner = table.gradients_nearby(z, np.flatnonzero(beyond < reach - margin), KINK)

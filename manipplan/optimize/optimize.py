@@ -30,6 +30,8 @@ from manipplan.status import Status
 
 #: Maximum degree: a higher one is slower and no better.
 MOST_DEGREE = 20
+#: Maximum number of coefficients of one joint: the time of a solve grows with the square, and so does its memory.
+MOST_COEFFICIENTS = 200
 #: Maximum number of first paths to one goal.
 MOST_SEEDS = 10_000
 SHIFTS = ("none", "within-limits")
@@ -92,7 +94,8 @@ def optimize_path(
         basis: how the path is written. "legendre", "bernstein", "chebyshev" and "monomial" are the same polynomial and have
             the same optimum; monomials only up to about degree 14. "bspline" joins `pieces` with degree - 1 continuous
             derivatives, "composite" with one: for ways around many corners.
-        pieces: of equal width in s, 1 to 32; more than 1 only with "bspline" and "composite".
+        pieces: of equal width in s, 1 to 32; more than 1 only with "bspline" and "composite". With "composite" pieces times
+            (degree - 1) is at most 200.
         measure: m, a name of `available_measures()` or a Measure that is at least zero and better when larger. Default:
             Yoshikawa's index.
         metric: W in ‖q'‖_W² = q'ᵀ W q': weights (n,) > 0, or a symmetric positive definite matrix (n, n). Default: identity.
@@ -129,7 +132,12 @@ def optimize_path(
         instance("scene", scene, Scene)
     recorded = None if initial is None else initial_path(robot, initial)
     degree = whole_number("degree", degree, least=1, most=MOST_DEGREE)
-    named_basis(basis, degree, pieces)
+    size = named_basis(basis, degree, pieces).size
+    if size > MOST_COEFFICIENTS:
+        wanted = (
+            f"fewer: with degree {degree} the basis {basis!r} has {size} coefficients per joint; allowed: {MOST_COEFFICIENTS}"
+        )
+        raise InvalidInputError("pieces", pieces, wanted)
     power = number("power", power, above=0.0, most=100.0)
     clearance = number("clearance", clearance, least=0.0)
     if clearance > 0 and scene is None:

@@ -22,13 +22,17 @@ from manipplan.optimize.ends import free_directions
 from manipplan.optimize.length_model import BatchDensity, Curves, LengthModel
 from manipplan.optimize.nlp import Hull, Integral, ipopt_solver
 from manipplan.optimize.objective import PathObjective, gauss
+from manipplan.optimize.rounding import on_grid
 from manipplan.optimize.rows import ClearanceRow, column_height, met_column, row_functions
 from manipplan.optimize.surroundings import Surroundings
 
 #: Gauss points of the energy on the whole path, and at least on each piece.
 NODES, PIECE_NODES = 40, 8
-#: Minimum number of parts the curve is cut into. Their control points obey the joint limits, and so does the whole curve.
-LIMIT_PARTS = 6
+#: Minimum number of parts the curve is cut into, for the energy and for g. Their control points obey the joint limits, and so
+#: does the whole curve. With more parts the curve can come nearer to the limits.
+LIMIT_PARTS, FINE_PARTS = 6, 32
+#: Solutions of the energy, and unknowns where a descent begins, are rounded to multiples of this [rad or m].
+SPACING = 2.0**-26
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,10 +54,14 @@ class PathProgram:
         #: coefficients (n, size) move along these directions (size, f), which keep the fixed end derivatives
         self.free = free_directions(fixed, basis)
         self._along = np.linalg.pinv(self.free).T
-        line, rows = basis.hull(LIMIT_PARTS)
-        moving = np.abs(rows @ self.free).max(axis=1, initial=0.0) > 1e-9
-        self._hull = Hull(line=line[moving], rows=rows[moving])
+        self._hull, self._fine_hull = self._moving_hull(LIMIT_PARTS), self._moving_hull(FINE_PARTS)
         self._solvers: dict[tuple[int, bool], ca.Function] = {}
+
+    def _moving_hull(self, parts: int) -> Hull:
+        """The control points of so many parts of the curve, without those that the end conditions fix."""
+        line, rows = self.basis.hull(parts)
+        moving = np.abs(rows @ self.free).max(axis=1, initial=0.0) > 1e-9
+        return Hull(line=line[moving], rows=rows[moving])
 
     @cached_property
     def _rows(self) -> tuple[ca.Function, ...]:
@@ -103,6 +111,7 @@ class PathProgram:
         directions = self._directions
         z: Array = np.asarray(np.linalg.lstsq(directions, coefficients.T, rcond=None)[0], dtype=float)
         kept = coefficients - (directions @ z).T
+        z = on_grid(z, SPACING)
         curves = Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal)
         path = self.basis.path(start, goal, coefficients)
         edges = self.objective.panels(path, edges)
@@ -118,10 +127,10 @@ class PathProgram:
         )
         limits = self.kinematics.robot.limits
         unlimited = np.full(self.n, np.inf)
-        line = start + np.outer(self._hull.line, goal - start) + self._hull.rows @ kept.T
+        line = start + np.outer(self._fine_hull.line, goal - start) + self._fine_hull.rows @ kept.T
         limit_rows = LimitRows(
             line=line,
-            directions=self._hull.rows @ directions,
+            directions=self._fine_hull.rows @ directions,
             lower=limits.lower if limited else -unlimited,
             upper=limits.upper if limited else unlimited,
         )
@@ -151,11 +160,8 @@ class PathProgram:
             ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
         )
         status = str(solver.stats()["return_status"])
-        x = np.asarray(result["x"]).ravel()
-        return Solution(
-            coefficients=kept + x[: unknowns.size].reshape(unknowns.shape, order="F") @ self.free.T,
-            status=status,
-        )
+        x = on_grid(np.asarray(result["x"]).ravel()[: unknowns.size], SPACING)
+        return Solution(coefficients=kept + x.reshape(unknowns.shape, order="F") @ self.free.T, status=status)
 
     def _energy_of(self, start: Array, goal: Array, guess: Array) -> float:
         """The energy of a guess (n, size), by the quadrature of the program; 1 where it is not a number above zero."""

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from manipplan.checks import Array
 from manipplan.optimize.clearance import Place
+from manipplan.optimize.rounding import FINE, on_grid
 from manipplan.optimize.rows import ClearanceRow
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
@@ -82,7 +83,7 @@ class Surroundings:
     def look(self, path: JointPath, band: float) -> Look:
         """The places where a pair is nearer than the target plus `band` [m]: on an even grid, and at the bottoms of dips."""
         s = np.linspace(0.0, 1.0, INTERVALS + 1)
-        q = path(s)
+        q = on_grid(path(s), FINE)
         pairs = self._watched(q)
         near = self.target + band
         grid = self._profile(q, pairs, near)
@@ -223,4 +224,6 @@ class Surroundings:
 
     def _at(self, path: JointPath, s: Array, pairs: list[int]) -> Array:
         """Distances [m] of pairs (k,) at s (k,)."""
-        return np.array([self.model.pair_distances(q, [pair])[0] for q, pair in zip(path(s), pairs, strict=True)])
+        return np.array(
+            [self.model.pair_distances(q, [pair])[0] for q, pair in zip(on_grid(path(s), FINE), pairs, strict=True)]
+        )

@@ -221,7 +221,7 @@ class CollisionModel:
         pin.forwardKinematics(self.robot.model, self._data, q)
         normal = self._data.oMi[contact.second].rotation @ contact.normal
         height = contact.points @ (self._data.oMi[contact.first].rotation.T @ normal)
-        return contact.points[np.argsort(height)[:count]]
+        return contact.points[np.argsort(np.round(height, 9), kind="stable")[:count]]  # rounding errors do not decide
 
     def free_configuration(self, argument: str, q: ArrayLike, clearance: float = 0.0) -> Array:
         """Check that q (n,) is inside the limits and free; raises InvalidInputError that names limit or pair."""

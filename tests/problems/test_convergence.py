@@ -108,6 +108,16 @@ def planar():
     return [each for each in convergence.planar_tasks() if each["options"] == {"degree": 2, "power": 1}]
 
 
+def test_kernels_that_are_the_same_or_do_not_run_are_left_out(monkeypatch):
+    monkeypatch.setattr(convergence, "kernels_of", {"One": "one", "Two": "one", "Three": "", "Four": "four"}.get)
+    cores, left_out = convergence.different(["One", "Two", "Three", "Four"])
+    assert cores == ["One", "Four"]
+    assert left_out == [
+        "For Two OpenBLAS uses the kernels that it uses for One.",
+        "This machine cannot run the kernels for Three.",
+    ]
+
+
 def test_a_worker_gives_the_g_of_optimize_path_and_its_answers_are_kept(tmp_path):
     found = convergence.run_cpu(planar(), tmp_path, cores=["Haswell"])
     assert list(found) == ["Haswell, machine code", "Haswell, virtual machine"]

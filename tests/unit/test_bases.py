@@ -255,6 +255,7 @@ def test_no_small_change_lowers_the_energy(planar, name, rng):
         ({"basis": "bspline", "pieces": 0}, "pieces: got 0.*at least 1"),
         ({"basis": "bspline", "pieces": 2.5}, "pieces"),
         ({"basis": "bspline", "pieces": 33}, "pieces.*at most 32"),
+        ({"basis": "composite", "pieces": 32, "degree": 20}, "pieces: got 32; allowed: fewer.*608 coefficients.*200"),
         ({"basis": "composite", "pieces": 3, "degree": 1}, "degree: got 1; allowed: at least 2 with basis 'composite'"),
         ({"basis": "monomial", "degree": 2, "start_slope": [0.0] * 3, "goal_bend": [0.0] * 3}, "degree: got 2.*at least 3"),
         ({"basis": "bspline", "pieces": 8, "degree": 1, "start_bend": [0.0] * 3}, "degree: got 1.*at least 2 for these 1"),

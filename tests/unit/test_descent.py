@@ -11,10 +11,13 @@ import pytest
 import manipplan as mp
 from manipplan.optimize import descent
 from manipplan.optimize.basis import named_basis
+from manipplan.optimize.density import length_density
+from manipplan.optimize.length_model import BatchDensity
 from manipplan.optimize.local import Candidate
 from manipplan.optimize.objective import PathObjective
 from manipplan.optimize.optimality import SINGLE, measure_optimality
 from manipplan.optimize.problem import PathProgram
+from manipplan.optimize.rounding import with_bits
 from manipplan.optimize.solve import TIE, _best
 from manipplan.optimize.surroundings import Surroundings
 
@@ -143,6 +146,42 @@ def test_of_two_optima_that_tie_the_earlier_one_is_taken():
     assert _best([first, second]) is first
     assert _best([first, candidate(1.0 - 2 * TIE)]).cost.g < 1.0
     assert _best([]) is None
+
+
+def test_a_curve_may_come_as_near_to_a_limit_as_it_is():
+    """Limits of the control points are stricter than those of the curve. The best path of random changes has g = 0.216508."""
+    arm = mp.planar_arm([1.0, 1.0, 1.0])
+    change = {"lower": [-np.inf, 0.0, 0.0], "upper": [np.inf, 0.71120776, 0.54381329]}
+    arm = replace(arm, limits=arm.limits.with_changes(change, source="a test"))
+    start, goal = [0.0, 0.59317156, 0.22661668], [3.43774942, 0.43372053, 0.4126402]
+    result = mp.optimize_path(arm, start, goal, degree=2, power=4)
+    q = result.path(np.linspace(0.0, 1.0, 20001))
+    assert (q < arm.limits.upper + 1e-7).all() and (q > arm.limits.lower - 1e-7).all()
+    assert result.g < 0.216508 * 1.001
+
+
+def test_rounding_keeps_the_leading_bits():
+    values = np.array([0.1, -1e-3, 0.0])
+    rounded = with_bits(values, 12)
+    assert np.abs(rounded - values).max() <= 0.1 * 2.0**-11
+    np.testing.assert_array_equal(with_bits(values * (1 + 1e-13), 12), rounded)
+    np.testing.assert_array_equal(with_bits(rounded, 12), rounded)
+    np.testing.assert_array_equal(with_bits(np.zeros(3), 12), np.zeros(3))
+
+
+@pytest.mark.compiler
+def test_machine_code_gives_the_same_bits_as_the_virtual_machine(panda):
+    """So the path does not depend on whether there is a compiler."""
+    rng = np.random.default_rng(0)
+    q, v = panda.random_configuration(rng, size=50), rng.standard_normal((50, panda.n))
+    numbers = np.tile([100.0, 1.0], (50, 1))
+    densities = [
+        BatchDensity.of(length_density(PathObjective(kinematics=panda.kinematics(compiled=compiled), power=1.0)))
+        for compiled in (True, False)
+    ]
+    for name in ("value", "gradient", "hessian"):
+        code, machine = (getattr(density, name)(q, v, numbers) for density in densities)
+        np.testing.assert_array_equal(code, machine)
 
 
 PROGRAM = f"""
