@@ -12,6 +12,8 @@ from manipplan.checks import Array
 #: Configurations are rounded to multiples of this before bodies are measured: which points of two parallel faces are the
 #: nearest hangs on their last bits. No distance changes by more than its own accuracy [rad or m].
 FINE = 2.0**-36
+#: Distances are rounded to multiples of this [m].
+FINE_DISTANCE = 2.0**-40
 
 
 def on_grid(values: Array, spacing: float) -> Array:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from manipplan.checks import Array
 from manipplan.optimize.clearance import Place
-from manipplan.optimize.rounding import FINE, on_grid
+from manipplan.optimize.rounding import FINE, FINE_DISTANCE, on_grid
 from manipplan.optimize.rows import ClearanceRow
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
@@ -160,7 +160,7 @@ class Surroundings:
         if not len(pairs):
             return np.empty((len(q), 0))
         numbers = pairs.tolist()
-        coarse = np.array([self.model.pair_distances(each, numbers) for each in q[::SPACING]]).reshape(-1, len(pairs))
+        coarse = np.array([self._distances(each, numbers) for each in q[::SPACING]]).reshape(-1, len(pairs))
         share = np.arange(len(q)) / SPACING
         low = np.minimum(share.astype(int), len(coarse) - 2)
         grid = coarse[low] + (share - low)[:, None] * (coarse[low + 1] - coarse[low])
@@ -168,7 +168,7 @@ class Surroundings:
         measured = ((coarse[:-1] + coarse[1:] - change) / 2 < near)[low]
         measured[::SPACING] = False
         for k in np.flatnonzero(measured.any(axis=1)):
-            grid[k, measured[k]] = self.model.pair_distances(q[k], pairs[measured[k]].tolist())
+            grid[k, measured[k]] = self._distances(q[k], pairs[measured[k]].tolist())
         return np.asarray(grid)
 
     def _dips(self, path: JointPath, s: Array, grid: Array, pairs: NDArray[np.intp]) -> list[tuple[float, float, int, bool]]:
@@ -224,6 +224,8 @@ class Surroundings:
 
     def _at(self, path: JointPath, s: Array, pairs: list[int]) -> Array:
         """Distances [m] of pairs (k,) at s (k,)."""
-        return np.array(
-            [self.model.pair_distances(q, [pair])[0] for q, pair in zip(on_grid(path(s), FINE), pairs, strict=True)]
-        )
+        return np.array([self._distances(q, [pair])[0] for q, pair in zip(on_grid(path(s), FINE), pairs, strict=True)])
+
+    def _distances(self, q: Array, pairs: list[int]) -> Array:
+        """Distances [m] of pairs (k,) at q (n,), rounded: the place of a minimum hangs on the last bits."""
+        return on_grid(np.array(self.model.pair_distances(q, pairs)), FINE_DISTANCE)
