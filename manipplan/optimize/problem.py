@@ -22,7 +22,7 @@ from manipplan.optimize.ends import free_directions
 from manipplan.optimize.length_model import BatchDensity, Curves, LengthModel
 from manipplan.optimize.nlp import Hull, Integral, ipopt_solver
 from manipplan.optimize.objective import PathObjective, gauss
-from manipplan.optimize.rounding import on_grid
+from manipplan.optimize.rounding import FINE, on_grid, with_bits
 from manipplan.optimize.rows import ClearanceRow, column_height, met_column, row_functions
 from manipplan.optimize.surroundings import Surroundings
 
@@ -33,6 +33,8 @@ NODES, PIECE_NODES = 40, 8
 LIMIT_PARTS, FINE_PARTS = 6, 32
 #: Solutions of the energy, and unknowns where a descent begins, are rounded to multiples of this [rad or m].
 SPACING = 2.0**-26
+#: Bits of the factor by which IPOPT's objective is scaled.
+SCALE_BITS = 24
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -146,10 +148,12 @@ class PathProgram:
         limits = self.kinematics.robot.limits
         limited = bool(np.isfinite([limits.lower, limits.upper]).any())
         solver = self._solver(capacity, limited)
-        unknowns = guess @ self._along
-        kept = guess - unknowns @ self.free.T
-        numbers = [start, goal, [1 / self._energy_of(start, goal, guess), 1.0], kept.ravel(order="F")]
-        parameters = np.concatenate([*numbers, self._row_parameters(rows, capacity).ravel(order="F")])
+        # all that IPOPT gets is rounded: from inputs that differ in their last bits its iterations go apart
+        unknowns = on_grid(guess @ self._along, SPACING)
+        kept = on_grid(guess - unknowns @ self.free.T, FINE)
+        scale = with_bits(np.array([1 / self._energy_of(start, goal, guess)]), SCALE_BITS)
+        table = on_grid(self._row_parameters(rows, capacity), FINE)
+        parameters = np.concatenate([start, goal, scale, [1.0], kept.ravel(order="F"), table.ravel(order="F")])
         count = len(self._hull.line) if limited else 0
         joint_limits = [np.tile(each, count) for each in (limits.lower, limits.upper)]
         result = solver(
