@@ -10,6 +10,8 @@ from manipplan.errors import InvalidInputError
 DEFINITE = 1e-12
 #: No entry of W is larger: its square is a number still.
 LARGEST = 1e150
+#: The largest entry of W is not below this: slower motions than 1e-9 count as none.
+SMALLEST = 1e-12
 
 
 def metric_matrix(argument: str, value: ArrayLike | None, n: int) -> Array | None:
@@ -20,12 +22,13 @@ def metric_matrix(argument: str, value: ArrayLike | None, n: int) -> Array | Non
     if value is None:
         return None
     wanted = (
-        f"{n} weights above zero, one a joint, or a symmetric positive definite matrix ({n}, {n}), finite, below {LARGEST:g}"
+        f"{n} weights above zero, one a joint, or a symmetric positive definite matrix ({n}, {n}), finite, below {LARGEST:g}, "
+        f"with the largest entry at least {SMALLEST:g}"
     )
     matrix = number_array(argument, value)
     if matrix.shape == (n,):
         matrix = np.diag(matrix)
-    if matrix.shape != (n, n) or not (np.abs(matrix) < LARGEST).all():
+    if matrix.shape != (n, n) or not (np.abs(matrix) < LARGEST).all() or np.abs(matrix).max() < SMALLEST:
         raise InvalidInputError(argument, value, wanted)
     eigenvalues = np.linalg.eigvalsh((matrix + matrix.T) / 2)
     lopsided = np.abs(matrix - matrix.T).max() > 1e-9 * np.abs(matrix).max()

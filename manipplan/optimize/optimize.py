@@ -112,7 +112,7 @@ def optimize_path(
         compiled: True: objective, clearance rows and index in machine code. It is made once for a robot, task, measure and
             metric, in some seconds, and kept in the user's cache folder. False: CasADi's virtual machine. "auto": machine
             code where there is a compiler, except for measures whose Hessian takes long to compile (singular values, dynamic).
-            The path is the same to rounding, unless rounding decides between two local optima.
+            The path is the same.
         throw: raise PlanningError where no free path was found, or where the index vanishes on it, so that g is infinite.
             False: return the result, whose status or g says so.
         progress: called with the share done in [0, 1] and a text.

@@ -530,6 +530,7 @@ def test_an_initial_path_is_used(planar):
         ({"metric": [1.0, np.nan, 1.0]}, "metric.*finite"),
         ({"metric": "heavy"}, "metric.*real numbers"),
         ({"metric": [1e308, 1e308, 1e308]}, "metric.*below 1e.150"),
+        ({"metric": [1e-18, 1e-18, 1e-18]}, "metric.*at least 1e-12"),
         ({"clearance": 0.05}, "clearance: got 0.05; allowed: 0 without a scene.*scene=Scene"),
         ({"measure": "log_det"}, "measure: got 'log_det'.*at least zero and better when larger: yoshikawa"),
         ({"measure": "condition_number"}, "measure: got 'condition_number'.*better when larger"),
