@@ -17,6 +17,7 @@ import pytest
 
 PAGES = Path(__file__).parents[2] / "docs"
 BLOCK = re.compile(r"(<!-- not run: [^>]+ -->\n)?```(python|sh|yaml)\n(.*?)```(?:\n\n```text\n(.*?)```)?", re.DOTALL)
+AT_THE_LIMIT = re.compile(r"(% of the limit), \w+ at [\d.]+ s")
 NUMBER = re.compile(r"-?\d+(?:[.,]\d+)*(?:e[-+]?\d+)?")
 GENERATED = {"_build", "gallery", "benchmarks"}
 
@@ -38,7 +39,11 @@ def last_digit(number):
 
 
 def assert_printed(wanted, got, where):
-    """The words are the same, and numbers to a thousandth or one in their last digit."""
+    """The words are the same, and numbers to a thousandth or one in their last digit.
+
+    Which joint is the nearest to its limit, and when, is not compared: in a timed motion several reach it, to rounding.
+    """
+    wanted, got = (AT_THE_LIMIT.sub(r"\1", each) for each in (wanted, got))
     assert NUMBER.sub("#", wanted).split() == NUMBER.sub("#", got).split(), f"{where} prints\n{got}"
     for a, b in zip(NUMBER.findall(wanted.replace(",", "")), NUMBER.findall(got.replace(",", "")), strict=True):
         digit = 1.001 * max(last_digit(a), last_digit(b))
