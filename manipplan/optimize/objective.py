@@ -168,7 +168,9 @@ def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Arr
     for _ in range(HALVINGS):
         middle = (begin + end) / 2
         left, right = gained(begin, middle), gained(middle, end)
-        open_ = np.abs(left + right - whole) > ACCURACY * (settled + whole.sum())
+        finite = np.isfinite(left + right) & np.isfinite(whole)  # not where m vanishes at a Gauss point
+        change = np.abs(np.where(finite, left + right, 0.0) - np.where(finite, whole, 0.0))
+        open_ = ~finite | (change > ACCURACY * (settled + whole[finite].sum()))
         settled += float((left + right)[~open_].sum())
         begin, end = np.concatenate([begin[open_], middle[open_]]), np.concatenate([middle[open_], end[open_]])
         whole = np.concatenate([left[open_], right[open_]])
