@@ -302,7 +302,7 @@ def test_deviation_of_a_followed_path_by_brute_force(demo_plan):
     plan = replace(demo_plan, workspace_path=path, tolerance=mp.Tolerance(position=0.005, rotation=0.1))
     ax = viz.plot_deviation(plan)
     position, rotation = (axes.lines[0].get_ydata() for axes in ax.figure.axes)
-    fine = path.sample(4001)
+    fine = path.sample(20_001)
     times = np.linspace(0.0, demo_plan.trajectory.duration, len(position))
     for k in (0, 250, 500, 800):
         pose = demo_plan.robot.kinematics().pose(demo_plan.trajectory(times[k]))
