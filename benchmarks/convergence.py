@@ -322,7 +322,7 @@ def kernels_of(core: str) -> str:
 
 
 def different(cores: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Those whose kernels this machine can run and which differ from those of an earlier one, and a sentence for each other."""
+    """The processors whose kernels this machine can run, each kind once, and for every other one the reason it is left out."""
     used: dict[str, str] = {}
     left_out = []
     for core in cores:

@@ -33,7 +33,7 @@ from manipplan.untrusted import is_identifier, printable, terminal_text
 log = logging.getLogger("manipplan")
 Loaded = TypeVar("Loaded")
 
-#: For functions that only this machine runs. Products and sums are not fused, so every processor gives the same bits.
+#: For functions that only this machine runs. Products and sums are not fused, as in CasADi's virtual machine.
 NATIVE = ("-O2", "-fno-fast-math", "-ffp-contract=off", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 
 #: From so many characters on, -O1 is chosen: it compiles three times faster for code that runs a tenth slower.

@@ -60,7 +60,7 @@ class PathProgram:
         self._solvers: dict[tuple[int, bool], ca.Function] = {}
 
     def _moving_hull(self, parts: int) -> Hull:
-        """The control points of so many parts of the curve, without those that the end conditions fix."""
+        """The control points that can move when the curve is cut into this number of parts."""
         line, rows = self.basis.hull(parts)
         moving = np.abs(rows @ self.free).max(axis=1, initial=0.0) > 1e-9
         return Hull(line=line[moving], rows=rows[moving])
