@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 
 from manipplan.checks import Array
-from manipplan.optimize.rounding import FINE, on_grid
+from manipplan.optimize.rounding import FINE, configurations, on_grid
 from manipplan.optimize.rows import ClearanceRow
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
@@ -38,9 +38,9 @@ POINTS = 2
 Place = tuple[float, int]
 
 
-def distance_profile(model: CollisionModel, configurations: Array) -> Array:
-    """Distance of every pair (m, k) [m] at each of the configurations (m, n)."""
-    return np.array([model.distances(q) for q in on_grid(configurations, FINE)])
+def distance_profile(model: CollisionModel, q: Array) -> Array:
+    """Distance of every pair (m, k) [m] at each of the configurations q (m, n)."""
+    return np.array([model.distances(each) for each in on_grid(q, FINE)])
 
 
 def dips(distances: Array, near: float) -> list[Place]:
@@ -70,7 +70,7 @@ def nearest(model: CollisionModel, path: JointPath, places: Sequence[Place], *, 
     """All places, or where they are more than MOST_PLACES, the nearest of them on `path` that are not beyond `most` [m]."""
     if len(places) <= MOST_PLACES:
         return tuple(places)
-    at = on_grid(path(np.array([s for s, _ in places])), FINE)
+    at = configurations(path, [s for s, _ in places])
     distances = np.array([model.contact(q, pair).distance for q, (_, pair) in zip(at, places, strict=True)])
     chosen = np.argsort(distances, kind="stable")[:MOST_PLACES]
     return tuple(places[k] for k in sorted(chosen) if distances[k] <= most)
@@ -84,7 +84,7 @@ def rows_for(
     `safe` gives the configuration (n,) of a collision-free path at s.
     """
     rows = []
-    for (s, pair), q in zip(places, on_grid(path(np.array([s for s, _ in places])), FINE), strict=True):
+    for (s, pair), q in zip(places, configurations(path, [s for s, _ in places]), strict=True):
         contact = model.contact(q, pair)
         if contact.distance <= 0:
             contact = model.contact(on_grid(safe(s), FINE), pair)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from manipplan.checks import Array
 from manipplan.optimize.batch import BatchFunction
 from manipplan.optimize.length_model import Curves
-from manipplan.optimize.rounding import FINE, on_grid
+from manipplan.optimize.rounding import FINE, configurations, on_grid
 from manipplan.optimize.rows import column_height
 from manipplan.optimize.surroundings import Look, Surroundings
 from manipplan.paths.joint import JointPath
@@ -109,7 +109,7 @@ class ClearanceTable:
         places = () if surroundings is None else tuple(surroundings.places(look))
         columns = np.empty((len(places), column_height(n)))
         if surroundings is not None and places:
-            at = on_grid(path(np.array([s for s, *_ in places])), FINE)
+            at = configurations(path, [s for s, *_ in places])
             for k, ((s, pair, _), q) in enumerate(zip(places, at, strict=True)):
                 columns[k] = surroundings.row(q, s, pair).column(n)
         return cls(functions=functions, curves=curves, surroundings=surroundings, places=places, columns=columns)
@@ -121,7 +121,7 @@ class ClearanceTable:
         """Two rows at each place where a rejected `path` violates the clearance: with the plane on either body."""
         places = [(look.places[k][0], look.places[k][1], False) for k in np.flatnonzero(look.distances < surroundings.target)]
         places = places[:MOST_REJECTED]
-        at = on_grid(path(np.array([s for s, *_ in places])), FINE)
+        at = configurations(path, [s for s, *_ in places])
         columns = [
             row.column(len(curves.start))
             for (s, pair, _), q in zip(places, at, strict=True)

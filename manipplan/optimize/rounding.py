@@ -6,8 +6,10 @@ where a number lies just between two of the grid.
 """
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from manipplan.checks import Array
+from manipplan.paths.joint import JointPath
 
 #: Configurations are rounded to multiples of this before bodies are measured: which points of two parallel faces are the
 #: nearest hangs on their last bits. No distance changes by more than its own accuracy [rad or m].
@@ -19,6 +21,11 @@ FINE_DISTANCE = 2.0**-40
 def on_grid(values: Array, spacing: float) -> Array:
     """The nearest multiples of `spacing`, a power of two."""
     return np.asarray(np.round(values / spacing) * spacing)
+
+
+def configurations(path: JointPath, s: ArrayLike) -> Array:
+    """The configurations (m, n) of a path at s (m,), on the fine grid."""
+    return on_grid(path(s), FINE)
 
 
 def with_bits(values: Array, bits: int) -> Array:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from manipplan.checks import Array
 from manipplan.optimize.clearance import Place
-from manipplan.optimize.rounding import FINE, FINE_DISTANCE, on_grid
+from manipplan.optimize.rounding import FINE_DISTANCE, configurations, on_grid
 from manipplan.optimize.rows import ClearanceRow
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
@@ -83,7 +83,7 @@ class Surroundings:
     def look(self, path: JointPath, band: float) -> Look:
         """The places where a pair is nearer than the target plus `band` [m]: on an even grid, and at the bottoms of dips."""
         s = np.linspace(0.0, 1.0, INTERVALS + 1)
-        q = on_grid(path(s), FINE)
+        q = configurations(path, s)
         pairs = self._watched(q)
         near = self.target + band
         grid = self._profile(q, pairs, near)
@@ -224,7 +224,7 @@ class Surroundings:
 
     def _at(self, path: JointPath, s: Array, pairs: list[int]) -> Array:
         """Distances [m] of pairs (k,) at s (k,)."""
-        return np.array([self._distances(q, [pair])[0] for q, pair in zip(on_grid(path(s), FINE), pairs, strict=True)])
+        return np.array([self._distances(q, [pair])[0] for q, pair in zip(configurations(path, s), pairs, strict=True)])
 
     def _distances(self, q: Array, pairs: list[int]) -> Array:
         """Distances [m] of pairs (k,) at q (n,), rounded: the place of a minimum hangs on the last bits."""
