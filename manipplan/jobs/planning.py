@@ -4,6 +4,7 @@ from concurrent.futures import Executor
 from dataclasses import replace
 from functools import partial
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.checks import instance
@@ -108,7 +109,9 @@ def plan(
         raise KeyboardInterrupt
     first = instance("seed", result.seed, JointPath)
     for tried, basis, pieces in ((min(degree + 3, MOST_DEGREE), "legendre", 1), (3, "bspline", SPLINE_PIECES)):
-        if result.status.ok or result.status is Status.SINGULAR:  # another degree crosses the same singularity
+        certificate = result.certificate
+        descended = certificate is not None and np.isfinite(certificate.projected_gradient)
+        if (descended and result.status.ok) or result.status is Status.SINGULAR:  # another degree crosses the same singularity
             break
         tell(0.6, f"{basis} of degree {tried}")
         more = optimise_from(first, degree=tried, basis=basis, pieces=pieces)

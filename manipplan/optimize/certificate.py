@@ -44,11 +44,12 @@ class Certificate:
         status: how the path came about.
         solver: how the solver that gave the path ended; "" for a seed, and where there was nothing to solve.
         projected_gradient: what the active limits and clearances leave of the gradient of g, over g [1/rad]: the relative
-            change of g per radian of the root mean square of a change of q'(s). nan for a path that was not optimised.
+            change of g per radian of the root mean square of a change of q'(s). nan for a path that was not optimised; inf
+            where no descent ended at it, or what the descent minimised differs from its g.
         complementarity: about the share by which g would fall if no active pair of bodies kept more than the clearance and the
-            margin for the proof; nan as above.
+            margin for the proof; nan and inf as above.
         active_clearance: largest difference between the distance of an active pair of bodies and the clearance [m]; 0 where no
-            clearance is active, nan as above.
+            clearance is active, nan and inf as above.
         g: ∫ ‖q'‖_W / m^power ds, to ten digits; to four where a power below 1 lets a path cross a singularity.
         unconstrained_g: g of the local optimum that is reached from this path when limits and obstacles are taken away, in the
             same basis and with the same end conditions. nan when g is infinite, and for a path that the path optimiser did
@@ -149,6 +150,8 @@ class Certificate:
         """The first-order conditions and their tolerances."""
         if np.isnan(self.projected_gradient):
             return "not measured: this path was not optimised"
+        if np.isinf(self.projected_gradient):
+            return "not known: no descent ended at this path, or what it minimised differs from g here"
         return (
             f"projected gradient {self.projected_gradient:.1e} (at most {GRADIENT:g} per rad), "
             f"complementarity {self.complementarity:.1e} (at most {COMPLEMENTARITY:g}), "

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 
 from manipplan.checks import Array
-from manipplan.optimize.rounding import FINE, configurations, on_grid
+from manipplan.optimize.rounding import FINE, FINE_DISTANCE, configurations, on_grid
 from manipplan.optimize.rows import ClearanceRow
 from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
@@ -40,7 +40,7 @@ Place = tuple[float, int]
 
 def distance_profile(model: CollisionModel, q: Array) -> Array:
     """Distance of every pair (m, k) [m] at each of the configurations q (m, n)."""
-    return np.array([model.distances(each) for each in on_grid(q, FINE)])
+    return on_grid(np.array([model.distances(each) for each in on_grid(q, FINE)]), FINE_DISTANCE)
 
 
 def dips(distances: Array, near: float) -> list[Place]:
@@ -72,7 +72,7 @@ def nearest(model: CollisionModel, path: JointPath, places: Sequence[Place], *, 
         return tuple(places)
     at = configurations(path, [s for s, _ in places])
     distances = np.array([model.contact(q, pair).distance for q, (_, pair) in zip(at, places, strict=True)])
-    chosen = np.argsort(distances, kind="stable")[:MOST_PLACES]
+    chosen = np.argsort(on_grid(distances, FINE_DISTANCE), kind="stable")[:MOST_PLACES]
     return tuple(places[k] for k in sorted(chosen) if distances[k] <= most)
 
 

@@ -17,9 +17,10 @@ from manipplan.kinematics.view import steady
 from manipplan.measures.indices import Yoshikawa
 from manipplan.optimize.objective import PathObjective
 
-#: ρ in log sqrt(det(J Jᵀ + ρ² I)), which keeps the solved energy finite on a singular posture; g itself has none.
-REGULARISATION = 1e-5
-#: The same of any other measure, as a share of its usual value: log sqrt(m² + δ²).
+#: ρ in log sqrt(det(J Jᵀ + ρ² I)), which keeps what is solved finite on a singular posture: of the energy, and of the length.
+#: The g that is reported has none.
+ENERGY_REGULARISATION, LENGTH_REGULARISATION = 1e-5, 1e-7
+#: δ of any other measure, log sqrt(m² + δ²), as a share of its usual value and of ρ over ENERGY_REGULARISATION.
 MEASURE_REGULARISATION = 1e-6
 #: Speeds [rad] are rounded off below this, so that ‖q'‖ has derivatives where a path stands still.
 STANDSTILL = 1e-9
@@ -43,7 +44,7 @@ class Density:
 def energy_density(objective: PathObjective) -> Density:
     """h² = ‖v‖_W² / m^(2p), whose integral over s is the energy E."""
     metric, g0, power = _metric(objective), ca.SX.sym("g0"), ca.SX.sym("p")
-    q, v, log_index, slope, bend = _symbols(objective.kinematics)
+    q, v, log_index, slope, bend = _symbols(objective.kinematics, ENERGY_REGULARISATION)
     weight = ca.exp(-2 * power * log_index)
     square = ca.bilin(metric, v, v)
     # by hand from w(q) = exp(-2p log m): w' = -2p w ∇log m, w'' = w (4p² ∇log m ∇log mᵀ - 2p ∇²log m)
@@ -57,7 +58,7 @@ def energy_density(objective: PathObjective) -> Density:
 def length_density(objective: PathObjective) -> Density:
     """h + κ h² / g₀ with h = ‖v‖_W / m^p: its integral is g and a little of the energy."""
     metric, g0, power = _metric(objective), ca.SX.sym("g0"), ca.SX.sym("p")
-    q, v, log_index, slope, bend = _symbols(objective.kinematics)
+    q, v, log_index, slope, bend = _symbols(objective.kinematics, LENGTH_REGULARISATION)
     weight = ca.exp(-power * log_index)
     speed = ca.sqrt(ca.bilin(metric, v, v) + STANDSTILL**2)
     along = metric @ v / speed
@@ -76,18 +77,18 @@ def _metric(objective: PathObjective) -> ca.SX:
     return ca.SX.eye(n) if objective.metric is None else ca.sparsify(ca.SX(ca.DM(objective.metric)))
 
 
-def _symbols(kinematics: Kinematics) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX, ca.SX]:
-    """q, v, and the measure's regularised logarithm with gradient and Hessian in q."""
+def _symbols(kinematics: Kinematics, regularisation: float) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX, ca.SX]:
+    """q, v, and the logarithm of the measure, regularised by ρ, with gradient and Hessian in q."""
     posture, measure = kinematics.symbolic.posture, kinematics.measure
     q = kinematics.symbolic.chain.q
     v = ca.SX.sym("v", q.shape[0])
     if isinstance(measure, Yoshikawa):
         jacobian, motion = steady(kinematics.symbolic.chain, kinematics.task)
-        factor = Factor.of(jacobian, REGULARISATION)
+        factor = Factor.of(jacobian, regularisation)
         return q, v, ca.log(factor.index), log_gradient(factor, motion), log_hessian(factor, motion)
     value, slope, bend = measure.value(posture), measure.gradient(posture), measure.hessian(posture)
     # log sqrt(m² + δ²), which is log m but for the least values
-    square = value**2 + (MEASURE_REGULARISATION * _usual(kinematics)) ** 2
+    square = value**2 + (MEASURE_REGULARISATION * regularisation / ENERGY_REGULARISATION * _usual(kinematics)) ** 2
     share = value / square
     log_bend = share * bend + (1 / square - 2 * share**2) * slope @ slope.T
     return q, v, ca.log(square) / 2, share * slope, log_bend

@@ -64,11 +64,13 @@ class Descent:
         z: unknowns (f, n).
         steps: number of steps that were tried.
         reason: why it ended.
+        exhausted: it ended after the maximum number of steps, before it converged.
     """
 
     z: Array
     steps: int
     reason: str
+    exhausted: bool
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -168,13 +170,15 @@ class _Model:
 
     @classmethod
     def of(cls, program: TrueProgram, at: _Point, radius: float, penalty: float, previous: Array) -> "_Model | None":
-        """The model about a point; None where DAQP fails.
+        """The model about a point; None where DAQP fails, or a derivative of g is not finite.
 
         The multipliers come from a first quadratic program, with the `previous` curvature (f n, f n) of the clearance.
         """
         table = program.table(at.z, at.look)
         clearance = table.linear(at.z, at.z)
         gradient, hessian = program.length.gradient(at.z).ravel(), program.length.hessian(at.z)
+        if not (np.isfinite(gradient).all() and np.isfinite(hessian).all()):
+            return None
         rows = program.limits.near(at.z, radius).with_rows(clearance)
         step = _solve(_convex(hessian - previous), gradient, rows, radius, penalty)
         if step is None:
@@ -216,7 +220,7 @@ def descend(program: TrueProgram, z: Array, *, tolerance: float | None = None) -
     Args:
         program: what is minimised.
         z: first unknowns (f, n).
-        tolerance: the descent ends when the predicted decrease of the merit function is a smaller share of g₀ than this;
+        tolerance: the descent ends when the predicted decrease of the merit function is a smaller share of g than this;
             default TOLERANCE, or FREE_TOLERANCE without collision checks.
     """
     is_unchecked = program.surroundings is None
@@ -229,9 +233,9 @@ def descend(program: TrueProgram, z: Array, *, tolerance: float | None = None) -
     choice = 0  # which of model.convex gives the step
     wide_steps = 0  # steps left since the radius was set back to RADIUS, 0 before that
 
-    def ended(steps: int, reason: str) -> Descent:
+    def ended(steps: int, reason: str, *, exhausted: bool = False) -> Descent:
         log.debug("descent: %s after %d steps", reason, steps)
-        return Descent(z=here.z, steps=steps, reason=reason)
+        return Descent(z=here.z, steps=steps, reason=reason, exhausted=exhausted)
 
     for count in range(steps):
         if model is None:
@@ -249,7 +253,7 @@ def descend(program: TrueProgram, z: Array, *, tolerance: float | None = None) -
         if restored > EXACT:  # a step that restores feasibility may raise g, and φ must fall: (18.36) in nocedal2006
             penalty = max(penalty, min(-model.predicted_decrease(step, restored, 0.0) / (MENDED * restored), LARGEST_PENALTY))
         predicted = model.predicted_decrease(step, restored, penalty)
-        if predicted < tolerance:
+        if predicted < tolerance * here.value:
             if choice + 1 < len(model.convex):
                 choice += 1
             elif wide_steps == 0:
@@ -275,7 +279,7 @@ def descend(program: TrueProgram, z: Array, *, tolerance: float | None = None) -
                     return ended(count + 1, "no step lowers g")
             if radius < SMALLEST_RADIUS:
                 return ended(count + 1, "steps became too short")
-    return ended(steps, "the maximum number of steps was reached")
+    return ended(steps, "the maximum number of steps was reached", exhausted=True)
 
 
 def _tried(

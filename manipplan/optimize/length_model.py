@@ -1,6 +1,6 @@
 """g of a path as a function of its unknowns, with exact gradient and Hessian, by Gauss points on panels of uneven width."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -9,6 +9,9 @@ from manipplan.checks import Array
 from manipplan.optimize.basis import Basis
 from manipplan.optimize.batch import BatchFunction
 from manipplan.optimize.density import Density
+
+#: Maximum number of products of two basis functions that are kept at a time while a Hessian is summed.
+MOST_PRODUCTS = 4_000_000
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -70,6 +73,7 @@ class LengthModel:
         s, weights: (m,) Gauss points of all panels and their weights.
         g0: g of the path where the descent begins, so that the value there is about 1.
         power: exponent p.
+        pace: g₀ in the share of the energy, κ h² / g₀; inf: none, so that the value is that of g alone.
     """
 
     density: BatchDensity
@@ -79,6 +83,12 @@ class LengthModel:
     weights: Array
     g0: float
     power: float
+    pace: float
+
+    @property
+    def without_energy(self) -> "LengthModel":
+        """g alone, over g₀."""
+        return replace(self, pace=np.inf)
 
     @cached_property
     def _values(self) -> tuple[Array, Array, Array, Array]:
@@ -86,18 +96,10 @@ class LengthModel:
         curves = self.curves
         return (curves.line(self.s), curves.line(self.s, 1), curves.values(self.s), curves.values(self.s, 1))
 
-    @cached_property
-    def _products(self) -> Array:
-        """Products (f², 4 m) of two values or slopes at each point: one matrix product sums the blocks of a Hessian."""
-        _, _, values, slopes = self._values
-        both = np.stack([values, slopes], axis=1)
-        count, _, size = both.shape
-        return np.asarray(np.einsum("ipj,iqk->jkipq", both, both).reshape(size * size, count * 4))
-
     def _points(self, z: Array) -> tuple[Array, Array, Array]:
-        """Arguments of the density at the Gauss points: q and q' (m, n), and g₀ and p (m, 2)."""
+        """Arguments of the density at the Gauss points: q and q' (m, n), and the pace and p (m, 2)."""
         line, slope, values, slopes = self._values
-        numbers = np.tile([self.g0, self.power], (len(self.s), 1))
+        numbers = np.tile([self.pace, self.power], (len(self.s), 1))
         return line + values @ z, slope + slopes @ z, numbers
 
     def value(self, z: Array) -> float:
@@ -114,7 +116,13 @@ class LengthModel:
     def hessian(self, z: Array) -> Array:
         """Its Hessian (f n, f n), z in row-major order."""
         size, n = z.shape
+        _, _, values, slopes = self._values
+        both = np.stack([values, slopes], axis=1)
         weighed = self.density.hessian(*self._points(z)) * (self.weights / self.g0)[:, None, None]
-        blocks = weighed.reshape(len(self.s), 2, n, 2, n).transpose(0, 1, 3, 2, 4).reshape(-1, n * n)
-        summed = (self._products @ blocks).reshape(size, size, n, n)
-        return np.asarray(summed.transpose(0, 2, 1, 3).reshape(size * n, size * n))
+        blocks = weighed.reshape(len(self.s), 2, n, 2, n).transpose(0, 1, 3, 2, 4)
+        total, count = np.zeros((size * size, n * n)), max(1, MOST_PRODUCTS // (4 * size * size))
+        for begin in range(0, len(self.s), count):
+            part = both[begin : begin + count]
+            products = np.einsum("ipj,iqk->jkipq", part, part).reshape(size * size, -1)
+            total += products @ blocks[begin : begin + count].reshape(-1, n * n)
+        return np.asarray(total.reshape(size, size, n, n).transpose(0, 2, 1, 3).reshape(size * n, size * n))

@@ -1,5 +1,6 @@
 """Local optima between one start and goal: a path of low energy first, then a descent on g among the true obstacles."""
 
+import logging
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
@@ -18,6 +19,8 @@ from manipplan.paths.joint import JointPath
 from manipplan.robots.collision import CollisionModel
 from manipplan.robots.continuous import PathClearance, path_clearance
 
+log = logging.getLogger("manipplan")
+
 #: Rounds of solving and renewing clearance rows, from one first path.
 ROUNDS = 8
 #: Rounds end when one lowers g by less than this share.
@@ -31,6 +34,9 @@ NEW_PLACES = 10
 SAME = 1e-9
 #: The descent is repeated from the optimum at an even pace while that lowers g by more than this share.
 WORTH = 1e-3
+#: A solution of the energy, which is rounded, may be beyond a joint limit by this [rad or m]: the descent goes back inside. A
+#: path that is returned may be beyond by the second value.
+NEARLY_INSIDE, INSIDE = 1e-4, 1e-7
 #: Tolerance of the descent to the unconstrained optimum, as a share of g: it serves only for comparison.
 ROUGH = 1e-6
 #: Maximum number of descents from one path with the final margin. Another one follows where the proof fails, or where the
@@ -39,7 +45,7 @@ DESCENTS = 8
 #: A path with a demanded clearance below the first value keeps these margins first [m]: a descent is slow around a corner of
 #: which it keeps only a tenth of a millimetre.
 ROUND, WIDE_MARGINS = 5e-3, (2e-3, 3e-4)
-#: Quadrature panels resolve a path when they give its g to this share.
+#: What a descent minimises, without its share of the energy, is g when it agrees with the path's g to this share.
 AGREEMENT = 1e-6
 
 
@@ -105,7 +111,7 @@ class LocalSearch:
         if not free:
             return []
         found = self.optimum_from("straight", solution.coefficients)
-        return found or [self._low_energy_path(solution)]
+        return found or self._low_energy_path(solution)
 
     def nearest_to(self, first: JointPath) -> list[Candidate]:
         """The local optimum that is reached from a path, or from the fit to it at an even pace where the basis lacks it."""
@@ -130,16 +136,20 @@ class LocalSearch:
         best = self._descend(name, coefficients)
         while self.repaces and best is not None and best.optimality.active_clearance == 0.0 and np.isfinite(best.cost.g):
             again = self._descend("even pace", self._followed(best.path)[1])
-            if again is None or again.cost.g > best.cost.g * (1 - WORTH):
+            if again is None or again.cost.g >= best.cost.g:
                 break
-            best = again
+            gain = best.cost.g - again.cost.g
+            if again.optimality.reached or not best.optimality.reached:
+                best = again
+            if gain <= WORTH * best.cost.g:
+                break
         return [] if best is None else [best]
 
     def _descend(self, name: str, coefficients: Array) -> Candidate | None:
         """The path on which a descent from coefficients (n, size) ends; None when it is not free or leaves the limits.
 
-        Descents follow each other until a path is proven free and its g is resolved by the quadrature panels. Each gets the
-        place where the proof failed, and the panels that the one before it needed.
+        Descents follow each other until a path is proven free, its g is resolved by the quadrature panels, and the descent has
+        converged. Each gets the place where the proof failed, and the panels that the one before it needed.
         """
         program, objective = self.program, self.program.objective
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
@@ -149,18 +159,19 @@ class LocalSearch:
         best: Candidate | None = None
         edges: Array | None = None
         steps = 0
-        margins = [*WIDE_MARGINS, MARGIN] if surroundings is not None and self.clearance < ROUND else [MARGIN]
-        for margin in margins + [MARGIN] * (DESCENTS - 1):
+        margins = self._margins()
+        for stage, margin in enumerate([*margins, *margins[-1:] * (DESCENTS - 1)]):
             if surroundings is not None:
                 surroundings.margin = margin
             true, z = program.true_program(self.start, self.goal, coefficients, surroundings, edges=edges)
+            refined = edges is None or len(true.length.edges) > len(edges)
             edges = true.length.edges
             if not np.isfinite(true.length.g0):
                 break
             descent = descend(true, z)
             steps += descent.steps
             coefficients = true.length.curves.coefficients(descent.z)
-            if margin > MARGIN:  # only an intermediate stage
+            if stage < len(margins) - 1:  # only an intermediate margin
                 continue
             path = true.path(descent.z)
             cost, proof = objective.cost(path), self._proof(path)
@@ -170,19 +181,30 @@ class LocalSearch:
                 surroundings.always.append((proof.at, proof.index))
                 continue
             if not self._inside_limits(path):
+                log.debug("descent: its path leaves the joint limits")
                 break
             solver = f"{descent.reason} after {steps} steps"
             optimality = measure_optimality(true, descent.z)
             candidate = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)
-            agrees = abs(objective.on_panels(path, edges) - cost.g) <= AGREEMENT * cost.g
+            agrees = abs(true.length.without_energy.value(descent.z) * true.length.g0 - cost.g) <= AGREEMENT * cost.g
             candidate = candidate if agrees else replace(candidate, optimality=UNKNOWN)
             worth = WORTH if agrees else 0.0  # a confirmed optimum may be a little higher
             best = candidate if best is None or cost.g < best.cost.g * (1 + worth) else best
-            if agrees or not np.isfinite(cost.g):
+            converged = optimality.reached or not descent.exhausted
+            if not np.isfinite(cost.g) or (converged and (agrees or not refined)):
                 break
         if best is not None:
             self.accepted.append(best)
         return best
+
+    def _margins(self) -> list[float]:
+        """Margins [m] of the descents from one path, in turn; none is wider than start and goal allow."""
+        if self.model is None:
+            return [MARGIN]
+        distances = [self.model.distances(q).min(initial=np.inf) for q in (self.start, self.goal)]
+        room = float(min(distances)) - self.clearance
+        wide = [margin for margin in WIDE_MARGINS if margin < room] if self.clearance < ROUND else []
+        return [*wide, max(min(MARGIN, room), 0.0)]
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """The local optimum near a free path, by way of a path of low energy that passes bodies on the same sides.
@@ -190,7 +212,8 @@ class LocalSearch:
         Clearance rows keep the energy's solution on these sides. They are renewed on each solution, until one is free and
         the next one has hardly a lower g.
         """
-        s, coefficients = self._followed(first)
+        s, beginning = self._followed(first)
+        coefficients = beginning
         even = np.linspace(0.0, 1.0, len(s))
         places: tuple[near.Place, ...] = ()
         if self.model is not None:
@@ -206,6 +229,11 @@ class LocalSearch:
                 watched = near.nearest(self.model, path, places, most=most)
             rows = self.rows(path, lambda at: first(np.interp(at, even, s)), watched)
             solution = self.program.solve(self.start, self.goal, coefficients, rows)
+            if not solution.converged and np.array_equal(coefficients, beginning):
+                break
+            if not solution.converged:  # where it stopped depends on rounding errors: with the same places from the beginning
+                coefficients = beginning
+                continue
             coefficients = solution.coefficients
             is_free, distances, touched = self._judged("seed", solution)
             if is_free:
@@ -219,21 +247,23 @@ class LocalSearch:
             places = self.more_places(places, distances, touched, touching=not is_free)
         if free:
             best = free[int(np.argmin(costs))]
-            return self.optimum_from("seed", best.coefficients) or [self._low_energy_path(best)]
+            return self.optimum_from("seed", best.coefficients) or self._low_energy_path(best)
         return self.optimum_from("seed", nearly_free) if depth < NEARLY_FREE else []
 
-    def _low_energy_path(self, solution: Solution) -> Candidate:
-        """The free path of low energy itself, where the descent from it gave no free path."""
+    def _low_energy_path(self, solution: Solution) -> list[Candidate]:
+        """The free path of low energy itself, where no descent from it gave a free path; none when it leaves the limits."""
         path = self.program.basis.path(self.start, self.goal, solution.coefficients)
+        if not self._inside_limits(path):
+            return []
         candidate = Candidate(
             path=path,
             coefficients=solution.coefficients,
             cost=self.program.objective.cost(path),
             optimality=UNKNOWN,
-            solver=solution.status,
+            solver=f"no descent on g gave a free path; this one has a low energy (IPOPT: {solution.status})",
         )
         self.accepted.append(candidate)
-        return candidate
+        return [candidate]
 
     def unconstrained_g(self, path: JointPath) -> float:
         """g of the local optimum near a path with neither limits nor obstacles."""
@@ -282,7 +312,7 @@ class LocalSearch:
         least = float(distances.min(initial=np.inf))
         g = self.program.objective.cost(path).g
         self.history.append(Step(first=name, g=g, clearance=least, solver=solution.status))
-        if least <= self.clearance or not self._inside_limits(path):
+        if least <= self.clearance or not self._inside_limits(path, NEARLY_INSIDE):
             return False, distances, ()
         proof = self._proof(path)
         if proof is not None and not proof.proven:
@@ -295,9 +325,9 @@ class LocalSearch:
             return None
         return path_clearance(self.model, path, clearance=self.clearance, tolerance=None)
 
-    def _inside_limits(self, path: JointPath) -> bool:
+    def _inside_limits(self, path: JointPath, tolerance: float = INSIDE) -> bool:
         limits = self.program.kinematics.robot.limits
-        return all(not (limits.outside(q) > 1e-7).any() for q in path.bounds())
+        return all(not (limits.outside(q) > tolerance).any() for q in path.bounds())
 
     def _straight(self) -> Array:
         """Coefficients (n, size) of the path nearest to the straight line that meets the end conditions."""

@@ -4,12 +4,15 @@ The multipliers λ >= 0 of the active rows come from a non-negative least-square
 solver that found the path.
 """
 
+import logging
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from manipplan.checks import Array
 from manipplan.optimize.descent import TrueProgram
+
+log = logging.getLogger("manipplan")
 
 #: A path is optimal when the projected gradient is at most this [1/rad], ...
 GRADIENT = 1e-3
@@ -73,7 +76,8 @@ def _fitted(program: TrueProgram, z: Array, reach: float) -> Optimality:
     """The conditions with the multipliers that fit best, of pairs within `reach` of the demanded clearance [m]."""
     from scipy.optimize import nnls
 
-    gradient = program.length.gradient(z).ravel() / program.length.value(z)
+    length = program.length.without_energy
+    gradient = length.gradient(z).ravel() / length.value(z)
     limits = program.limits.near(z, LIMIT)
     margin, beyond, jacobian, owner = 0.0, np.empty(0), np.empty((0, z.size)), np.empty(0, dtype=int)
     if program.surroundings is not None:
@@ -86,7 +90,11 @@ def _fitted(program: TrueProgram, z: Array, reach: float) -> Optimality:
     whole = np.concatenate([limits.jacobian, jacobian])
     if not len(whole):
         return Optimality(projected_gradient=float(np.linalg.norm(gradient)), complementarity=0.0, active_clearance=0.0)
-    multipliers, left = nnls(whole.T, gradient)
+    try:
+        multipliers, left = nnls(whole.T, gradient)
+    except RuntimeError as error:  # its maximum number of iterations
+        log.debug("no multipliers for %d active rows: %s", len(whole), error)
+        return UNKNOWN
     # several gradients of one row are one convex combination times the sum of their multipliers [goldstein1977]
     multipliers = np.bincount(owner, multipliers[len(limits.value) :], minlength=len(beyond))
     active = multipliers > NOTABLE * multipliers.max(initial=0.0)

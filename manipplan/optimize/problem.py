@@ -31,8 +31,11 @@ NODES, PIECE_NODES = 40, 8
 #: Minimum number of parts the curve is cut into, for the energy and for g. Their control points obey the joint limits, and so
 #: does the whole curve. With more parts the curve can come nearer to the limits.
 LIMIT_PARTS, FINE_PARTS = 6, 32
-#: Solutions of the energy, and unknowns where a descent begins, are rounded to multiples of this [rad or m].
+#: Unknowns where a solve or a descent begins are rounded to multiples of this [rad or m].
 SPACING = 2.0**-26
+#: Solutions of the energy are rounded to multiples of this [rad or m]: far above IPOPT's own accuracy, so that processors
+#: hardly ever round to different ones.
+SOLVED_SPACING = 2.0**-16
 #: Bits of the factor by which IPOPT's objective is scaled.
 SCALE_BITS = 24
 
@@ -43,6 +46,11 @@ class Solution:
 
     coefficients: Array
     status: str
+
+    @property
+    def converged(self) -> bool:
+        """Whether IPOPT converged."""
+        return self.status in ("Solve_Succeeded", "Solved_To_Acceptable_Level")
 
 
 class PathProgram:
@@ -118,14 +126,16 @@ class PathProgram:
         path = self.basis.path(start, goal, coefficients)
         edges = self.objective.panels(path, edges)
         s, weights = gauss(edges)
+        g0 = self.objective.on_panels(path, edges)
         length = LengthModel(
             density=self._length_density,
             curves=curves,
             edges=edges,
             s=s.ravel(),
             weights=weights.ravel(),
-            g0=self.objective.on_panels(path, edges),
+            g0=g0,
             power=self.objective.power,
+            pace=g0,
         )
         limits = self.kinematics.robot.limits
         unlimited = np.full(self.n, np.inf)
@@ -164,7 +174,7 @@ class PathProgram:
             ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
         )
         status = str(solver.stats()["return_status"])
-        x = on_grid(np.asarray(result["x"]).ravel()[: unknowns.size], SPACING)
+        x = on_grid(np.asarray(result["x"]).ravel()[: unknowns.size], SOLVED_SPACING)
         return Solution(coefficients=kept + x.reshape(unknowns.shape, order="F") @ self.free.T, status=status)
 
     def _energy_of(self, start: Array, goal: Array, guess: Array) -> float:

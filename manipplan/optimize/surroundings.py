@@ -31,7 +31,7 @@ BOTTOM_STEPS = 12
 CLOSE = 2e-3
 #: A place of the grid has no row within this distance in s of the bottom of a dip of its pair.
 APART = 1e-2
-#: Maximum number of places with rows, the nearest first.
+#: Maximum number of places with rows: bottoms of dips first, then the nearest.
 MOST_PLACES = 80
 #: Step of a joint by which second derivatives of a distance are taken [rad or m].
 JOINT_STEP = 1e-4
@@ -104,11 +104,11 @@ class Surroundings:
         )
 
     def places(self, look: Look) -> list[tuple[float, int, bool]]:
-        """The places of a look that get rows: s, pair, and whether it is the bottom of a dip."""
+        """The places of a look that get rows, bottoms of dips first: s, pair, and whether it is such a bottom."""
         bottoms = [look.places[k] for k in look.bottoms]
         chosen: list[tuple[float, int, bool]] = []
-        for k, (s, pair) in enumerate(look.places):
-            bottom = k in look.bottoms
+        for k in sorted(range(len(look.places)), key=lambda k: k not in look.bottoms):
+            (s, pair), bottom = look.places[k], k in look.bottoms
             if bottom or all(pair != other or abs(s - at) >= APART for at, other in bottoms):
                 chosen.append((s, pair, bottom))
             if len(chosen) == MOST_PLACES:

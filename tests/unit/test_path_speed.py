@@ -9,7 +9,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.kinematics.view import steady
-from manipplan.optimize.density import REGULARISATION, energy_density, length_density
+from manipplan.optimize.density import ENERGY_REGULARISATION, energy_density, length_density
 from manipplan.optimize.objective import PathObjective
 from manipplan.optimize.rows import row_functions
 
@@ -81,7 +81,7 @@ def test_the_steady_view_has_true_derivatives(panda, rng):
 
     chain = panda.kinematics().symbolic.chain
     jacobian, motion = steady(chain, mp.Task.pose(length=0.5))
-    factor = Factor.of(jacobian, 1e3 * REGULARISATION)
+    factor = Factor.of(jacobian, 1e3 * ENERGY_REGULARISATION)
     bend, slope = ca.hessian(ca.log(factor.index), chain.q)
     error = ca.Function("error", [chain.q], [slope - log_gradient(factor, motion), bend - log_hessian(factor, motion)])
     for q in panda.random_configuration(rng, size=10):
