@@ -97,7 +97,7 @@ def random_tasks(count: int) -> list[Row]:
 def boxes_tasks(count: int) -> list[Row]:
     from panda_boxes import pairs
 
-    from manipplan.demo import panda_among_boxes
+    from manipplan.jobs.demo import panda_among_boxes
 
     problem = panda_among_boxes()
     return [

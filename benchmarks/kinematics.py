@@ -17,7 +17,7 @@ import pinocchio as pin
 from rich.progress import track
 
 import manipplan as mp
-from manipplan.kinematics.compile import compiled
+from manipplan.symbolic.machine_code import compiled
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "kinematics.md"
 TASK = mp.Task.pose(length=1.0)

@@ -12,7 +12,7 @@ import numpy as np
 from rich.progress import track
 
 import manipplan as mp
-from manipplan.demo import panda_among_boxes
+from manipplan.jobs.demo import panda_among_boxes
 
 PAIRS = 20
 ROOT = Path(__file__).parents[1]

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import manipplan as mp
 from manipplan import viz
-from manipplan.demo import panda_among_boxes
+from manipplan.jobs.demo import panda_among_boxes
 
 FOLDER = Path(__file__).parent / "_static"
 

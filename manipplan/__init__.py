@@ -10,7 +10,43 @@
 One line each: ``mp.plan(robot, start, goal, scene)`` does all of it.
 """
 
-from manipplan.errors import (
+from manipplan.collision.path_clearance import PathClearance
+from manipplan.collision.scene import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Scene, Sphere
+from manipplan.cost.objective import PathCost, path_cost
+from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
+from manipplan.jobs.check import Report
+from manipplan.jobs.follow import follow
+from manipplan.jobs.improve import improve
+from manipplan.jobs.plan import plan
+from manipplan.jobs.result import Plan
+from manipplan.kinematics.evaluate import Evaluator
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.dynamic import Asada, DynamicManipulability
+from manipplan.measures.ellipsoid import Ellipsoid, dynamic_ellipsoid, force_ellipsoid, velocity_ellipsoid
+from manipplan.measures.indices import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
+from manipplan.measures.limited import JointLimitPenalised
+from manipplan.measures.measure import Measure, Posture
+from manipplan.measures.names import available_measures
+from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
+from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
+from manipplan.optimize.certificate import Certificate, LimitApproach
+from manipplan.optimize.optimize import optimize_path
+from manipplan.optimize.result import PathResult
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.deviation import Deviation
+from manipplan.paths.joint import JointPath
+from manipplan.paths.tolerance import StiffnessProfile, Tolerance
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.catalog import available_robots, load_robot, planar_arm
+from manipplan.robots.limits import JointLimits
+from manipplan.robots.robot import Robot
+from manipplan.search.guilamo import GuilamoResult, guilamo_search
+from manipplan.search.layers import Layers
+from manipplan.search.max_min import SearchResult, SearchStatus, max_min_search
+from manipplan.search.refine import Refinement, refine
+from manipplan.search.sampling import sample_layers
+from manipplan.seeds.ompl import seed_path
+from manipplan.support.errors import (
     CompilerError,
     CompilerWarning,
     FileFormatError,
@@ -23,52 +59,15 @@ from manipplan.errors import (
     UnknownNameError,
     UnsupportedJointError,
 )
-from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
-from manipplan.jobs.following import follow
-from manipplan.jobs.improving import improve
-from manipplan.jobs.planning import plan
-from manipplan.jobs.result import Plan
-from manipplan.kinematics.evaluate import Evaluator
-from manipplan.kinematics.kinematics import Kinematics
-from manipplan.kinematics.pinocchio_casadi import PinocchioCasadi, pinocchio_casadi
-from manipplan.measures.dynamic import Asada, DynamicManipulability
-from manipplan.measures.ellipsoid import Ellipsoid, dynamic_ellipsoid, force_ellipsoid, velocity_ellipsoid
-from manipplan.measures.indices import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
-from manipplan.measures.limited import JointLimitPenalised
-from manipplan.measures.measure import Measure, Posture
-from manipplan.measures.names import available_measures
-from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
-from manipplan.measures.task import Task
-from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
-from manipplan.optimize.certificate import Certificate, LimitApproach
-from manipplan.optimize.objective import PathCost, path_cost
-from manipplan.optimize.optimize import optimize_path
-from manipplan.optimize.result import PathResult
-from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.deviation import Deviation
-from manipplan.paths.joint import JointPath
-from manipplan.paths.report import Report
-from manipplan.paths.trajectory import Trajectory
-from manipplan.robots.catalog import available_robots, load_robot, planar_arm
-from manipplan.robots.continuous import PathClearance
-from manipplan.robots.limits import JointLimits
-from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Scene, Sphere
-from manipplan.search.bottleneck import max_min_search
-from manipplan.search.guilamo import GuilamoResult, guilamo_search
-from manipplan.search.layers import Layers
-from manipplan.search.refine import Refinement, refine
-from manipplan.search.result import SearchResult, SearchStatus
-from manipplan.search.sample import sample_layers
-from manipplan.seeds.ompl import seed_path
-from manipplan.status import Status
+from manipplan.support.status import Status
+from manipplan.symbolic.pinocchio_casadi import PinocchioCasadi, pinocchio_casadi
+from manipplan.symbolic.task import Task
 from manipplan.timing.retime import retime
 from manipplan.timing.segment import Segment
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller, Rollout, StepReport
 from manipplan.tracking.formulations import Classical, Equality, Formulation, General, LogDrive, Objective
-from manipplan.tracking.relaxation import StiffnessProfile, Tolerance
 from manipplan.tracking.step import StepStatus
 from manipplan.tracking.track import Tracking, TrackingStatus, track
 

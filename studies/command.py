@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from manipplan.cli import terminal
-from manipplan.progress import Progress
+from manipplan.support.progress import Progress
 
 Claims = TypeVar("Claims")
 #: What is done, about how long it takes [s], and how it is done.

@@ -10,7 +10,7 @@ from pathlib import Path
 import markdown_it
 
 import manipplan as mp
-from manipplan.files import write_text
+from manipplan.support.files import write_text
 
 KINDS = {".png": "image/png", ".svg": "image/svg+xml"}
 #: A heading, a table, or a figure with its description, as the pages of the studies have them.

@@ -7,13 +7,15 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.demo import panda_among_boxes
-from manipplan.kinematics.compile import find_compiler
+from manipplan.jobs.demo import panda_among_boxes
+from manipplan.support.compiler import find_compiler
 
 
 def pytest_configure(config):
     """A $CC or $CXX of this machine that does not work is no failure of the tests, which run without a compiler then."""
-    config.addinivalue_line("filterwarnings", r"ignore:\$(CC|CXX) = .* is not a compiler:manipplan.errors.CompilerWarning")
+    config.addinivalue_line(
+        "filterwarnings", r"ignore:\$(CC|CXX) = .* is not a compiler:manipplan.support.errors.CompilerWarning"
+    )
     config.addinivalue_line("markers", "compiler: needs a C compiler that works")
 
 

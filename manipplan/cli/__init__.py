@@ -19,8 +19,8 @@ from manipplan.cli.robots import robots
 from manipplan.cli.study import study
 from manipplan.cli.terminal import show_line
 from manipplan.cli.view import view
-from manipplan.errors import InvalidInputError, ManipplanError, MissingExtraError
-from manipplan.untrusted import printable
+from manipplan.support.errors import InvalidInputError, ManipplanError, MissingExtraError
+from manipplan.support.untrusted import printable
 
 COMMANDS: dict[str, Callable[..., int | None]] = {
     "demo": demo,
@@ -39,7 +39,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     log.setFormatter(_Printable())
     logging.basicConfig(level=logging.WARNING, handlers=[log])
     logging.getLogger("toppra").setLevel(logging.ERROR)
-    logging.getLogger("manipplan.kernels").setLevel(logging.INFO)
+    logging.getLogger("manipplan.support.kernels").setLevel(logging.INFO)
     errors = Console(stderr=True)
     try:
         code = tyro.extras.subcommand_cli_from_dict(

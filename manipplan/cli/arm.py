@@ -6,11 +6,11 @@ from pathlib import Path
 
 import numpy as np
 
-from manipplan.checks import Array
-from manipplan.errors import InvalidInputError, UnknownNameError
+from manipplan.collision.scene import Scene
 from manipplan.robots.catalog import load_robot
 from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Scene
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,12 +1,12 @@
-"""`manipplan demo`: the two problems of `manipplan.demo`."""
+"""`manipplan demo`: the two problems of `manipplan.jobs.demo`."""
 
 from pathlib import Path
 
 from manipplan.cli import terminal
-from manipplan.demo import Problem, panda_among_boxes, planar_path
-from manipplan.files import place_for
-from manipplan.jobs.planning import plan
-from manipplan.progress import part
+from manipplan.jobs.demo import Problem, panda_among_boxes, planar_path
+from manipplan.jobs.plan import plan
+from manipplan.support.files import place_for
+from manipplan.support.progress import part
 
 
 def demo(out: Path = Path("demo"), seed: int = 0) -> int:

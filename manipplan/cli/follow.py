@@ -6,12 +6,12 @@ from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import Cell
-from manipplan.files import place_for
-from manipplan.jobs.following import follow as follow_job
-from manipplan.measures.task import Task
+from manipplan.jobs.follow import follow as follow_job
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.progress import part
-from manipplan.tracking.relaxation import Tolerance
+from manipplan.paths.tolerance import Tolerance
+from manipplan.support.files import place_for
+from manipplan.support.progress import part
+from manipplan.symbolic.task import Task
 
 
 def follow(

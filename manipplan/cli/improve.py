@@ -6,10 +6,10 @@ from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import Cell
-from manipplan.files import place_for
-from manipplan.jobs.improving import improve as improve_job
-from manipplan.progress import part
-from manipplan.tracking.relaxation import Tolerance
+from manipplan.jobs.improve import improve as improve_job
+from manipplan.paths.tolerance import Tolerance
+from manipplan.support.files import place_for
+from manipplan.support.progress import part
 
 
 def improve(

@@ -7,9 +7,9 @@ from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import Cell, configuration_of
-from manipplan.files import place_for
-from manipplan.jobs.planning import plan as plan_job
-from manipplan.progress import part
+from manipplan.jobs.plan import plan as plan_job
+from manipplan.support.files import place_for
+from manipplan.support.progress import part
 
 
 def plan(

@@ -6,7 +6,7 @@ from tyro.conf import Positional
 
 from manipplan.cli import terminal
 from manipplan.robots.catalog import available_robots, load_robot
-from manipplan.untrusted import terminal_text
+from manipplan.support.untrusted import terminal_text
 
 
 def robots(name: Positional[str | None] = None, /) -> None:

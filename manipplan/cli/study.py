@@ -8,8 +8,8 @@ from typing import Literal
 from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.errors import MissingSourcesError, PlanningError
-from manipplan.files import place_for
+from manipplan.support.errors import MissingSourcesError, PlanningError
+from manipplan.support.files import place_for
 
 Paper = Literal["kth2012", "dufour2020", "guilamo2006"]
 

@@ -7,8 +7,8 @@ from pathlib import Path
 from rich.console import Console
 
 from manipplan.jobs.result import Plan
-from manipplan.progress import Progress
-from manipplan.untrusted import printable, terminal_text
+from manipplan.support.progress import Progress
+from manipplan.support.untrusted import printable, terminal_text
 
 #: How the source of limits begins that nobody gave.
 DEFAULT = "default"

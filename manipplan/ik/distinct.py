@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.checks import Array
-from manipplan.kernels import kernel
+from manipplan.support.checks import Array
+from manipplan.support.kernels import kernel
 
 #: Configurations of one sample that differ by less count once [rad or m].
 SAME = 1e-6

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.checks import Array
 from manipplan.ik.form import PARALLEL, SPHERICAL, ClosedForm
 from manipplan.ik.parallel import solve_parallel
 from manipplan.ik.spherical import AT_LIMIT, MOST, least_above, lie, row, solve_spherical, wrapped
 from manipplan.ik.subproblems import Vector, turn_by, turned, turned_about
 from manipplan.ik.swivel import solve_swivel
-from manipplan.kernels import kernel
+from manipplan.support.checks import Array
+from manipplan.support.kernels import kernel
 
 #: Samples that are answered at a time.
 CHUNK = 8192

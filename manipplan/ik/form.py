@@ -6,12 +6,12 @@ from itertools import combinations
 
 import numpy as np
 
-from manipplan.checks import Array
-from manipplan.errors import InvalidInputError, UnknownNameError
 from manipplan.ik.geometry import EXACT, MEETS, Screws
 from manipplan.ik.spherical import SKEW, lie
-from manipplan.measures.task import Task
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.symbolic.task import Task
 
 #: Which solver answers.
 SPHERICAL, PARALLEL, SWIVEL = range(3)

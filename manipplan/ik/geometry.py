@@ -6,9 +6,9 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.checks import Array
 from manipplan.robots.description import frame_index
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
 
 #: Axes that miss a point by less count as meeting in it [m]; directions that differ by less as parallel. Descriptions round
 #: angles to 1e-5 and better; the answers are refined on the arm as described.

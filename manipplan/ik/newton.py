@@ -5,10 +5,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.checks import Array
 from manipplan.ik.spherical import row
 from manipplan.ik.subproblems import add, cross, sub, turn_by, turned, turned_about
-from manipplan.kernels import kernel
+from manipplan.support.checks import Array
+from manipplan.support.kernels import kernel
 
 #: Damping of the first step of a search, times the squared error.
 DAMPING = 1e-2

@@ -2,7 +2,6 @@
 
 import math
 
-from manipplan.checks import Array
 from manipplan.ik.spherical import fits, perpendicular, row, times, times_back
 from manipplan.ik.subproblems import (
     Vector,
@@ -18,7 +17,8 @@ from manipplan.ik.subproblems import (
     turns_to_distance,
     turns_to_height,
 )
-from manipplan.kernels import kernel
+from manipplan.support.checks import Array
+from manipplan.support.kernels import kernel
 
 #: Below this sine the last axis counts as parallel to the three: so many values of q6 are then tried.
 IN_LINE, TRIES = 1e-7, 32

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.checks import Array, instance, pose_matrix
-from manipplan.measures.task import Task
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array, instance, pose_matrix
+from manipplan.symbolic.task import Task
 
 
 class Completeness(StrEnum):

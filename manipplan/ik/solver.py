@@ -8,8 +8,6 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.checks import Array, finite_array, instance, random_seed, whole_number
-from manipplan.errors import InvalidInputError, UnknownNameError
 from manipplan.ik.enumeration import answers
 from manipplan.ik.form import SWIVEL, ClosedForm, closed_form, held_indices
 from manipplan.ik.geometry import Screws
@@ -19,9 +17,10 @@ from manipplan.ik.statistical import Sampled, best_held, random_answers
 from manipplan.ik.swivel import swivels_of
 from manipplan.ik.verify import residuals
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.measures.task import Task
 from manipplan.robots.robot import Robot
-from manipplan.tracking.error import free_axis
+from manipplan.support.checks import Array, finite_array, instance, random_seed, whole_number
+from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.symbolic.task import Task
 
 #: A configuration reaches a pose when no entry of the two matrices differs by more [m or 1].
 REACHED = 1e-10
@@ -284,7 +283,7 @@ def _tool_axis(task: Task, robot: Robot) -> Array | None:
     position = int(np.linalg.matrix_rank(moves))
     if position == 3 and task.rows == 6:
         return None
-    axis = free_axis(task) if position == 3 and task.rows == 5 else None
+    axis = task.free_axis if position == 3 and task.rows == 5 else None
     if axis is None:
         wanted = "Task.pose(), or Task.pointing(axis)" + (", or Task.planar()" if robot.planar else "")
         raise InvalidInputError("task", task.name, f"{wanted}: solutions are enumerated for poses")

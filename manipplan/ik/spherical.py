@@ -7,7 +7,6 @@ import math
 
 import numpy as np
 
-from manipplan.checks import Array
 from manipplan.ik.geometry import MEETS
 from manipplan.ik.subproblems import (
     Turn,
@@ -23,7 +22,8 @@ from manipplan.ik.subproblems import (
     turns_to_distance,
     turns_to_height,
 )
-from manipplan.kernels import kernel
+from manipplan.support.checks import Array
+from manipplan.support.kernels import kernel
 
 #: How the three joints a, b, c that place the point lie.
 A_MEETS_B, B_MEETS_C, A_PARALLEL_B, B_PARALLEL_C, SKEW = range(5)

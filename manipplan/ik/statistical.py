@@ -5,12 +5,12 @@ from itertools import combinations
 
 import numpy as np
 
-from manipplan.checks import Array
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import search
-from manipplan.measures.task import Task
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.symbolic.task import Task
 
 #: Random starts of a round, and the most of them in all.
 ROUND = 64

@@ -7,7 +7,7 @@ answers are refined and judged by forward kinematics afterwards.
 
 import math
 
-from manipplan.kernels import kernel
+from manipplan.support.kernels import kernel
 
 #: How far a cosine may be above 1.
 GRAZE = 1e-3

@@ -8,10 +8,10 @@ import math
 
 import numpy as np
 
-from manipplan.checks import Array
 from manipplan.ik.spherical import angles_fit, fits, orient, perpendicular, row, times, times_back
 from manipplan.ik.subproblems import Vector, add, angle, back, cross, dot, sub, turn_by, turned, turned_about, turns_to_distance
-from manipplan.kernels import kernel
+from manipplan.support.checks import Array
+from manipplan.support.kernels import kernel
 
 #: Below this sine two directions count as one.
 IN_LINE = 1e-9

@@ -5,10 +5,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.checks import ROTATION, Array
 from manipplan.ik.spherical import row
 from manipplan.ik.subproblems import cross, dot
-from manipplan.kernels import kernel
+from manipplan.support.checks import ROTATION, Array
+from manipplan.support.kernels import kernel
 
 
 @kernel

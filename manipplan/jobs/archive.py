@@ -13,27 +13,27 @@ from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from manipplan.checks import existing_file, instance
-from manipplan.errors import FileFormatError, InvalidInputError
-from manipplan.files import write_text
-from manipplan.json_ready import json_ready
+from manipplan.collision.scene import Scene
+from manipplan.cost.objective import PathCost
+from manipplan.jobs.check import Report
+from manipplan.jobs.stored import robot_data, robot_of, scene_data, scene_of, stored_array
 from manipplan.measures.measure import Measure
 from manipplan.measures.stored import measure_data, measure_of
-from manipplan.measures.task import Task
 from manipplan.optimize.certificate import Certificate, LimitApproach
-from manipplan.optimize.objective import PathCost
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import PATHS, CartesianPath
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
-from manipplan.paths.report import Report
+from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Scene
-from manipplan.robots.stored import robot_data, robot_of, scene_data, scene_of, stored_array
 from manipplan.search.refine import Refinement
-from manipplan.status import Status
-from manipplan.tracking.relaxation import Tolerance
+from manipplan.support.checks import existing_file, instance
+from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.support.files import write_text
+from manipplan.support.json_ready import json_ready
+from manipplan.support.status import Status
+from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan

@@ -4,23 +4,23 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from manipplan.checks import Array
-from manipplan.errors import PlanningError
-from manipplan.files import writable_folder, write_text
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.scene import Scene
+from manipplan.jobs.check import Report
 from manipplan.measures.measure import Measure
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
-from manipplan.paths.report import Report
+from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
-from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Scene
+from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement
-from manipplan.search.result import SearchResult
-from manipplan.status import Status
-from manipplan.tracking.relaxation import Tolerance
+from manipplan.support.checks import Array
+from manipplan.support.errors import PlanningError
+from manipplan.support.files import writable_folder, write_text
+from manipplan.support.status import Status
 from manipplan.tracking.track import Tracking
 
 if TYPE_CHECKING:

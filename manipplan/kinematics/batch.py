@@ -11,9 +11,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from manipplan.checks import Array
-from manipplan.kinematics.compile import NATIVE, load_library
 from manipplan.kinematics.simd import kernel_source
+from manipplan.support.checks import Array
+from manipplan.support.compiler import NATIVE, load_library
 
 #: A thread gets at least as many configurations.
 SHARE = 16384

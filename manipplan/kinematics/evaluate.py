@@ -6,8 +6,8 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, configurations
-from manipplan.errors import InvalidInputError
+from manipplan.support.checks import Array, configurations
+from manipplan.support.errors import InvalidInputError
 
 
 class Evaluator:

@@ -6,8 +6,8 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from manipplan.checks import Array
 from manipplan.kinematics.instructions import SINE_COSINE, Instruction, instructions
+from manipplan.support.checks import Array
 
 
 def jit_kernel(function: ca.Function) -> Callable[[Array, Array], bool]:

@@ -12,18 +12,18 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, configurations
-from manipplan.errors import CompilerError, InvalidInputError, UnknownNameError
 from manipplan.kinematics import jit, simd
 from manipplan.kinematics.batch import Kernel, run_kernel, simd_kernel
-from manipplan.kinematics.chain import SymbolicChain
-from manipplan.kinematics.compile import compiled, do_without, wants_machine_code
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.instructions import expressible
-from manipplan.kinematics.motion import TaskMotion
 from manipplan.kinematics.view import View
 from manipplan.measures.measure import Measure, Posture
-from manipplan.measures.task import Task
+from manipplan.support.checks import Array, configurations
+from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNameError
+from manipplan.symbolic.chain import SymbolicChain
+from manipplan.symbolic.machine_code import compiled, do_without, wants_machine_code
+from manipplan.symbolic.motion import TaskMotion
+from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
     from manipplan.robots.robot import Robot

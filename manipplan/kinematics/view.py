@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from manipplan.kinematics.chain import WORLD, SymbolicChain, constant, jacobian_of, step
-from manipplan.kinematics.motion import Motion, TaskMotion
-from manipplan.measures.task import Task
+from manipplan.symbolic.chain import WORLD, SymbolicChain, constant, jacobian_of, step
+from manipplan.symbolic.motion import Motion, TaskMotion
+from manipplan.symbolic.task import Task
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,13 +5,13 @@ from typing import ClassVar
 
 import casadi as ca
 
-from manipplan.checks import number
-from manipplan.kinematics.derivatives import index_gradient, index_hessian
-from manipplan.kinematics.motion import MatrixMotion
 from manipplan.measures.indices import REGULARISATION, yoshikawa
 from manipplan.measures.measure import Measure, Posture, product_unit
 from manipplan.measures.spectral import SingularValues, ratio_gradient, ratio_hessian
-from manipplan.measures.task import Task
+from manipplan.support.checks import number
+from manipplan.symbolic.derivatives import index_gradient, index_hessian
+from manipplan.symbolic.motion import MatrixMotion
+from manipplan.symbolic.task import Task
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, finite_array
-from manipplan.errors import InvalidInputError
+from manipplan.support.checks import Array, finite_array
+from manipplan.support.errors import InvalidInputError
 
 
 @dataclass(frozen=True, kw_only=True)

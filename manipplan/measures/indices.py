@@ -7,11 +7,11 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import number, number_array, positive_array
-from manipplan.errors import InvalidInputError
-from manipplan.kinematics.derivatives import Factor, index_gradient, index_hessian, log_gradient, log_hessian
 from manipplan.measures.measure import JacobianMeasure, Posture, row_unit
-from manipplan.measures.task import Task
+from manipplan.support.checks import number, number_array, positive_array
+from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.derivatives import Factor, index_gradient, index_hessian, log_gradient, log_hessian
+from manipplan.symbolic.task import Task
 
 #: ρ of the regularised form m_ρ = sqrt(det(J Jᵀ + ρ² I)), in units of the Jacobian's rows.
 REGULARISATION = 1e-9

@@ -6,11 +6,11 @@ from typing import ClassVar
 import casadi as ca
 import numpy as np
 
-from manipplan.checks import number
-from manipplan.errors import InvalidInputError
 from manipplan.measures.indices import Yoshikawa
 from manipplan.measures.measure import Measure, Posture
-from manipplan.measures.task import Task
+from manipplan.support.checks import number
+from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.task import Task
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,10 +9,10 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, number_array
-from manipplan.errors import InvalidInputError
-from manipplan.kinematics.motion import Motion
-from manipplan.measures.task import Task
+from manipplan.support.checks import Array, number_array
+from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.motion import Motion
+from manipplan.symbolic.task import Task
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,12 +1,12 @@
 """The measures by name."""
 
-from manipplan.errors import InvalidInputError, UnknownNameError
 from manipplan.measures.dynamic import Asada, DynamicManipulability
 from manipplan.measures.indices import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
 from manipplan.measures.limited import JointLimitPenalised
 from manipplan.measures.measure import Measure
 from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
 from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
+from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 MEASURES: dict[str, type[Measure]] = {
     kind.name: kind

@@ -9,9 +9,9 @@ from typing import ClassVar
 
 import casadi as ca
 
-from manipplan.kinematics.motion import Motion
 from manipplan.measures.measure import JacobianMeasure, Posture, row_unit
-from manipplan.measures.task import Task
+from manipplan.symbolic.motion import Motion
+from manipplan.symbolic.task import Task
 
 #: Sweeps of rotations over all pairs of rows; six rows need at most seven to reach rounding error.
 SWEEPS = 9

@@ -5,9 +5,9 @@ from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any
 
-from manipplan.errors import FileFormatError, InvalidInputError
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import MEASURES
+from manipplan.support.errors import FileFormatError, InvalidInputError
 
 
 def measure_data(measure: Measure) -> dict[str, Any]:

@@ -7,12 +7,12 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import finite_array, number
-from manipplan.errors import InvalidInputError
-from manipplan.kinematics.derivatives import Factor
 from manipplan.measures.indices import REGULARISATION
 from manipplan.measures.measure import JacobianMeasure, row_unit
-from manipplan.measures.task import Task
+from manipplan.support.checks import finite_array, number
+from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.derivatives import Factor
+from manipplan.symbolic.task import Task
 
 #: A direction whose length differs from 1 by rounding alone has length 1.
 UNIT = 1e-15

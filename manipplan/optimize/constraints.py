@@ -11,13 +11,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.checks import Array
-from manipplan.optimize.batch import BatchFunction
-from manipplan.optimize.length_model import Curves
-from manipplan.optimize.rounding import FINE, configurations, on_grid
-from manipplan.optimize.rows import column_height
-from manipplan.optimize.surroundings import Look, Surroundings
+from manipplan.optimize.clearance import column_height
+from manipplan.optimize.step_models import Curves, Look, Surroundings
 from manipplan.paths.joint import JointPath
+from manipplan.paths.rounding import FINE, configurations, on_grid
+from manipplan.support.checks import Array
+from manipplan.symbolic.batch_function import BatchFunction
 
 #: The bottom of a dip moves with the path only where the second derivative of the distance by s is above this [m].
 LEAST_BEND = 1e-3

@@ -14,13 +14,12 @@ from dataclasses import dataclass, replace
 import daqp
 import numpy as np
 
-from manipplan.checks import Array
-from manipplan.interrupts import interruptible
 from manipplan.optimize.constraints import ClearanceTable, LimitRows, LinearRows, RowFunctions
-from manipplan.optimize.length_model import LengthModel
-from manipplan.optimize.rounding import on_grid, with_bits
-from manipplan.optimize.surroundings import Look, Surroundings
+from manipplan.optimize.step_models import LengthModel, Look, Surroundings
 from manipplan.paths.joint import JointPath
+from manipplan.paths.rounding import on_grid, with_bits
+from manipplan.support.checks import Array
+from manipplan.support.interrupts import interruptible
 
 log = logging.getLogger("manipplan")
 

@@ -16,17 +16,17 @@ from typing import TypeVar
 
 import numpy as np
 
-from manipplan.checks import Array
-from manipplan.errors import InvalidInputError, PlanningError
+from manipplan.collision.model import CollisionModel
+from manipplan.optimize.problem import PathProblem, solved
 from manipplan.optimize.result import PathResult
-from manipplan.optimize.solve import PathProblem, solved
 from manipplan.paths.joint import JointPath
-from manipplan.progress import Progress, part, silent
-from manipplan.robots.collision import CollisionModel
 from manipplan.robots.robot import Robot
 from manipplan.seeds.aspect import Aspect
 from manipplan.seeds.ompl import seed_path
-from manipplan.status import Status
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError, PlanningError
+from manipplan.support.progress import Progress, part, silent
+from manipplan.support.status import Status
 
 #: Places along two paths, and stages between them, at which their homotopy is looked at.
 PLACES, STAGES = 80, 9

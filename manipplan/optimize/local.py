@@ -6,18 +6,18 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.path_clearance import PathClearance, path_clearance
+from manipplan.cost.objective import PathCost
 from manipplan.optimize import clearance as near
+from manipplan.optimize.basis import EndConditions
+from manipplan.optimize.certificate import SINGLE, UNKNOWN, Optimality, measure_optimality
+from manipplan.optimize.clearance import ClearanceRow
 from manipplan.optimize.descent import descend
-from manipplan.optimize.ends import EndConditions
-from manipplan.optimize.objective import PathCost
-from manipplan.optimize.optimality import SINGLE, UNKNOWN, Optimality, measure_optimality
-from manipplan.optimize.problem import PathProgram, Solution
-from manipplan.optimize.rows import ClearanceRow
-from manipplan.optimize.surroundings import MARGIN, Surroundings
+from manipplan.optimize.program import PathProgram, Solution
+from manipplan.optimize.step_models import MARGIN, Surroundings
 from manipplan.paths.joint import JointPath
-from manipplan.robots.collision import CollisionModel
-from manipplan.robots.continuous import PathClearance, path_clearance
+from manipplan.support.checks import Array
 
 log = logging.getLogger("manipplan")
 

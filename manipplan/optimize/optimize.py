@@ -6,27 +6,25 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, finite_array, instance, number, random_seed, whole_number
-from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
-from manipplan.interrupts import interruptible
+from manipplan.collision.scene import Scene
+from manipplan.cost.metric import metric_matrix
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import MEASURES
-from manipplan.measures.task import Task
-from manipplan.optimize.basis import named_basis
-from manipplan.optimize.ends import EndConditions
+from manipplan.optimize.basis import EndConditions, named_basis
 from manipplan.optimize.homotopy import Crew, best_and_rivals, seed_classes, shifted_goals
-from manipplan.optimize.initial import check_initial, initial_path
-from manipplan.optimize.metric import metric_matrix
+from manipplan.optimize.problem import PathProblem, check_initial, initial_path, solved
 from manipplan.optimize.result import PathResult, no_path
-from manipplan.optimize.solve import PathProblem, solved
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
-from manipplan.progress import Progress, teller
 from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Scene
 from manipplan.seeds.ompl import check_apart
-from manipplan.status import Status
+from manipplan.support.checks import Array, finite_array, instance, number, random_seed, whole_number
+from manipplan.support.errors import InvalidInputError, PlanningError, UnknownNameError
+from manipplan.support.interrupts import interruptible
+from manipplan.support.progress import Progress, teller
+from manipplan.support.status import Status
+from manipplan.symbolic.task import Task
 
 #: Maximum degree: a higher one is slower and no better.
 MOST_DEGREE = 20

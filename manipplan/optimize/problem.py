@@ -1,215 +1,255 @@
-"""The path program in one basis: solves of the energy, which find a first path, and the true program of g for the descent.
+"""PathProblem: all arguments of the optimiser, and the best of the local optima near a first path."""
 
-Everything that changes from one solve of the energy to the next (ends, guess, rows) is a parameter of the program in `nlp`, so
-it is built once for an objective and a basis.
-"""
-
+import logging
 from collections.abc import Sequence
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, field, replace
+from pathlib import Path
 
-import casadi as ca
 import numpy as np
 
-from manipplan.checks import Array
-from manipplan.interrupts import interruptible
-from manipplan.optimize.basis import Basis
-from manipplan.optimize.batch import BatchFunction
-from manipplan.optimize.constraints import LimitRows, RowFunctions
-from manipplan.optimize.density import energy_density, length_density
-from manipplan.optimize.descent import TrueProgram
-from manipplan.optimize.ends import free_directions
-from manipplan.optimize.length_model import BatchDensity, Curves, LengthModel
-from manipplan.optimize.nlp import Hull, Integral, ipopt_solver
-from manipplan.optimize.objective import PathObjective, gauss
-from manipplan.optimize.rounding import FINE, on_grid, with_bits
-from manipplan.optimize.rows import ClearanceRow, column_height, met_column, row_functions
-from manipplan.optimize.surroundings import Surroundings
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.path_clearance import path_clearance
+from manipplan.collision.scene import Scene
+from manipplan.cost.objective import ACCURACY, PathObjective
+from manipplan.measures.measure import Measure
+from manipplan.optimize.basis import EndConditions, named_basis
+from manipplan.optimize.local import Candidate, LocalSearch, Step
+from manipplan.optimize.program import PathProgram
+from manipplan.optimize.result import PathResult, measured
+from manipplan.paths.joint import JointPath
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.robot import Robot
+from manipplan.seeds.ompl import CHECK_STEP
+from manipplan.support.checks import Array
+from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.support.interrupts import interruptible
+from manipplan.support.status import Status
+from manipplan.symbolic.task import Task
 
-#: Gauss points of the energy on the whole path, and at least on each piece.
-NODES, PIECE_NODES = 40, 8
-#: Minimum number of parts the curve is cut into, for the energy and for g. Their control points obey the joint limits, and so
-#: does the whole curve. With more parts the curve can come nearer to the limits.
-LIMIT_PARTS, FINE_PARTS = 6, 32
-#: Unknowns where a solve or a descent begins are rounded to multiples of this [rad or m].
-SPACING = 2.0**-26
-#: Solutions of the energy are rounded to multiples of this [rad or m]: far above IPOPT's own accuracy, so that processors
-#: hardly ever round to different ones.
-SOLVED_SPACING = 2.0**-16
-#: Bits of the factor by which IPOPT's objective is scaled.
-SCALE_BITS = 24
+log = logging.getLogger("manipplan")
+
+#: Degrees above BEGINNING also start from the optimum of a lower one: of BEGINNING or of the next lower multiple of STRIDE.
+BEGINNING, STRIDE = 6, 3
+#: A later local optimum is preferred to an earlier one when its g is lower by more than this share.
+TIE = 1e-5
 
 
-@dataclass(frozen=True, kw_only=True)
-class Solution:
-    """Result of one solve of the energy: coefficients (n, size) and IPOPT's return status."""
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PathProblem:
+    """All arguments of the optimiser except start and goal; it can be pickled and sent to another process.
 
-    coefficients: Array
-    status: str
+    Attributes:
+        robot, scene: the arm and its obstacles; None: nothing is checked for collision.
+        task, measure, power, metric: of the objective.
+        basis, degree, pieces: a name of BASES, the degree of each piece, and the number of pieces.
+        clearance: demanded distance [m].
+        time_limit: of the planner [s].
+        ends: fixed derivatives at start and goal.
+        compiled: as in `Robot.kinematics`.
+        given: the caller gave the first path, so the search also descends from it as it is.
+        climbs: also start from the optimum of a lower degree.
+    """
 
-    @property
-    def converged(self) -> bool:
-        """Whether IPOPT converged."""
-        return self.status in ("Solve_Succeeded", "Solved_To_Acceptable_Level")
+    robot: Robot
+    scene: Scene | None
+    task: Task
+    measure: Measure
+    power: float
+    metric: Array | None
+    basis: str
+    degree: int
+    pieces: int
+    clearance: float
+    time_limit: float
+    ends: EndConditions = field(default_factory=EndConditions)
+    compiled: bool | str = "auto"
+    given: bool = False
+    climbs: bool = True
+
+    def objective(self) -> PathObjective:
+        """The objective for this process' robot."""
+        kinematics = self.robot.kinematics(self.task, measure=self.measure, compiled=self.compiled)
+        return PathObjective(kinematics=kinematics, power=self.power, metric=self.metric)
+
+    def model(self) -> CollisionModel | None:
+        """The collision model; None without a scene."""
+        return None if self.scene is None else self.scene.collision_model(self.robot)
+
+    def lower(self) -> "PathProblem | None":
+        """The same in the polynomials of a lower degree whose optimum is a start for this one; None for low degrees."""
+        if self.pieces > 1:
+            degree = BEGINNING
+        elif self.degree > BEGINNING:
+            degree = max(BEGINNING, STRIDE * ((self.degree - 1) // STRIDE))
+        else:
+            return None
+        if not self.climbs or not self.ends.possible(named_basis("legendre", degree)):
+            return None
+        return replace(self, basis=self.basis if self.pieces == 1 else "legendre", degree=degree, pieces=1)
 
 
-class PathProgram:
-    """The program for one objective, basis and pattern of fixed end derivatives; see the docstring of the module."""
+def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *, straight: bool = True) -> PathResult:
+    """The best path near `first`, which is free and inside the limits, and with `straight` near the straight line."""
+    objective, model, clearance = problem.objective(), problem.model(), problem.clearance
+    first_cost = objective.cost(first)
+    history: list[Step] = []
+    program = _program(problem, objective)
+    search = LocalSearch(
+        program=program,
+        start=start,
+        goal=goal,
+        model=model,
+        clearance=clearance,
+        history=history,
+        ends=problem.ends,
+        repaces=problem.lower() is None,
+    )
+    is_free = bool(program.free.size)
+    interrupted = False
+    try:
+        with interruptible():
+            found = _local_optima(problem, search, first, straight) if is_free else search.single_path()
+            best = _best(found)
+    except KeyboardInterrupt:
+        interrupted = True
+        best = _best(search.accepted)
+    safe = model is None or best is not None
+    fallback = problem.ends.met_by(first)
+    # a difference below the accuracy of g does not count
+    if best is not None and (best.cost.g <= first_cost.g * (1 + ACCURACY) or not fallback):
+        path, cost = best.path, best.cost
+        status = Status.OPTIMAL if best.optimality.reached else Status.STOPPED_EARLY
+    else:
+        path, cost = first, first_cost
+        status = Status.SEED_IS_BETTER if safe else Status.SEED_IS_SAFE
+        status = status if fallback else Status.ENDS_NOT_MET
+    if not np.isfinite(cost.g) and status is not Status.ENDS_NOT_MET:
+        status = Status.SINGULAR
+    unconstrained = np.nan
+    if np.isfinite(cost.g) and not interrupted:
+        try:
+            with interruptible():
+                unconstrained = search.unconstrained_g(path)
+        except KeyboardInterrupt:
+            interrupted = True
+    if interrupted:
+        status = Status.INTERRUPTED
+    log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
+    solver = best.solver if best is not None and path is best.path and is_free else ""
+    return measured(
+        path,
+        objective,
+        cost=cost,
+        seed=first,
+        seed_cost=first_cost,
+        model=model,
+        clearance=clearance,
+        status=status,
+        solver=solver,
+        optimality=best.optimality if best is not None and path is best.path else None,
+        unconstrained_g=unconstrained,
+        history=tuple(history),
+    )
 
-    def __init__(self, objective: PathObjective, basis: Basis, fixed: tuple[tuple[float, int], ...] = ()) -> None:
-        self.objective = objective
-        self.kinematics = kinematics = objective.kinematics
-        self.basis = basis
-        self.n = kinematics.robot.n
-        #: coefficients (n, size) move along these directions (size, f), which keep the fixed end derivatives
-        self.free = free_directions(fixed, basis)
-        self._along = np.linalg.pinv(self.free).T
-        self._hull, self._fine_hull = self._moving_hull(LIMIT_PARTS), self._moving_hull(FINE_PARTS)
-        self._solvers: dict[tuple[int, bool], ca.Function] = {}
 
-    def _moving_hull(self, parts: int) -> Hull:
-        """The control points that can move when the curve is cut into this number of parts."""
-        line, rows = self.basis.hull(parts)
-        moving = np.abs(rows @ self.free).max(axis=1, initial=0.0) > 1e-9
-        return Hull(line=line[moving], rows=rows[moving])
+def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, straight: bool) -> list[Candidate]:
+    """The local optima that are reached from several first paths, in this order.
 
-    @cached_property
-    def _rows(self) -> tuple[ca.Function, ...]:
-        return row_functions(self.kinematics)
+    1. The straight line, with `straight` or where `first` is straight.
+    2. The path `first`. A given path, or one in several pieces, is descended from as it is. Otherwise, and where that gives no
+       free path, a path of low energy near it comes first.
+    3. The optimum of a lower degree.
+    """
+    is_line = len(first.control) == 1 and first.degree == 1
+    found = search.unconstrained() if straight or is_line else []
+    if not (found and is_line):  # a straight first path would repeat the same solve
+        nearby = search.nearest_to(first) if problem.given or problem.pieces > 1 else []
+        found += nearby or search.from_safe_path(first)
+    lower = problem.lower()
+    if lower is not None:
+        result = solved(lower, search.start, search.goal, first, straight=straight)
+        search.history.extend(result.history)
+        if result.status.ok and result.path is not None:
+            found += search.embedded(result.path)
+    return found
 
-    @cached_property
-    def _energy(self) -> Integral:
-        s, weights = self.basis.gauss(max(-(-NODES // (len(self.basis.breaks) - 1)), PIECE_NODES))
-        return Integral(density=energy_density(self.objective), s=s, weights=weights, tolerance=1e-7, steps=100)
 
-    @cached_property
-    def _length_density(self) -> BatchDensity:
-        return BatchDensity.of(length_density(self.objective))
+def _best(found: Sequence[Candidate]) -> Candidate | None:
+    """The candidate of least g; the earlier one of two that tie, so that rounding does not choose."""
+    best: Candidate | None = None
+    for each in found:
+        if best is None or each.cost.g < best.cost.g * (1 - TIE):
+            best = each
+    return best
 
-    @cached_property
-    def _batch_rows(self) -> RowFunctions:
-        value, gradient, _ = self._rows
-        return RowFunctions(value=BatchFunction(value), gradient=BatchFunction(gradient))
 
-    @cached_property
-    def _directions(self) -> Array:
-        """Combinations of the free directions (size, f) whose slopes are orthonormal."""
-        s, weights = self.basis.gauss(self.basis.degree)
-        slopes = np.sqrt(weights)[:, None] * (self.basis.values(s, 1) @ self.free)
-        return np.asarray(self.free @ np.linalg.inv(np.linalg.qr(slopes).R))
+def _program(problem: PathProblem, objective: PathObjective) -> PathProgram:
+    """The program of a problem, built once per robot, objective, basis and pattern of fixed derivatives."""
+    kinematics, fixed = objective.kinematics, problem.ends.pattern
+    basis = (problem.basis, problem.degree, problem.pieces)
+    metric = None if objective.metric is None else objective.metric.tobytes()
+    key = ("path program", kinematics.task, kinematics.measure, kinematics.compiled, objective.power, metric, basis, fixed)
+    cache = kinematics.robot.cache
+    if key not in cache:
+        cache[key] = PathProgram(objective, named_basis(*basis), fixed)
+    program: PathProgram = cache[key]
+    return program
 
-    def true_program(
-        self,
-        start: Array,
-        goal: Array,
-        coefficients: Array,
-        surroundings: Surroundings | None,
-        *,
-        limited: bool = True,
-        edges: Array | None = None,
-    ) -> tuple[TrueProgram, Array]:
-        """The program of g among the true obstacles, and the unknowns z (f, n) that give the path of coefficients (n, size).
 
-        Args:
-            start, goal: (n,) [rad or m].
-            coefficients: (n, size) of the path where the descent begins. g is integrated on quadrature panels that are narrow
-                where this path needs it.
-            surroundings: distances of the true bodies; None: nothing is checked for collision.
-            limited: False: as if there were no joint limits.
-            edges: (k + 1,) of panels that earlier paths needed; they are kept and refined.
-        """
-        directions = self._directions
-        z: Array = np.asarray(np.linalg.lstsq(directions, coefficients.T, rcond=None)[0], dtype=float)
-        kept = coefficients - (directions @ z).T
-        z = on_grid(z, SPACING)
-        curves = Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal)
-        path = self.basis.path(start, goal, coefficients)
-        edges = self.objective.panels(path, edges)
-        s, weights = gauss(edges)
-        g0 = self.objective.on_panels(path, edges)
-        length = LengthModel(
-            density=self._length_density,
-            curves=curves,
-            edges=edges,
-            s=s.ravel(),
-            weights=weights.ravel(),
-            g0=g0,
-            power=self.objective.power,
-            pace=g0,
+#: How a recorded motion is read, by the end of the file's name.
+READERS = {
+    ".csv": Trajectory.from_csv,
+    ".json": Trajectory.from_json,
+    ".yaml": Trajectory.from_ros,
+    ".yml": Trajectory.from_ros,
+    ".npz": Trajectory.from_npz,
+}
+
+
+def initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> JointPath:
+    """A first path in any form as a JointPath of this robot's joints."""
+    if isinstance(initial, JointPath):
+        path = initial
+    else:
+        motion = initial if isinstance(initial, Trajectory) else _recorded(initial)
+        if motion.joint_names != robot.joint_names:
+            wanted = f"a motion of the joints {', '.join(robot.joint_names)}"
+            raise InvalidInputError("initial", f"one of {', '.join(motion.joint_names)}", wanted)
+        path = motion.path()
+    if path.n != robot.n:
+        raise InvalidInputError("initial", f"a path of {path.n} joints", f"a path of the {robot.n} joints of {robot.name}")
+    return path
+
+
+def _recorded(file: str | Path) -> Trajectory:
+    if not isinstance(file, str | Path):
+        raise InvalidInputError("initial", file, "a JointPath, a Trajectory, or the path of its file")
+    read = READERS.get(Path(file).suffix.lower())
+    if read is None:
+        raise FileFormatError("initial", str(file), f"a file of a trajectory: {', '.join(READERS)}")
+    return read(file)
+
+
+def check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: Array) -> None:
+    """Raise InvalidInputError for a first path that does not go from start to goal, inside the limits and free."""
+    robot, model = problem.robot, problem.model()
+    for name, q, end in (("start", start, initial.start), ("goal", goal, initial.goal)):
+        off = np.abs(end - q)
+        if off.max() > 1e-9:
+            got = f"a path whose {name} is {off.max():.3g} off at {robot.joint_names[int(off.argmax())]}"
+            raise InvalidInputError("initial", got, "a path from start to goal")
+    low, high = initial.bounds()
+    for q in (low, high):
+        robot.configuration("initial", q, tolerance=1e-9)
+    if model is None:
+        return
+    proof = path_clearance(model, initial, clearance=problem.clearance, tolerance=None)
+    if proof.refuted:
+        first, second = proof.pair
+        apart = f"{proof.upper:.4g} m apart" if proof.upper > 0 else f"overlapping by {-proof.upper:.4g} m"
+        wanted = f"free with a clearance of {problem.clearance:g} m"
+        raise InvalidInputError(
+            "initial", f"a path with {first} and {second} {apart} at s = {proof.at:.4f}", f"a path {wanted}"
         )
-        limits = self.kinematics.robot.limits
-        unlimited = np.full(self.n, np.inf)
-        line = start + np.outer(self._fine_hull.line, goal - start) + self._fine_hull.rows @ kept.T
-        limit_rows = LimitRows(
-            line=line,
-            directions=self._fine_hull.rows @ directions,
-            lower=limits.lower if limited else -unlimited,
-            upper=limits.upper if limited else unlimited,
-        )
-        return TrueProgram(length=length, limits=limit_rows, functions=self._batch_rows, surroundings=surroundings), z
-
-    @interruptible()
-    def solve(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
-        """Minimise the energy from a guess (n, size), which has the fixed end derivatives.
-
-        Rows have slacks, so that there is a solution even where they contradict each other.
-        """
-        capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
-        limits = self.kinematics.robot.limits
-        limited = bool(np.isfinite([limits.lower, limits.upper]).any())
-        solver = self._solver(capacity, limited)
-        # all that IPOPT gets is rounded: from inputs that differ in their last bits its iterations go apart
-        unknowns = on_grid(guess @ self._along, SPACING)
-        kept = on_grid(guess - unknowns @ self.free.T, FINE)
-        scale = with_bits(np.array([1 / self._energy_of(start, goal, guess)]), SCALE_BITS)
-        table = on_grid(self._row_parameters(rows, capacity), FINE)
-        parameters = np.concatenate([start, goal, scale, [1.0], kept.ravel(order="F"), table.ravel(order="F")])
-        count = len(self._hull.line) if limited else 0
-        joint_limits = [np.tile(each, count) for each in (limits.lower, limits.upper)]
-        result = solver(
-            x0=np.concatenate([unknowns.ravel(order="F"), np.zeros(capacity)]),
-            p=parameters,
-            lbx=np.concatenate([np.full(unknowns.size, -np.inf), np.zeros(capacity)]),
-            lbg=np.concatenate([joint_limits[0], np.zeros(capacity)]),
-            ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
-        )
-        status = str(solver.stats()["return_status"])
-        x = on_grid(np.asarray(result["x"]).ravel()[: unknowns.size], SOLVED_SPACING)
-        return Solution(coefficients=kept + x.reshape(unknowns.shape, order="F") @ self.free.T, status=status)
-
-    def _energy_of(self, start: Array, goal: Array, guess: Array) -> float:
-        """The energy of a guess (n, size), by the quadrature of the program; 1 where it is not a number above zero."""
-        s = self._energy.s
-        q = start[:, None] + np.outer(goal - start, s) + guess @ self.basis.values(s).T
-        v = (goal - start)[:, None] + guess @ self.basis.values(s, 1).T
-        density = np.asarray(self._energy.density.value(q, v, np.array([[1.0], [self.objective.power]]))).ravel()
-        value = float(density @ self._energy.weights)
-        return value if np.isfinite(value) and value > 0 else 1.0
-
-    def _row_parameters(self, rows: Sequence[ClearanceRow], capacity: int) -> Array:
-        """The table of rows: values of the functions at the row's place, the place, and the row's column.
-
-        Unused columns hold a row that is always met.
-        """
-        table = np.zeros((self.basis.size + 1 + column_height(self.n), capacity))
-        table[self.basis.size + 1 :] = met_column(self.n)[:, None]
-        at = np.array([row.s for row in rows])
-        for k, (row, values) in enumerate(zip(rows, self.basis.values(at), strict=True)):
-            table[:, k] = [*values, row.s, *row.column(self.n)]
-        return table
-
-    def _solver(self, capacity: int, limited: bool) -> ca.Function:
-        """IPOPT with room for `capacity` clearance rows, built on first use."""
-        key = (capacity, limited)
-        if key not in self._solvers:
-            self._solvers[key] = ipopt_solver(
-                self._energy,
-                basis=self.basis,
-                free=self.free,
-                hull=self._hull if limited else self._hull.none(),
-                rows=self._rows if capacity else (),
-                capacity=capacity,
-                n=self.n,
-                power=self.objective.power,
-            )
-        return self._solvers[key]
+    if not (proof.proven or model.path_is_free(initial, CHECK_STEP, problem.clearance)):
+        raise InvalidInputError("initial", "a path in collision", "a path that is free with the demanded clearance")

@@ -4,17 +4,16 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.collision.model import CollisionModel
+from manipplan.cost.objective import PathCost, PathObjective
 from manipplan.measures.indices import Yoshikawa
 from manipplan.measures.measure import Measure
-from manipplan.measures.task import Task
-from manipplan.optimize.certificate import Certificate
+from manipplan.optimize.certificate import Certificate, Optimality
 from manipplan.optimize.local import Step
-from manipplan.optimize.objective import PathCost, PathObjective
-from manipplan.optimize.optimality import Optimality
 from manipplan.paths.joint import JointPath
-from manipplan.robots.collision import CollisionModel
-from manipplan.status import Status
+from manipplan.support.checks import Array
+from manipplan.support.status import Status
+from manipplan.symbolic.task import Task
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,8 +10,17 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, existing_file, finite_array, instance, number, number_array, pose_matrix, whole_number
-from manipplan.errors import FileFormatError, InvalidInputError
+from manipplan.support.checks import (
+    Array,
+    existing_file,
+    finite_array,
+    instance,
+    number,
+    number_array,
+    pose_matrix,
+    whole_number,
+)
+from manipplan.support.errors import FileFormatError, InvalidInputError
 
 #: Neighbouring poses are at least this far apart [m].
 APART = 1e-9

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from manipplan.checks import Array
-from manipplan.errors import InvalidInputError
 from manipplan.paths.cartesian import CartesianPath
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
 
 #: Poses of the path that are compared, and how many metres a radian counts while the nearest is looked for.
 POSES = 2001

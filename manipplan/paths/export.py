@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.checks import existing_file, whole_number
-from manipplan.errors import FileFormatError, InvalidInputError
-from manipplan.files import write_bytes, write_text
 from manipplan.paths.trajectory import Trajectory
+from manipplan.support.checks import existing_file, whole_number
+from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.support.files import write_bytes, write_text
 
 FORMAT = "manipplan-trajectory"
 VERSION = 1
@@ -137,7 +137,7 @@ def ros_time(nanoseconds: int) -> dict[str, int]:
 
 def from_ros(file: str | Path) -> Trajectory:
     """Read a JointTrajectory in YAML. Raises FileFormatError when names, positions, velocities or times are missing."""
-    from manipplan.yaml_files import read_yaml
+    from manipplan.support.yaml_files import read_yaml
 
     path = existing_file("file", file)
     wanted = "a JointTrajectory in YAML: joint_names and points with positions, velocities and time_from_start"

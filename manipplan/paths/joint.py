@@ -7,8 +7,8 @@ import numpy as np
 from numpy.polynomial import chebyshev, legendre
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, finite_array, number_array, whole_number
-from manipplan.errors import InvalidInputError, UnknownNameError
+from manipplan.support.checks import Array, finite_array, number_array, whole_number
+from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 #: Shorter paths [rad or m] than this are no motion.
 SHORTEST = 1e-6

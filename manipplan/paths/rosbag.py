@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.checks import Array, number
-from manipplan.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError, UnknownNameError
 from manipplan.paths.export import nanoseconds_of, ros_time
 from manipplan.paths.trajectory import Trajectory
+from manipplan.support.checks import Array, number
+from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError, UnknownNameError
 
 TRAJECTORY, STATE = "trajectory_msgs/msg/JointTrajectory", "sensor_msgs/msg/JointState"
 #: Topics that are written: where ros2_control's controller listens, and where joint states are looked for.

@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from manipplan.checks import Array
 from manipplan.paths.joint import JointPath
+from manipplan.support.checks import Array
 
 #: A corner is rounded over at most this share of the shorter of its two edges, and least this far [rad].
 WIDEST = 0.45

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, distinct_names, finite_array, number, number_array, whole_number
-from manipplan.errors import InvalidInputError
 from manipplan.paths.joint import JointPath
+from manipplan.support.checks import Array, distinct_names, finite_array, number, number_array, whole_number
+from manipplan.support.errors import InvalidInputError
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

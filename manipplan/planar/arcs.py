@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array
-from manipplan.errors import InvalidInputError
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.limits import AngleLimits
 from manipplan.planar.orientations import Interval, check_few_links, is_reachable
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
 
 #: How far beside an arc it is asked whether a place is reachable, as a share of the arm's length.
 BESIDE = 1e-6

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, configurations, number_array
-from manipplan.errors import InvalidInputError
+from manipplan.support.checks import Array, configurations, number_array
+from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:
     from manipplan.robots.robot import Robot

@@ -3,10 +3,10 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, configurations, finite_array
-from manipplan.errors import InvalidInputError
 from manipplan.measures.ellipsoid import Ellipsoid, force_ellipsoid, velocity_ellipsoid
 from manipplan.planar.arm import PlanarArm
+from manipplan.support.checks import Array, configurations, finite_array
+from manipplan.support.errors import InvalidInputError
 
 
 def velocity_ellipse(arm: PlanarArm, q: ArrayLike) -> Ellipsoid:

@@ -17,10 +17,10 @@ from fractions import Fraction
 
 import numpy as np
 
-from manipplan.checks import Array
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.inverse import wrapped
 from manipplan.planar.sturm import Polynomial, add, derivative, evaluate, multiply, real_roots, scale
+from manipplan.support.checks import Array
 
 #: A radius this near to one at which links can be collinear is that one: it is where rounding would decide.
 SNAP = Fraction(1, 10**14)

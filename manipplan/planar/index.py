@@ -6,9 +6,9 @@ None of them depends on the first angle (theorems 4.1, 4.2, 4.4 in kth2012): tur
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, configurations
-from manipplan.errors import InvalidInputError
 from manipplan.planar.arm import PlanarArm
+from manipplan.support.checks import Array, configurations
+from manipplan.support.errors import InvalidInputError
 
 
 def minors(arm: PlanarArm, q: ArrayLike) -> Array:

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, finite_array, number
-from manipplan.errors import InvalidInputError
 from manipplan.planar.arm import PlanarArm
+from manipplan.support.checks import Array, finite_array, number
+from manipplan.support.errors import InvalidInputError
 
 #: A position that misses the reach by less than this share of the arm's length counts as on its border.
 GRAZE = 1e-12

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, number_array
-from manipplan.errors import InvalidInputError
+from manipplan.support.checks import Array, number_array
+from manipplan.support.errors import InvalidInputError
 
 #: An angle that exceeds a limit by less is on it [rad].
 ON_LIMIT = 1e-9

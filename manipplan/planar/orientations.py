@@ -5,11 +5,11 @@ import itertools
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array
-from manipplan.errors import InvalidInputError
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.inverse import GRAZE, position_family, two_link_postures, two_links, wrapped
 from manipplan.planar.limits import ON_LIMIT, AngleLimits
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
 
 Interval = tuple[float, float]
 

@@ -10,8 +10,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.checks import Array, configurations, number
-from manipplan.errors import InvalidInputError
 from manipplan.planar.arcs import reachable_radii
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.fixed_radius import fixed_radius_postures
@@ -19,6 +17,8 @@ from manipplan.planar.index import inverse_condition, manipulability, squared_ma
 from manipplan.planar.limits import AngleLimits
 from manipplan.planar.trigonometric import TrigonometricPolynomial, squared_manipulability_series
 from manipplan.planar.zeros import torus_zeros
+from manipplan.support.checks import Array, configurations, number
+from manipplan.support.errors import InvalidInputError
 
 #: Links up to which all stationary postures are looked for: each more costs a hundred times the time.
 MOST_LINKS = 4

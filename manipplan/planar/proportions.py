@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from manipplan.checks import Array, number, random_seed, whole_number
-from manipplan.errors import InvalidInputError
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.index import manipulability
+from manipplan.support.checks import Array, number, random_seed, whole_number
+from manipplan.support.errors import InvalidInputError
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

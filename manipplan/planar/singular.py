@@ -5,8 +5,8 @@ import itertools
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, configurations
 from manipplan.planar.arm import PlanarArm
+from manipplan.support.checks import Array, configurations
 
 
 def singular_postures(arm: PlanarArm) -> Array:

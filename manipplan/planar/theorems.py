@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from manipplan.checks import Array, instance, whole_number
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.index import manipulability
+from manipplan.support.checks import Array, instance, whole_number
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import configurations
 from manipplan.planar.arm import PlanarArm
+from manipplan.support.checks import configurations
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from manipplan.checks import Array
 from manipplan.planar.trigonometric import TrigonometricPolynomial
+from manipplan.support.checks import Array
 
 #: Half width of boxes that are not cut any more [rad].
 SMALLEST = 1e-8

@@ -9,12 +9,12 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.checks import number, number_array
-from manipplan.errors import InvalidInputError, MissingExtraError, UnknownNameError
 from manipplan.robots.description import frame_index
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.robots.source import RobotSource
+from manipplan.support.checks import number, number_array
+from manipplan.support.errors import InvalidInputError, MissingExtraError, UnknownNameError
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,11 +10,11 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.checks import Array
-from manipplan.errors import FileFormatError
 from manipplan.robots import mjcf_bodies, urdf_links
 from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.ply import fault_of
+from manipplan.support.checks import Array
+from manipplan.support.errors import FileFormatError
 
 T = TypeVar("T")
 #: How deep elements of a file, or links of a robot, may follow one another: Pinocchio reads both by calls within calls.

@@ -3,7 +3,7 @@
 import coal
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.support.checks import Array
 
 #: A body is flat when it is thinner than this share of its longest side.
 FLAT = 1e-6

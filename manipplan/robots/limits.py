@@ -6,8 +6,8 @@ from dataclasses import dataclass, field, fields
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, number_array, positive_array
-from manipplan.errors import InvalidInputError, UnknownNameError
+from manipplan.support.checks import Array, number_array, positive_array
+from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 #: Where neither the user nor the catalogue names an acceleration limit: full speed is reached in this time [s].
 DEFAULT_RAMP_TIME = 0.2

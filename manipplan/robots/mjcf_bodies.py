@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pinocchio as pin
 
-from manipplan.errors import FileFormatError
 from manipplan.robots.xml_numbers import numbers
+from manipplan.support.errors import FileFormatError
 
 #: Elements with bodies or geoms in them that Pinocchio leaves out.
 LEFT_OUT = ("include", "frame", "replicate", "composite", "flexcomp", "attach")

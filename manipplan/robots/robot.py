@@ -10,17 +10,18 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.checks import Array, configurations, existing_file, instance, whole_number
-from manipplan.errors import InvalidInputError
-from manipplan.robots import description, parts
+from manipplan.robots import description
+from manipplan.robots import subchain as parts
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
 from manipplan.robots.source import RobotSource
 from manipplan.robots.states import NamedStates
+from manipplan.support.checks import Array, configurations, existing_file, instance, whole_number
+from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:
     from manipplan.kinematics.kinematics import Kinematics
     from manipplan.measures.measure import Measure
-    from manipplan.measures.task import Task
+    from manipplan.symbolic.task import Task
 
 log = logging.getLogger("manipplan")
 
@@ -196,7 +197,7 @@ class Robot:
     @property
     def default_task(self) -> "Task":
         """Task.planar() for a planar arm, Task.pose() from six joints on, otherwise Task.position()."""
-        from manipplan.measures.task import Task
+        from manipplan.symbolic.task import Task
 
         if self.planar:
             return Task.planar()
@@ -227,11 +228,11 @@ class Robot:
             UnknownNameError: no such backend or measure; the nearest names are listed.
             CompilerError: at the first call, when compiled is True and there is no compiler or it fails.
         """
-        from manipplan.kinematics.backends import chain_of
         from manipplan.kinematics.batch import all_cores
         from manipplan.kinematics.kinematics import Kinematics
         from manipplan.measures.names import measure_of
-        from manipplan.measures.task import Task
+        from manipplan.symbolic.backends import chain_of
+        from manipplan.symbolic.task import Task
 
         task = instance("task", task if task is not None else self.default_task, Task)
         chosen = measure_of(measure)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from manipplan.errors import UnknownNameError
+from manipplan.support.errors import UnknownNameError
 
 if TYPE_CHECKING:
     from manipplan.robots.robot import Robot

@@ -6,10 +6,10 @@ from pathlib import Path
 
 from numpy.typing import ArrayLike
 
-from manipplan.checks import distinct_names, finite_array
-from manipplan.errors import InvalidInputError
-from manipplan.files import write_bytes
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import distinct_names, finite_array
+from manipplan.support.errors import InvalidInputError
+from manipplan.support.files import write_bytes
 
 
 def to_srdf(robot: Robot, file: str | Path, states: Mapping[str, ArrayLike] | None = None, *, group: str = "arm") -> None:

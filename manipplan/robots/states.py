@@ -4,8 +4,8 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from manipplan.checks import Array
-from manipplan.errors import UnknownNameError
+from manipplan.support.checks import Array
+from manipplan.support.errors import UnknownNameError
 
 
 class NamedStates(dict[str, Array]):

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pinocchio as pin
 
-from manipplan.errors import FileFormatError
 from manipplan.robots.xml_numbers import numbers
+from manipplan.support.errors import FileFormatError
 
 #: Attributes of each shape, with how many numbers each has.
 SHAPES = {"box": {"size": 3}, "sphere": {"radius": 1}, "cylinder": {"radius": 1, "length": 1}, "mesh": {}}

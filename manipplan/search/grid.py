@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.checks import Array
 from manipplan.search.steps import TAU
+from manipplan.support.checks import Array
 
 #: Joints that are hashed at most.
 AXES = 3

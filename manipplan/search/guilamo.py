@@ -16,11 +16,10 @@ from enum import Enum
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.checks import Array, instance, whole_number
-from manipplan.errors import InvalidInputError, PlanningError
-from manipplan.search.epsilon import checked_epsilon, exclusive
 from manipplan.search.layers import Layers
-from manipplan.search.steps import without_jumps
+from manipplan.search.steps import checked_epsilon, exclusive, without_jumps
+from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.errors import InvalidInputError, PlanningError
 
 #: Comparisons between two moments at which the search can be interrupted.
 BUDGET = 20_000_000
@@ -88,7 +87,7 @@ def guilamo_search(
 
     Raises InvalidInputError for bad arguments, closed layers among them.
     """
-    from manipplan.search.restarts import EXHAUSTED, FOUND, STATE, UNFINISHED, search_restarts
+    from manipplan.search.kernels import EXHAUSTED, FOUND, STATE, UNFINISHED, search_restarts
 
     instance("layers", layers, Layers)
     if layers.closed:

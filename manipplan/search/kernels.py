@@ -1,17 +1,103 @@
-"""Kernels of one step of the dynamic programme, from the candidates of a layer to those of the next.
-
-All values are maximised. Candidates lie in the order of their cells (`sort_into_cells`); `previous` is -inf where a
-candidate is not reached, `top` is the largest value of each cell, and cells first_cell to last_cell - 1 of the new layer
-are worked on, so that threads share a layer. Results go into value, source (the place in the previous layer, -1 where
-there is none) and new_top.
-"""
+"""Compiled kernels of the searches: cells, one step of the dynamic programme, and the paper's restarts."""
 
 import numpy as np
+from numpy.typing import NDArray
 
-from manipplan.checks import Array
-from manipplan.kernels import kernel
-from manipplan.search.cells import Numbers, Truth, Whole
 from manipplan.search.steps import TAU
+from manipplan.support.checks import Array
+from manipplan.support.kernels import kernel
+
+Whole = NDArray[np.int64]
+Numbers = NDArray[np.int32]
+Truth = NDArray[np.bool_]
+
+
+@kernel
+def cell_of(q: Array, i: int, joints: Whole, low: Array, per: Array, count: Whole, wraps: Truth) -> int:
+    """The cell of row i of q (k, n)."""
+    cell = 0
+    for axis in range(3):
+        size = count[axis]
+        if size == 1:
+            continue
+        x = q[i, joints[axis]]
+        if wraps[axis]:
+            x /= TAU
+            place = (x - np.floor(x)) * size
+        else:
+            place = (x - low[axis]) * per[axis]
+        # compared as numbers with a point: a huge one would not fit an integer
+        place = min(max(place, 0.0), size - 1.0)
+        cell = cell * size + int(place)
+    return cell
+
+
+@kernel
+def taking_part(m: Array, threshold: float, share: float) -> Numbers:
+    """Numbers of the candidates with m >= threshold; with a share below 1, of about that share of them.
+
+    The choice is random in effect but always the same, and a smaller share is part of a larger one.
+    """
+    taken = np.empty(len(m) + 1, dtype=np.int32)
+    count = 0
+    if share >= 1.0:
+        for i in range(len(m)):  # written in any case: a branch would be guessed wrong too often
+            taken[count] = i
+            count += m[i] >= threshold
+    else:
+        below = np.uint64(share * 2.0**32)
+        for i in range(len(m)):
+            taken[count] = i
+            mixed = (np.uint64(i) ^ (np.uint64(i) >> np.uint64(15))) * np.uint64(0x9E3779B97F4A7C15)
+            count += (m[i] >= threshold) & ((mixed >> np.uint64(32)) < below)
+    return taken[:count]
+
+
+@kernel
+def sort_into_cells(
+    q: Array, m: Array, threshold: float, share: float, cap: float,
+    joints: Whole, low: Array, per: Array, count: Whole, wraps: Truth, order: Whole,
+) -> tuple[Numbers, Array, Array, Numbers]:  # fmt: skip
+    """The candidates of a layer that take part, in the order of their cells.
+
+    Returns their numbers (k,), configurations (k, n) with joints in the given order, indices (k,) of `cap` at most, and where
+    each cell begins (cells + 1,). Takes time in proportion to candidates and cells.
+    """
+    n = q.shape[1]
+    cells = count[0] * count[1] * count[2]
+    taken = taking_part(m, threshold, share)
+    active = len(taken)
+    cell = np.empty(active, dtype=np.int32)
+    start = np.zeros(cells + 1, dtype=np.int32)
+    for k in range(active):
+        c = cell_of(q, taken[k], joints, low, per, count, wraps)
+        cell[k] = c
+        start[c + 1] += 1
+    for c in range(cells):
+        start[c + 1] += start[c]
+    following = start[:-1].copy()
+    ids = np.empty(active, dtype=np.int32)
+    rows = np.empty((active, n))
+    values = np.empty(active)
+    for k in range(active):
+        i, place = taken[k], following[cell[k]]
+        following[cell[k]] += 1
+        ids[place] = i
+        values[place] = min(m[i], cap)
+        for j in range(n):
+            rows[place, j] = q[i, order[j]]
+    return ids, rows, values, start
+
+
+@kernel
+def largest_of_each(start: Numbers, value: Array) -> Array:
+    """The largest value of each cell (cells,), -inf of an empty one."""
+    top = np.full(len(start) - 1, -np.inf)
+    for cell in range(len(top)):
+        for b in range(start[cell], start[cell + 1]):
+            top[cell] = max(top[cell], value[b])
+    return top
+
 
 #: Cells that adjoin a cell at most, itself among them.
 ADJOINING = 27
@@ -190,3 +276,75 @@ def closest_step(
             source[b] = where
             highest = max(highest, best)
         new_top[cell] = highest
+
+
+#: Places of the state that goes in and out of `search_restarts`.
+PHASE, LEVEL, STARTS, BRANCHES, COMPARISONS, STATE = 0, 1, 2, 3, 4, 5
+#: How a call ended.
+UNFINISHED, FOUND, EXHAUSTED, TOO_MANY = 0, 1, 2, 3
+#: Phases: the next start is to be taken, the path grows to the last layer, the path grows to the first one.
+NEXT, UP, DOWN = 0, 1, 2
+
+
+@kernel
+def search_restarts(
+    q: Array, m: Array, offset: Whole, starts: Whole, layer_of: Whole, reach: Array, turns: Truth, memoised: bool,
+    most_branches: int, budget: int, state: Whole, path: Whole, pointer: Whole, seen: Whole,
+) -> int:  # fmt: skip
+    """Go on with the search for about `budget` comparisons of configurations.
+
+    q (N, n), m (N,): candidates of all layers, each layer in descending order of its index; offset (L + 1,) where each
+    begins. starts (N,): candidates in the order in which they start a path; layer_of (N,) their layers. state (STATE,),
+    path (L,), pointer (L,) and seen (N,) are changed: where the search stands.
+    """
+    layers = len(offset) - 1
+    stop = state[COMPARISONS] + budget
+    while state[COMPARISONS] < stop:
+        if state[PHASE] == NEXT:
+            if state[STARTS] == len(starts):
+                return EXHAUSTED
+            start = starts[state[STARTS]]
+            state[STARTS] += 1
+            level = layer_of[start]
+            path[level] = start
+            state[LEVEL] = level
+            state[PHASE] = UP
+            if level < layers - 1:
+                pointer[level + 1] = offset[level + 1]
+        start = starts[state[STARTS] - 1]
+        first, least = layer_of[start], m[start]
+        level = state[LEVEL]
+        if state[PHASE] == UP and level == layers - 1:
+            state[PHASE], state[LEVEL], level = DOWN, first, first
+            if first > 0:
+                pointer[first - 1] = offset[first - 1]
+        if state[PHASE] == DOWN and level == 0:
+            return FOUND
+        following = level + 1 if state[PHASE] == UP else level - 1
+        i, here = pointer[following], path[level]
+        end = offset[following + 1]
+        found = False
+        while i < end and m[i] >= least:
+            if not memoised or seen[i] != state[STARTS]:
+                state[COMPARISONS] += 1
+                if is_near(q, here, q, i, reach, turns):
+                    found = True
+                    break
+            i += 1
+        if found:
+            if state[BRANCHES] >= most_branches:
+                pointer[following] = i
+                return TOO_MANY
+            pointer[following] = i + 1
+            path[following] = i
+            seen[i] = state[STARTS]
+            state[BRANCHES] += 1
+            state[LEVEL] = following
+            beyond = following + 1 if state[PHASE] == UP else following - 1
+            if 0 <= beyond < layers:
+                pointer[beyond] = offset[beyond]
+        elif level == first:  # this half has no path: the start fails
+            state[PHASE] = NEXT
+        else:
+            state[LEVEL] = level - 1 if state[PHASE] == UP else level + 1
+    return UNFINISHED

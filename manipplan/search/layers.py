@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.checks import Array
-from manipplan.errors import InvalidInputError
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:
-    from manipplan.search.worker import Worker
+    from manipplan.search.sampler import Worker
 
 #: So many rows are looked at as one long row when extremes are taken: NumPy is fast along long rows only.
 FOLD = 64

@@ -6,18 +6,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from manipplan.checks import Array, instance, whole_number
-from manipplan.errors import InvalidInputError
-from manipplan.interrupts import interruptible
-from manipplan.progress import Progress, teller
-from manipplan.search.bottleneck import max_min_search
+from manipplan.paths.tolerance import Tolerance
 from manipplan.search.layers import Layers
-from manipplan.search.result import SearchResult
+from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.steps import path_length, steps_between, within
-from manipplan.tracking.relaxation import Tolerance
+from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.errors import InvalidInputError
+from manipplan.support.interrupts import interruptible
+from manipplan.support.progress import Progress, teller
 
 if TYPE_CHECKING:
-    from manipplan.search.worker import Worker
+    from manipplan.search.sampler import Worker
 
 #: Values of each parameter around the path at hand, and how much nearer they lie in the next round.
 AROUND, CLOSER = 5, 0.4

@@ -1,9 +1,10 @@
-"""Steps along a chosen path: their size, and configurations without jumps of 2π."""
+"""Steps between neighbouring positions: their bound ε, their size, and configurations without jumps of 2π."""
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from manipplan.checks import Array
+from manipplan.support.checks import Array, number_array
+from manipplan.support.errors import InvalidInputError
 
 TAU = 2 * np.pi
 
@@ -41,3 +42,23 @@ def within(q: Array, epsilon: Array, continuous: NDArray[np.bool_], *, strict: b
 def full_turns(q: Array, continuous: NDArray[np.bool_]) -> Array:
     """By how much each joint (n,) ends the cycle q (L, n) further on than it began: full turns of those without end."""
     return np.where(continuous, 2 * np.pi * np.round((q[-1] - q[0]) / (2 * np.pi)), 0.0)
+
+
+def checked_epsilon(value: ArrayLike, continuous: NDArray[np.bool_]) -> Array:
+    """`value`, one number or n of them, as read-only (n,): finite, above zero, below π for joints that turn without end."""
+    n = len(continuous)
+    array = number_array("epsilon", value)
+    if array.shape not in ((), (n,)):
+        raise InvalidInputError("epsilon", value, f"one number or {n} of them, one per joint")
+    if not (np.isfinite(array) & (array > 0)).all():
+        raise InvalidInputError("epsilon", value, "finite numbers above zero [rad or m]")
+    array = np.broadcast_to(array, (n,)).copy()
+    if (array[continuous] >= np.pi).any():
+        raise InvalidInputError("epsilon", value, "below π for joints that turn without end")
+    array.flags.writeable = False
+    return array
+
+
+def exclusive(epsilon: Array, *, strict: bool) -> Array:
+    """What each step has to be below (n,): with strict=False the next larger number, so that ε itself is allowed."""
+    return epsilon if strict else np.nextafter(epsilon, np.inf)

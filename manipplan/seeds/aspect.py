@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from manipplan.checks import Array
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
+from manipplan.support.checks import Array
 
 #: No joint moves more than this between two looks at the sign along a path [rad or m].
 STEP = 5e-3

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from manipplan.checks import Array
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.support.checks import Array
 
 #: A motion is integrated in panels no longer than this [rad or m], by so many Gauss points each.
 PANEL = 0.2

@@ -14,19 +14,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, instance, number, random_seed, whole_number
-from manipplan.errors import InvalidInputError, PlanningError, UnknownNameError
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.path_clearance import path_clearance
+from manipplan.collision.scene import Scene
+from manipplan.cost.objective import path_cost
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.measures.task import Task
-from manipplan.optimize.objective import path_cost
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.smooth import rounded
-from manipplan.robots.collision import CollisionModel
-from manipplan.robots.continuous import path_clearance
 from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Scene
 from manipplan.seeds.aspect import Aspect
 from manipplan.seeds.objective import index_objective
+from manipplan.support.checks import Array, instance, number, random_seed, whole_number
+from manipplan.support.errors import InvalidInputError, PlanningError, UnknownNameError
+from manipplan.symbolic.task import Task
 
 log = logging.getLogger("manipplan")
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from manipplan.checks import Array
 from manipplan.paths.joint import JointPath
+from manipplan.support.checks import Array
 
 #: A grid point this near to a break, as a share of the mean distance of grid points, is left out in its favour.
 BESIDE = 0.1

@@ -6,7 +6,7 @@ Rows are linear functions of up to three neighbours, y_i = Σ_m rows[m][i] c_i+m
 
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.support.checks import Array
 
 Rows = tuple[Array, ...]
 

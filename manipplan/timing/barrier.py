@@ -6,7 +6,7 @@ linearisation of Verscheure and of TOPP3, within one interior-point method); the
 
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.support.checks import Array
 from manipplan.timing.inside import motion_inside
 from manipplan.timing.jerk import JerkProblem, Slacks, SquaredSpeed
 

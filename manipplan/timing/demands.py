@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 import pinocchio as pin
 
-from manipplan.checks import Array
+from manipplan.support.checks import Array
 from manipplan.timing.arc import ArcLength
 from manipplan.timing.segment import Bounds, LimitsAlong, ToolSpeed
 

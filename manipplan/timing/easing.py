@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.support.checks import Array
 from manipplan.timing.demands import Demands
 
 Use = Mapping[str, Array]

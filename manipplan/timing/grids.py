@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.support.checks import Array
 from manipplan.timing.arc import ArcLength
 from manipplan.timing.profile import Profile
 

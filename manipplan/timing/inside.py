@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.support.checks import Array
 from manipplan.timing.banded import Rows
 from manipplan.timing.jerk import UNLIMITED, JerkProblem
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.support.checks import Array
 from manipplan.timing.banded import BandedModel, Rows, applied
 from manipplan.timing.demands import Demands
 

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 import pinocchio as pin
 
-from manipplan.checks import Array
-from manipplan.errors import InvalidInputError, PlanningError
 from manipplan.paths.trajectory import Trajectory
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.timing.arc import ArcLength
 from manipplan.timing.barrier import fastest_motion
 from manipplan.timing.demands import Demands, demands

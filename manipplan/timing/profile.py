@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from manipplan.checks import Array
 from manipplan.paths.trajectory import Trajectory
+from manipplan.support.checks import Array
 from manipplan.timing.arc import ArcLength
 
 

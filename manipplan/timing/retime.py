@@ -9,12 +9,12 @@ from itertools import pairwise
 import numpy as np
 import pinocchio as pin
 
-from manipplan.checks import distinct_names, instance, number, whole_number
-from manipplan.errors import InvalidInputError, PlanningError
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import distinct_names, instance, number, whole_number
+from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.timing.piece import Piece, TimingProblem, smooth_piece, stepped_piece
 from manipplan.timing.segment import LimitsAlong, Segment, ToolSpeed, checked_segments
 from manipplan.timing.stops import STANDSTILL, Course, stops

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
-from manipplan.checks import Array, instance, number
-from manipplan.errors import InvalidInputError
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array, instance, number
+from manipplan.support.errors import InvalidInputError
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

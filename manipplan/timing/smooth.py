@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.support.checks import Array
 from manipplan.timing.demands import Demands
 from manipplan.timing.jerk import SquaredSpeed
 from manipplan.timing.profile import Profile

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.checks import Array
-from manipplan.errors import InvalidInputError, PlanningError
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.timing.demands import Demands
 
 #: A given speed may be this much, relative, above what limits allow: digits of the user's own arithmetic.

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from manipplan.checks import Array
 from manipplan.paths.joint import JointPath
+from manipplan.support.checks import Array
 
 #: Below this share of the mean speed ‖q'‖ the path stands still; above this angle [rad] it turns a corner.
 STANDSTILL = 1e-6

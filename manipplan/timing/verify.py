@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 import pinocchio as pin
 
-from manipplan.checks import Array, instance
-from manipplan.errors import InvalidInputError
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.limits import JointLimits
+from manipplan.support.checks import Array, instance
+from manipplan.support.errors import InvalidInputError
 from manipplan.timing.segment import Bounds, ToolSpeed
 
 #: Acceleration jumps where it changes at once by more than this share of its limit.

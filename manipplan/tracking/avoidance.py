@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 import casadi as ca
 import numpy as np
 
-from manipplan.checks import Array, instance, number
-from manipplan.errors import InvalidInputError, UnknownNameError
-from manipplan.kinematics.chain import Placement, SymbolicChain
-from manipplan.robots import scene as shapes
+from manipplan.collision import scene as shapes
+from manipplan.collision.scene import Obstacle, Scene
 from manipplan.robots.description import axis_of, is_prismatic
 from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Obstacle, Scene
+from manipplan.support.checks import Array, instance, number
+from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.symbolic.chain import Placement, SymbolicChain
 from manipplan.tracking.bodies import Bodies, Body
 from manipplan.tracking.distances import Box, Capsule, Nearest, Plane, nearest
 

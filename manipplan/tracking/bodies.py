@@ -7,10 +7,10 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.checks import Array
-from manipplan.robots.collision import CollisionModel, add_self_pairs
-from manipplan.robots.primitives import core_of, fit_primitives, mesh_triangles
+from manipplan.collision.model import CollisionModel, add_self_pairs
+from manipplan.collision.primitives import core_of, fit_primitives, mesh_triangles
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
 
 log = logging.getLogger("manipplan")
 

@@ -9,17 +9,17 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, finite_array, instance, number, number_array, positive_array
-from manipplan.errors import CompilerError, InvalidInputError, UnknownNameError
-from manipplan.kinematics.compile import do_without, wants_machine_code
-from manipplan.measures.task import Task
+from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array, finite_array, instance, number, number_array, positive_array
+from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNameError
+from manipplan.symbolic.machine_code import do_without, wants_machine_code
+from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, obstacle_numbers
 from manipplan.tracking.bodies import Bodies
 from manipplan.tracking.bounds import limits_jerk
 from manipplan.tracking.formulations import Classical, Formulation
 from manipplan.tracking.machine import MachineCode, Sources
-from manipplan.tracking.relaxation import Tolerance
 from manipplan.tracking.step import HUGE, REPORT, StepSetup, StepStatus, step_of
 
 #: Generated code of so many characters is not compiled unless that is insisted on.

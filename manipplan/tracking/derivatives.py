@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from manipplan.kinematics.derivatives import Factor, log_gradient, log_hessian
 from manipplan.kinematics.kinematics import SymbolicKinematics
 from manipplan.measures.indices import REGULARISATION
+from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian
 
 GRADIENTS = ("exact", "central")
 #: How H_m may be made; the last three learn it from step to step.

@@ -3,9 +3,9 @@
 import casadi as ca
 import numpy as np
 
-from manipplan.checks import Array
-from manipplan.kinematics.chain import Placement
-from manipplan.measures.task import Task
+from manipplan.support.checks import Array
+from manipplan.symbolic.chain import Placement
+from manipplan.symbolic.task import Task
 
 
 def task_error(task: Task, tool: Placement, target: Placement) -> ca.SX:
@@ -14,7 +14,7 @@ def task_error(task: Task, tool: Placement, target: Placement) -> ca.SX:
     Where the task leaves the rotation about one axis of the tool free, the rotation is the shortest that brings this axis
     to where the target has it.
     """
-    free = free_axis(task)
+    free = task.free_axis
     rotation = rotation_vector(target.rotation @ tool.rotation.T) if free is None else _aligning(tool, target, free)
     return task.rows_of(ca.vertcat(target.origin - tool.origin, rotation), tool.rotation)
 
@@ -38,17 +38,6 @@ def rotation_vector(rotation: ca.SX) -> ca.SX:
     small = length < 1e-12 * best[0]
     angle = 2 * ca.atan2(length, best[0])
     return ca.if_else(small, 2 / ca.if_else(small, best[0], 1), angle / ca.if_else(small, 1, length)) * best[1:]
-
-
-def free_axis(task: Task) -> Array | None:
-    """The tool's axis about which it may turn, where the task's only angular rows are two of the tool."""
-    if any(any(row[3:]) for row in task.world_rows):
-        return None
-    angular = np.array([row[3:] for row in task.tool_rows if any(row[3:])])
-    if angular.shape != (2, 3) or np.linalg.matrix_rank(angular) < len(angular):
-        return None
-    axis = np.cross(*angular)
-    return np.asarray(axis / np.linalg.norm(axis))
 
 
 def _aligning(tool: Placement, target: Placement, axis: Array) -> ca.SX:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from manipplan.checks import Array
-from manipplan.files import writable_folder, write_text
+from manipplan.support.checks import Array
+from manipplan.support.files import writable_folder, write_text
 from manipplan.tracking.machine import daqp_folder
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from manipplan.checks import number
-from manipplan.errors import InvalidInputError, UnknownNameError
+from manipplan.support.checks import number
+from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.tracking.convex import gram
 from manipplan.tracking.derivatives import CURVATURES, GRADIENTS, Index
 

@@ -8,11 +8,12 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 
-from manipplan.checks import Array
-from manipplan.errors import ManipplanError
-from manipplan.kinematics.compile import generated_source, load_library, native_flags
+from manipplan.support.checks import Array
+from manipplan.support.compiler import load_library
+from manipplan.support.errors import ManipplanError
+from manipplan.support.untrusted import identifier
+from manipplan.symbolic.machine_code import generated_source, native_flags
 from manipplan.tracking.step import REPORT, STEP_NAME
-from manipplan.untrusted import identifier
 
 
 @dataclass(frozen=True, kw_only=True)

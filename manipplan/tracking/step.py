@@ -15,18 +15,18 @@ from enum import IntEnum
 
 import casadi as ca
 
-from manipplan.checks import Array
-from manipplan.kinematics.chain import Placement
-from manipplan.kinematics.derivatives import Factor
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.measures.task import Task
+from manipplan.paths.tolerance import row_shares
+from manipplan.support.checks import Array
+from manipplan.symbolic.chain import Placement
+from manipplan.symbolic.derivatives import Factor
+from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import Avoidance, AvoidanceRows, avoidance_rows
 from manipplan.tracking.bounds import velocity_bounds
 from manipplan.tracking.convex import convexified, gram
 from manipplan.tracking.derivatives import Index
 from manipplan.tracking.error import task_error
 from manipplan.tracking.formulations import Classical, Formulation
-from manipplan.tracking.relaxation import row_shares
 
 #: Penalties w p s + ½ w' s² on the slacks s, p being stiffness and drive: so large that a slack is used only where nothing
 #: else is left, and no larger, since that costs the solver precision.

@@ -9,18 +9,17 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, instance, number
-from manipplan.errors import InvalidInputError
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.measures.task import Task
 from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.tolerance import Stiffness, StiffnessProfile, Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array, instance, number
+from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller, StepReport
-from manipplan.tracking.error import free_axis
 from manipplan.tracking.formulations import Classical, Formulation
-from manipplan.tracking.relaxation import Stiffness, StiffnessProfile, Tolerance
 from manipplan.tracking.step import StepStatus
 
 #: The final pose counts as reached within these [m, rad], and the arm as at rest below this speed [rad/s, m/s].
@@ -324,7 +323,7 @@ def _outcome(
 
 def _error(task: Task, pose: Array, target: Array) -> Array:
     """The displacement in the rows of a task (m,), as `task_error`, in numbers."""
-    axis = free_axis(task)
+    axis = task.free_axis
     if axis is None:
         turn = pin.log3(target[:3, :3] @ pose[:3, :3].T)
     else:

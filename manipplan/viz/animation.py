@@ -6,11 +6,11 @@ from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 
-from manipplan.checks import finite_array, number, whole_number
-from manipplan.errors import InvalidInputError, MissingProgramError
-from manipplan.files import write_bytes
 from manipplan.measures.ellipsoid import velocity_ellipsoid
-from manipplan.progress import Progress, teller
+from manipplan.support.checks import finite_array, number, whole_number
+from manipplan.support.errors import InvalidInputError, MissingProgramError
+from manipplan.support.files import write_bytes
+from manipplan.support.progress import Progress, teller
 from manipplan.viz import style
 from manipplan.viz.arm import draw_scene
 from manipplan.viz.ellipsoids import default_scale, plot_ellipsoid

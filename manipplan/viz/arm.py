@@ -4,11 +4,11 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.checks import Array, instance, whole_number
-from manipplan.measures.task import Task
+from manipplan.collision.scene import Scene
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Scene
+from manipplan.support.checks import Array, instance, whole_number
+from manipplan.symbolic.task import Task
 from manipplan.viz import style
 from manipplan.viz.ellipsoids import plot_ellipsoids
 from manipplan.viz.motions import Motion, joint_path, skeleton, tool_way

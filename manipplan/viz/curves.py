@@ -5,12 +5,12 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.checks import Array, instance, whole_number
-from manipplan.errors import InvalidInputError
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.limits import JointLimits
+from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.errors import InvalidInputError
 from manipplan.viz import style
 from manipplan.viz.motions import Motion, joint_path, length_shares
 

@@ -5,11 +5,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, finite_array, instance, number, whole_number
-from manipplan.errors import InvalidInputError
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.ellipsoid import Ellipsoid, velocity_ellipsoid
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array, finite_array, instance, number, whole_number
+from manipplan.support.errors import InvalidInputError
 from manipplan.viz import style
 from manipplan.viz.motions import Motion, joint_path, linear_kinematics, skeleton, tool_way
 from manipplan.viz.space import LINES

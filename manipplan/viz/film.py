@@ -8,8 +8,8 @@ from typing import IO, Any
 
 import numpy as np
 
-from manipplan.checks import Array
-from manipplan.progress import Progress
+from manipplan.support.checks import Array
+from manipplan.support.progress import Progress
 
 #: How long a GIF shows its last frame before it begins again [s].
 HOLD = 1.0

@@ -4,12 +4,12 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.checks import instance
-from manipplan.errors import InvalidInputError
 from manipplan.optimize.result import PathResult
 from manipplan.search.layers import Layers
+from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement
-from manipplan.search.result import SearchResult
+from manipplan.support.checks import instance
+from manipplan.support.errors import InvalidInputError
 from manipplan.viz import style
 
 #: Candidates drawn at a position.

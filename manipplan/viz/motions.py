@@ -7,15 +7,15 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array
-from manipplan.errors import InvalidInputError
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.measures.task import Task
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.description import frame_index
 from manipplan.robots.robot import Robot
-from manipplan.status import RECORDED
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
+from manipplan.support.status import RECORDED
+from manipplan.symbolic.task import Task
 from manipplan.tracking.track import Tracking
 
 if TYPE_CHECKING:

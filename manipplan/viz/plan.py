@@ -5,12 +5,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from manipplan.checks import instance
-from manipplan.errors import PlanningError
-from manipplan.files import write_bytes
-from manipplan.interrupts import uninterrupted
 from manipplan.robots.robot import Robot
-from manipplan.status import RECORDED
+from manipplan.support.checks import instance
+from manipplan.support.errors import PlanningError
+from manipplan.support.files import write_bytes
+from manipplan.support.interrupts import uninterrupted
+from manipplan.support.status import RECORDED
 from manipplan.viz import style
 from manipplan.viz.arm import plot_arm
 from manipplan.viz.curves import plot_index, plot_joints

@@ -4,11 +4,11 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.checks import Array, whole_number
-from manipplan.errors import InvalidInputError
-from manipplan.measures.task import Task
+from manipplan.collision.scene import Plane, Scene
 from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Plane, Scene
+from manipplan.support.checks import Array, whole_number
+from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.task import Task
 from manipplan.viz import style
 from manipplan.viz.arm import PLACES, checked
 from manipplan.viz.ellipsoids import plot_ellipsoids

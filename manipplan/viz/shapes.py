@@ -7,10 +7,10 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.checks import Array
-from manipplan.robots.primitives import core_of, mesh_triangles
+from manipplan.collision.primitives import core_of, mesh_triangles
+from manipplan.collision.scene import Plane, Scene
 from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Plane, Scene
+from manipplan.support.checks import Array
 
 #: Flat pieces around a round shape, and from one pole of a ball to the other.
 AROUND, UP = 28, 14

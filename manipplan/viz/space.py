@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.shapes import Surface
 

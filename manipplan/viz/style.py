@@ -4,8 +4,8 @@ import re
 from contextlib import AbstractContextManager
 from typing import Any
 
-from manipplan.errors import InvalidInputError
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.support.errors import InvalidInputError
 
 OPTIMUM = "#0072B2"
 SEED = "#E69F00"

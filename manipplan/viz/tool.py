@@ -4,13 +4,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from manipplan.checks import Array, instance
-from manipplan.errors import InvalidInputError
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import deviations
+from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.robot import Robot
-from manipplan.tracking.error import free_axis
-from manipplan.tracking.relaxation import Tolerance
+from manipplan.support.checks import Array, instance
+from manipplan.support.errors import InvalidInputError
 from manipplan.tracking.track import Tracking
 from manipplan.viz import style
 from manipplan.viz.motions import Motion, joint_path
@@ -112,4 +111,4 @@ def _over_time(motion: Any) -> tuple[Array, Array, Array]:
         raise InvalidInputError("motion", motion, "a Tracking, or a Plan of follow or improve that has a trajectory")
     t = np.linspace(0.0, trajectory.duration, TIMES)
     poses = motion.robot.kinematics().pose(trajectory(t))
-    return t, *deviations(workspace_path, poses, free_axis(motion.result.task))
+    return t, *deviations(workspace_path, poses, motion.result.task.free_axis)

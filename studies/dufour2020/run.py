@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from manipplan.progress import Progress
+from manipplan.support.progress import Progress
 from studies import command
 from studies.dufour2020 import claims, config, figures, numerics, pareto
 from studies.dufour2020.courses import Array

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from manipplan.progress import Progress
+from manipplan.support.progress import Progress
 from studies import command
 from studies.guilamo2006 import claims, config, figures, tables
 from studies.guilamo2006.courses import courses, second_courses

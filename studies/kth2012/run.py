@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from manipplan.progress import Progress
+from manipplan.support.progress import Progress
 from studies import command
 from studies.kth2012 import claims, config, tables_beyond, tables_paths, tables_postures
 from studies.kth2012.figures import FULL_ONLY, figures

@@ -7,12 +7,13 @@ from pathlib import Path
 import pytest
 
 import manipplan as mp
-from manipplan import demo, planar, viz
+from manipplan import planar, viz
+from manipplan.jobs import demo
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "docs" / "examples"
 PAGES = sorted(EXAMPLES.glob("**/plot_*.py"))
-PUBLIC = {"manipplan": mp, "manipplan.planar": planar, "manipplan.viz": viz, "manipplan.demo": demo}
+PUBLIC = {"manipplan": mp, "manipplan.planar": planar, "manipplan.viz": viz, "manipplan.jobs.demo": demo}
 
 
 def name_of(page):

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import manipplan as mp
-from manipplan.demo import panda_among_boxes
+from manipplan.jobs.demo import panda_among_boxes
 
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text()

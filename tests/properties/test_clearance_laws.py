@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.robots.continuous import SLACK
-from manipplan.robots.reach import Reach
+from manipplan.collision.body_motion import Reach
+from manipplan.collision.path_clearance import SLACK
 
 QUICK = ("panda", "ur5")  # which other tests need, too; most of the time is the fit of primitives
 ARMS = [name if name in QUICK else pytest.param(name, marks=pytest.mark.long) for name in mp.available_robots()]

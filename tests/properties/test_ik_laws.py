@@ -26,7 +26,7 @@ KINDS = {
 def no_compiler():
     """Every example is another arm: machine code of its forward kinematics would take a second each."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("manipplan.kinematics.compile.find_compiler", lambda language="c": None)
+        patch.setattr("manipplan.support.compiler.find_compiler", lambda language="c": None)
         yield
 
 

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.search.screening import Screening, free_rows
+from manipplan.collision.screening import Screening, free_rows
 
 ARMS = ["panda", "ur5", "planar", "two"]
 MORE_ARMS = [

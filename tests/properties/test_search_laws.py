@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from manipplan.search import rounds, sweep
-from manipplan.search.bottleneck import SearchStatus, max_min_search
+from manipplan.search import max_min, sweep
 from manipplan.search.guilamo import guilamo_search
 from manipplan.search.layers import Layers
+from manipplan.search.max_min import SearchStatus, max_min_search
 
 GRAPHS = 1000
 
@@ -36,9 +36,9 @@ def check_path(layers, epsilon, strict, result):
 def forced(request, monkeypatch):
     """Rounds and samples are for large layers: with other constants small ones go through them, too."""
     if request.param != "as it is":
-        monkeypatch.setattr(rounds, "FIRST", 4)
-        monkeypatch.setattr("manipplan.search.bottleneck.FIRST", 4)
-        monkeypatch.setattr("manipplan.search.bottleneck.TOP", 0.3)
+        monkeypatch.setattr(max_min, "FIRST", 4)
+        monkeypatch.setattr("manipplan.search.max_min.FIRST", 4)
+        monkeypatch.setattr("manipplan.search.max_min.TOP", 0.3)
         monkeypatch.setattr(sweep, "LEAST", 1)
     return request.param != "as it is"
 

@@ -19,12 +19,12 @@ from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
+from manipplan.cost.objective import PathObjective
 from manipplan.jobs.archive import checksum
+from manipplan.jobs.check import Report
 from manipplan.jobs.result import Plan
-from manipplan.optimize.objective import PathObjective
+from manipplan.jobs.stored import fingerprint
 from manipplan.optimize.result import measured
-from manipplan.paths.report import Report
-from manipplan.robots.stored import fingerprint
 
 #: What only the solvers need.
 LEFT_OUT = {"history", "rivals", "search", "tracking", "cache", "model", "geometry", "hulls"}

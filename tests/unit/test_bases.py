@@ -5,9 +5,9 @@ import pytest
 from numpy.polynomial import Chebyshev, Legendre, Polynomial
 
 import manipplan as mp
+from manipplan.cost.objective import PathObjective
 from manipplan.optimize.basis import BASES, SPLINES, named_basis
-from manipplan.optimize.objective import PathObjective
-from manipplan.optimize.problem import PathProgram
+from manipplan.optimize.program import PathProgram
 
 START, GOAL = (0.0, 1.5, -2.0), (np.pi, -2.0, 2.0)  # (6.13) in kth2012
 ONE_PIECE = ("legendre", "bernstein", "chebyshev", "monomial")

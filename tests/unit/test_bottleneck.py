@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.search.bottleneck import SearchResult, SearchStatus, max_min_search
 from manipplan.search.layers import Layers
+from manipplan.search.max_min import SearchResult, SearchStatus, max_min_search
 
 LINE = ([[[0.0]], [[0.1], [0.5]], [[0.2]]], [[3.0], [2.0, 9.0], [4.0]])
 
@@ -283,5 +283,5 @@ def test_anytime_raises_at_its_end():
 
 
 def test_neither_the_package_nor_the_search_brings_numba_when_imported():
-    code = "import sys, manipplan, manipplan.search.bottleneck, manipplan.search.guilamo; print('numba' in sys.modules)"
+    code = "import sys, manipplan, manipplan.search.max_min, manipplan.search.guilamo; print('numba' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "False"

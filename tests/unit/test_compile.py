@@ -14,18 +14,18 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.cache_folder import is_private
-from manipplan.kinematics import compile as module
-from manipplan.kinematics.compile import find_compiler, load_library
-from manipplan.optimize.density import energy_density
-from manipplan.optimize.objective import PathObjective
-from manipplan.optimize.rows import ClearanceRow, row_functions
-from manipplan.processes import run
+from manipplan.cost.density import energy_density
+from manipplan.cost.objective import PathObjective
+from manipplan.optimize.clearance import ClearanceRow, row_functions
+from manipplan.support import compiler as module
+from manipplan.support.cache_folder import is_private
+from manipplan.support.compiler import find_compiler, load_library
+from manipplan.support.processes import run
 
 SOURCE = "int answer(void) { return 42; }"
 BUILD = f"""
 from pathlib import Path
-from manipplan.kinematics.compile import load_library
+from manipplan.support.compiler import load_library
 print(load_library({SOURCE!r}, Path, subject="a test"))
 """
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.robots import continuous
-from manipplan.robots.continuous import Reach, path_clearance
+from manipplan.collision import path_clearance as continuous
+from manipplan.collision.path_clearance import Reach, path_clearance
 
 BOXES = [
     mp.Box(size=(0.1, 0.1, 0.4), position=(0.45, 0.2, 0.3), name="post"),

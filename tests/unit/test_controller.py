@@ -5,9 +5,9 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.kinematics.compile import find_compiler
+from manipplan.paths.tolerance import row_shares
+from manipplan.support.compiler import find_compiler
 from manipplan.tracking.controller import Controller
-from manipplan.tracking.relaxation import row_shares
 
 DT = 0.01
 REST = np.zeros(3)

@@ -11,17 +11,16 @@ import numpy as np
 import pytest
 
 import manipplan as mp
+from manipplan.cost.density import length_density
+from manipplan.cost.objective import PathObjective
 from manipplan.optimize import descent
 from manipplan.optimize.basis import named_basis
-from manipplan.optimize.density import length_density
-from manipplan.optimize.length_model import BatchDensity
+from manipplan.optimize.certificate import SINGLE, measure_optimality
 from manipplan.optimize.local import Candidate
-from manipplan.optimize.objective import PathObjective
-from manipplan.optimize.optimality import SINGLE, measure_optimality
-from manipplan.optimize.problem import PathProgram
-from manipplan.optimize.rounding import with_bits
-from manipplan.optimize.solve import TIE, _best
-from manipplan.optimize.surroundings import Surroundings
+from manipplan.optimize.problem import TIE, _best
+from manipplan.optimize.program import PathProgram
+from manipplan.optimize.step_models import BatchDensity, Surroundings
+from manipplan.paths.rounding import with_bits
 
 POST = mp.Box(size=(0.1, 0.1, 0.6), position=(0.45, 0.0, 0.3), name="post")
 START, GOAL = [-0.6, 0.3, 0.0, -2.0, 0.0, 2.3, 0.8], [0.9, 0.2, -0.2, -2.1, 0.3, 2.2, 0.8]

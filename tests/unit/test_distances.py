@@ -10,7 +10,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from manipplan.kinematics.compile import compiled, find_compiler
+from manipplan.support.compiler import find_compiler
+from manipplan.symbolic.machine_code import compiled
 from manipplan.tracking.distances import Box, Capsule, Plane, nearest
 
 FIRST = ["sphere", "capsule"]

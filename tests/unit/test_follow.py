@@ -5,8 +5,8 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
+from manipplan.collision.model import CollisionModel
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.robots.collision import CollisionModel
 
 FEW = {"samples": 48, "epsilon": 0.5}
 #: What `follow` keeps to where no tolerance is given [m, rad].

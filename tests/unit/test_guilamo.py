@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.search.bottleneck import max_min_search
 from manipplan.search.guilamo import GuilamoStatus, guilamo_search
 from manipplan.search.layers import Layers
+from manipplan.search.max_min import max_min_search
 
 
 def layers(*each, **more):

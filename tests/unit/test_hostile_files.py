@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.files import write_bytes
+from manipplan.support.files import write_bytes
 
 
 @pytest.fixture

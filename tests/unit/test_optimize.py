@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 import manipplan as mp
+from manipplan.cost.density import energy_density, length_density
+from manipplan.cost.objective import PathObjective
 from manipplan.measures.names import MEASURES
 from manipplan.optimize import basis, clearance
-from manipplan.optimize.density import energy_density, length_density
+from manipplan.optimize.clearance import row_functions
 from manipplan.optimize.homotopy import same_class
-from manipplan.optimize.objective import PathObjective
-from manipplan.optimize.rows import row_functions
 
 THESIS = {  # start, goal, g of the straight line for p = 2 (Tables 6.1 and 6.2) and p = 1 (ERRATA): [kth2012]
     "6.10": ((0.0, -3.0, -2.0), (np.pi, 0.1, 1.4), 2.7218, 3.7288),

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import manipplan as mp
+from manipplan.cost.density import ENERGY_REGULARISATION, energy_density, length_density
+from manipplan.cost.objective import PathObjective
 from manipplan.kinematics.view import steady
-from manipplan.optimize.density import ENERGY_REGULARISATION, energy_density, length_density
-from manipplan.optimize.objective import PathObjective
-from manipplan.optimize.rows import row_functions
+from manipplan.optimize.clearance import row_functions
 
 START, GOAL = [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0]
 
@@ -77,7 +77,7 @@ def test_the_density_is_speed_over_index(name, planar, rng):
 
 def test_the_steady_view_has_true_derivatives(panda, rng):
     """Also with a ρ that matters: by CasADi's own differentiation."""
-    from manipplan.kinematics.derivatives import Factor, log_gradient, log_hessian
+    from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian
 
     chain = panda.kinematics().symbolic.chain
     jacobian, motion = steady(chain, mp.Task.pose(length=0.5))

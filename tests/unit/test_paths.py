@@ -181,7 +181,7 @@ def test_writing_where_nothing_can_be_written(tmp_path, rng):
 
 
 def test_a_failed_write_leaves_the_old_file(tmp_path, rng):
-    from manipplan.files import write_bytes
+    from manipplan.support.files import write_bytes
 
     file = tmp_path / "kept.txt"
     file.write_text("old")

@@ -5,9 +5,9 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.kinematics.compile import find_compiler
-from manipplan.kinematics.pinocchio_casadi import _bridge, bindings_installed
 from manipplan.robots.description import frame_index
+from manipplan.support.compiler import find_compiler
+from manipplan.symbolic.pinocchio_casadi import _bridge, bindings_installed
 
 ARMS = [*mp.available_robots(), "planar"]
 

@@ -10,7 +10,7 @@ import pytest
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.robots.primitives import fit_primitives, mesh_triangles, outside
+from manipplan.collision.primitives import fit_primitives, mesh_triangles, outside
 
 
 def tetrahedra(file, offsets):

@@ -13,8 +13,8 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.optimize.initial import initial_path
-from manipplan.robots.collision import CollisionModel
+from manipplan.collision.model import CollisionModel
+from manipplan.optimize.problem import initial_path
 from manipplan.seeds.objective import index_objective, motion_cost
 from manipplan.seeds.ompl import OPTIMISING, PLANNERS
 
@@ -268,7 +268,7 @@ def test_an_interrupt_of_a_solve_is_quiet(planar, sigint):
 
 
 def test_other_lines_pass_while_an_interrupt_is_told(capsys, sigint):
-    from manipplan.interrupts import interruptible
+    from manipplan.support.interrupts import interruptible
 
     with pytest.raises(KeyboardInterrupt), interruptible():
         try:

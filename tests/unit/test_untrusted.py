@@ -17,12 +17,14 @@ from rich.console import Console
 import manipplan as mp
 from manipplan import cli
 from manipplan.cli import terminal
-from manipplan.errors import ManipplanError
-from manipplan.kinematics import batch, compile
-from manipplan.kinematics.compile import find_compiler, generated_source, load_library
-from manipplan.optimize.rows import row_functions
+from manipplan.kinematics import batch
+from manipplan.optimize.clearance import row_functions
+from manipplan.support import compiler
+from manipplan.support.compiler import find_compiler, load_library
+from manipplan.support.errors import ManipplanError
+from manipplan.support.untrusted import KEYWORDS, LONGEST, identifier, is_identifier, printable
+from manipplan.symbolic.machine_code import generated_source
 from manipplan.tracking import machine
-from manipplan.untrusted import KEYWORDS, LONGEST, identifier, is_identifier, printable
 
 #: A C function that creates the file @MARK@ as soon as a library that holds it is loaded.
 BOOBY_TRAP = '\n#include <stdio.h>\n__attribute__((constructor)) static void trap(void) { fclose(fopen("@MARK@", "w")); }\n'
@@ -111,7 +113,7 @@ def compiled_sources(monkeypatch):
         seen.append((source, options.get("flags")))
         return load_library(source, load, **options)
 
-    for module in (compile, batch, machine):
+    for module in (compiler, batch, machine):
         monkeypatch.setattr(module, "load_library", remember)
     return seen
 

@@ -21,7 +21,7 @@ from PIL import Image
 
 import manipplan as mp
 from manipplan.cli import main
-from manipplan.status import Status
+from manipplan.support.status import Status
 from manipplan.viz import viewer
 from manipplan.viz.viewer import plan_viewer
 from manipplan.viz.viewer import server as pages

@@ -20,7 +20,7 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
 import manipplan as mp
-from manipplan.demo import panda_among_boxes
+from manipplan.jobs.demo import panda_among_boxes
 
 problem = panda_among_boxes()
 robot = problem.robot

@@ -15,7 +15,7 @@ from PIL import Image
 
 import manipplan as mp
 from manipplan import viz
-from manipplan.demo import panda_among_boxes
+from manipplan.jobs.demo import panda_among_boxes
 
 # %%
 # A plan in one figure

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 import pinocchio as pin
 
-from manipplan.checks import Array
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
 from manipplan.viz.viewer.triangles import MOST, Faces, triangles_of
 
 log = logging.getLogger("manipplan")

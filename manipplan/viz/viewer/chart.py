@@ -6,7 +6,7 @@ from html import escape
 
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.support.checks import Array
 
 #: Size of the drawing, and of its margins: left, right, top, bottom [px].
 WIDTH, HEIGHT = 300, 170

@@ -5,10 +5,10 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
-from manipplan.checks import Array
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.ellipsoid import velocity_ellipsoid
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.viewer.bodies import appearance_of
 

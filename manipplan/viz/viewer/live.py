@@ -9,10 +9,10 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.checks import Array, instance, number, pose_matrix
-from manipplan.measures.task import Task
+from manipplan.collision.scene import Scene
 from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Scene
+from manipplan.support.checks import Array, instance, number, pose_matrix
+from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller
 from manipplan.tracking.formulations import Classical, Formulation, LogDrive

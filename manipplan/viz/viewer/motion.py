@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from manipplan.checks import Array, instance
-from manipplan.errors import InvalidInputError, PlanningError
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array, instance
+from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.viz import style
 from manipplan.viz.motions import beside, linear_kinematics, named_paths
 from manipplan.viz.viewer.figures import corners, ellipsoid_scale

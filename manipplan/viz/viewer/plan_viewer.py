@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from manipplan.checks import instance, number
+from manipplan.support.checks import instance, number
 from manipplan.viz import style
 from manipplan.viz.viewer.bodies import appearance_of
 from manipplan.viz.viewer.chart import Chart, Curve

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from manipplan.checks import number
-from manipplan.errors import InvalidInputError
-from manipplan.files import write_text
+from manipplan.support.checks import number
+from manipplan.support.errors import InvalidInputError
+from manipplan.support.files import write_text
 from manipplan.viz.viewer.motion import Motion
 from manipplan.viz.viewer.panel import table
 from manipplan.viz.viewer.plan_viewer import chart_of

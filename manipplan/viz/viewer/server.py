@@ -13,8 +13,8 @@ from collections.abc import Callable, Iterator
 from types import TracebackType
 from typing import Any, Self
 
-from manipplan.checks import whole_number
-from manipplan.errors import InvalidInputError, MissingExtraError
+from manipplan.support.checks import whole_number
+from manipplan.support.errors import InvalidInputError, MissingExtraError
 
 log = logging.getLogger("manipplan")
 

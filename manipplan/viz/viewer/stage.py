@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.viewer.figures import EllipsoidFigure, RobotFigure, rgb
 from manipplan.viz.viewer.motion import Motion

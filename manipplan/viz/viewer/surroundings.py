@@ -5,9 +5,9 @@ from typing import Any
 import coal
 import numpy as np
 
-from manipplan.checks import Array
+from manipplan.collision.scene import Scene
 from manipplan.robots.robot import Robot
-from manipplan.robots.scene import Scene
+from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.viewer.figures import corners, put, rgb
 from manipplan.viz.viewer.triangles import PLANE, triangles_of

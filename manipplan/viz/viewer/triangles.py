@@ -4,8 +4,8 @@ import coal
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.checks import Array
-from manipplan.robots.primitives import core_of, mesh_triangles
+from manipplan.collision.primitives import core_of, mesh_triangles
+from manipplan.support.checks import Array
 
 #: A mesh is reduced to so many triangles: a browser without a graphics card still moves two arms of ten links.
 MOST = 4000

@@ -2,9 +2,9 @@
 
 import pinocchio as pin
 
-from manipplan.errors import FileFormatError
 from manipplan.robots import description
 from manipplan.robots.robot import Robot
+from manipplan.support.errors import FileFormatError
 
 
 def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:

@@ -1,0 +1,113 @@
+"""How far a body can move when joints do.
+
+Between a configuration q and another that differs by δ_j in joint j, a point of a body moves no further, seen from the body it
+is paired with, than Σ_j D_j over the joints j between the two. Turned one after another, the joint nearest to the body first,
+joint j moves the point by at most
+
+    D_j = δ_j (ρ_j + Σ_{i > j} D_i)   for a revolute joint,   D_j = δ_j   for a prismatic one,
+
+with ρ_j the largest distance of the body's points from axis j at q: those joints that have turned before have moved the point
+by no more than the sum. The distance of the pair falls by at most as much.
+"""
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.primitives import core_of, enclose
+from manipplan.robots.description import axis_of, is_prismatic
+from manipplan.support.checks import Array
+
+#: Bodies of more core points than this are bounded by those of a primitive around them.
+MOST_POINTS = 8
+
+Index = NDArray[np.intp]
+
+
+class Reach:
+    """How far the bodies of a collision model can move."""
+
+    @classmethod
+    def of(cls, model: CollisionModel) -> "Reach":
+        """That of a model, made once."""
+        if "reach" not in model.cache:
+            model.cache["reach"] = cls(model)
+        reach: Reach = model.cache["reach"]
+        return reach
+
+    def __init__(self, model: CollisionModel) -> None:
+        robot, objects = model.robot.model, model.geometry.geometryObjects
+        carrier = np.array([item.parentJoint for item in objects])
+        pairs = np.array([(pair.first, pair.second) for pair in model.geometry.collisionPairs])
+        carriers = carrier[pairs]
+        #: (b,) the joint that carries each body; 0: the world
+        self.joint = carrier
+        #: (p,) of each pair the body further from the base, and the joint of the other
+        self.body: Index = pairs[np.arange(len(pairs)), carriers.argmax(axis=1)]
+        self.below: Index = carriers.min(axis=1)
+        self.points = np.empty((len(objects), MOST_POINTS, 3))
+        self.radii = np.zeros(len(objects))
+        for k, item in enumerate(objects):
+            if k in self.body:
+                points, self.radii[k] = _few_points(item)
+                self.points[k] = np.concatenate([points, np.repeat(points[:1], MOST_POINTS - len(points), axis=0)])
+        self.slides = np.array([is_prismatic(joint) for joint in robot.joints[1:]])
+        self._axes = [axis_of(joint) for joint in robot.joints[1:]]
+        self._placements = [(np.array(place.rotation), np.array(place.translation)) for place in robot.jointPlacements[1:]]
+
+    def motion(self, q: Array, change: Array, rows: Index, pairs: Index) -> Array:
+        """How far the two bodies of a pair can move towards each other, (e,) [m].
+
+        Args:
+            q: (m, n) configurations.
+            change: (m, n) how far each joint can be from there [rad or m].
+            rows, pairs: (e,) each: which configuration, which pair.
+        """
+        rotations, origins, axes = self._chain(q)
+        bodies, where = np.unique(rows * len(self.radii) + self.body[pairs], return_inverse=True)
+        row, body = np.divmod(bodies, len(self.radii))
+        joint = self.joint[body]
+        points = np.einsum("uij,ukj->uki", rotations[row, joint], self.points[body]) + origins[row, joint][:, None]
+        n = q.shape[1]
+        moved = np.zeros((len(bodies), n + 1))  # column j: Σ D_i over the joints i > j
+        for j in range(n, 0, -1):
+            step = change[row, j - 1] * (joint >= j)
+            if not self.slides[j - 1]:
+                lever = points - origins[row, j][:, None]
+                along = np.einsum("uki,ui->uk", lever, axes[row, j])
+                square = np.einsum("uki,uki->uk", lever, lever) - along**2
+                step *= np.sqrt(np.maximum(square.max(axis=1), 0.0)) + self.radii[body] + moved[:, j]
+            moved[:, j - 1] = moved[:, j] + step
+        return np.asarray(moved[where, self.below[pairs]])
+
+    def _chain(self, q: Array) -> tuple[Array, Array, Array]:
+        """Rotations (m, n + 1, 3, 3), origins and axes (m, n + 1, 3) of the world's frame and the joints', in the world."""
+        m, n = q.shape
+        rotations, origins, axes = np.empty((m, n + 1, 3, 3)), np.zeros((m, n + 1, 3)), np.zeros((m, n + 1, 3))
+        rotations[:, 0] = np.eye(3)
+        for j, (axis, (rotation, origin)) in enumerate(zip(self._axes, self._placements, strict=True), start=1):
+            before = rotations[:, j - 1]
+            frame = before @ rotation
+            origins[:, j] = origins[:, j - 1] + before @ origin
+            axes[:, j] = frame @ axis
+            if self.slides[j - 1]:
+                rotations[:, j] = frame
+                origins[:, j] += q[:, j - 1 : j] * axes[:, j]
+            else:
+                cross = pin.skew(axis)  # Rodrigues: R = I + sin q [a]x + (1 - cos q) [a]x²
+                sine, cosine = np.sin(q[:, j - 1]), np.cos(q[:, j - 1])
+                turn = np.eye(3) + sine[:, None, None] * cross + (1 - cosine)[:, None, None] * (cross @ cross)
+                rotations[:, j] = frame @ turn
+        return rotations, origins, axes
+
+
+def _few_points(item: pin.GeometryObject) -> tuple[Array, float]:
+    """At most MOST_POINTS points (k, 3) in the joint's frame and a radius [m] whose balls' hull holds the body."""
+    points, radius = core_of(item.geometry)
+    place = item.placement
+    if len(points) > MOST_POINTS:
+        around = enclose(np.repeat(points[:, None], 3, axis=1), refine=False)
+        points, radius = core_of(around.shape)
+        place = place * around.placement
+    return points @ place.rotation.T + place.translation, radius

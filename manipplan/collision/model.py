@@ -1,0 +1,384 @@
+"""CollisionModel: a robot in convex primitives among the obstacles of a scene, and which pairs are checked."""
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import ArrayLike
+
+from manipplan.collision.primitives import core_of, fit_primitives, mesh_triangles
+from manipplan.collision.scene import Scene
+from manipplan.paths.joint import JointPath
+from manipplan.robots.hulls import has_hull
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
+
+#: A pair that touches at this share of so many random configurations is dropped as touching by construction.
+SAMPLES = 200
+ALWAYS = 0.95
+#: A pair whose primitives touch while its meshes do not at more than this share of the samples is checked with convex hulls,
+#: and when these are too coarse as well, with its meshes.
+COARSE = 0.02
+#: Accuracy of coal's distances between curved bodies [m]; by default it is 1e-6, and gradients are off by 5 %.
+GJK_TOLERANCE = 1e-10
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contact:
+    """The nearest points of one pair at one configuration, and the plane between the two bodies.
+
+    Attributes:
+        distance: [m], negative where the two overlap.
+        first, second: indices of the joints that carry the bodies (0: the world).
+        normal: (3,) unit vector from the second body to the first, in the frame of joint `second`.
+        offset: normal · p of the second body's point nearest to the first [m], in that frame: the body lies below it.
+        points: (k, 3) core points of the first body in the frame of joint `first` [m].
+        radius: of the first body around its core points [m].
+    """
+
+    distance: float
+    first: int
+    second: int
+    normal: Array
+    offset: float
+    points: Array
+    radius: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Witness:
+    """Two points of a pair of bodies, fixed to them: the distance of the pair is at most theirs minus `radius`.
+
+    The point of a sphere or capsule lies on its centre or axis, that of any other body on its surface.
+
+    Attributes:
+        first, second: indices of the joints that carry the two bodies (0: the world).
+        point, other: (3,) the points of the first and the second body, in the frames of these joints [m].
+        radius: sum of the radii of the two bodies around their points [m]; 0 for points on the surface.
+    """
+
+    first: int
+    second: int
+    point: Array
+    other: Array
+    radius: float
+
+
+class CollisionModel:
+    """Collision and distance of one robot, with itself and with a scene, through Pinocchio and coal.
+
+    Not safe to share between threads: it holds Pinocchio's working data.
+
+    Attributes:
+        geometry: the primitives of the robot and the obstacles, with the pairs that are checked.
+        pair_names: (first, second) of every pair; the first belongs to the robot.
+        dropped: pairs of the robot's bodies that are not checked, with the reason.
+        primitives: how many objects of `geometry`, the first, are the primitives of the robot.
+    """
+
+    def __init__(
+        self, robot: Robot, geometry: pin.GeometryModel, dropped: Mapping[tuple[str, str], str], primitives: int = 0
+    ) -> None:
+        self.robot = robot
+        self.primitives = primitives
+        self.geometry = geometry
+        self.dropped = dropped
+        objects = geometry.geometryObjects
+        self.pair_names = tuple((objects[p.first].name, objects[p.second].name) for p in geometry.collisionPairs)
+        self._data = robot.model.createData()
+        self._geometry_data = pin.GeometryData(geometry)
+        for request in self._geometry_data.distanceRequests:
+            request.gjk_tolerance = GJK_TOLERANCE
+        self._margin = 0.0
+        self._cores: dict[int, tuple[Array, float]] = {}
+        self.cache: dict[str, Any] = {}  # what is derived from the geometry and built once, such as the reach of its bodies
+
+    @classmethod
+    def of(cls, robot: Robot, scene: Scene) -> "CollisionModel":
+        """The robot's meshes become primitives. An SRDF's disabled pairs, adjacent ones and those that touch nearly
+        everywhere are left out; `dropped` lists them.
+
+        Raises InvalidInputError when there are obstacles but the robot's description has no collision geometry.
+        """
+        alone = _self_model(robot)
+        geometry = alone.geometry.copy()
+        bodies = list(range(alone.primitives))
+        if scene.obstacles and not bodies:
+            raise InvalidInputError("scene", repr(scene), f"no obstacles: {robot.name} has no collision geometry to check")
+        for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
+            for k, shape in enumerate(obstacle.shapes()):
+                label = name if len(obstacle.shapes()) == 1 else f"{name}.{k}"
+                index = geometry.addGeometryObject(pin.GeometryObject(label, 0, 0, obstacle.pose, shape))
+                for body in bodies:
+                    if geometry.geometryObjects[body].parentJoint > 0:
+                        geometry.addCollisionPair(pin.CollisionPair(body, index))
+        return cls(robot, geometry, alone.dropped, alone.primitives)
+
+    def in_collision(self, q: Array, *, clearance: float = 0.0) -> bool:
+        """Whether any pair is nearer than `clearance` [m] at q (n,); 0: whether any pair touches."""
+        self._set_margin(clearance)
+        return bool(pin.computeCollisions(self.robot.model, self._data, self.geometry, self._geometry_data, q, True))
+
+    def touches(self, q: Array, pairs: Iterable[int], *, clearance: float = 0.0) -> bool:
+        """Whether any of the pairs with these indices is nearer than `clearance` [m] at q (n,)."""
+        self._set_margin(clearance)
+        pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
+        return any(pin.computeCollision(self.geometry, self._geometry_data, int(pair)) for pair in pairs)
+
+    def copy(self) -> "CollisionModel":
+        """The same with working data of its own, for another thread."""
+        return CollisionModel(self.robot, self.geometry.copy(), self.dropped, self.primitives)
+
+    def touching_pairs(self, q: Array) -> list[int]:
+        """Indices of the pairs that touch at q (n,)."""
+        self._set_margin(0.0)
+        pin.computeCollisions(self.robot.model, self._data, self.geometry, self._geometry_data, q, False)
+        return [k for k, result in enumerate(self._geometry_data.collisionResults) if result.isCollision()]
+
+    def distances(self, q: Array) -> Array:
+        """Signed distance [m] of every pair at q (n,), (k,)."""
+        pin.computeDistances(self.robot.model, self._data, self.geometry, self._geometry_data, q)
+        return np.array([result.min_distance for result in self._geometry_data.distanceResults])
+
+    def pair_distances(self, q: Array, pairs: Iterable[int]) -> list[float]:
+        """Signed distance [m] of the pairs with these indices at q (n,)."""
+        pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
+        return [pin.computeDistance(self.geometry, self._geometry_data, pair).min_distance for pair in pairs]
+
+    def distance_gradient(self, q: Array, pair: int) -> Array:
+        """Gradient (n,) of the distance of a pair at q (n,) [m per rad or m]."""
+        model, data = self.robot.model, self._data
+        pin.computeJointJacobians(model, data, q)
+        pin.updateGeometryPlacements(model, data, self.geometry, self._geometry_data)
+        result = pin.computeDistance(self.geometry, self._geometry_data, pair)
+        bodies = self.geometry.collisionPairs[pair]
+        gradient = np.zeros(self.robot.n)
+        for body, point, side in (
+            (bodies.first, result.getNearestPoint1(), -1.0),
+            (bodies.second, result.getNearestPoint2(), 1.0),
+        ):
+            joint = self.geometry.geometryObjects[body].parentJoint
+            if joint > 0:
+                jacobian = pin.getJointJacobian(model, data, joint, pin.LOCAL_WORLD_ALIGNED)
+                lever = np.asarray(point) - data.oMi[joint].translation
+                motion = jacobian[:3] - pin.skew(lever) @ jacobian[3:]
+                gradient += side * (np.asarray(result.normal) @ motion)  # coal's normal points from the first to the second
+        return gradient
+
+    def contact(self, q: Array, pair: int) -> Contact:
+        """Nearest points and separating plane of the pair with the given index at q (n,)."""
+        pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
+        result = pin.computeDistance(self.geometry, self._geometry_data, pair)
+        bodies = self.geometry.collisionPairs[pair]
+        first, second = (self.geometry.geometryObjects[i].parentJoint for i in (bodies.first, bodies.second))
+        normal = -np.array(result.normal)  # coal's points from the first to the second
+        place = self._data.oMi[second]
+        points, radius = self._core(bodies.first)
+        return Contact(
+            distance=float(result.min_distance),
+            first=first,
+            second=second,
+            normal=place.rotation.T @ normal,
+            offset=float(normal @ (result.getNearestPoint2() - place.translation)),
+            points=points,
+            radius=radius,
+        )
+
+    def witness(self, q: Array, pair: int) -> tuple[Witness, Array]:
+        """The nearest points of the pair with the given index at q (n,), and the unit vector from the second to the first.
+
+        The vector (3,) is in the frame of the joint that carries the second body.
+        """
+        pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
+        result = pin.computeDistance(self.geometry, self._geometry_data, pair)
+        bodies = self.geometry.collisionPairs[pair]
+        normal = np.array(result.normal)  # coal's points from the first body to the second
+        carriers, points, radii = [], [], []
+        for body, nearest, outwards in (
+            (bodies.first, result.getNearestPoint1(), normal),
+            (bodies.second, result.getNearestPoint2(), -normal),
+        ):
+            item = self.geometry.geometryObjects[body]
+            radius = float(item.geometry.radius) if isinstance(item.geometry, coal.Sphere | coal.Capsule) else 0.0
+            carriers.append(int(item.parentJoint))
+            points.append(self._data.oMi[item.parentJoint].actInv(np.array(nearest) - radius * outwards))
+            radii.append(radius)
+        witness = Witness(first=carriers[0], second=carriers[1], point=points[0], other=points[1], radius=sum(radii))
+        return witness, -self._data.oMi[carriers[1]].rotation.T @ normal
+
+    def turned(self, q: Array, vector: Array, joint: int, into: int) -> Array:
+        """Components (3,) in the frame of joint `into` of a vector given in that of `joint` (0: the world), at q (n,)."""
+        pin.forwardKinematics(self.robot.model, self._data, q)
+        return np.asarray(self._data.oMi[into].rotation.T @ (self._data.oMi[joint].rotation @ vector))
+
+    def nearest_points(self, q: Array, contact: Contact, count: int) -> Array:
+        """The `count` core points of the contact's first body that are nearest to its plane at q (n,)."""
+        pin.forwardKinematics(self.robot.model, self._data, q)
+        normal = self._data.oMi[contact.second].rotation @ contact.normal
+        height = contact.points @ (self._data.oMi[contact.first].rotation.T @ normal)
+        return contact.points[np.argsort(np.round(height, 9), kind="stable")[:count]]  # rounding errors do not decide
+
+    def free_configuration(self, argument: str, q: ArrayLike, clearance: float = 0.0) -> Array:
+        """Check that q (n,) is inside the limits and free; raises InvalidInputError that names limit or pair."""
+        q = self.robot.configuration(argument, q)
+        distances = self.distances(q)
+        nearest = int(distances.argmin()) if len(distances) else -1
+        if nearest >= 0 and (distances[nearest] <= 0 or distances[nearest] < clearance):
+            first, second = self.pair_names[nearest]
+            apart = (
+                f"are {distances[nearest]:.4g} m apart" if distances[nearest] > 0 else f"overlap by {-distances[nearest]:.4g} m"
+            )
+            demanded = f", the clearance asked for is {clearance:g} m" if clearance else ""
+            raise InvalidInputError(argument, q.tolist(), f"a free configuration; {first} and {second} {apart}{demanded}")
+        return q
+
+    def path_is_free(self, path: JointPath, step: float, clearance: float = 0.0) -> bool:
+        """Whether the path is free wherever no joint moves more than `step` [rad or m] between two checks.
+
+        Coarse checks come first, so that a path that is not free is found out early.
+        """
+        s = path.fine_samples(step)
+        q = path(s)
+        order = np.argsort([(k & -k if k else 1 << 30) for k in range(len(s))])[::-1]
+        return not any(self.in_collision(q[k], clearance=clearance) for k in order)
+
+    def _core(self, body: int) -> tuple[Array, float]:
+        """Core points (k, 3) of a geometry object in its joint's frame, and the radius around them [m]."""
+        if body not in self._cores:
+            item = self.geometry.geometryObjects[body]
+            points, radius = core_of(item.geometry)
+            self._cores[body] = points @ item.placement.rotation.T + item.placement.translation, radius
+        return self._cores[body]
+
+    def _set_margin(self, clearance: float) -> None:
+        if clearance != self._margin:
+            for request in self._geometry_data.collisionRequests:
+                request.security_margin = clearance
+            self._margin = clearance
+
+
+def _self_model(robot: Robot) -> CollisionModel:
+    """The robot alone, built once: its primitives and the pairs of its own bodies that are checked."""
+    if "self" not in robot.cache:
+        geometry, origins = _primitive_geometry(robot)
+        primitives = geometry.ngeoms
+        dropped = add_self_pairs(robot, geometry, origins)
+        samples = [robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)]
+        for tighter in (_hull, _mesh):
+            _tighten_coarse_pairs(robot, geometry, origins, samples, tighter)
+        _drop_always_touching(robot, geometry, dropped, samples)
+        robot.cache["self"] = CollisionModel(robot, geometry, dropped, primitives)
+    model: CollisionModel = robot.cache["self"]
+    return model
+
+
+def _primitive_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int]]:
+    """The robot's geometry without meshes, and which object of the description each primitive stands for."""
+    geometry = pin.GeometryModel()
+    origins = []
+    for origin, item in enumerate(robot.geometry.geometryObjects):
+        if isinstance(item.geometry, coal.BVHModelBase):
+            fitted = fit_primitives(mesh_triangles(item.geometry))
+            shapes = [(primitive.shape, item.placement * primitive.placement) for primitive in fitted]
+        else:
+            shapes = [(item.geometry, item.placement)]
+        for k, (shape, placement) in enumerate(shapes):
+            name = item.name if len(shapes) == 1 else f"{item.name}.{k}"
+            geometry.addGeometryObject(pin.GeometryObject(name, item.parentJoint, item.parentFrame, placement, shape))
+            origins.append(origin)
+    return geometry, origins
+
+
+def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]) -> dict[tuple[str, str], str]:
+    """Add the pairs of different, not adjacent, not disabled links to `geometry`; returns those left out, and why.
+
+    `origins` tells which object of the robot's description each object of `geometry` stands for.
+    """
+    dropped: dict[tuple[str, str], str] = {}
+    objects = list(geometry.geometryObjects)
+    for j, second in enumerate(objects):
+        for i, first in enumerate(objects[:j]):
+            joints = (first.parentJoint, second.parentJoint)
+            if joints[0] == joints[1]:
+                continue
+            if robot.disabled_pairs is not None:
+                links = frozenset(robot.model.frames[item.parentFrame].name for item in (first, second))
+                if links in robot.disabled_pairs:
+                    dropped[first.name, second.name] = "disabled in the SRDF"
+                    continue
+            origin = frozenset(robot.geometry.geometryObjects[origins[k]].name for k in (i, j))
+            if origin in robot.adjacent_pairs:
+                dropped[first.name, second.name] = "adjacent"
+                continue
+            geometry.addCollisionPair(pin.CollisionPair(j, i))
+    return dropped
+
+
+def _hull(item: pin.GeometryObject) -> pin.GeometryObject:
+    if not isinstance(item.geometry, coal.BVHModelBase):
+        return _renamed(item, item.geometry, "exact")
+    if not has_hull(np.unique(np.array(item.geometry.vertices()), axis=0)):  # flat: the mesh itself is as tight
+        return _mesh(item)
+    item.geometry.buildConvexHull(True, "Qt")
+    return _renamed(item, item.geometry.convex, "hull")
+
+
+def _mesh(item: pin.GeometryObject) -> pin.GeometryObject:
+    return _renamed(item, item.geometry, "mesh")
+
+
+def _renamed(item: pin.GeometryObject, shape: coal.CollisionGeometry, suffix: str) -> pin.GeometryObject:
+    return pin.GeometryObject(f"{item.name}.{suffix}", item.parentJoint, item.parentFrame, item.placement, shape)
+
+
+def _tighten_coarse_pairs(
+    robot: Robot,
+    geometry: pin.GeometryModel,
+    origins: list[int],
+    samples: list[Array],
+    tighter: Callable[[pin.GeometryObject], pin.GeometryObject],
+) -> None:
+    """Pairs that touch at samples where the meshes they stand for do not are checked with tighter shapes instead."""
+    pairs = [(p.first, p.second) for p in geometry.collisionPairs]
+    stands_for = [(origins[i], origins[j]) for i, j in pairs]
+    described = robot.geometry.copy()
+    described_pairs = {pair: k for k, pair in enumerate(dict.fromkeys(stands_for))}
+    for i, j in described_pairs:
+        described.addCollisionPair(pin.CollisionPair(i, j))
+    model = CollisionModel(robot, geometry, {})
+    data, described_data = robot.model.createData(), pin.GeometryData(described)
+    coarse = Counter[tuple[int, int]]()
+    for number, q in enumerate(samples):
+        touching = {stands_for[k] for k in model.touching_pairs(q)}
+        pin.updateGeometryPlacements(robot.model, data, described, described_data, q)
+        for pair in touching:
+            if not pin.computeCollision(described, described_data, described_pairs[pair]):
+                coarse[pair] += SAMPLES if number == 0 else 1  # the first sample is the usual posture: it must be free
+    replaced = {pair for pair, count in coarse.items() if count > COARSE * SAMPLES}
+    added: dict[int, int] = {}
+    for pair in sorted(replaced):
+        for origin in pair:
+            if origin not in added:
+                added[origin] = geometry.addGeometryObject(tighter(robot.geometry.geometryObjects[origin]))
+                origins.append(origin)
+        geometry.addCollisionPair(pin.CollisionPair(added[pair[0]], added[pair[1]]))
+    for (i, j), origin_pair in zip(pairs, stands_for, strict=True):
+        if origin_pair in replaced:
+            geometry.removeCollisionPair(pin.CollisionPair(i, j))
+
+
+def _drop_always_touching(
+    robot: Robot, geometry: pin.GeometryModel, dropped: dict[tuple[str, str], str], samples: list[Array]
+) -> None:
+    """Drop pairs that touch nearly everywhere: they are built that way, as at a shoulder."""
+    model = CollisionModel(robot, geometry, {})
+    counts = Counter(k for q in samples for k in model.touching_pairs(q))
+    for k, pair in enumerate([(p.first, p.second) for p in geometry.collisionPairs]):
+        if counts[k] >= ALWAYS * len(samples):
+            geometry.removeCollisionPair(pin.CollisionPair(*pair))
+            dropped[model.pair_names[k]] = f"touching at {counts[k]} of {len(samples)} configurations"

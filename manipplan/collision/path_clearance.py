@@ -1,0 +1,187 @@
+"""The clearance of a whole curve, proven and not sampled: conservative bisection with the bounds of `reach`.
+
+The distance of a pair of bodies at the middle of an interval of the curve, less how far the two can move towards each other on
+it, bounds their distance on the interval. How far each joint moves comes from the control points of that interval, whose
+hull holds it. Where the bound is not enough the interval is cut in two, for the pairs that are still open.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.collision.body_motion import Index, Reach
+from manipplan.collision.model import CollisionModel
+from manipplan.paths.joint import JointPath, split
+from manipplan.support.checks import Array, instance, number
+from manipplan.support.errors import InvalidInputError
+
+#: Taken off every distance: coal's are good to 2e-6 [m].
+SLACK = 1e-5
+#: Intervals in which no joint moves further than this from the middle are not cut again [rad or m].
+NARROW = 1e-5
+#: After so many distances the bound is what is known by then.
+MOST_CHECKS = 100_000
+#: Of a path of more pieces than this, such as a trajectory, so many at a time are looked at as one first.
+RUN = 16
+
+
+@dataclass(frozen=True, kw_only=True)
+class PathClearance:
+    """How near two bodies come on a whole curve; all distances [m].
+
+    Attributes:
+        lower: proven: on the whole curve no checked pair is nearer. Where it is below zero the path touches or may touch; how
+            deep bodies overlap is not proven.
+        upper: the least distance that was met at a place; the true one lies between `lower` and it.
+        clearance: the one demanded.
+        at, pair: s in [0, 1] and the names of the two bodies: where they were met nearer than demanded; else, where that could
+            not be excluded; else where the bound is least. nan and () where nothing is checked.
+        index: of the pair in the collision model's `pair_names`; -1 where nothing is checked.
+        checks: how many distances were computed.
+    """
+
+    lower: float
+    upper: float
+    clearance: float
+    at: float
+    pair: tuple[str, ...]
+    index: int
+    checks: int
+
+    @property
+    def proven(self) -> bool:
+        """Whether every pair is further apart than `clearance` on the whole curve."""
+        return self.lower > self.clearance
+
+    @property
+    def refuted(self) -> bool:
+        """Whether a pair was met at `clearance` or nearer."""
+        return self.upper <= self.clearance
+
+
+def path_clearance(
+    model: CollisionModel, path: JointPath, *, clearance: float = 0.0, tolerance: float | None = 1e-3
+) -> PathClearance:
+    """Prove a lower bound of the distance of every pair on a whole path.
+
+    Args:
+        model: the robot among its obstacles.
+        path: of the robot's joints.
+        clearance: the demanded one [m].
+        tolerance: the bound is made this tight, `upper` - `lower` [m], 1e-4 or more, and tighter where that proves that the
+            path keeps `clearance`; None: only until that is proven or refuted.
+
+    Raises:
+        InvalidInputError: the path is not of this robot's joints, or a number is not usable.
+    """
+    n = model.robot.n
+    if instance("path", path, JointPath).n != n:
+        raise InvalidInputError("path", f"a path of {path.n} joints", f"a path of the {n} joints of {model.robot.name}")
+    clearance = number("clearance", clearance, least=0.0)
+    if tolerance is not None:
+        tolerance = number("tolerance", tolerance, least=1e-4)
+    if not model.pair_names:
+        return PathClearance(lower=np.inf, upper=np.inf, clearance=clearance, at=np.nan, pair=(), index=-1, checks=0)
+    return _Search(model, clearance, tolerance).run(path)
+
+
+class _Search:
+    """Bisection, level by level: an interval keeps the pairs that its parent could not close."""
+
+    def __init__(self, model: CollisionModel, clearance: float, tolerance: float | None) -> None:
+        self.model = model
+        self.reach = Reach.of(model)
+        self.clearance = clearance
+        self.tolerance = tolerance
+        self.checks = 0
+        self.lower, self.upper = np.inf, np.inf
+        self.lowest, self.nearest = (0.0, 0), (0.0, 0)
+
+    def run(self, path: JointPath) -> PathClearance:
+        control, edges = path.control, np.stack([path.breaks[:-1], path.breaks[1:]], axis=1)
+        rows, pairs, known = self._runs(control, path.breaks)
+        while len(rows) and not self.decided:
+            halves = split(control)
+            q, middles = halves[0][:, -1], edges.mean(axis=1)
+            change = np.abs(control - q[:, None]).max(axis=1)
+            cut, bounds = self._look(q, change, middles, rows, pairs, known)
+            kept, position = np.unique(rows[cut], return_inverse=True)
+            control = np.concatenate([half[kept] for half in halves])
+            low, high = edges[kept].T
+            edges = np.concatenate([np.stack([low, middles[kept]], axis=1), np.stack([middles[kept], high], axis=1)])
+            rows = np.concatenate([position, position + len(kept)])
+            pairs, known = np.tile(pairs[cut], 2), np.tile(bounds[cut], 2)
+        at, index = self.nearest if self.upper <= self.clearance else self.lowest
+        return PathClearance(
+            lower=self.lower,
+            upper=self.upper,
+            clearance=self.clearance,
+            at=at,
+            pair=tuple(self.model.pair_names[index]),
+            index=index,
+            checks=self.checks,
+        )
+
+    @property
+    def decided(self) -> bool:
+        """Whether no more has to be known."""
+        return self.tolerance is None and self.upper <= self.clearance
+
+    @property
+    def _target(self) -> float:
+        """A bound that has to be no higher: the clearance, and with a tolerance one so near to what was measured."""
+        if self.tolerance is None:
+            return self.clearance
+        tight = self.upper - self.tolerance
+        return max(tight, self.clearance) if self.upper > self.clearance else tight
+
+    def _runs(self, control: Array, breaks: Array) -> tuple[Index, Index, Array]:
+        """Pieces and pairs that are still open, with their bounds, after runs of pieces were looked at as a whole."""
+        count = len(self.model.pair_names)
+        first = np.arange(0, len(control), RUN)
+        lengths = np.diff(np.append(first, len(control)))
+        rows, pairs = np.repeat(np.arange(len(first)), count), np.tile(np.arange(count), len(first))
+        known = np.full(len(rows), -np.inf)
+        if len(control) > RUN:
+            middle = first + lengths // 2
+            q = control[middle, 0]
+            low, high = np.minimum.reduceat(control.min(axis=1), first), np.maximum.reduceat(control.max(axis=1), first)
+            cut, bounds = self._look(q, np.maximum(q - low, high - q), breaks[middle], rows, pairs, known)
+            rows, pairs, known = rows[cut], pairs[cut], bounds[cut]
+        times = lengths[rows]
+        inside = np.arange(times.sum()) - np.repeat(np.cumsum(times) - times, times)
+        return np.repeat(first[rows], times) + inside, np.repeat(pairs, times), np.repeat(known, times)
+
+    def _look(
+        self, q: Array, change: Array, middles: Array, rows: Index, pairs: Index, known: Array
+    ) -> tuple[NDArray[np.bool_], Array]:
+        """Measure pairs at the middles q (m, n) of intervals; which to cut, and lower bounds of all. The others are closed.
+
+        `known` are bounds from the interval that was cut before.
+        """
+        distances = self._distances(q, rows, pairs)
+        bounds = np.maximum(known, distances - SLACK - self.reach.motion(q, change, rows, pairs))
+        least = int(distances.argmin())
+        if distances[least] < self.upper:
+            self.upper, self.nearest = float(distances[least]), (float(middles[rows[least]]), int(pairs[least]))
+        cut = (bounds <= self._target) & (change.max(axis=1) > NARROW)[rows]
+        if self.decided or self.checks + 2 * int(cut.sum()) > MOST_CHECKS:
+            cut[:] = False
+        self._close(bounds[~cut], middles, rows[~cut], pairs[~cut])
+        return cut, bounds
+
+    def _close(self, bounds: Array, middles: Array, rows: Index, pairs: Index) -> None:
+        if len(bounds) and bounds.min() < self.lower:
+            least = int(bounds.argmin())
+            self.lower, self.lowest = float(bounds[least]), (float(middles[rows[least]]), int(pairs[least]))
+
+    def _distances(self, q: Array, rows: Index, pairs: Index) -> Array:
+        self.checks += len(rows)
+        found = np.empty(len(rows))
+        order = np.argsort(rows, kind="stable")
+        ends = np.searchsorted(rows[order], np.arange(len(q) + 1))
+        for k, configuration in enumerate(q):
+            chosen = order[ends[k] : ends[k + 1]]
+            found[chosen] = self.model.pair_distances(configuration, pairs[chosen].tolist())
+        return found

@@ -1,0 +1,119 @@
+"""What is integrated along a path: the energy, which is minimised until a free path is found, and the length, g itself.
+
+g = ∫ h ds with h = ‖q'‖_W / m^p does not change when a path is re-parametrised, so its Hessian is singular. The energy
+E = ∫ h² ds is not: g² <= E, with equality where h is constant, so both have the same minimum over all curves; over the
+polynomials of one degree, which not every re-parametrisation leads back to, the minima differ by a little.
+"""
+
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from manipplan.cost.objective import PathObjective
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.kinematics.view import steady
+from manipplan.measures.indices import Yoshikawa
+from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian
+from manipplan.symbolic.machine_code import as_asked
+
+#: ρ in log sqrt(det(J Jᵀ + ρ² I)), which keeps what is solved finite on a singular posture: of the energy, and of the length.
+#: The g that is reported has none.
+ENERGY_REGULARISATION, LENGTH_REGULARISATION = 1e-5, 1e-7
+#: δ of any other measure, log sqrt(m² + δ²), as a share of its usual value and of ρ over ENERGY_REGULARISATION.
+MEASURE_REGULARISATION = 1e-6
+#: Speeds [rad] are rounded off below this, so that ‖q'‖ has derivatives where a path stands still.
+STANDSTILL = 1e-9
+#: Share κ of the speed's variance in the descent's objective ∫ h + κ h² / g₀ ds. It picks one of the re-parametrisations
+#: of a curve, and moves g by less than κ times that variance.
+CONSTANCY = 1e-6
+
+
+@dataclass(frozen=True, kw_only=True)
+class Density:
+    """A density e(q, v, g₀, p) as CasADi Functions of (q, v, [g₀, p]): value, gradient (2n), Hessian (2n, 2n) in (q, v).
+
+    g₀ is about the path's g, on which the energy does not depend; p is the exponent, so that machine code is made once for all.
+    """
+
+    value: ca.Function
+    gradient: ca.Function
+    hessian: ca.Function
+
+
+def energy_density(objective: PathObjective) -> Density:
+    """h² = ‖v‖_W² / m^(2p), whose integral over s is the energy E."""
+    metric, g0, power = _metric(objective), ca.SX.sym("g0"), ca.SX.sym("p")
+    q, v, log_index, slope, bend = _symbols(objective.kinematics, ENERGY_REGULARISATION)
+    weight = ca.exp(-2 * power * log_index)
+    square = ca.bilin(metric, v, v)
+    # by hand from w(q) = exp(-2p log m): w' = -2p w ∇log m, w'' = w (4p² ∇log m ∇log mᵀ - 2p ∇²log m)
+    gradient = ca.vertcat(-2 * power * weight * square * slope, 2 * weight * metric @ v)
+    qq = weight * square * (4 * power**2 * slope @ slope.T - 2 * power * bend)
+    qv = -4 * power * weight * slope @ (metric @ v).T
+    hessian = _blocks(qq, qv, 2 * weight * metric)
+    return _density(objective, "energy", (q, v, ca.vertcat(g0, power)), weight * square, gradient, hessian)
+
+
+def length_density(objective: PathObjective) -> Density:
+    """h + κ h² / g₀ with h = ‖v‖_W / m^p: its integral is g and a little of the energy."""
+    metric, g0, power = _metric(objective), ca.SX.sym("g0"), ca.SX.sym("p")
+    q, v, log_index, slope, bend = _symbols(objective.kinematics, LENGTH_REGULARISATION)
+    weight = ca.exp(-power * log_index)
+    speed = ca.sqrt(ca.bilin(metric, v, v) + STANDSTILL**2)
+    along = metric @ v / speed
+    h = weight * speed
+    dh = ca.vertcat(-power * h * slope, weight * along)
+    qq = h * (power**2 * slope @ slope.T - power * bend)
+    qv = -power * weight * slope @ along.T
+    ddh = _blocks(qq, qv, weight / speed * (metric - along @ along.T))
+    first, second = 1 + 2 * CONSTANCY * h / g0, 2 * CONSTANCY / g0
+    gradient, hessian = first * dh, first * ddh + second * dh @ dh.T
+    return _density(objective, "length", (q, v, ca.vertcat(g0, power)), h + CONSTANCY * h**2 / g0, gradient, hessian)
+
+
+def _metric(objective: PathObjective) -> ca.SX:
+    n = objective.kinematics.robot.n
+    return ca.SX.eye(n) if objective.metric is None else ca.sparsify(ca.SX(ca.DM(objective.metric)))
+
+
+def _symbols(kinematics: Kinematics, regularisation: float) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX, ca.SX]:
+    """q, v, and the logarithm of the measure, regularised by ρ, with gradient and Hessian in q."""
+    posture, measure = kinematics.symbolic.posture, kinematics.measure
+    q = kinematics.symbolic.chain.q
+    v = ca.SX.sym("v", q.shape[0])
+    if isinstance(measure, Yoshikawa):
+        jacobian, motion = steady(kinematics.symbolic.chain, kinematics.task)
+        factor = Factor.of(jacobian, regularisation)
+        return q, v, ca.log(factor.index), log_gradient(factor, motion), log_hessian(factor, motion)
+    value, slope, bend = measure.value(posture), measure.gradient(posture), measure.hessian(posture)
+    # log sqrt(m² + δ²), which is log m but for the least values
+    square = value**2 + (MEASURE_REGULARISATION * regularisation / ENERGY_REGULARISATION * _usual(kinematics)) ** 2
+    share = value / square
+    log_bend = share * bend + (1 / square - 2 * share**2) * slope @ slope.T
+    return q, v, ca.log(square) / 2, share * slope, log_bend
+
+
+def _usual(kinematics: Kinematics) -> float:
+    """A usual value of the measure: the median over some random configurations, always the same."""
+    q = kinematics.robot.random_configuration(np.random.default_rng(0), size=200)
+    return float(np.median(kinematics.manipulability(q)))
+
+
+def _blocks(qq: ca.SX, qv: ca.SX, vv: ca.SX) -> ca.SX:
+    return ca.vertcat(ca.horzcat(qq, qv), ca.horzcat(qv.T, vv))
+
+
+def _density(
+    objective: PathObjective, name: str, at: tuple[ca.SX, ca.SX, ca.SX], value: ca.SX, gradient: ca.SX, hessian: ca.SX
+) -> Density:
+    """In machine code as `objective.kinematics.compiled` says."""
+    functions = [
+        ca.Function(f"path_{name}", at, [value]),
+        ca.Function(f"path_{name}_gradient", at, [ca.densify(gradient)]),
+        ca.Function(f"path_{name}_hessian", at, [ca.densify(hessian)]),
+    ]
+    kinematics = objective.kinematics
+    subject = f"the {name} of paths of {kinematics.robot.name}"
+    made = as_asked(functions, kinematics.compiled, subject)
+    return Density(value=made[0], gradient=made[1], hessian=made[2])

@@ -1,0 +1,273 @@
+"""Report: every figure of a finished trajectory, measured on the trajectory itself."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.path_clearance import path_clearance
+from manipplan.cost.objective import PathCost, PathObjective
+from manipplan.optimize.result import PathResult
+from manipplan.paths.joint import SHORTEST, JointPath
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.robot import Robot
+from manipplan.seeds.ompl import CHECK_STEP
+from manipplan.support.checks import Array, existing_file
+from manipplan.support.errors import FileFormatError
+from manipplan.support.files import write_text
+from manipplan.support.json_ready import json_ready
+from manipplan.support.status import RECORDED, Status
+from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
+
+T = TypeVar("T")
+
+#: A limit counts as kept when it is exceeded by no more than this [rad, m] or this share.
+TOLERANCE = 1e-6
+#: A least index this near to an end of a path [s] is that of the end.
+AT_END = 0.01
+#: An index below this is rounding noise.
+VANISHING = 1e-12
+#: Places along the trajectory at which distances are measured for the report.
+PLACES = 400
+
+
+@dataclass(frozen=True, kw_only=True)
+class Report:
+    """What a trajectory reaches. Lengths in radians or metres of joint space, times in seconds.
+
+    Attributes:
+        robot, tool, task, measure, index_unit, power: what was planned for; the index' measure, its unit and exponent.
+        status: text of the Status.
+        duration: of the trajectory [s].
+        g, seed_g: ∫ ‖q'‖ / m^power ds along the trajectory and along the seed.
+        length, seed_length: in joint space.
+        min_manipulability, min_at: least index along the trajectory, and the share of the time at which it is.
+        seed_min_manipulability, straight_min_manipulability: least index on the seed, and on the straight line.
+        index_note: how the least index compares with those, and why when it is less than twice as large.
+        clearance, nearest_pair: least distance [m] measured at evenly spaced times, and between what; inf and () when
+            nothing is checked.
+        proven_clearance: no checked pair comes nearer on the whole trajectory, between those times too [m].
+        collision_free: whether the trajectory is free at every milliradian.
+        limits: worst use of position, velocity, acceleration and, where the motion is limited by them, jerk and torque.
+        position_unit: "rad" or "m", of the joint that comes nearest to a position limit.
+        straight_free: whether the straight line from start to goal would be free of collisions.
+        goal_error: largest distance of the last sample from the goal [rad or m].
+        passed: every limit kept, collision-free, goal reached.
+    """
+
+    robot: str
+    tool: str
+    task: str
+    measure: str
+    index_unit: str
+    power: float
+    status: str
+    duration: float
+    g: float
+    seed_g: float
+    length: float
+    seed_length: float
+    min_manipulability: float
+    min_at: float
+    seed_min_manipulability: float
+    straight_min_manipulability: float
+    index_note: str
+    clearance: float
+    nearest_pair: tuple[str, ...]
+    proven_clearance: float
+    collision_free: bool
+    limits: Mapping[str, LimitUse]
+    position_unit: str
+    straight_free: bool
+    goal_error: float
+    passed: bool
+
+    @classmethod
+    def of(
+        cls,
+        trajectory: Trajectory,
+        result: PathResult,
+        model: CollisionModel,
+        goal: Array,
+        *,
+        clearance: float,
+        torque: bool,
+        jerk: bool,
+    ) -> "Report":
+        """Measure a finished trajectory: nothing is taken over from the optimiser but the figures of the seed.
+
+        `torque` and `jerk` tell whether these limits count; a jerk limit that is infinite does not.
+        """
+        robot = model.robot
+        kinematics = robot.kinematics(result.task, measure=result.measure)
+        objective = PathObjective(kinematics=kinematics, power=result.power, metric=result.metric)
+        path = trajectory.path()
+        cost = objective.cost(path)
+        line = JointPath.line(path.start, path.goal) if np.linalg.norm(path.goal - path.start) >= SHORTEST else None
+        straight = objective.cost(line) if line is not None else _standing(path, objective)
+        use = dict(limit_use(trajectory, robot.limits))
+        if jerk and np.isfinite(robot.limits.jerk).any():
+            use["jerk"] = jerk_use(trajectory, robot.limits)
+        if torque:
+            use["torque"] = torque_use(trajectory, robot.model, robot.limits.effort)
+        distances = np.array([model.distances(q) for q in path(np.linspace(0.0, 1.0, PLACES + 1))])
+        least, pair = np.inf, ()
+        if distances.size:
+            nearest = int(distances.argmin()) % distances.shape[1]
+            least, pair = float(distances.min()), model.pair_names[nearest]
+        proof = path_clearance(model, path, clearance=clearance)
+        free = model.path_is_free(path, CHECK_STEP, max(clearance - TOLERANCE, 0.0))
+        goal_error = float(np.abs(trajectory.q[-1] - goal).max())
+        kept = use["position"].ratio <= TOLERANCE and all(
+            each.ratio <= 1 + TOLERANCE for kind, each in use.items() if kind != "position"
+        )
+        return cls(
+            robot=robot.name,
+            tool=robot.tool,
+            task=result.task.name,
+            measure=result.measure.name,
+            index_unit=result.measure.unit(result.task),
+            power=result.power,
+            status=result.status.value,
+            duration=trajectory.duration,
+            g=cost.g,
+            seed_g=result.seed_cost.g,
+            length=cost.length,
+            seed_length=result.seed_cost.length,
+            min_manipulability=cost.min_manipulability,
+            min_at=cost.at,
+            seed_min_manipulability=result.seed_cost.min_manipulability,
+            straight_min_manipulability=straight.min_manipulability,
+            index_note=_index_note(cost, result, straight),
+            clearance=min(least, proof.upper),
+            nearest_pair=pair,
+            proven_clearance=proof.lower,
+            collision_free=free,
+            limits=use,
+            position_unit=_unit_of(use["position"].joint, robot),
+            straight_free=line is None or model.path_is_free(line, CHECK_STEP, max(clearance - TOLERANCE, 0.0)),
+            goal_error=goal_error,
+            passed=bool(free and kept and goal_error <= TOLERANCE),
+        )
+
+    def __str__(self) -> str:
+        unit = f" {self.index_unit}" if self.index_unit != "1" else ""
+        first = _first_path(self.status)
+        lines = [
+            f"{self.robot}, tool {self.tool}, task {self.task}: {self._verdict()}",
+            f"  status       {self.status}",
+            f"  duration     {self.duration:.3f} s",
+            f"  least index  {self.min_manipulability:.4g}{unit} ({self.measure}; {first} {self.seed_min_manipulability:.4g}, "
+            f"straight {self.straight_min_manipulability:.4g}{'' if self.straight_free else ', which collides'})",
+            f"               {self.index_note}",
+            f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
+            f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
+        ]
+        if self.nearest_pair:
+            lines.append(
+                f"  clearance    {1e3 * self.clearance:.2f} mm between {' and '.join(self.nearest_pair)}; "
+                f"proven on the whole motion: {1e3 * self.proven_clearance:.2f} mm"
+            )
+        else:
+            lines.append(
+                "  clearance    nothing to check: no two bodies of the description can touch, and there is no obstacle"
+            )
+        for kind, use in self.limits.items():
+            if not use.joint:
+                continue
+            worst = f"{100 * use.ratio:.2f} %"
+            if kind == "position":
+                worst = (
+                    f"{use.ratio:.2e} {self.position_unit} beyond"
+                    if use.ratio > 0
+                    else f"{abs(use.ratio):.3f} {self.position_unit} inside"
+                )
+            lines.append(f"  {kind:<12} {worst} of the limit, {use.joint} at {use.time:.2f} s")
+        return "\n".join(lines)
+
+    def _verdict(self) -> str:
+        """The first line's last words."""
+        if not self.passed:
+            return "CHECK FAILED"
+        if self.status == Status.SINGULAR.value:
+            return "limits, collisions and goal are as they should be, but the path is SINGULAR"
+        return "all checks passed"
+
+    def to_json(self, file: str | Path) -> None:
+        """Write all figures as JSON."""
+        write_text(file, json.dumps(json_ready(self), indent=1, allow_nan=False) + "\n")
+
+    @classmethod
+    def from_data(cls, data: Mapping[str, Any]) -> "Report":
+        """The report of what JSON holds of it; raises KeyError, TypeError or ValueError for data of another kind."""
+        uses = {kind: _record(LimitUse, use) for kind, use in data["limits"].items()}
+        pair = tuple(data["nearest_pair"])
+        if not all(isinstance(name, str) for name in pair):
+            raise TypeError(f"nearest_pair is {pair}")
+        return _record(cls, {**data, "limits": uses, "nearest_pair": pair})
+
+    @classmethod
+    def from_json(cls, file: str | Path) -> "Report":
+        """Read what `to_json` wrote; raises FileFormatError for another file."""
+        path = existing_file("file", file)
+        try:
+            return cls.from_data(json.loads(path.read_text()))
+        except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError, OSError) as error:
+            raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
+
+
+def _record(kind: type[T], data: Mapping[str, Any]) -> T:
+    """`kind(**data)` where every text, number and truth is one; a number may be the text "inf", "-inf" or "nan"."""
+    values = dict(data)
+    for each in fields(kind):  # type: ignore[arg-type]  # a dataclass
+        value = data[each.name]
+        if each.type is float and (value in ("inf", "-inf", "nan") or type(value) is int):
+            value = values[each.name] = float(value)
+        if each.type in (str, bool, float) and type(value) is not each.type:
+            raise TypeError(f"{each.name} is {value!r}")
+    return kind(**values)
+
+
+def _standing(path: JointPath, objective: PathObjective) -> PathCost:
+    """The cost of standing at the start: what a straight line is for a path that returns there."""
+    index = float(objective.kinematics.manipulability(path.start))
+    return PathCost(g=0.0, length=0.0, min_manipulability=index, at=0.0)
+
+
+def _unit_of(joint: str, robot: Robot) -> str:
+    """Of the named joint's positions."""
+    return "m" if joint and robot.joint_types[robot.joint_names.index(joint)] == "prismatic" else "rad"
+
+
+def _first_path(status: str) -> str:
+    """What the path is compared with."""
+    return "recorded" if status in {each.value for each in RECORDED} else "seed"
+
+
+def _compared(least: float, other: float, name: str) -> str:
+    """A least index beside that of another path."""
+    if other < VANISHING:
+        return f"the {name}'s is zero"
+    ratio = least / other
+    return f"as the {name}'s" if abs(ratio - 1) < 5e-3 else f"{ratio:.3g} times the {name}'s"
+
+
+def _index_note(cost: PathCost, result: PathResult, straight: PathCost) -> str:
+    """How the least index compares with the seed's and the straight path's, and why when it is not twice both."""
+    least = cost.min_manipulability
+    if result.status is Status.FOLLOWED:
+        return "seed: the best path among the samples; straight: a line between the ends, which leaves the workspace path"
+    first = _first_path(result.status.value)
+    others = {first: result.seed_cost.min_manipulability, "straight path": straight.min_manipulability}
+    note = ", ".join(_compared(least, other, name) for name, other in others.items())
+    if least > 0 and all(least >= 2 * other for other in others.values()):
+        return note
+    if cost.at <= AT_END or cost.at >= 1 - AT_END:
+        return f"{note}; it is at the {'start' if cost.at <= AT_END else 'goal'}, which every path between the two shares"
+    if result.path is result.seed:
+        return f"{note}; this is the {first} itself"
+    return f"{note}; no path with a larger one and a g as low was found"

@@ -1,0 +1,207 @@
+"""follow: a workspace path in, a timed motion along it out."""
+
+from collections.abc import Sequence
+from concurrent.futures import Executor
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.scene import Scene
+from manipplan.cost.objective import PathObjective
+from manipplan.jobs.result import Plan, checked, failed
+from manipplan.optimize.result import PathResult, measured
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.deviation import Deviation, deviation_at, deviation_from
+from manipplan.paths.joint import JointPath
+from manipplan.paths.tolerance import Tolerance
+from manipplan.robots.robot import Robot
+from manipplan.search.layers import Layers
+from manipplan.search.max_min import SearchResult, max_min_search
+from manipplan.search.refine import Refinement, refine
+from manipplan.search.sampling import sample_layers
+from manipplan.search.steps import checked_epsilon
+from manipplan.support.checks import Array, instance, number
+from manipplan.support.errors import PlanningError
+from manipplan.support.interrupts import interruptible
+from manipplan.support.progress import Progress, part, teller
+from manipplan.support.status import Status
+from manipplan.symbolic.task import Task
+from manipplan.timing.retime import check_timing_limits, retime
+
+#: How far the tool may leave the path between positions where no tolerance is given [m, rad].
+BETWEEN = Tolerance(position=1e-4, rotation=1e-3)
+#: The share of a tolerance that is used at the positions, and between them before knots are added: timing needs a little, too.
+AT_POSITIONS, IN_TUBE = 0.9, 0.97
+#: The latter where no tolerance is given.
+AT_KNOTS = 0.5
+#: Candidates keep this much more than the demanded clearance, for what happens between positions [m].
+SPARE = 0.003
+#: The tool is compared with the path at so many times.
+TIMES = 1500
+
+
+@interruptible()
+def follow(
+    robot: Robot,
+    path: CartesianPath,
+    n: int = 50,
+    *,
+    epsilon: ArrayLike = 0.2,
+    task: Task | None = None,
+    samples: int | Sequence[int] | None = None,
+    tolerance: Tolerance | None = None,
+    scene: Scene | None = None,
+    clearance: float = 0.0,
+    closed: bool = False,
+    torque: bool = False,
+    executor: Executor | None = None,
+    seed: int = 0,
+    throw: bool = True,
+    progress: Progress | None = None,
+) -> Plan:
+    """The motion along a workspace path whose least manipulability index is the highest, timed and checked.
+
+    All configurations at n positions are searched for the best continuous path, which is refined between the samples, joined
+    by a spline that stays on the workspace path, timed, and judged by an independent check.
+
+    Args:
+        robot: the arm.
+        path: of the tool.
+        n: positions at which configurations are enumerated.
+        epsilon: longest step of a joint between neighbouring positions [rad or m], one number or (n,).
+        task: Task.pose(), the default, or Task.pointing(axis); see `sample_layers`.
+        samples: of what the arm has to spare; see `sample_layers`.
+        tolerance: how far the tool may leave the path. The default keeps it within 0.1 mm and 1 mrad, all but the
+            positions themselves, which are met exactly; so does a tolerance that names one of the two for the other.
+        scene: obstacles; None: none. The arm is always checked against itself.
+        clearance: distance [m] to keep from obstacles and between the arm's own links.
+        closed: the path returns to its start, and the motion ends in the configuration in which it began.
+        torque: limit the motion by the joints' effort, too.
+        executor: where positions are sampled; see `sample_layers`.
+        seed: of random starts, for arms without a closed form.
+        throw: raise PlanningError where no motion can be had; False: return a Plan whose status says why.
+        progress: called with the share done in [0, 1] and a text.
+
+    Raises:
+        InvalidInputError: an argument is not usable, a position is out of reach (also with throw=False).
+        PlanningError: no continuous motion, or none that passes its checks; its `result` is the Plan so far.
+    """
+    instance("robot", robot, Robot)
+    scene = instance("scene", scene if scene is not None else Scene(), Scene)
+    if tolerance is not None:
+        instance("tolerance", tolerance, Tolerance)
+    for name, value in (("torque", torque), ("throw", throw)):
+        instance(name, value, bool)
+    tell = teller(progress)
+    epsilon = checked_epsilon(epsilon, robot.endless)
+    clearance = number("clearance", clearance, least=0.0)
+    check_timing_limits(robot.limits)
+    layers = sample_layers(
+        robot,
+        path,
+        n,
+        task=task,
+        samples=samples,
+        scene=scene,
+        clearance=clearance + SPARE,
+        closed=closed,
+        executor=executor,
+        seed=seed,
+        progress=part(tell, 0.0, 0.5),
+    )
+    allowed = _allowed(tolerance)
+    draft = Plan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=allowed)
+    found = max_min_search(layers, epsilon, throw=False, progress=part(tell, 0.5, 0.6))
+    draft = replace(draft, search=found)
+    if not found.connected:
+        return failed(draft, throw, found.message)
+    inner = tolerance.scaled(AT_POSITIONS) if tolerance is not None else None
+    refined = refine(layers, found, tolerance=inner, progress=part(tell, 0.6, 0.9))
+    tell(0.9, "joining the positions")
+    world = scene.collision_model(robot)
+    joints, result, axis = _joined(path, layers, found, refined, tolerance, world, clearance)
+    draft = replace(draft, status=Status.FOLLOWED, refinement=refined, path=joints, result=result)
+    tell(0.95, "timing the motion")
+    try:
+        model = robot.model if torque else None
+        trajectory = retime(joints, robot.limits, joint_names=robot.joint_names, torque_model=model)
+    except PlanningError as error:
+        return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
+    tell(0.97, "checking the result")
+    motion = trajectory(np.linspace(0.0, trajectory.duration, TIMES))
+    pose, s = robot.kinematics(result.task).pose, np.linspace(0.0, 1.0, TIMES)
+    deviation = deviation_from(path, pose(motion), axis)
+    draft = replace(draft, deviation=deviation)
+    made = checked(draft, trajectory, result, world, joints.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
+    excess = _excess(deviation, allowed, "time") or _excess(deviation_at(path, s, pose(joints(s)), axis), allowed, "path")
+    if excess and made.report is not None and made.status is Status.FOLLOWED:
+        report = replace(made.report, status=Status.CHECK_FAILED.value, passed=False)
+        return failed(replace(made, status=Status.CHECK_FAILED, report=report), throw, excess)
+    tell(1.0, "done")
+    return made
+
+
+def _joined(
+    path: CartesianPath,
+    layers: Layers,
+    found: SearchResult,
+    refined: Refinement,
+    tolerance: Tolerance | None,
+    model: CollisionModel,
+    clearance: float,
+) -> tuple[JointPath, PathResult, Array | None]:
+    """The joint path through the refined positions, its figures beside those of the path that the search found, and the
+    tool's axis whose direction alone counts.
+
+    With a tolerance the refined positions are joined as they are, as long as their spline stays inside it.
+    """
+    from manipplan.search.program import PoseRows, joint_path
+    from manipplan.search.steps import full_turns
+
+    assert layers.worker is not None
+    assert layers.s is not None
+    solver, kinematics = layers.worker.solver, layers.worker.kinematics
+    rows = PoseRows(kinematics)
+    paths = []
+    exact = AT_KNOTS * rows.box(BETWEEN)
+    wide = exact if tolerance is None else np.maximum(exact, IN_TUBE * rows.box(tolerance))
+    tube = tolerance.scaled(AT_POSITIONS / np.sqrt(3)) if tolerance is not None else None  # inside the box of the rows
+    for positions, allowed, inside in ((refined.q, wide, tube), (found.q, exact, None)):
+        s, q = layers.s, positions
+        if layers.closed:
+            s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
+        paths.append(joint_path(solver, rows, path, s, q, closed=layers.closed, allowed=allowed, tube=inside))
+    objective = PathObjective(kinematics=kinematics, power=1.0)
+    result = measured(
+        paths[0],
+        objective,
+        cost=objective.cost(paths[0]),
+        seed=paths[1],
+        seed_cost=objective.cost(paths[1]),
+        model=model,
+        clearance=clearance,
+        status=Status.FOLLOWED,
+    )
+    return paths[0], result, solver.axis
+
+
+def _allowed(tolerance: Tolerance | None) -> Tolerance:
+    """The tolerance, or for what it leaves out the default."""
+    if tolerance is None:
+        return BETWEEN
+    position = BETWEEN.position if tolerance.position is None else tolerance.position
+    return Tolerance(position=position, rotation=BETWEEN.rotation if tolerance.rotation is None else tolerance.rotation)
+
+
+def _excess(deviation: Deviation, tolerance: Tolerance, of: str) -> str:
+    """What of a tolerance is exceeded, and after which share `of` what; nothing when it is kept."""
+    for name, value, limit, unit, at in (
+        ("position", deviation.position, tolerance.position, "m", deviation.position_at),
+        ("rotation", deviation.rotation, tolerance.rotation, "rad", deviation.rotation_at),
+    ):
+        if limit is not None and value > limit:
+            where = f"the tool's {name} leaves the path by {value:.3g} {unit} after {at:.2f} of the {of}"
+            return f"{where}; allowed: {limit:g} {unit}. Take more positions"
+    return ""

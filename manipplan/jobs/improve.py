@@ -1,0 +1,145 @@
+"""improve: a recorded motion again, with a higher index."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from manipplan.collision.scene import Scene
+from manipplan.cost.objective import PathObjective
+from manipplan.jobs.result import Plan, checked, failed
+from manipplan.optimize.result import measured
+from manipplan.paths.joint import JointPath
+from manipplan.paths.tolerance import Stiffness, StiffnessProfile, Tolerance
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import instance, number
+from manipplan.support.errors import InvalidInputError
+from manipplan.support.interrupts import interruptible
+from manipplan.support.progress import Progress, teller
+from manipplan.support.status import Status
+from manipplan.symbolic.task import Task
+from manipplan.timing.retime import retime
+from manipplan.timing.verify import limit_use
+from manipplan.tracking.avoidance import Avoidance
+from manipplan.tracking.controller import Controller
+from manipplan.tracking.formulations import Formulation, LogDrive
+from manipplan.tracking.track import HOLD, along, follow_poses, step_count
+
+
+@interruptible()
+def improve(
+    robot: Robot,
+    recorded: Trajectory | JointPath | str | Path,
+    formulation: Formulation | None = None,
+    *,
+    dt: float = 0.01,
+    duration: float | None = None,
+    tolerance: Tolerance | None = Tolerance(position=0.02, rotation=0.2),  # noqa: B008  # a frozen value
+    stiffness: Stiffness | None = None,
+    task: Task | None = None,
+    scene: Scene | None = None,
+    avoidance: Avoidance | None = None,
+    throw: bool = True,
+    progress: Progress | None = None,
+) -> Plan:
+    """A recorded or planned joint motion again, with a higher manipulability index, from its first to its last pose.
+
+    The tool follows the recorded poses inside a tube, each at its time, while the formulation raises the index; the motion
+    ends in the recorded last pose, in general with other joint angles. What comes out is checked as every plan.
+
+    Args:
+        robot: the arm.
+        recorded: a Trajectory, the file of one (see `Trajectory.from_csv`), or a JointPath, which is timed by `retime`. A
+            recording that exceeds the robot's limits is slowed down until it keeps them.
+        formulation: Objective, Equality or LogDrive; default LogDrive().
+        dt: time step [s].
+        duration: slow the recording down, or speed it up, to this [s].
+        tolerance: how far the tool may leave the recorded poses; None: as far as the stiffness lets it.
+        stiffness: of the poses: a number, or a function of the share of the time. Default StiffnessProfile().
+        task: rows that are followed, and whose index counts; default `robot.default_task`.
+        scene: obstacles to check against, and to avoid unless `avoidance` says how.
+        avoidance: what is kept away from on the way.
+        throw: raise PlanningError where no motion can be had; False: return a Plan whose status says why.
+        progress: called with the share done in [0, 1] and a text.
+
+    Raises:
+        InvalidInputError, FileFormatError: an argument is not usable (also with throw=False).
+        PlanningError: the motion was not followed or failed its checks; its `result` is the Plan so far.
+    """
+    instance("robot", robot, Robot)
+    scene = instance("scene", scene if scene is not None else Scene(), Scene)
+    tell = teller(progress)
+    motion = _timed(robot, recorded, duration)
+    if avoidance is None and scene.obstacles:
+        avoidance = Avoidance(scene=scene)
+    controller = Controller(
+        robot, formulation or LogDrive(), dt, task=task, tolerance=tolerance, avoidance=avoidance, stiffness=HOLD
+    )
+    kinematics = robot.kinematics(controller.task)
+    model = scene.collision_model(robot)
+    tell(0.1, "following the recorded motion")
+    steps = step_count(float(np.round(motion.duration / dt)))
+    u = np.arange(steps + 1) / steps
+    if stiffness is None:
+        stiffness = StiffnessProfile()
+    tracking = follow_poses(
+        controller,
+        robot.configuration("recorded", motion.q[0]),
+        kinematics.pose(motion(u * motion.duration)),
+        u,
+        along(stiffness),
+        (lambda _: tolerance) if tolerance is not None else None,
+    )
+    path, seed = tracking.trajectory().path(), motion.path()
+    objective = PathObjective(kinematics=kinematics, power=1.0)
+    cost, recorded_cost = objective.cost(path), objective.cost(seed)
+    higher = cost.min_manipulability > recorded_cost.min_manipulability or (
+        tracking.manipulability.mean() > kinematics.manipulability(seed(u)).mean()
+    )
+    status = Status.IMPROVED if higher else Status.NOT_BETTER
+    result = measured(
+        path if higher else seed,
+        objective,
+        cost=cost if higher else recorded_cost,
+        seed=seed,
+        seed_cost=recorded_cost,
+        model=model,
+        clearance=0.0,
+        status=status,
+    )
+    draft = Plan(
+        robot=robot,
+        scene=scene,
+        status=status,
+        path=result.path,
+        result=result,
+        tracking=tracking,
+        tolerance=tolerance,
+    )
+    if higher and not tracking.status.ok:
+        return failed(replace(draft, status=Status.NOT_FOLLOWED), throw, f"{tracking.status.value}: {tracking.message}")
+    tell(0.8, "checking the result")
+    trajectory = tracking.trajectory() if higher else motion
+    made = checked(draft, trajectory, result, model, trajectory.q[-1], clearance=0.0, torque=False, jerk=False, throw=throw)
+    tell(1.0, "done")
+    return made
+
+
+def _timed(robot: Robot, recorded: Trajectory | JointPath | str | Path, duration: float | None) -> Trajectory:
+    """The recorded motion within the robot's limits."""
+    if isinstance(recorded, str | Path):
+        recorded = Trajectory.from_csv(recorded)
+    if isinstance(recorded, JointPath):
+        recorded = retime(recorded, robot.limits, joint_names=robot.joint_names)
+    motion = instance("recorded", recorded, Trajectory)
+    if motion.joint_names != robot.joint_names:
+        raise InvalidInputError("recorded", motion.joint_names, f"the joints of {robot.name}: {', '.join(robot.joint_names)}")
+    if duration is not None:
+        factor = number("duration", duration, above=0.0) / motion.duration
+        motion = replace(motion, t=motion.t * factor, qd=motion.qd / factor)
+    use = limit_use(motion, robot.limits)
+    if use["position"].ratio > 0:
+        raise InvalidInputError("recorded", use["position"].joint, "positions inside the limits, at all times")
+    factor = max(use["velocity"].ratio, use["acceleration"].ratio ** 0.5, 1.0)
+    return motion.slower(factor)

@@ -1,0 +1,162 @@
+"""A robot and a scene as JSON holds them: what they were read from, and what tells another robot apart."""
+
+import logging
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pinocchio as pin
+
+from manipplan.collision.scene import Scene
+from manipplan.robots.description import frame_index
+from manipplan.robots.limits import JointLimits
+from manipplan.robots.robot import Robot
+from manipplan.robots.source import FILES, FOLDERS, RobotSource
+from manipplan.support.checks import Array, instance
+from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError
+from manipplan.support.files import absolute_and_relative, found_again
+
+log = logging.getLogger("manipplan")
+
+#: Screws, home pose and bodies of the robot that is built again agree with the stored ones within this [m, rad].
+SAME = 1e-6
+#: Numbers that tell a body's joint, place and box.
+OUTLINE = 1 + 12 + 6
+LIMITS = ("lower", "upper", "velocity", "acceleration", "jerk", "effort")
+
+
+def fingerprint(robot: Robot) -> tuple[Array, Array]:
+    """The pose of the tool at q = 0 (4, 4) and every joint's screw there (n, 6), linear part first, in the world's frame.
+
+    By the product of exponentials they say where the tool is at every q: what moves it differently has others.
+    """
+    data = robot.model.createData()
+    zero = np.zeros(robot.n)
+    pin.computeJointJacobians(robot.model, data, zero)
+    pin.framesForwardKinematics(robot.model, data, zero)
+    tool = data.oMf[frame_index(robot.model, robot.tool)].homogeneous
+    return np.array(tool), np.array(data.J.T)
+
+
+def outlines(robot: Robot) -> Array:
+    """Of each body of the collision geometry its joint's number, its place there and the box around its shape (k, OUTLINE).
+
+    A shape that was exchanged, scaled or moved has another row.
+    """
+    rows = []
+    for body in robot.geometry.geometryObjects:
+        body.geometry.computeLocalAABB()
+        box = body.geometry.aabb_local
+        rows.append([[body.parentJoint], body.placement.homogeneous[:3].ravel(), box.min_, box.max_])
+    return np.array([np.concatenate(row) for row in rows]).reshape(-1, OUTLINE)
+
+
+def robot_data(robot: Robot, folder: Path) -> dict[str, Any]:
+    """What a file in `folder` holds of a robot; its paths absolute and as seen from there."""
+    home, screws = fingerprint(robot)
+    limits = {kind: getattr(robot.limits, kind) for kind in LIMITS}
+    data = {
+        "arm": robot.name,
+        "tool": robot.tool,
+        "joint_names": robot.joint_names,
+        "neutral": robot.neutral,
+        "limits": {**limits, "sources": robot.limits.sources},
+        "home": home,
+        "screws": screws,
+        "outlines": outlines(robot),
+    }
+    source = robot.source
+    if source is None:
+        return {**data, "missing": "an arm that was put together by hand"}
+    options = {
+        key: _option(key, value, lambda path: absolute_and_relative(path, folder)) for key, value in source.options.items()
+    }
+    file = absolute_and_relative(source.file, folder) if source.file is not None and source.kind != "catalogue" else None
+    return {**data, "source": {"kind": source.kind, "name": source.name, "file": file, "options": options}}
+
+
+def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | None) -> Robot:
+    """The arm built again, or the one given; either has to be the one of the file."""
+    if given is None:
+        if "source" not in data:
+            raise FileFormatError("file", str(path), f"a result with its robot, but it has {data['missing']}; give robot=")
+        source = data["source"]
+        try:
+            options = {
+                key: _option(key, value, lambda each: found_again(each, folder)) for key, value in source["options"].items()
+            }
+            file = found_again(source["file"], folder) if source["file"] is not None else None
+            arm = RobotSource(kind=source["kind"], name=source["name"], file=file, options=options).load()
+            sources = dict(data["limits"]["sources"])
+            limits = JointLimits(**{kind: stored_array(data["limits"][kind]) for kind in LIMITS}, sources=sources)
+            if limits.n == arm.n:  # otherwise it is another arm, which is told below
+                arm = replace(arm, limits=limits, neutral=stored_array(data["neutral"]))
+        except MissingExtraError:
+            raise
+        except ManipplanError as error:
+            wanted = f"a result whose robot can be read again ({error}); put its files back, or give robot="
+            raise FileFormatError("file", str(path), wanted) from error
+    else:
+        arm = instance("robot", given, Robot)
+    stored = [stored_array(data[key]) for key in ("home", "screws")]
+    stored.append(stored_array(data["outlines"]).reshape(-1, OUTLINE))
+    names = tuple(data["joint_names"])
+    found = (*fingerprint(arm), outlines(arm))
+    if arm.joint_names != names or not all(_same(a, b) for a, b in zip(found, stored, strict=True)):
+        said = f"{arm.name} with {', '.join(arm.joint_names)} and tool {arm.tool}"
+        wanted = (
+            f"the robot of {path}: {data['arm']} with {', '.join(names)} and tool {data['tool']}, its links as when the plan "
+            "was saved. Its files were changed, or it is another robot: give the right robot="
+        )
+        raise FileFormatError("robot", said, wanted)
+    other = [kind for kind in LIMITS if not np.array_equal(getattr(arm.limits, kind), stored_array(data["limits"][kind]))]
+    if other:
+        log.warning("%s: the robot given has other limits (%s) than the plan was made and checked for", path, ", ".join(other))
+    return arm
+
+
+def _same(first: Array, second: Array) -> bool:
+    return first.shape == second.shape and np.allclose(first, second, rtol=0.0, atol=SAME)
+
+
+def scene_data(scene: Scene, folder: Path) -> Any:
+    """What a file in `folder` holds of a scene: a list of obstacles, or what is missing where one is of another class."""
+    try:
+        return [
+            {key: absolute_and_relative(value, folder) if isinstance(value, Path) else value for key, value in entry.items()}
+            for entry in scene.entries()
+        ]
+    except InvalidInputError as error:
+        return {"missing": str(error)}
+
+
+def scene_of(path: Path, data: Any, folder: Path, given: Scene | None) -> Scene:
+    """The scene built again, or the one given."""
+    if given is not None:
+        return instance("scene", given, Scene)
+    if isinstance(data, dict):
+        raise FileFormatError("file", str(path), f"a result with its scene, but {data['missing']}; give scene=")
+    entries = [{key: found_again(value, folder) if key == "file" else value for key, value in entry.items()} for entry in data]
+    try:
+        return Scene.from_entries(entries, folder)
+    except InvalidInputError as error:
+        wanted = f"a result whose scene can be built again ({error}); put its meshes back, or give scene="
+        raise FileFormatError("file", str(path), wanted) from error
+
+
+def stored_array(data: Any) -> Array:
+    """Numbers of a file, some of them perhaps the texts "inf" and "nan", as a read-only array."""
+    array = np.array(data, dtype=float)
+    array.flags.writeable = False
+    return array
+
+
+def _option(key: str, value: Any, change: Callable[[Any], Any]) -> Any:
+    """An option of a robot, with its paths changed and its numbers as numbers."""
+    if key in FILES:
+        return change(value)
+    if key in FOLDERS:
+        return [change(each) for each in value]
+    return stored_array(value) if key in (*LIMITS, "neutral", "lengths") else value

@@ -1,0 +1,352 @@
+"""What one step of a descent sees: a quadratic model of g, and linear rows for the distances around the path."""
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.collision.model import CollisionModel
+from manipplan.cost.density import Density
+from manipplan.optimize.basis import Basis
+from manipplan.optimize.clearance import ClearanceRow, Place
+from manipplan.paths.joint import JointPath
+from manipplan.paths.rounding import FINE_DISTANCE, configurations, on_grid
+from manipplan.support.checks import Array
+from manipplan.symbolic.batch_function import BatchFunction
+
+#: Maximum number of products of two basis functions that are kept at a time while a Hessian is summed.
+MOST_PRODUCTS = 4_000_000
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Curves:
+    """The curves start + s (goal - start) + Σ_j (kept + zᵀ directionsᵀ)_j φ_j(s) for unknowns z (f, n).
+
+    Attributes:
+        basis: the functions φ_j.
+        directions: (size, f) coefficients of functions whose slopes are orthonormal: ‖z‖ is the root mean square of the
+            slope's change over s [rad or m].
+        kept: (n, size) coefficients at z = 0.
+        start, goal: (n,) ends.
+    """
+
+    basis: Basis
+    directions: Array
+    kept: Array
+    start: Array
+    goal: Array
+
+    def coefficients(self, z: Array) -> Array:
+        """Coefficients (n, size) of the curve at z."""
+        return np.asarray(self.kept + (self.directions @ z).T)
+
+    def values(self, s: Array, order: int = 0) -> Array:
+        """Change of the curve, or of its derivative of an order, with z at s (m,): (m, f), the same for every joint."""
+        return np.asarray(self.basis.values(s, order) @ self.directions)
+
+    def line(self, s: Array, order: int = 0) -> Array:
+        """The curve at z = 0, or its derivative of order 1, at s (m,): (m, n)."""
+        straight = self.start + s[:, None] * (self.goal - self.start) if order == 0 else self.goal - self.start
+        return np.asarray(straight + self.basis.values(s, order) @ self.kept.T)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BatchDensity:
+    """A density's value, gradient and Hessian at many points."""
+
+    value: BatchFunction
+    gradient: BatchFunction
+    hessian: BatchFunction
+
+    @classmethod
+    def of(cls, density: Density) -> "BatchDensity":
+        """The three functions of a density with buffers of their own."""
+        return cls(
+            value=BatchFunction(density.value), gradient=BatchFunction(density.gradient), hessian=BatchFunction(density.hessian)
+        )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LengthModel:
+    """Σ_i w_i e(q_i, q'_i) / g₀ over the points of a quadrature rule, as a function of the unknowns z (f, n) of `curves`.
+
+    Attributes:
+        density: e, the integrand of g plus a small share of that of the energy.
+        curves: the paths.
+        edges: (k + 1,) of the quadrature panels.
+        s, weights: (m,) Gauss points of all panels and their weights.
+        g0: g of the path where the descent begins, so that the value there is about 1.
+        power: exponent p.
+        pace: g₀ in the share of the energy, κ h² / g₀; inf: none, so that the value is that of g alone.
+    """
+
+    density: BatchDensity
+    curves: Curves
+    edges: Array
+    s: Array
+    weights: Array
+    g0: float
+    power: float
+    pace: float
+
+    @property
+    def without_energy(self) -> "LengthModel":
+        """g alone, over g₀."""
+        return replace(self, pace=np.inf)
+
+    @cached_property
+    def _values(self) -> tuple[Array, Array, Array, Array]:
+        """At the Gauss points: the curve at z = 0 and its slope (m, n), and their changes with z (m, f)."""
+        curves = self.curves
+        return (curves.line(self.s), curves.line(self.s, 1), curves.values(self.s), curves.values(self.s, 1))
+
+    def _points(self, z: Array) -> tuple[Array, Array, Array]:
+        """Arguments of the density at the Gauss points: q and q' (m, n), and the pace and p (m, 2)."""
+        line, slope, values, slopes = self._values
+        numbers = np.tile([self.pace, self.power], (len(self.s), 1))
+        return line + values @ z, slope + slopes @ z, numbers
+
+    def value(self, z: Array) -> float:
+        """The integral at z (f, n)."""
+        return float(self.weights @ self.density.value(*self._points(z))[:, 0, 0]) / self.g0
+
+    def gradient(self, z: Array) -> Array:
+        """Its gradient (f, n)."""
+        _, _, values, slopes = self._values
+        weighed = self.density.gradient(*self._points(z))[:, :, 0] * (self.weights[:, None] / self.g0)
+        n = weighed.shape[1] // 2
+        return np.asarray(values.T @ weighed[:, :n] + slopes.T @ weighed[:, n:])
+
+    def hessian(self, z: Array) -> Array:
+        """Its Hessian (f n, f n), z in row-major order."""
+        size, n = z.shape
+        _, _, values, slopes = self._values
+        both = np.stack([values, slopes], axis=1)
+        weighed = self.density.hessian(*self._points(z)) * (self.weights / self.g0)[:, None, None]
+        blocks = weighed.reshape(len(self.s), 2, n, 2, n).transpose(0, 1, 3, 2, 4)
+        total, count = np.zeros((size * size, n * n)), max(1, MOST_PRODUCTS // (4 * size * size))
+        for begin in range(0, len(self.s), count):
+            part = both[begin : begin + count]
+            products = np.einsum("ipj,iqk->jkipq", part, part).reshape(size * size, -1)
+            total += products @ blocks[begin : begin + count].reshape(-1, n * n)
+        return np.asarray(total.reshape(size, size, n, n).transpose(0, 2, 1, 3).reshape(size * n, size * n))
+
+
+#: Number of intervals of the grid along the path. Distances are always measured at every SPACING-th place, and at the others
+#: where a pair can come near.
+INTERVALS, SPACING = 160, 4
+#: Between two such places a distance may change by this factor times its largest change from one to the next, plus this [m].
+FASTER, SLOWEST = 1.5, 0.02
+#: Distance kept beyond the demanded one, so that the proof, whose bounds are not exact, succeeds [m].
+MARGIN = 5e-5
+#: Only pairs that come this near to the target on a reference path are measured [m].
+WATCHED = 0.25
+#: A path becomes the new reference where its joints are further than this from the old one, summed over the joints [rad or m].
+MOVED = 0.15
+#: Dips of a distance that may come this near to the target [m] are followed to their bottom, to this accuracy of s.
+DEEP, BOTTOM = 1e-3, 1e-6
+#: Maximum number of steps to the bottom of a dip.
+BOTTOM_STEPS = 12
+#: Where a pair is nearer to the target than this [m], every place of the grid has a row.
+CLOSE = 2e-3
+#: A place of the grid has no row within this distance in s of the bottom of a dip of its pair.
+APART = 1e-2
+#: Maximum number of places with rows: bottoms of dips first, then the nearest.
+MOST_PLACES = 80
+#: Step of a joint by which second derivatives of a distance are taken [rad or m].
+JOINT_STEP = 1e-4
+
+
+@dataclass(frozen=True, kw_only=True)
+class Look:
+    """What was measured on one path.
+
+    Attributes:
+        places: (s, pair), nearest first.
+        distances: (k,) their signed distances [m].
+        bottoms: indices of the places where the distance has a minimum along the path.
+    """
+
+    places: tuple[Place, ...]
+    distances: Array
+    bottoms: frozenset[int]
+
+    @property
+    def least(self) -> float:
+        """The least distance [m]; inf where nothing is near."""
+        return float(self.distances.min(initial=np.inf))
+
+
+@dataclass(kw_only=True, eq=False)
+class Surroundings:
+    """Distances on paths that differ little from each other.
+
+    Attributes:
+        model: the arm among its obstacles.
+        clearance: demanded distance [m].
+        margin: distance kept beyond the demanded one [m]; larger at first, as corners are rounder at a distance.
+        always: places (s, pair) about which a dip is looked for on every path, such as those where a proof failed.
+    """
+
+    model: CollisionModel
+    clearance: float
+    margin: float = MARGIN
+    always: list[Place] = field(default_factory=list)
+    _reference: Array | None = None
+    _pairs: NDArray[np.intp] = field(default_factory=lambda: np.empty(0, dtype=np.intp))
+
+    @property
+    def target(self) -> float:
+        """The distance that is kept [m]: the demanded one and a margin."""
+        return self.clearance + self.margin
+
+    def look(self, path: JointPath, band: float) -> Look:
+        """The places where a pair is nearer than the target plus `band` [m]: on an even grid, and at the bottoms of dips."""
+        s = np.linspace(0.0, 1.0, INTERVALS + 1)
+        q = configurations(path, s)
+        pairs = self._watched(q)
+        near = self.target + band
+        grid = self._profile(q, pairs, near)
+        wanted = grid < self.target + CLOSE
+        wanted[::SPACING] |= grid[::SPACING] < near
+        found = [(float(grid[k, c]), float(s[k]), int(pairs[c]), False) for k, c in zip(*np.nonzero(wanted), strict=True)]
+        found += self._dips(path, s, grid, pairs)
+        if self.always:
+            at, known = np.array([x for x, _ in self.always]), [pair for _, pair in self.always]
+            bracket = np.maximum(at - 1 / INTERVALS, 0.0), np.minimum(at + 1 / INTERVALS, 1.0)
+            at, distances = self._bottoms(path, bracket, at, self._at(path, at, known), known)
+            found += [(float(d), float(x), pair, True) for d, x, pair in zip(distances, at, known, strict=True)]
+        found.sort()
+        return Look(
+            places=tuple((x, pair) for _, x, pair, _ in found),
+            distances=np.array([each[0] for each in found]),
+            bottoms=frozenset(k for k, (*_, bottom) in enumerate(found) if bottom),
+        )
+
+    def places(self, look: Look) -> list[tuple[float, int, bool]]:
+        """The places of a look that get rows, bottoms of dips first: s, pair, and whether it is such a bottom."""
+        bottoms = [look.places[k] for k in look.bottoms]
+        chosen: list[tuple[float, int, bool]] = []
+        for k in sorted(range(len(look.places)), key=lambda k: k not in look.bottoms):
+            (s, pair), bottom = look.places[k], k in look.bottoms
+            if bottom or all(pair != other or abs(s - at) >= APART for at, other in bottoms):
+                chosen.append((s, pair, bottom))
+            if len(chosen) == MOST_PLACES:
+                break
+        return chosen
+
+    def row(self, q: Array, s: float, pair: int) -> ClearanceRow:
+        """The row of a pair at q (n,), where the path is at s: the plane through the nearest point of the second body."""
+        witness, normal = self.model.witness(q, pair)
+        return ClearanceRow(
+            s=s,
+            joint=witness.first,
+            point=witness.point,
+            other=witness.second,
+            normal=normal,
+            offset=float(normal @ witness.other),
+            distance=witness.radius + self.target,
+        )
+
+    def reverse_row(self, q: Array, s: float, pair: int) -> ClearanceRow:
+        """As `row`, with the plane on the first body: the better one where a corner of the second faces a side of the first."""
+        witness, normal = self.model.witness(q, pair)
+        normal = -self.model.turned(q, normal, witness.second, witness.first)
+        return ClearanceRow(
+            s=s,
+            joint=witness.second,
+            point=witness.other,
+            other=witness.first,
+            normal=normal,
+            offset=float(normal @ witness.point),
+            distance=witness.radius + self.target,
+        )
+
+    def bend(self, q: Array, pair: int) -> tuple[Array, Array]:
+        """Gradient (n,) and Hessian (n, n) of a pair's distance at q (n,), the Hessian by differences of the gradient."""
+        gradient = self.model.distance_gradient(q, pair)
+        hessian = np.array([self.model.distance_gradient(q + JOINT_STEP * each, pair) - gradient for each in np.eye(len(q))])
+        return gradient, (hessian + hessian.T) / (2 * JOINT_STEP)
+
+    def _watched(self, q: Array) -> NDArray[np.intp]:
+        """Indices of the pairs that come near on paths about q (m, n)."""
+        if self._reference is None or np.abs(q - self._reference).sum(axis=1).max() > MOVED:
+            nearest = np.min([self.model.distances(each) for each in q[::SPACING]], axis=0)
+            self._pairs, self._reference = np.flatnonzero(nearest < self.target + WATCHED), q
+        return self._pairs
+
+    def _profile(self, q: Array, pairs: NDArray[np.intp], near: float) -> Array:
+        """Distances (m, k) of pairs at q (m, n) [m]; interpolated where a pair cannot be nearer than `near`."""
+        if not len(pairs):
+            return np.empty((len(q), 0))
+        numbers = pairs.tolist()
+        coarse = np.array([self._distances(each, numbers) for each in q[::SPACING]]).reshape(-1, len(pairs))
+        share = np.arange(len(q)) / SPACING
+        low = np.minimum(share.astype(int), len(coarse) - 2)
+        grid = coarse[low] + (share - low)[:, None] * (coarse[low + 1] - coarse[low])
+        change = FASTER * np.abs(np.diff(coarse, axis=0)).max(axis=0, initial=0.0) + SLOWEST
+        measured = ((coarse[:-1] + coarse[1:] - change) / 2 < near)[low]
+        measured[::SPACING] = False
+        for k in np.flatnonzero(measured.any(axis=1)):
+            grid[k, measured[k]] = self._distances(q[k], pairs[measured[k]].tolist())
+        return np.asarray(grid)
+
+    def _dips(self, path: JointPath, s: Array, grid: Array, pairs: NDArray[np.intp]) -> list[tuple[float, float, int, bool]]:
+        """Distance [m], s, pair and True for the bottom of every dip of the grid (m, k) [m] that may be near the target."""
+        before, after = (np.pad(grid, ((1, 1), (0, 0)), constant_values=np.inf)[k : k + len(s)] for k in (0, 2))
+        sides = np.stack([before, after])
+        # a dip between two places is seldom deeper than its higher side
+        rise = np.where(np.isfinite(sides), sides, -np.inf).max(axis=0) - grid
+        k, c = np.nonzero((before >= grid) & (after > grid) & (grid - rise < self.target + DEEP))
+        if not len(k):
+            return []
+        bracket = s[np.maximum(k - 1, 0)], s[np.minimum(k + 1, INTERVALS)]
+        at, distances = self._bottoms(path, bracket, s[k], grid[k, c], pairs[c].tolist())
+        return [(float(d), float(x), int(pair), True) for d, x, pair in zip(distances, at, pairs[c], strict=True)]
+
+    def _bottoms(
+        self, path: JointPath, bracket: tuple[Array, Array], middle: Array, least: Array, pairs: list[int]
+    ) -> tuple[Array, Array]:
+        """The s (k,) where pairs are nearest inside their brackets, and their distances there (k,) [m].
+
+        All brackets are narrowed together: two steps go to the minimum of a parabola, every third halves the longer side.
+
+        Args:
+            path: the path.
+            bracket: low and high ends (k,) in s.
+            middle: s (k,) between them.
+            least: distances (k,) at `middle` [m].
+            pairs: (k,) indices.
+        """
+        (low, high), (left, right) = bracket, (self._at(path, side, pairs) for side in bracket)
+        for step in range(BOTTOM_STEPS):
+            a, b = middle - low, high - middle
+            if (a + b < BOTTOM).all():
+                break
+            longer = np.where(a > b, -a / 2, b / 2)
+            with np.errstate(divide="ignore", invalid="ignore"):
+                falls, rises = (left - least) / a, (right - least) / b
+                parabola = (b * falls - a * rises) / (2 * (falls + rises))
+            usable = np.isfinite(parabola) & (parabola > -a) & (parabola < b) & (step % 3 < 2)
+            change = np.where(usable, parabola, longer)
+            gap = np.maximum(0.02 * (a + b), BOTTOM / 4)
+            change = np.where(np.abs(change) < gap, np.copysign(gap, longer), change)
+            new = np.clip(middle + change, low, high)
+            value = self._at(path, new, pairs)
+            better, after = value < least, new > middle
+            # the nearer of the two becomes the middle, the other an end of the bracket
+            end, end_value = np.where(better, middle, new), np.where(better, least, value)
+            is_low = better == after
+            low, left = np.where(is_low, end, low), np.where(is_low, end_value, left)
+            high, right = np.where(is_low, high, end), np.where(is_low, right, end_value)
+            middle, least = np.where(better, new, middle), np.where(better, value, least)
+        return middle, least
+
+    def _at(self, path: JointPath, s: Array, pairs: list[int]) -> Array:
+        """Distances [m] of pairs (k,) at s (k,)."""
+        return np.array([self._distances(q, [pair])[0] for q, pair in zip(configurations(path, s), pairs, strict=True)])
+
+    def _distances(self, q: Array, pairs: list[int]) -> Array:
+        """Distances [m] of pairs (k,) at q (n,), rounded: the place of a minimum hangs on the last bits."""
+        return on_grid(np.array(self.model.pair_distances(q, pairs)), FINE_DISTANCE)

@@ -1,0 +1,81 @@
+"""Relaxation: how stiff a controller holds its path, and how far it may leave it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from manipplan.support.checks import number
+from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.task import Task
+
+
+@dataclass(frozen=True, kw_only=True)
+class StiffnessProfile:
+    """f_e of Q_δ = f_e I in (3): high at both ends of a path, low between, by two polynomials (Fig. 1 in dufour2020).
+
+    f_e(u) = low + (high - low) abs(1 - 2u)^degree for u in [0, 1], the share of the time.
+
+    Attributes:
+        high: Q_high at the ends; the paper uses 1e4 to 1e5.
+        low: Q_low in the middle; the paper uses 1 to 10.
+        degree: of the polynomials; the higher, the shorter the arm is held.
+    """
+
+    high: float = 1e4
+    low: float = 1.0
+    degree: float = 6.0
+
+    def __post_init__(self) -> None:
+        number("low", self.low, above=0.0)
+        number("high", self.high, least=self.low)
+        number("degree", self.degree, least=1.0)
+
+    def __call__(self, u: float) -> float:
+        """The stiffness at the share u of the time."""
+        return float(self.low + (self.high - self.low) * abs(1 - 2 * u) ** self.degree)
+
+
+#: A constant stiffness, or one of the share of the time.
+Stiffness = float | Callable[[float], float]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Tolerance:
+    """A tube around the path: how far the tool may leave its target.
+
+    Attributes:
+        position: [m] > 0; None: any distance.
+        rotation: [rad] > 0; None: any angle.
+    """
+
+    position: float | None = None
+    rotation: float | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("position", "rotation"):
+            if getattr(self, name) is not None:
+                number(name, getattr(self, name), above=0.0)
+        if self.position is None and self.rotation is None:
+            raise InvalidInputError("tolerance", None, "a position [m], a rotation [rad], or both")
+
+    def scaled(self, factor: float) -> "Tolerance":
+        """A tolerance `factor` times as large."""
+        position = None if self.position is None else factor * self.position
+        return Tolerance(position=position, rotation=None if self.rotation is None else factor * self.rotation)
+
+
+def row_shares(task: Task) -> tuple[list[float], list[float]]:
+    """What a tolerance of 1 m and one of 1 rad leave to each row of `task`, in the row's unit; 0: not of that kind.
+
+    The rows' bounds make a box. Where rows are orthogonal it lies inside the ball of the tolerance.
+
+    Raises InvalidInputError for a row that mixes translation and rotation.
+    """
+    rows = np.array([*task.world_rows, *task.tool_rows])
+    moves, turns = np.linalg.norm(rows[:, :3], axis=1), np.linalg.norm(rows[:, 3:], axis=1)
+    if (moves * turns).any():
+        raise InvalidInputError("tolerance", task.name, "a task whose rows are translations or rotations, not both in one")
+    position = moves / np.sqrt(max(int(np.count_nonzero(moves)), 1))
+    rotation = task.length * turns / np.sqrt(max(int(np.count_nonzero(turns)), 1))
+    return position.tolist(), rotation.tolist()

@@ -1,0 +1,125 @@
+"""The part of a description that is the arm: its tool, its active joints, the values of the others, limits, usual posture."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import ArrayLike
+
+from manipplan.robots import description
+from manipplan.robots.limits import JointLimits
+from manipplan.support.checks import Array, configurations, number
+from manipplan.support.errors import InvalidInputError, UnknownNameError, UnsupportedJointError
+
+
+def choose_tool(model: pin.Model, tool: str | None, semantic: description.Semantics | None) -> str:
+    """The tool frame: the one asked for, the SRDF's end effector, or the only leaf."""
+    bodies = [frame.name for frame in model.frames if frame.name != "universe"]
+    if tool is None and semantic is not None and semantic.end_effector is not None:
+        tool = semantic.end_effector
+    if tool is None:
+        leaves = description.leaf_bodies(model)
+        if len(leaves) != 1:
+            raise InvalidInputError("tool", None, f"a frame name; the description has several ends: {', '.join(leaves[:8])}")
+        tool = leaves[0]
+    if tool not in bodies:
+        raise UnknownNameError("tool", str(tool), bodies)
+    return str(tool)
+
+
+def choose_joints(
+    model: pin.Model, tool: str, chain: list[str], joints: Sequence[str] | None, mimics: Mapping[str, description.Mimic]
+) -> list[str]:
+    """Names of the active joints: those asked for, or all that move the tool."""
+    if isinstance(joints, str):
+        raise InvalidInputError("joints", joints, "a list of names")
+    active = list(chain) if joints is None else list(joints)
+    for joint in active:
+        if joint not in list(model.names)[1:]:
+            raise UnknownNameError("joints", str(joint), list(model.names)[1:])
+        if joint not in chain:
+            raise InvalidInputError("joints", joint, f"joints that move the tool {tool}: {', '.join(chain)}")
+        if joint in mimics:
+            raise UnsupportedJointError("joints", joint, f"independent joints; this one mimics {mimics[joint].leader}")
+        followers = [follower for follower, mimic in mimics.items() if mimic.leader == joint]
+        if followers:
+            raise UnsupportedJointError("joints", joint, f"joints that no other follows; {followers[0]} mimics it")
+        kind = model.joints[model.getJointId(joint)]
+        if kind.nv != 1 or not (description.is_prismatic(kind) or description.is_revolute(kind)):
+            raise UnsupportedJointError(
+                "joints", f"{joint} ({kind.shortname()})", "revolute, continuous and prismatic joints; lock it or choose others"
+            )
+    ordered = [joint for joint in chain if joint in active]
+    if active != ordered:
+        raise InvalidInputError("joints", active, f"each joint once, from base to tool: {', '.join(ordered)}")
+    if not active:
+        raise InvalidInputError("joints", active, f"at least one joint that moves the tool {tool}")
+    return active
+
+
+def locked_values(
+    model: pin.Model,
+    active: list[str],
+    given: dict[str, float],
+    semantic: description.Semantics | None,
+    mimics: Mapping[str, description.Mimic],
+) -> dict[str, float]:
+    """Every other joint of the description with the value at which it is held [rad or m]."""
+    others = [name for name in list(model.names)[1:] if name not in active]
+    for name, value in given.items():
+        if name not in others:
+            raise UnknownNameError("locked", name, others)
+        number(f"locked[{name!r}]", value)
+        joint = model.joints[model.getJointId(name)]
+        if joint.nq != 1:
+            raise InvalidInputError(f"locked[{name!r}]", value, f"no value: a {joint.shortname()} stays at its origin")
+        low, high = model.lowerPositionLimit[joint.idx_q], model.upperPositionLimit[joint.idx_q]
+        if not low <= value <= high:
+            raise InvalidInputError(f"locked[{name!r}]", value, f"{low:g} to {high:g}")
+    usual = semantic.states[0][1] if semantic is not None and semantic.states else {}
+    held = {}
+    for name in others:
+        joint = model.joints[model.getJointId(name)]
+        if joint.nq == 1:
+            low, high = model.lowerPositionLimit[joint.idx_q], model.upperPositionLimit[joint.idx_q]
+            held[name] = float(given.get(name, np.clip(usual.get(name, 0.0), low, high)))
+        else:
+            held[name] = float(given.get(name, 0.0))
+    for name, mimic in mimics.items():
+        if name in held and name not in given and mimic.leader in held:
+            held[name] = mimic.multiplier * held[mimic.leader] + mimic.offset
+    return held
+
+
+def limits_of(model: pin.Model, source: str, given: Mapping[str, ArrayLike]) -> JointLimits:
+    """The limits of the description, with those that were given in their place."""
+    inf = np.full(model.nv, np.inf)
+    lower, upper, velocity = model.lowerPositionLimit, model.upperPositionLimit, model.velocityLimit
+    for i, name in enumerate(list(model.names)[1:]):
+        if "velocity" not in given and not velocity[i] > 0:
+            raise InvalidInputError(f"velocity limit of {name}", float(velocity[i]), "above zero; give velocity= to set it")
+        if not {"lower", "upper"} & set(given) and not lower[i] < upper[i]:
+            raise InvalidInputError(
+                f"position limits of {name}", [lower[i], upper[i]], "lower below upper; give lower= and upper= to set them"
+            )
+    described = JointLimits(
+        lower=-inf if "lower" in given else lower,
+        upper=inf if "upper" in given else upper,
+        velocity=inf if "velocity" in given else velocity,
+        acceleration=inf,
+        jerk=inf,
+        effort=np.where(model.effortLimit > 0, model.effortLimit, np.inf),
+        sources=dict.fromkeys(("lower", "upper", "velocity", "effort"), source),
+    )
+    return described.with_changes(given) if given else described
+
+
+def usual_posture(limits: JointLimits, given: ArrayLike | None) -> Array:
+    """The posture asked for, or the middle of the limits, (n,)."""
+    lower = np.where(np.isfinite(limits.lower), limits.lower, -np.pi)
+    upper = np.where(np.isfinite(limits.upper), limits.upper, np.pi)
+    neutral = (lower + upper) / 2 if given is None else configurations("neutral", given, limits.n)
+    if (limits.outside(neutral) > 0).any():
+        raise InvalidInputError("neutral", neutral.tolist(), "a posture inside the position limits")
+    neutral.flags.writeable = False
+    return neutral

@@ -1,0 +1,345 @@
+"""max_min_search: the path through layers whose smallest manipulability is the largest."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+from typing import Literal, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from manipplan.search.layers import Layers
+from manipplan.search.search import Path, Search
+from manipplan.search.steps import checked_epsilon, exclusive, path_length, without_jumps
+from manipplan.search.sweep import Crew, Lexicographic, Part, Shortest, Widest
+from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.errors import InvalidInputError, PlanningError, UnknownNameError
+from manipplan.support.progress import Progress, teller
+
+
+class SearchStatus(Enum):
+    """How a search ended. The value is the text for people; `ok` tells whether the optimum was found."""
+
+    OPTIMAL = "optimal: no continuous path through these candidates has a higher least index"
+    IMPROVING = "improving: the search goes on; certified_gap tells how far the optimum can still be above the minimum"
+    NOT_CONNECTED = (
+        "failed: no continuous path leads through the layers; raise epsilon to more than smallest_epsilon, "
+        "or take more candidates or more positions"
+    )
+
+    @property
+    def ok(self) -> bool:
+        """Whether the path is the optimum."""
+        return self is SearchStatus.OPTIMAL
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SearchResult:
+    """The path that a search chose; where there is none, its arrays are empty and its minimum is -inf.
+
+    Attributes:
+        q: configurations (L, n) [rad or m]; joints that turn without end go on beyond ±π, so that their steps are small.
+        indices: the chosen candidate of each layer (L,).
+        manipulability: index at each position (L,).
+        minimum: the least of them.
+        bound: least over the layers of the largest index: no path, whatever its steps, has a higher minimum.
+        certified_bound: no continuous path through these candidates has a higher minimum; equal to it once it is optimal.
+        connected: whether there is a path.
+        status: how the search ended.
+        length: Σ ‖Δq‖ along the path, of a cycle the step back to its begin included; inf where there is no path.
+        epsilon, strict, closed: what was asked for; epsilon (n,) [rad or m].
+        rounds: passes over the layers.
+        nodes: candidates that took part in the last of them.
+        breaks_at: the first position, counted from 0, that no continuous path from the first one reaches; 0 when all are
+            reached but no cycle closes; None when there is a path.
+        smallest_epsilon: (n,) the least multiple of epsilon that connects the layers: with strict=False it does, with
+            strict=True it does not, but anything above does. None when there is a path.
+        message: what the status says, with the figures of this search.
+    """
+
+    q: Array
+    indices: NDArray[np.int64]
+    manipulability: Array
+    minimum: float
+    bound: float
+    certified_bound: float
+    connected: bool
+    status: SearchStatus
+    length: float
+    epsilon: Array
+    strict: bool
+    closed: bool
+    rounds: int
+    nodes: int
+    breaks_at: int | None = None
+    smallest_epsilon: Array | None = None
+    message: str = ""
+
+    @property
+    def gap(self) -> float:
+        """How far an optimum of more candidates could be above the minimum: bound - minimum."""
+        return self.bound - self.minimum
+
+    @property
+    def certified_gap(self) -> float:
+        """How far the optimum of these candidates can be above the minimum: 0 once it is found."""
+        return self.certified_bound - self.minimum
+
+
+#: Candidates of the first round, at least: fewer take hardly less time.
+FIRST = 20_000
+GROWTH = 4
+#: From this share on, all take part.
+MOST = 0.5
+#: Rounds go down from high indices until so large a share takes part; then they take samples.
+TOP = 1 / 64
+#: Indices from which quantiles are taken.
+SAMPLE = 100_000
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Quantiles:
+    """Quantiles of the index over all layers, estimated on a sample in descending order.
+
+    Attributes:
+        sample: indices, descending.
+        count: number of candidates in all.
+        bound: least over the layers of the largest index.
+    """
+
+    sample: Array
+    count: int
+    bound: float
+
+    @classmethod
+    def of(cls, m: Sequence[Array], bound: float) -> "Quantiles":
+        """Of layers m[i] (k_i,)."""
+        count = sum(map(len, m))
+        stride = max(1, count // SAMPLE)
+        sample = np.sort(np.concatenate([each[::stride] for each in m]))[::-1]
+        return cls(sample=sample, count=count, bound=bound)
+
+    def first(self) -> float:
+        """The first threshold: at most the bound, above which a layer is empty."""
+        share = max(FIRST / self.count, self.share(self.bound))
+        return -np.inf if share >= MOST else min(self.bound, self._quantile(share))
+
+    def next(self, before: float) -> float:
+        """The threshold after `before`: about GROWTH times as many candidates reach it; -inf for the last."""
+        share = GROWTH * self.share(before)
+        lower = self.sample[self.sample < before]
+        return -np.inf if share >= MOST or len(lower) == 0 else min(float(lower[0]), self._quantile(share))
+
+    def share(self, threshold: float) -> float:
+        """The share of candidates with an index of at least the threshold."""
+        return float(np.searchsorted(-self.sample, -threshold, side="right") / len(self.sample))
+
+    def sampled(self, nodes: float, threshold: float) -> float:
+        """The share of the candidates with an index of at least the threshold that makes about so many `nodes`; 1 for all."""
+        share = nodes / max(self.share(threshold) * self.count, 1)
+        return 1.0 if share >= MOST else share
+
+    def _quantile(self, share: float) -> float:
+        return float(self.sample[int(share * len(self.sample))])
+
+
+#: Fewer candidates are not worth threads.
+THREADED = 50_000
+
+
+class Prefer(Enum):
+    """Which of the paths with the highest least index is returned."""
+
+    FIRST = "first"
+    SHORTEST = "shortest"
+    LEXICOGRAPHIC = "lexicographic"
+
+
+@overload
+def max_min_search(
+    layers: Layers,
+    epsilon: ArrayLike,
+    *,
+    strict: bool = True,
+    prefer: str = "shortest",
+    anytime: Literal[False] = False,
+    throw: bool = True,
+    progress: Progress | None = None,
+    threads: int | None = None,
+) -> SearchResult: ...
+@overload
+def max_min_search(
+    layers: Layers,
+    epsilon: ArrayLike,
+    *,
+    strict: bool = True,
+    prefer: str = "shortest",
+    anytime: Literal[True],
+    throw: bool = True,
+    progress: Progress | None = None,
+    threads: int | None = None,
+) -> Iterator[SearchResult]: ...
+def max_min_search(
+    layers: Layers,
+    epsilon: ArrayLike,
+    *,
+    strict: bool = True,
+    prefer: str = "shortest",
+    anytime: bool = False,
+    throw: bool = True,
+    progress: Progress | None = None,
+    threads: int | None = None,
+) -> SearchResult | Iterator[SearchResult]:
+    """The continuous path through the layers whose least index is the highest. Exact, in float64.
+
+    Args:
+        layers: candidates with their index; if they are closed, the path is a cycle.
+        epsilon: what each joint's step between neighbouring layers has to be below [rad or m]: one number, or (n,).
+        strict: with False, a step of exactly epsilon is allowed, too.
+        prefer: of the paths with that least index "first" takes any; "shortest" the one with the least Σ ‖Δq‖;
+            "lexicographic" the one whose second smallest index is the highest, then the third, and so on, of equal ones the
+            shortest. The last one sorts all vectors of indices, layer by layer: it takes the most time and memory.
+        anytime: return an iterator instead of a result. Its results come as the search goes on, with a minimum that rises
+            or a certified_bound that falls; the last one is the optimum, as without it.
+        throw: raise PlanningError, which holds the result, if no path is continuous. With False, that result is returned;
+            it tells where the layers break apart and the smallest epsilon that connects them.
+        progress: called with the share done in [0, 1], which never falls, and what is being done, some times a second. The
+            share is that of the work in the worst case: an early end jumps to 1.
+        threads: how many share the work; by default one for each core.
+
+    A cycle is found by branch and bound over its first candidate, exactly; the least index takes a few more passes than an
+    open path, the shortest cycle can take hundreds.
+
+    Raises InvalidInputError for bad arguments, PlanningError where no path is continuous.
+    """
+    instance("layers", layers, Layers)
+    steps = checked_epsilon(epsilon, layers.continuous)
+    for name, value in {"strict": strict, "anytime": anytime, "throw": throw}.items():
+        if not isinstance(value, bool | np.bool_):
+            raise InvalidInputError(name, value, "True or False")
+    names = [each.value for each in Prefer]
+    if prefer not in names:
+        raise UnknownNameError("prefer", str(prefer), names)
+    tell = teller(progress)
+    if threads is None:
+        from manipplan.kinematics.batch import all_cores
+
+        threads = all_cores()
+    whole_number("threads", threads, least=1)
+    results = _results(layers, steps, bool(strict), Prefer(prefer), tell, threads if layers.count >= THREADED else 1)
+    results = _thrown(results) if throw else results
+    if anytime:
+        return results
+    *_, last = results
+    return last
+
+
+def _results(
+    layers: Layers, epsilon: Array, strict: bool, prefer: Prefer, tell: Progress, threads: int
+) -> Iterator[SearchResult]:
+    """Results as they come."""
+    reach = exclusive(epsilon, strict=strict)
+    # samples and rounds grow fourfold up to all candidates; the wish for a certain path takes one pass more
+    with Crew(threads) as crew:
+        search = Search(layers, crew, tell, work=layers.count * (4 / 3 + (prefer is not Prefer.FIRST)))
+        search.tell(0.0, "searching")
+        path, certified = None, layers.bound
+        for path, certified, exact in _rounds(search, reach):
+            if exact:
+                break
+            yield _result(search, path, SearchStatus.IMPROVING, epsilon, strict, certified)
+        if path is None:
+            yield _not_connected(search, epsilon, reach, strict)
+            return
+        if prefer is not Prefer.FIRST:
+            objective = Shortest() if prefer is Prefer.SHORTEST else Lexicographic()
+            path = search.best(objective, Part(threshold=certified), reach, f"{prefer.value} path")
+        final = _result(search, path, SearchStatus.OPTIMAL, epsilon, strict, certified)
+        search.tell(1.0, "done")
+        yield final
+
+
+def _rounds(search: Search, reach: Array) -> Iterator[tuple[Path | None, float, bool]]:
+    """Rounds up to the exact one: each yields the best path so far, what no path exceeds, and whether that is the optimum."""
+    layers = search.layers
+    quantiles = Quantiles.of(layers.m, layers.bound)
+    path: Path | None = None
+    certified, least, nodes = layers.bound, -np.inf, FIRST
+    threshold = quantiles.first()
+    # from the top: either the optimum is found, or it is below the threshold
+    while threshold > -np.inf and quantiles.share(threshold) < max(TOP, 2 * FIRST / layers.count):
+        path = search.best(Widest(), Part(threshold=threshold, cap=certified), reach, f"index from {threshold:.6g} on")
+        if path is not None:
+            yield path, search.least_index(path), True
+            return
+        certified = min(certified, threshold)
+        yield None, certified, False
+        nodes = max(nodes, search.nodes)
+        threshold = quantiles.next(threshold)
+    # samples of the candidates: each finds a path with a higher least index, below which the next ones need not look
+    while True:
+        share = quantiles.sampled(GROWTH * nodes, least)
+        part = Part(threshold=least, share=share, cap=certified)
+        text = "all candidates" if share == 1 else f"a sample of {share:.1%} of the candidates"
+        found = search.best(Widest(), part, reach, text if path is None else f"{text} with an index from {least:.6g} on")
+        path = found or path
+        nodes = GROWTH * nodes
+        if path is not None:
+            least = search.least_index(path)
+        exact = share == 1 or least == certified
+        yield path, certified if path is None or not exact else least, exact
+        if exact:
+            return
+
+
+def _thrown(results: Iterator[SearchResult]) -> Iterator[SearchResult]:
+    for result in results:
+        if result.status is SearchStatus.NOT_CONNECTED:
+            raise PlanningError(result.message, result)
+        yield result
+
+
+def _result(
+    search: Search, path: Path | None, status: SearchStatus, epsilon: Array, strict: bool, certified: float
+) -> SearchResult:
+    layers = search.layers
+    if path is None:
+        q, indices, values = np.empty((0, layers.n)), np.empty(0, dtype=np.int64), np.empty(0)
+    else:
+        q, indices = without_jumps(search.configurations(path), layers.continuous), path.indices
+        values = np.array([m[i] for m, i in zip(layers.m, indices, strict=True)])
+    minimum = float(values.min()) if path is not None else -np.inf
+    return SearchResult(
+        q=q,
+        indices=indices,
+        manipulability=values,
+        minimum=minimum,
+        bound=layers.bound,
+        certified_bound=certified,
+        connected=path is not None,
+        status=status,
+        length=np.inf if path is None else path_length(q, layers.continuous, closed=layers.closed),
+        epsilon=epsilon,
+        strict=strict,
+        closed=layers.closed,
+        rounds=search.rounds,
+        nodes=search.nodes,
+        message=f"{status.value} (minimum {minimum:.6g}, bound {layers.bound:.6g}, certified {certified:.6g})",
+    )
+
+
+def _not_connected(search: Search, epsilon: Array, reach: Array, strict: bool) -> SearchResult:
+    result = _result(search, None, SearchStatus.NOT_CONNECTED, epsilon, strict, -np.inf)
+    count = len(search.layers.q)
+    place = search.reached(reach) % count  # all reached, but no cycle closes: 0
+    smallest = search.least_epsilon(epsilon)
+    if place:
+        where = f"no candidate of position {place} can be reached from position {place - 1}"
+    else:
+        where = f"no path closes: none ends at position {count - 1} next to where it begins at position 0"
+    factor = float((smallest / epsilon).max())
+    least = ", ".join(f"{each:.6g}" for each in smallest)
+    told = f"above {factor:.6g} times epsilon" if strict else f"from {factor:.6g} times epsilon on"
+    message = f"{where}; connected {told} ({least}); {SearchStatus.NOT_CONNECTED.value}"
+    search.tell(1.0, "done")
+    return replace(result, breaks_at=place, smallest_epsilon=smallest, message=message)

@@ -1,0 +1,95 @@
+"""Worker: the candidates of one position, in this process or another."""
+
+import pickle
+import threading
+from functools import lru_cache
+
+import numpy as np
+
+from manipplan.collision.screening import Screening, free_rows
+from manipplan.ik.enumeration import CHUNK
+from manipplan.ik.newton import search
+from manipplan.ik.solver import Solver, turns_about
+from manipplan.paths.deviation import angles_between
+from manipplan.search.sampling import Setup
+from manipplan.support.checks import Array
+
+#: Random starts and steps of each that tell how near to a pose an arm comes.
+STARTS, STEPS = 60, 200
+#: A joint this near to a limit is at it [rad or m].
+AT_LIMIT = 1e-6
+
+
+class Worker:
+    """Samples positions for one setup; safe to share between threads, and sent to another process as its setup."""
+
+    def __init__(self, setup: Setup) -> None:
+        self.setup = setup
+        robot = setup.robot
+        self.solver = Solver.of(robot, task=setup.task, held=setup.held, method=setup.method, seed=setup.seed)
+        self.kinematics = robot.kinematics(self.solver.task, measure=setup.measure, threads=1)
+        self.collision = setup.collision_model()
+        self._screening = Screening.of(self.collision) if self.collision is not None else None
+        self._own = threading.local()
+        few = robot.random_configuration(np.random.default_rng(0), size=2)
+        self.kinematics.manipulability(few)  # compiled before threads ask for it
+        self.solver.kinematics.pose(few)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _worker_of, (pickle.dumps(self.setup),)
+
+    def sample(self, pose: Array, values: Array) -> tuple[Array, Array, int]:
+        """Candidates q (k, n) that reach `pose` for parameters (s, r), their index (k,), and how many were reached at all."""
+        blocks, reached = [np.zeros((0, self.setup.robot.n))], 0
+        for begin in range(0, len(values), CHUNK):
+            some = values[begin : begin + CHUNK]
+            q = self.solver.solve(pose[None], np.zeros(len(some), dtype=np.int64), some).q
+            reached += len(q)
+            blocks.append(q[self._free(q)])
+        q = np.concatenate(blocks)
+        return q, self.kinematics.manipulability(q), reached
+
+    def _free(self, q: Array) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+        if self.collision is None or self._screening is None:
+            return np.ones(len(q), dtype=np.bool_)
+        if not hasattr(self._own, "model"):
+            self._own.model = self.collision.copy()
+        return free_rows(self._screening, self._own.model, q, self.setup.clearance)
+
+    def nearest_miss(self, pose: Array) -> tuple[float, float, list[str]]:
+        """How far the arm stays from a pose at best, over random starts [m, rad], and which joints are at a limit then."""
+        solver, robot = self.solver, self.setup.robot
+        rng = np.random.default_rng(0)
+        q = robot.random_configuration(rng, size=STARTS)
+        screws, limits = solver.screws, robot.limits
+        targets = np.broadcast_to(pose, (STARTS, 4, 4))
+        if solver.axis is not None:
+            targets = pose @ turns_about(solver.axis, rng.uniform(-np.pi, np.pi, STARTS))
+        moves = np.ones(robot.n, dtype=np.bool_)
+        for k in range(STARTS):
+            search(
+                screws.axes,
+                screws.points,
+                screws.slides,
+                screws.home,
+                np.ascontiguousarray(targets[k]),
+                moves,
+                limits.lower,
+                limits.upper,
+                q[k : k + 1],
+                STEPS,
+                1e-9,
+            )
+        reached = solver.kinematics.pose(q)
+        far = np.linalg.norm(reached[:, :3, 3] - targets[:, :3, 3], axis=1)
+        angle = angles_between(reached[:, :3, :3], targets[:, :3, :3])
+        best = int(np.argmin(far**2 + angle**2))
+        stopped = np.minimum(q[best] - limits.lower, limits.upper - q[best]) < AT_LIMIT
+        names = [name for name, at in zip(robot.joint_names, stopped, strict=True) if at]
+        return float(far[best]), float(angle[best]), names
+
+
+@lru_cache(maxsize=2)
+def _worker_of(setup: bytes) -> Worker:
+    """The worker of a setup, built once in each process."""
+    return Worker(pickle.loads(setup))

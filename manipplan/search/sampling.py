@@ -1,0 +1,205 @@
+"""sample_layers: all configurations that reach each position of a workspace path, judged and filtered."""
+
+import math
+import os
+from collections.abc import Sequence
+from concurrent.futures import Executor, ThreadPoolExecutor, as_completed
+from contextlib import ExitStack
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.scene import Scene
+from manipplan.kinematics.batch import all_cores
+from manipplan.measures.measure import Measure
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.robots.robot import Robot
+from manipplan.search.layers import Layers
+from manipplan.support.checks import Array, instance, number, whole_number
+from manipplan.support.errors import InvalidInputError
+from manipplan.support.progress import Progress, teller
+from manipplan.symbolic.task import Task
+
+if TYPE_CHECKING:
+    from manipplan.search.sampler import Worker
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Setup:
+    """The arguments of `sample_layers` that say what a candidate is."""
+
+    robot: Robot
+    task: Task | None
+    measure: Measure | str | None
+    held: Sequence[str] | None
+    method: str
+    scene: Scene
+    collisions: bool
+    clearance: float
+    seed: int
+
+    def collision_model(self) -> CollisionModel | None:
+        """What candidates are checked with; None where they are not."""
+        return self.scene.collision_model(self.robot) if self.collisions else None
+
+
+#: Samples of each parameter where the caller names no number, for one, two, three, ... parameters.
+SAMPLES = (720, 96, 36, 16, 9, 6)
+#: The share of the machine's memory that candidates may take.
+MEMORY = 0.5
+#: Samples of a few positions tell how many candidates there will be.
+PROBES, PROBE = 3, 2000
+#: What one point of the grid takes while it is made [bytes].
+GRID = 200
+#: A path returns to its start within this, and a pose is within reach [m, rad].
+RETURNS = 1e-9
+REACHES = (1e-6, 1e-6)
+
+
+def sample_layers(
+    robot: Robot,
+    path: CartesianPath,
+    n: int = 50,
+    *,
+    task: Task | None = None,
+    measure: Measure | str | None = None,
+    samples: int | Sequence[int] | None = None,
+    held: Sequence[str] | None = None,
+    method: str = "auto",
+    scene: Scene | None = None,
+    collisions: bool = True,
+    clearance: float = 0.0,
+    closed: bool = False,
+    executor: Executor | None = None,
+    memory: float | None = None,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> Layers:
+    """All configurations that reach n positions of a path, on a grid of what the arm has to spare.
+
+    Args:
+        robot: the arm.
+        path: of the tool.
+        n: positions, equally spaced in s; with `closed` the last one is not the first again.
+        task: Task.pose(), the default, or Task.pointing(axis) whose rotation about the axis is sampled, too. Its index is
+            the candidates'.
+        measure: of manipulability; see `Robot.kinematics`.
+        samples: points of the grid, one number, or one for each parameter of `inverse_kinematics` (held joints, swivel,
+            tool rotation). Their steps have to be below the ε of the search.
+        held, method, seed: as in `inverse_kinematics`.
+        scene: obstacles; None: none.
+        collisions: whether candidates that touch an obstacle or the arm itself are dropped.
+        clearance: distance [m] that candidates keep from obstacles and between the arm's own links.
+        closed: whether the path returns to its start, so that the motion has to as well.
+        executor: where positions are sampled: threads of this process by default; processes, or a Dask client's
+            `get_executor()`.
+        memory: bytes that candidates may take; default half of the machine's memory.
+        progress: called with the share done in [0, 1] and a text.
+
+    Raises:
+        InvalidInputError: an argument is not usable; a position that no candidate reaches, with how far off the arm stays;
+            more candidates than memory allows, estimated before the work starts.
+    """
+    from manipplan.ik.verify import are_poses
+    from manipplan.search.sampler import Worker
+
+    instance("robot", robot, Robot)
+    if not isinstance(path, CartesianPath):
+        raise InvalidInputError("path", path, "a CartesianPath")
+    n = whole_number("n", n, least=2)
+    for name, value in (("closed", closed), ("collisions", collisions)):
+        instance(name, value, bool)
+    if closed and np.abs(path(0.0) - path(1.0)).max() > RETURNS:
+        raise InvalidInputError("closed", closed, "False, as the path's last pose is not its first")
+    setup = Setup(
+        robot=robot,
+        task=task,
+        measure=measure,
+        held=held,
+        method=method,
+        scene=instance("scene", scene if scene is not None else Scene(), Scene),
+        collisions=collisions,
+        clearance=number("clearance", clearance, least=0.0),
+        seed=seed,
+    )
+    if executor is not None and not callable(getattr(executor, "submit", None)):
+        raise InvalidInputError("executor", executor, "a concurrent.futures.Executor, or None")
+    tell = teller(progress)
+    allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * _machine_memory()
+    worker = Worker(setup)
+    _check_grid(worker, n, samples, allowed)
+    values = worker.solver.grid(samples, SAMPLES)
+    s = np.arange(n) / n if closed else np.linspace(0.0, 1.0, n)
+    poses = path(s)
+    if not are_poses(poses):
+        k = next(k for k in range(n) if not are_poses(poses[k : k + 1]))
+        raise InvalidInputError(f"path, position {k} of 0 to {n - 1}", poses[k].tolist(), "a rotation and a translation")
+    _check_memory(worker, poses, values, allowed)
+    with ExitStack() as stack:
+        run = executor if executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))
+        jobs = {run.submit(worker.sample, pose, values): k for k, pose in enumerate(poses)}
+        stack.callback(lambda: [job.cancel() for job in jobs])
+        layers: dict[int, tuple[Array, Array]] = {}
+        for job in as_completed(jobs):
+            k = jobs[job]
+            q, m, reached = job.result()
+            if not len(q):
+                position = f"path, position {k} of 0 to {n - 1} (s = {s[k]:.4g})"
+                raise InvalidInputError(position, poses[k].tolist(), _remedy(worker, poses[k], reached))
+            layers[k] = q, m
+            found = sum(len(m) for _, m in layers.values())
+            tell(len(layers) / n, f"sampling positions: {found:,} candidates")
+    return Layers(
+        q=tuple(layers[k][0] for k in range(n)),
+        m=tuple(layers[k][1] for k in range(n)),
+        continuous=robot.endless,
+        closed=closed,
+        s=s,
+        poses=poses,
+        considered=n * len(values),
+        worker=worker,
+    )
+
+
+def _remedy(worker: "Worker", pose: Array, reached: int) -> str:
+    """Why a position has no candidate, and what would help."""
+    if reached:
+        clearance = worker.setup.clearance
+        fault = f"comes nearer than {clearance:g} m to something" if clearance else "touches an obstacle or the arm itself"
+        return f"a pose with a free configuration; each of the {reached:,} that reach it {fault}"
+    far, angle, stopped = worker.nearest_miss(pose)
+    if far < REACHES[0] and angle < REACHES[1]:
+        return "a pose that some sample reaches: it is within reach, but of no value on the grid; take more samples"
+    limits = f", with {' and '.join(stopped)} at the limit" if stopped else ""
+    return f"a pose within reach and joint limits; the arm stays {1e3 * far:.4g} mm and {np.rad2deg(angle):.3g}° away{limits}"
+
+
+def _check_grid(worker: "Worker", n: int, samples: int | Sequence[int] | None, allowed: float) -> None:
+    """Raises InvalidInputError where the poses, or the grid of parameters itself, would not fit into memory."""
+    from manipplan.ik.solver import sample_counts
+
+    counts = sample_counts(samples, worker.solver.names, SAMPLES)
+    for argument, value, needed in (("n", n, 8 * 16 * n), ("samples", samples, GRID * math.prod(counts))):
+        if needed > allowed:
+            wanted = f"fewer: they need {needed / 1e9:.2g} GB, and memory allows {allowed / 1e9:.2g} GB"
+            raise InvalidInputError(argument, value, wanted)
+
+
+def _check_memory(worker: "Worker", poses: Array, values: Array, allowed: float) -> None:
+    """Raises InvalidInputError where so many samples would give more candidates than fit into memory."""
+    rng = np.random.default_rng(0)
+    some = values[rng.choice(len(values), min(PROBE, len(values)), replace=False)]
+    few = np.unique(np.linspace(0, len(poses) - 1, PROBES).astype(int))
+    share = np.mean([len(worker.sample(poses[k], some)[0]) / len(some) for k in few])
+    candidates = share * len(values) * len(poses)
+    needed = candidates * 8 * (worker.setup.robot.n + 1)
+    if needed > allowed:
+        wanted = f"fewer: some {candidates:.2g} candidates need {needed / 1e9:.2g} GB, and memory allows {allowed / 1e9:.2g} GB"
+        raise InvalidInputError("samples", f"{len(values):,} at each of {len(poses)} positions", wanted)
+
+
+def _machine_memory() -> float:
+    """Physical memory [bytes]."""
+    return float(os.sysconf("SC_PAGE_SIZE")) * os.sysconf("SC_PHYS_PAGES")

@@ -1,0 +1,149 @@
+"""Checks of arguments that every public function shares: one clear error, before work starts."""
+
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from manipplan.support.errors import FileFormatError, InvalidInputError
+
+Array = NDArray[np.float64]
+T = TypeVar("T")
+
+#: How far a rotation matrix may be from one.
+ROTATION = 1e-6
+#: The largest seed of random numbers, which OMPL counts in 32 bits.
+LARGEST_SEED = 2**31 - 1
+
+
+def finite_array(argument: str, value: ArrayLike, shape: tuple[int | None, ...]) -> Array:
+    """`value` as a read-only float array of `shape` (None: any length), every entry finite."""
+    array = number_array(argument, value)
+    if array.ndim != len(shape) or any(want not in (None, have) for want, have in zip(shape, array.shape, strict=True)):
+        wanted = "(" + ", ".join("any" if k is None else str(k) for k in shape) + ("," if len(shape) == 1 else "") + ")"
+        raise InvalidInputError(argument, value, f"numbers of shape {wanted}, not {array.shape}")
+    return _all_finite(argument, value, array)
+
+
+def configurations(argument: str, value: ArrayLike, n: int) -> Array:
+    """`value` as configurations of shape (..., n) [rad or m], every entry finite."""
+    array = number_array(argument, value)
+    if array.ndim == 0 or array.shape[-1] != n:
+        raise InvalidInputError(argument, value, f"one value per joint, shape ({n},) or (..., {n}), not {array.shape}")
+    return _all_finite(argument, value, array)
+
+
+def positive_array(argument: str, value: ArrayLike, n: int) -> Array:
+    """`value`, one number or n of them, as a read-only array (n,), each > 0 (inf: no limit)."""
+    array = number_array(argument, value)
+    if array.shape not in ((), (n,)):
+        raise InvalidInputError(argument, value, f"one number or {n} of them, one per joint")
+    if not (array > 0).all():
+        raise InvalidInputError(argument, value, "numbers above zero (inf where there is no limit)")
+    array = np.broadcast_to(array, (n,)).copy()
+    array.flags.writeable = False
+    return array
+
+
+def pose_matrix(argument: str, value: Any) -> Array:
+    """A pose, (4, 4) or pin.SE3, as a read-only matrix (4, 4)."""
+    matrix = finite_array(argument, getattr(value, "homogeneous", value), (4, 4))
+    rotation = matrix[:3, :3]
+    turned = np.abs(rotation.T @ rotation - np.eye(3)).max() < ROTATION and np.linalg.det(rotation) > 0
+    if not turned or np.abs(matrix[3] - [0.0, 0.0, 0.0, 1.0]).max() > ROTATION:
+        raise InvalidInputError(argument, matrix.tolist(), "a rotation and a translation: a (4, 4) matrix, or a pin.SE3")
+    return matrix
+
+
+def number(argument: str, value: Any, *, above: float = -np.inf, least: float = -np.inf, most: float = np.inf) -> float:
+    """`value` as one finite float, > above, >= least, <= most."""
+    wanted = ["a finite number"]
+    if np.isfinite(above):
+        wanted.append(f"above {above:g}")
+    if np.isfinite(least):
+        wanted.append(f"at least {least:g}")
+    if np.isfinite(most):
+        wanted.append(f"at most {most:g}")
+    if isinstance(value, bool) or not isinstance(value, int | float | np.floating | np.integer):
+        raise InvalidInputError(argument, value, ", ".join(wanted))
+    try:
+        result = float(value)
+    except OverflowError:
+        result = np.inf
+    if not (np.isfinite(result) and result > above and least <= result <= most):
+        raise InvalidInputError(argument, value, ", ".join(wanted))
+    return result
+
+
+def whole_number(argument: str, value: Any, *, least: int, most: int | None = None) -> int:
+    """`value` as an int >= least and <= most."""
+    wanted = f"a whole number, at least {least}" + (f", at most {most}" if most is not None else "")
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
+        raise InvalidInputError(argument, value, wanted)
+    if most is not None and value > most:
+        raise InvalidInputError(argument, value, wanted)
+    return int(value)
+
+
+def random_seed(argument: str, value: Any) -> int:
+    """`value` as a seed of random numbers: a whole number from 0 to `LARGEST_SEED`."""
+    return whole_number(argument, value, least=0, most=LARGEST_SEED)
+
+
+def instance(argument: str, value: Any, kind: type[T]) -> T:
+    """`value`, which has to be a `kind`."""
+    if not isinstance(value, kind):
+        raise InvalidInputError(argument, value, f"a {kind.__name__}")
+    return value
+
+
+def distinct_names(argument: str, value: Any, n: int) -> tuple[str, ...]:
+    """`value` as n different names."""
+    names = tuple(value) if isinstance(value, list | tuple | np.ndarray) else ()
+    if (
+        len(names) != n
+        or not all(isinstance(name, str) and name and name.isprintable() for name in names)
+        or len(set(names)) != n
+    ):
+        raise InvalidInputError(argument, value, f"{n} different names of printable characters")
+    return tuple(str(name) for name in names)
+
+
+def existing_file(argument: str, path: str | Path) -> Path:
+    """`path` as an existing file; when it does not exist, names the files beside it that come nearest."""
+    if not isinstance(path, str | Path):
+        raise InvalidInputError(argument, path, "the path of a file")
+    path = Path(path).expanduser()
+    try:
+        if path.is_file():
+            return path
+        folder = path.is_dir()
+    except OSError as error:  # a name that is too long
+        raise FileFormatError(argument, str(path), f"an existing file ({error.strerror})") from error
+    if folder:
+        raise FileFormatError(argument, str(path), "a file, not a folder")
+    import difflib
+
+    beside = [f.name for f in path.parent.iterdir() if f.is_file()] if path.parent.is_dir() else []
+    near = difflib.get_close_matches(path.name, beside, n=3, cutoff=0.5)
+    hint = f"; did you mean {', '.join(near)} in the same folder?" if near else ""
+    raise FileFormatError(argument, str(path), f"an existing file{hint}")
+
+
+def number_array(argument: str, value: ArrayLike) -> Array:
+    """`value` as a new float array; anything that is not numbers is an error."""
+    try:
+        raw = np.asarray(value)
+        if raw.dtype.kind not in "iuf":
+            raise TypeError(raw.dtype)
+        return np.array(raw, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise InvalidInputError(argument, value, "real numbers") from error
+
+
+def _all_finite(argument: str, value: ArrayLike, array: Array) -> Array:
+    if not np.isfinite(array).all():
+        raise InvalidInputError(argument, value, "finite numbers, no NaN or inf")
+    array.flags.writeable = False
+    return array

@@ -1,0 +1,256 @@
+"""Source code to a shared library by the machine's own compiler, kept in the user's cache folder.
+
+A library is named by a hash of all that it is made of: source, compiler, options and, where it is built for this processor
+alone, the processor. It is built in a temporary folder and renamed, so several processes may build at once. It is built again
+when the checksum beside it does not fit, when another user can have written it, or when it cannot be loaded. The folder may
+be deleted at any time.
+"""
+
+import hashlib
+import logging
+import os
+import platform
+import shlex
+import shutil
+import subprocess
+import tempfile
+import time
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, nullcontext, suppress
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import TypeVar
+
+from manipplan.support.cache_folder import cache_folder, is_private, private_folder
+from manipplan.support.errors import CompilerError, CompilerWarning
+from manipplan.support.processes import run
+from manipplan.support.untrusted import terminal_text
+
+log = logging.getLogger("manipplan")
+Loaded = TypeVar("Loaded")
+
+#: For functions that only this machine runs. Products and sums are not fused, as in CasADi's virtual machine.
+NATIVE = ("-O2", "-fno-fast-math", "-ffp-contract=off", "-march=native", "-fno-math-errno", "-fno-trapping-math")
+
+#: Time limit of `--version` [s]: a compiler answers within milliseconds, one on a network drive within a second.
+VERSION_LIMIT = 10.0
+
+#: Time limit of one build [s]: the longest one, of Pinocchio's headers, takes two minutes, on a small computer ten.
+BUILD_LIMIT = 1200.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Compiler:
+    """A C or C++ compiler: the command that calls it and the first line of what it says about its version."""
+
+    command: tuple[str, ...]
+    version: str
+
+
+@cache
+def find_compiler(language: str = "c") -> Compiler | None:
+    """The compiler that $CC or $CXX names, with options, otherwise the first of the usual ones on the PATH; None without.
+
+    An empty $CC or $CXX means none.
+    """
+    variable, usual = {"c": ("CC", ("cc", "gcc", "clang")), "c++": ("CXX", ("c++", "g++", "clang++"))}[language]
+    try:
+        commands = [shlex.split(os.environ[variable])] if variable in os.environ else [[name] for name in usual]
+    except ValueError:
+        commands = [[os.environ[variable]]]
+    broken = []
+    for command in commands:
+        path = shutil.which(command[0]) if command else None
+        if path is None:
+            continue
+        try:
+            return Compiler(command=(path, *command[1:]), version=_version([path, *command[1:]]))
+        except CompilerError as error:
+            broken.append(error.output)
+    if os.environ.get(variable):
+        reason = "".join(f": {each}" for each in broken)
+        told = f"${variable} = {os.environ[variable]!r} is not a compiler that runs{reason}"
+        warnings.warn(told, CompilerWarning, stacklevel=2)
+    elif broken:
+        warnings.warn(f"no {language.upper()} compiler runs: {'; '.join(broken)}", CompilerWarning, stacklevel=2)
+    return None
+
+
+def _version(command: Sequence[str]) -> str:
+    """The first line of what a compiler says about itself; raises CompilerError for what does not run."""
+    question = [*command, "--version"]
+    try:
+        answer = run(question, limit=VERSION_LIMIT)
+    except subprocess.TimeoutExpired as error:
+        raise CompilerError(command[0], f"{shlex.join(question)} did not end within {VERSION_LIMIT:g} s") from error
+    except OSError as error:
+        raise CompilerError(command[0], f"{shlex.join(question)} cannot be run ({error.strerror})") from error
+    if answer.returncode != 0:
+        raise CompilerError(command[0], f"{shlex.join(question)} failed with exit code {answer.returncode}")
+    return answer.stdout.partition("\n")[0]
+
+
+def install_line(language: str = "c") -> str:
+    """How to get a compiler on systems with apt, and on macOS."""
+    package = "gcc" if language == "c" else "g++"
+    return "xcode-select --install" if platform.system() == "Darwin" else f"apt install {package}"
+
+
+def load_library(
+    source: str,
+    load: Callable[[Path], Loaded],
+    *,
+    flags: Sequence[str] = NATIVE,
+    language: str = "c",
+    subject: str,
+    announce: bool = False,
+) -> Loaded:
+    """What `load` makes of the library of `source`, from the cache or built now.
+
+    Args:
+        source: one file of C or C++.
+        load: takes the library's file; raises OSError, RuntimeError or AttributeError when it is unusable.
+        flags: options of the compiler, libraries included.
+        language: "c" or "c++".
+        subject: what is built, for messages.
+        announce: show a line of progress on stderr while it is built.
+
+    Raises:
+        CompilerError: there is no compiler, it fails or hangs, or what it has built cannot be loaded; its message is kept.
+    """
+    compiler = find_compiler(language)
+    if compiler is None:
+        raise CompilerError(subject, _why_none(language))
+    with _cache_errors(cache_folder(), subject):
+        folder = private_folder()
+    for earlier in _given_up(compiler, folder):
+        raise CompilerError(subject, earlier.output)
+    parts = [source, *compiler.command, compiler.version, *flags]
+    parts.append(_processor() if "-march=native" in flags else platform.machine())
+    key = hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
+    file = folder / f"{key}.so"
+    if _sound(file):
+        try:
+            return load(file)
+        except _UNLOADABLE as error:
+            log.debug("%s cannot be loaded and is built again: %s", file, error)
+    with _announced(subject) if announce else nullcontext():
+        _build(file, source, compiler, flags, language, subject)
+    try:
+        return load(file)
+    except _UNLOADABLE as error:
+        raise _give_up(compiler, folder, subject, f"{file} cannot be loaded: {error}") from error
+
+
+#: What loading a library raises: ctypes without the file or a function in it, and CasADi.
+_UNLOADABLE = (OSError, RuntimeError, AttributeError)
+
+
+def _why_none(language: str) -> str:
+    variable = {"c": "CC", "c++": "CXX"}[language]
+    if os.environ.get(variable):
+        return f"${variable} = {os.environ[variable]!r} is not a compiler that runs"
+    return f"there is no {language.upper()} compiler; install one with: {install_line(language)}"
+
+
+@cache
+def _given_up(_compiler: Compiler, _folder: Path) -> list[CompilerError]:
+    """Why this process builds nothing more with this compiler in this folder: each further try would fail as slowly."""
+    return []
+
+
+def _give_up(compiler: Compiler, folder: Path, subject: str, reason: str) -> CompilerError:
+    error = CompilerError(subject, reason)
+    _given_up(compiler, folder).append(error)
+    return error
+
+
+def _build(file: Path, source: str, compiler: Compiler, flags: Sequence[str], language: str, subject: str) -> None:
+    with _place_to_build(file.parent, subject) as place:
+        code, library = place / f"source.{'c' if language == 'c' else 'cpp'}", place / file.name
+        log.debug("compiling %s", subject)
+        options = [flag for flag in flags if not (flag.startswith(("-l", "-L", "-Wl,")) or flag.endswith(".a"))]
+        libraries = [flag for flag in flags if flag not in options]
+        named = ["-x", language, str(code), "-x", "none"]  # a C++ compiler takes C for C, too
+        command = [*compiler.command, *options, "-shared", "-fPIC", *named, "-o", str(library), *libraries]
+        with _cache_errors(file.parent, subject):
+            code.write_text(source, encoding="utf-8")
+        try:
+            answer = run(command, limit=BUILD_LIMIT)
+        except subprocess.TimeoutExpired as error:
+            reason = f"{shlex.join(command)}\ndid not end within {BUILD_LIMIT:g} s"
+            raise _give_up(compiler, file.parent, subject, reason) from error
+        except OSError as error:
+            raise CompilerError(subject, f"{shlex.join(command)}\ncannot be run ({error.strerror})") from error
+        if answer.returncode != 0 or not library.is_file():
+            raise CompilerError(subject, f"{shlex.join(command)}\n{answer.stderr.strip()}")
+        checksum = place / "checksum"
+        # Each rename is one step. Between the two, and after two builds that crossed, the checksum does not fit, and the
+        # next one who asks builds again.
+        with _cache_errors(file.parent, subject):
+            checksum.write_text(_digest(library))
+            library.chmod(0o755)  # whatever the umask: what a group can write is not loaded
+            checksum.chmod(0o644)
+            library.replace(file)
+            checksum.replace(file.with_suffix(".sha256"))
+
+
+@contextmanager
+def _cache_errors(folder: Path, subject: str) -> Iterator[None]:
+    """What the file system refuses, as a CompilerError."""
+    try:
+        yield
+    except OSError as error:
+        raise CompilerError(subject, f"the cache folder {folder} cannot be written ({error.strerror})") from error
+
+
+@contextmanager
+def _place_to_build(folder: Path, subject: str) -> Iterator[Path]:
+    """A temporary folder inside the cache folder; removes those that killed builds left there more than a day ago."""
+    with _cache_errors(folder, subject):
+        for left in folder.glob("building-*"):
+            with suppress(FileNotFoundError):  # another process may have removed it
+                if left.stat().st_mtime < time.time() - 86400:
+                    shutil.rmtree(left, ignore_errors=True)
+        place = tempfile.TemporaryDirectory(prefix="building-", dir=folder)
+    with place as name:
+        yield Path(name)
+
+
+@contextmanager
+def _announced(subject: str) -> Iterator[None]:
+    from rich.console import Console
+
+    console, text = Console(stderr=True), terminal_text(f"compiling {subject} ...")
+    if not console.is_terminal:
+        console.print(text)
+    with console.status(text):
+        yield
+
+
+def _sound(file: Path) -> bool:
+    """Whether a library is there, whole, and written by nobody else."""
+    checksum = file.with_suffix(".sha256")
+    try:
+        if file.is_symlink() or not (is_private(file) and is_private(checksum)):
+            return False
+        return checksum.read_text() == _digest(file)
+    except (OSError, UnicodeDecodeError):
+        return False
+
+
+def _digest(file: Path) -> str:
+    """Of the library and of its name, so that no library passes for another."""
+    return hashlib.sha256(file.name.encode() + file.read_bytes()).hexdigest()
+
+
+@cache
+def _processor() -> str:
+    """What -march=native depends on."""
+    listing = Path("/proc/cpuinfo")
+    if not listing.is_file():
+        return f"{platform.machine()} {platform.processor()}"
+    lines = listing.read_text().splitlines()
+    return "\n".join(sorted({line for line in lines if line.startswith(("model name", "flags", "Features", "CPU part"))}))

@@ -1,0 +1,85 @@
+"""Files that are written whole or not at all, and files that are found again when their folder has moved."""
+
+import os
+import tempfile
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import IO
+
+from manipplan.support.errors import InvalidInputError
+
+
+def write_text(file: str | Path, text: str) -> None:
+    """Write `text` to `file` in one step: an interrupted call leaves what was there before."""
+    write_bytes(file, lambda stream: stream.write(text.encode()))
+
+
+def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
+    """Let `write` fill a temporary file beside `file`, then rename it to `file`.
+
+    Raises InvalidInputError when the folder does not exist or cannot be written, or the disk is full.
+    """
+    if not isinstance(file, str | Path):
+        raise InvalidInputError("file", file, "the path of a file")
+    path = Path(file).expanduser()
+    try:
+        if path.is_dir():
+            raise InvalidInputError("file", str(path), "a file, not a folder")
+        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
+    except InvalidInputError:
+        raise
+    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
+        raise InvalidInputError("file", str(path), f"a place that can be written ({_reason(error)})") from error
+    part = Path(name)
+    try:
+        with os.fdopen(handle, "wb") as stream:
+            write(stream)
+        part.chmod(0o644)
+        part.replace(path)
+    except BaseException as error:
+        part.unlink()
+        if isinstance(error, OSError):  # a full disk
+            raise InvalidInputError("file", str(path), f"a place that can be written ({_reason(error)})") from error
+        raise
+
+
+def absolute_and_relative(path: Path, folder: Path) -> dict[str, str]:
+    """`path` as a file in `folder` remembers it: where it is, and where it is as seen from the folder."""
+    whole = path.expanduser().resolve()
+    return {"path": str(whole), "relative": os.path.relpath(whole, folder)}
+
+
+def found_again(remembered: Mapping[str, str], folder: Path) -> Path:
+    """The path that `absolute_and_relative` remembered: where it was, or if nothing is there, as seen from `folder`."""
+    whole = Path(remembered["path"])
+    beside = folder / remembered["relative"]
+    return beside if not whole.exists() and beside.exists() else whole
+
+
+def place_for(argument: str, folder: str | Path) -> Path:
+    """`folder`, which need not be there yet; raises InvalidInputError when it could not be made and written."""
+    path = Path(folder).expanduser()
+    try:
+        there = next(each for each in (path, *path.absolute().parents) if each.exists())
+        with tempfile.TemporaryFile(dir=there):
+            return path
+    except OSError as error:
+        raise InvalidInputError(argument, str(path), f"a folder that can be written ({_reason(error)})") from error
+
+
+def writable_folder(argument: str, folder: str | Path) -> Path:
+    """`folder`, made if it is not there; raises InvalidInputError when it cannot be written."""
+    if not isinstance(folder, str | Path):
+        raise InvalidInputError(argument, folder, "the path of a folder")
+    path = Path(folder).expanduser()
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=path):
+            pass
+    except (OSError, ValueError) as error:
+        raise InvalidInputError(argument, str(path), f"a folder that can be written ({_reason(error)})") from error
+    return path
+
+
+def _reason(error: Exception) -> str:
+    return getattr(error, "strerror", None) or str(error)

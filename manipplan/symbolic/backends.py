@@ -1,0 +1,60 @@
+"""Which symbolic kinematics a robot gets: our own chain, or Pinocchio's in CasADi's scalar."""
+
+from typing import TYPE_CHECKING, ClassVar
+
+import casadi as ca
+
+from manipplan.robots.description import frame_index
+from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.symbolic.chain import Placement, SymbolicChain
+from manipplan.symbolic.pinocchio_casadi import bindings_installed, pinocchio_casadi
+
+if TYPE_CHECKING:
+    from manipplan.robots.robot import Robot
+
+BACKENDS = ("auto", "chain", "bindings", "bridge")
+
+
+def chain_of(robot: "Robot", backend: str) -> SymbolicChain:
+    """The arm at symbolic q by one of `BACKENDS`, built once for each robot."""
+    if backend not in BACKENDS:
+        raise UnknownNameError("backend", str(backend), BACKENDS)
+    if backend == "bindings" and not bindings_installed():
+        wanted = "'auto', 'chain' or 'bridge': this Pinocchio has no pinocchio.casadi (conda-forge's builds have)"
+        raise InvalidInputError("backend", backend, wanted)
+    if backend == "auto":
+        backend = "bindings" if bindings_installed() else "chain"
+    key = ("chain", backend)
+    if key not in robot.cache:
+        robot.cache[key] = (
+            SymbolicChain.of(robot.model, robot.tool) if backend == "chain" else PinocchioChain.by(robot, backend)
+        )
+    chain: SymbolicChain = robot.cache[key]
+    return chain
+
+
+class PinocchioChain(SymbolicChain):
+    """The same, with every expression made by Pinocchio."""
+
+    own: ClassVar[bool] = False
+
+    @classmethod
+    def by(cls, robot: "Robot", source: str) -> "PinocchioChain":
+        """Build the chain through "bindings" or "bridge"."""
+        functions = pinocchio_casadi(robot, source=source)
+        q = ca.SX.sym("q", robot.n)
+        matrices = ca.horzsplit(functions.joints(q), 4)
+        chain = cls(
+            model=robot.model,
+            frame=robot.model.frames[frame_index(robot.model, robot.tool)],
+            q=q,
+            joints=tuple(_placement(matrix) for matrix in matrices),
+            tool=_placement(functions.pose(q)),
+            jacobian=ca.sparsify(functions.jacobian(q)),
+        )
+        chain.__dict__["mass_matrix"] = functions.mass_matrix(q)
+        return chain
+
+
+def _placement(matrix: ca.SX) -> Placement:
+    return Placement(rotation=ca.sparsify(matrix[:3, :3]), origin=ca.sparsify(matrix[:3, 3]))

@@ -1,0 +1,135 @@
+"""The symbolic chain: a Pinocchio model of plain angles as CasADi SX expressions.
+
+Symbols: R, p rotation (3, 3) and origin (3,) of a frame in the world; S_i = (v_i, w_i) the i-th joint's motion.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import ClassVar
+
+import casadi as ca
+import numpy as np
+import pinocchio as pin
+
+from manipplan.robots.description import axis_of, frame_index, is_prismatic
+from manipplan.support.checks import Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Placement:
+    """A frame in the world: rotation (3, 3) and origin (3,), symbolic."""
+
+    rotation: ca.SX
+    origin: ca.SX
+
+    def __matmul__(self, other: "Placement") -> "Placement":
+        return Placement(
+            rotation=self.rotation @ other.rotation,
+            origin=self.origin + self.rotation @ other.origin,
+        )
+
+    def inverse(self) -> "Placement":
+        """The world in this frame."""
+        return Placement(rotation=self.rotation.T, origin=-(self.rotation.T @ self.origin))
+
+    def matrix(self) -> ca.SX:
+        """The homogeneous matrix (4, 4)."""
+        return ca.vertcat(ca.horzcat(self.rotation, self.origin), ca.DM([[0.0, 0.0, 0.0, 1.0]]))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SymbolicChain:
+    """The arm at symbolic q (n,): every joint's frame, the tool frame, the tool's Jacobian, the arm's inertia.
+
+    Attributes:
+        model: the Pinocchio model it is of.
+        frame: Pinocchio's description of the tool frame.
+        q: (n, 1) symbols [rad or m].
+        joints: n + 1 placements in the world; the first is the world itself, as in Pinocchio.
+        tool: placement of the tool frame.
+        jacobian: (6, n) LOCAL_WORLD_ALIGNED Jacobian of the tool, linear rows [m/rad] first.
+        own: whether the expressions are ours, which may be seen from other frames too.
+    """
+
+    own: ClassVar[bool] = True
+    model: pin.Model
+    frame: pin.Frame
+    q: ca.SX
+    joints: tuple[Placement, ...]
+    tool: Placement
+    jacobian: ca.SX
+
+    @classmethod
+    def of(cls, model: pin.Model, tool: str) -> "SymbolicChain":
+        """Build the chain of `model`, whose joints are revolute (plain angle) or prismatic."""
+        q = ca.SX.sym("q", model.nv)
+        placements = [WORLD]
+        for i in range(1, model.njoints):
+            placements.append(placements[model.parents[i]] @ step(model, i, q))
+        frame = model.frames[frame_index(model, tool)]
+        end = placements[frame.parentJoint] @ constant(frame.placement)
+        supports = set(model.supports[frame.parentJoint])
+        carriers = [placements[i] if i in supports else None for i in range(1, model.njoints)]
+        jacobian = jacobian_of(model, carriers, end.origin)
+        return cls(model=model, frame=frame, q=q, joints=tuple(placements), tool=end, jacobian=jacobian)
+
+    @cached_property
+    def mass_matrix(self) -> ca.SX:
+        """M(q), (n, n), with the rotors' inertia (armature): the sum of Jᵀ I J over the bodies."""
+        model, n = self.model, self.model.nv
+        matrix = ca.diag(_sparse(model.armature))
+        for i in range(1, n + 1):
+            inertia, body = model.inertias[i], self.joints[i]
+            centre = body.origin + body.rotation @ _sparse(inertia.lever)
+            supports = set(model.supports[i])
+            carriers = [self.joints[j] if j in supports else None for j in range(1, n + 1)]
+            jacobian = jacobian_of(model, carriers, centre)
+            spin = body.rotation.T @ jacobian[3:, :]
+            matrix += inertia.mass * (jacobian[:3, :].T @ jacobian[:3, :]) + spin.T @ _sparse(inertia.inertia) @ spin
+        return matrix
+
+
+WORLD = Placement(rotation=ca.SX.eye(3), origin=ca.SX(3, 1))
+
+
+def step(model: pin.Model, i: int, q: ca.SX) -> Placement:
+    """Placement of joint i, moved by its q, on the joint before it."""
+    return constant(model.jointPlacements[i]) @ _joint_motion(model.joints[i], q[i - 1])
+
+
+def jacobian_of(model: pin.Model, carriers: list[Placement | None], point: ca.SX) -> ca.SX:
+    """Jacobian (6, n) of a point; `carriers` are the placements of the joints, None for those that do not carry it."""
+    columns = []
+    for i, joint in enumerate(carriers, start=1):
+        if joint is None:
+            columns.append(ca.SX(6, 1))
+            continue
+        axis = joint.rotation @ _sparse(axis_of(model.joints[i]))
+        if is_prismatic(model.joints[i]):
+            columns.append(ca.vertcat(axis, ca.SX(3, 1)))
+        else:
+            columns.append(ca.vertcat(ca.cross(axis, point - joint.origin), axis))
+    return ca.horzcat(*columns)
+
+
+def _joint_motion(joint: pin.JointModel, q: ca.SX) -> Placement:
+    axis = axis_of(joint)
+    if is_prismatic(joint):
+        return Placement(rotation=ca.SX.eye(3), origin=_sparse(axis) * q)
+    # Rodrigues: R = a aᵀ + cos q (I - a aᵀ) + sin q [a]x
+    outer = np.outer(axis, axis)
+    cross = np.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]])
+    rotation = _sparse(outer) + ca.cos(q) * _sparse(np.eye(3) - outer) + ca.sin(q) * _sparse(cross)
+    return Placement(rotation=rotation, origin=ca.SX.zeros(3))
+
+
+def constant(placement: pin.SE3) -> Placement:
+    """A placement that does not depend on q."""
+    return Placement(rotation=_sparse(placement.rotation), origin=_sparse(placement.translation))
+
+
+def _sparse(array: Array) -> ca.SX:
+    """Constants as sparse SX; what rounding left within 1e-14 of 0, 1 or -1 becomes exactly that."""
+    nearest = np.round(array)
+    snapped = np.where((np.abs(array - nearest) < 1e-14) & (np.abs(nearest) <= 1), nearest, array)
+    return ca.SX(ca.sparsify(ca.DM(snapped)))

@@ -1,0 +1,184 @@
+"""Pinocchio's algorithms as CasADi Functions, without conda: pose, Jacobian, mass matrix, inverse and forward dynamics.
+
+The wheel of Pinocchio has no module pinocchio.casadi, yet all headers. A small bridge in C++ is compiled from them once on
+this machine and kept in the user's cache folder; it hands serialised CasADi Functions over as text.
+"""
+
+import ctypes
+import importlib.metadata
+import logging
+import platform
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import casadi as ca
+
+from manipplan.robots.description import frame_index
+from manipplan.support.compiler import load_library
+from manipplan.support.errors import CompilerError, InvalidInputError, ManipplanError, UnknownNameError
+
+if TYPE_CHECKING:
+    from manipplan.robots.robot import Robot
+
+log = logging.getLogger("manipplan")
+
+SOURCES = ("auto", "bindings", "bridge")
+
+
+@dataclass(frozen=True, kw_only=True)
+class PinocchioCasadi:
+    """CasADi Functions (SX) of one robot; q, qd, qdd and tau are (n,), SI units.
+
+    Attributes:
+        pose: T_world_tool (4, 4) of q.
+        jacobian: LOCAL_WORLD_ALIGNED Jacobian of the tool (6, n) of q, linear rows first.
+        joints: placements of the world and of all joints side by side, (4, 4 (n + 1)), of q.
+        mass_matrix: M (n, n) of q, by the composite-rigid-body algorithm.
+        rnea: tau = M qdd + C qd + g of (q, qd, qdd), inverse dynamics by recursive Newton-Euler.
+        aba: qdd of (q, qd, tau), forward dynamics by the articulated-body algorithm.
+        source: "bindings" (pinocchio.casadi) or "bridge".
+    """
+
+    pose: ca.Function
+    jacobian: ca.Function
+    joints: ca.Function
+    mass_matrix: ca.Function
+    rnea: ca.Function
+    aba: ca.Function
+    source: str
+
+
+def pinocchio_casadi(robot: "Robot", *, source: str = "auto") -> PinocchioCasadi:
+    """Pinocchio's CasADi algorithms for `robot`.
+
+    Args:
+        robot: the arm.
+        source: "bindings" uses the module pinocchio.casadi, "bridge" compiles the wheel's headers with the machine's C++
+            compiler (about two minutes, once), "auto" takes the bindings where they can be imported, otherwise the bridge.
+
+    Raises:
+        CompilerError: the bridge is needed and there is no C++ compiler, or it fails; its message is kept.
+        UnknownNameError: no such source.
+        InvalidInputError: source is "bindings" and pinocchio.casadi cannot be imported.
+    """
+    from manipplan.robots.robot import Robot
+
+    if not isinstance(robot, Robot):
+        raise InvalidInputError("robot", robot, "a Robot, such as mp.load_robot('panda')")
+    if source not in SOURCES:
+        raise UnknownNameError("source", str(source), SOURCES)
+    if source == "auto":
+        source = "bindings" if bindings_installed() else "bridge"
+    key = ("pinocchio_casadi", source)
+    if key not in robot.cache:
+        robot.cache[key] = _by_bindings(robot) if source == "bindings" else _by_bridge(robot)
+    functions: PinocchioCasadi = robot.cache[key]
+    return functions
+
+
+@cache
+def bindings_installed() -> bool:
+    """Whether the module pinocchio.casadi can be imported."""
+    try:
+        import pinocchio.casadi  # noqa: F401
+    except ImportError:
+        return False
+    return True
+
+
+def _by_bindings(robot: "Robot") -> PinocchioCasadi:
+    if not bindings_installed():
+        raise InvalidInputError(
+            "source", "bindings", "'bridge' here: this Pinocchio has no pinocchio.casadi (the builds of conda-forge have)"
+        )
+    import pinocchio.casadi as cpin
+
+    n = robot.n
+    q, qd, qdd, tau = (ca.SX.sym(name, n) for name in ("q", "qd", "qdd", "tau"))
+    model = cpin.Model(robot.model)
+    data, frame = model.createData(), frame_index(robot.model, robot.tool)
+    cpin.computeJointJacobians(model, data, q)
+    cpin.updateFramePlacements(model, data)
+    jacobian = cpin.getFrameJacobian(model, data, frame, cpin.ReferenceFrame.LOCAL_WORLD_ALIGNED)
+    joints = ca.horzcat(*(data.oMi[i].homogeneous for i in range(n + 1)))
+    pose = data.oMf[frame].homogeneous
+    mass = ca.triu(cpin.crba(model, data, q))
+    mass = mass + ca.triu(mass, False).T
+    return PinocchioCasadi(
+        pose=ca.Function("pose", [q], [pose], ["q"], ["T"]),
+        jacobian=ca.Function("jacobian", [q], [jacobian], ["q"], ["J"]),
+        joints=ca.Function("joints", [q], [joints], ["q"], ["T"]),
+        mass_matrix=ca.Function("mass_matrix", [q], [mass], ["q"], ["M"]),
+        rnea=ca.Function("rnea", [q, qd, qdd], [cpin.rnea(model, data, q, qd, qdd)], ["q", "qd", "qdd"], ["tau"]),
+        aba=ca.Function("aba", [q, qd, tau], [cpin.aba(model, data, q, qd, tau)], ["q", "qd", "tau"], ["qdd"]),
+        source="bindings",
+    )
+
+
+def _by_bridge(robot: "Robot") -> PinocchioCasadi:
+    library = _bridge()
+    text = ctypes.c_void_p()
+    frame = frame_index(robot.model, robot.tool)
+    failed = library.manipplan_functions(robot.model.saveToString().encode(), frame, ctypes.byref(text))
+    answer = ctypes.string_at(text.value or 0).decode()
+    library.manipplan_free(text)
+    if failed:
+        raise ManipplanError(f"Pinocchio's symbolic algorithms for {robot.name}: {answer}")
+    pose, jacobian, joints, mass_matrix, rnea, aba = ca.StringDeserializer(answer).unpack()
+    return PinocchioCasadi(
+        pose=pose, jacobian=jacobian, joints=joints, mass_matrix=mass_matrix, rnea=rnea, aba=aba, source="bridge"
+    )
+
+
+@cache
+def _bridge() -> ctypes.CDLL:
+    """The compiled bridge, loaded."""
+    source = Path(__file__).with_name("pinocchio_bridge.cpp").read_text(encoding="utf-8")
+    pinocchio = _prefix("libpinocchio", "include/pinocchio/autodiff/casadi.hpp")
+    casadi = Path(ca.__file__).parent
+    # part of the cache's key: another version is another library
+    packages = {"PINOCCHIO": "libpinocchio", "CASADI": "casadi", "BOOST": "cmeel-boost"}
+    versions = [f"-DMANIPPLAN_{name}={_version(package)}" for name, package in packages.items()]
+    flags = [
+        "-std=c++17",
+        "-O1",
+        "-w",
+        *versions,
+        f"-I{pinocchio / 'include'}",
+        f"-I{casadi / 'include'}",
+        f"-I{casadi / 'include' / 'eigen3'}",
+        *(f"-L{folder}" for folder in (pinocchio / "lib", casadi)),
+        *(f"-Wl,-rpath,{folder}" for folder in (pinocchio / "lib", casadi)),
+        *(["-Wl,--no-as-needed"] if platform.system() == "Linux" else []),
+        "-lpinocchio_default",
+        "-lboost_serialization",
+        "-lcasadi",
+    ]
+    subject = "Pinocchio's algorithms in CasADi's scalar, once for this machine, about two minutes"
+    return load_library(source, _loaded, flags=flags, language="c++", subject=subject, announce=True)
+
+
+def _loaded(file: Path) -> ctypes.CDLL:
+    library = ctypes.CDLL(str(file))
+    library.manipplan_functions.argtypes = [ctypes.c_char_p, ctypes.c_ulong, ctypes.POINTER(ctypes.c_void_p)]
+    library.manipplan_functions.restype = ctypes.c_int
+    library.manipplan_free.argtypes = [ctypes.c_void_p]
+    return library
+
+
+def _version(package: str) -> str:
+    try:
+        return importlib.metadata.version(package)
+    except importlib.metadata.PackageNotFoundError as error:
+        wanted = f"the bridge needs the wheel {package}, which is not installed; pip install pin casadi"
+        raise CompilerError("Pinocchio's algorithms in CasADi's scalar", wanted) from error
+
+
+def _prefix(package: str, header: str) -> Path:
+    """The folder above include/ and lib/ in an installed wheel."""
+    for file in importlib.metadata.files(package) or ():
+        if str(file).endswith(header):
+            return Path(str(file.locate())).parents[len(Path(header).parts) - 1]
+    raise CompilerError(package, f"its wheel does not hold {header}; pip install --force-reinstall {package}")

@@ -1,0 +1,166 @@
+"""Task: which motions of the tool count, and what length makes radians comparable with metres."""
+
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.support.checks import Array, finite_array, number
+from manipplan.support.errors import InvalidInputError, UnknownNameError
+
+Row = tuple[float, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Task:
+    """Rows of the tool's Jacobian; build one by `pose`, `position`, `orientation`, `planar`, `pointing`, `direction`,
+    `rotation` or `custom`.
+
+    A row is six numbers: a direction of the tool's origin, then an axis of rotation, which `length` multiplies.
+
+    Attributes:
+        name: what it is called in reports.
+        world_rows: rows whose directions and axes are those of the world; they come first in the Jacobian.
+        tool_rows: rows whose directions and axes turn with the tool.
+        length: characteristic length [m] that weighs rotation; 1.0 leaves the raw Jacobian.
+    """
+
+    name: str
+    world_rows: tuple[Row, ...] = ()
+    tool_rows: tuple[Row, ...] = ()
+    length: float = 1.0
+
+    def __post_init__(self) -> None:
+        number("length", self.length, above=0.0)
+        rows = (*self.world_rows, *self.tool_rows)
+        if not rows or any(len(row) != 6 or not np.isfinite(row).all() for row in rows):
+            raise InvalidInputError("world_rows, tool_rows", rows, "at least one row, each of six finite numbers")
+
+    @classmethod
+    def pose(cls, length: float = 0.5) -> "Task":
+        """Position and orientation, 6 rows; angular rows times `length` [m] > 0."""
+        return cls(name="pose", world_rows=_LINEAR + _ANGULAR, length=number("length", length, above=0.0))
+
+    @classmethod
+    def position(cls) -> "Task":
+        """Position alone, 3 rows."""
+        return cls(name="position", world_rows=_LINEAR)
+
+    @classmethod
+    def orientation(cls) -> "Task":
+        """Orientation alone, 3 rows."""
+        return cls(name="orientation", world_rows=_ANGULAR)
+
+    @classmethod
+    def planar(cls) -> "Task":
+        """Position in the x-y plane, 2 rows: the index of the planar arm in [kth2012]."""
+        return cls(name="planar", world_rows=_LINEAR[:2])
+
+    @classmethod
+    def pointing(cls, axis: ArrayLike = (0.0, 0.0, 1.0), length: float = 0.5) -> "Task":
+        """Position and direction of a tool axis (3,) given in the tool's frame, 5 rows: rotation about it is free."""
+        _, _, basis = np.linalg.svd(_unit("axis", axis)[None, :])
+        across = tuple((0.0, 0.0, 0.0, *(float(x) for x in row)) for row in basis[1:])
+        return cls(name="pointing", world_rows=_LINEAR, tool_rows=across, length=number("length", length, above=0.0))
+
+    @classmethod
+    def direction(cls, axis: ArrayLike, frame: str = "world") -> "Task":
+        """Speed of the tool's origin along one axis (3,) of the "world" or of the "tool", 1 row."""
+        return cls._rows("direction", np.concatenate([_unit("axis", axis), np.zeros(3)])[None, :], frame, 1.0)
+
+    @classmethod
+    def rotation(cls, axis: ArrayLike, frame: str = "world") -> "Task":
+        """Angular speed of the tool about one axis (3,) of the "world" or of the "tool", 1 row."""
+        return cls._rows("rotation", np.concatenate([np.zeros(3), _unit("axis", axis)])[None, :], frame, 1.0)
+
+    @classmethod
+    def custom(cls, rows: ArrayLike, frame: str = "world", length: float = 1.0, name: str = "custom") -> "Task":
+        """Any rows (m, 6), independent of each other: a direction of the tool's origin, then an axis of rotation.
+
+        Args:
+            rows: directions and axes of `frame`; the last three columns are multiplied by `length`.
+            frame: "world" or "tool".
+            length: characteristic length [m] > 0.
+            name: what the task is called.
+        """
+        matrix = finite_array("rows", rows, (None, 6))
+        length = number("length", length, above=0.0)
+        if not len(matrix) or np.linalg.matrix_rank(matrix * np.array([1.0] * 3 + [length] * 3)) < len(matrix):
+            raise InvalidInputError("rows", matrix.tolist(), "1 to 6 rows of six numbers that do not depend on each other")
+        if not isinstance(name, str) or not name:
+            raise InvalidInputError("name", name, "a word")
+        return cls._rows(name, matrix, frame, length)
+
+    @classmethod
+    def _rows(cls, name: str, matrix: Array, frame: str, length: float) -> "Task":
+        if frame not in ("world", "tool"):
+            raise UnknownNameError("frame", str(frame), ["world", "tool"])
+        rows = tuple(tuple(float(x) for x in row) for row in matrix)
+        return cls(
+            name=name,
+            world_rows=rows if frame == "world" else (),
+            tool_rows=rows if frame == "tool" else (),
+            length=length,
+        )
+
+    @property
+    def rows(self) -> int:
+        """Number m of task rows."""
+        return len(self.world_rows) + len(self.tool_rows)
+
+    @property
+    def matrices(self) -> tuple[Array, Array]:
+        """The world's and the tool's rows, (k, 6) and (m - k, 6), with `length` multiplied in."""
+        scale = np.array([1.0, 1.0, 1.0] + [self.length] * 3)
+        world, tool = (np.array(rows).reshape(-1, 6) * scale for rows in (self.world_rows, self.tool_rows))
+        return world, tool
+
+    @property
+    def metres(self) -> int:
+        """How many rows count metres; with length 1 radians are left uncounted."""
+        if self.length != 1.0:
+            return self.rows
+        return sum(any(row[:3]) for row in self.world_rows + self.tool_rows)
+
+    @property
+    def unit(self) -> str:
+        """Unit of Yoshikawa's index: every row counts metres; with length 1 radians are left uncounted."""
+        return {0: "1", 1: "m"}.get(self.metres, f"m^{self.metres}")
+
+    @property
+    def turns_freely(self) -> bool:
+        """Whether the index stays the same when base or tool frame are turned: linear and angular rows are all or none."""
+        world, tool = self.matrices
+        full = not (world[:, :3].any(1) & world[:, 3:].any(1)).any()
+        for part in (world[:, :3], world[:, 3:]):
+            full = full and np.linalg.matrix_rank(part) in (0, 3)
+        return full and not tool[:, :3].any()
+
+    @property
+    def free_axis(self) -> Array | None:
+        """The tool's unit axis (3,) about which it may turn, where the only angular rows are two of the tool; else None."""
+        if any(any(row[3:]) for row in self.world_rows):
+            return None
+        angular = np.array([row[3:] for row in self.tool_rows if any(row[3:])])
+        if angular.shape != (2, 3) or np.linalg.matrix_rank(angular) < len(angular):
+            return None
+        axis = np.cross(*angular)
+        return np.asarray(axis / np.linalg.norm(axis))
+
+    def rows_of(self, jacobian: ca.SX, rotation: ca.SX) -> ca.SX:
+        """The task's rows (m, n) of a (6, n) LOCAL_WORLD_ALIGNED Jacobian, for a tool with `rotation` (3, 3)."""
+        world, tool = (ca.sparsify(ca.DM(matrix)) for matrix in self.matrices)
+        if not self.tool_rows:
+            return world @ jacobian
+        turned = ca.vertcat(rotation.T @ jacobian[:3, :], rotation.T @ jacobian[3:, :])
+        return ca.vertcat(world @ jacobian, tool @ turned)
+
+
+def _unit(argument: str, axis: ArrayLike) -> Array:
+    direction = finite_array(argument, axis, (3,))
+    return direction / number(f"the length of {argument}", float(np.linalg.norm(direction)), above=1e-9)
+
+
+_LINEAR: tuple[Row, ...] = tuple(tuple(row) for row in np.eye(6)[:3].tolist())
+_ANGULAR: tuple[Row, ...] = tuple(tuple(row) for row in np.eye(6)[3:].tolist())
