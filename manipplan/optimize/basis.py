@@ -1,4 +1,9 @@
-"""Polynomial bases of a path, and the end conditions that fix some of their coefficients."""
+"""Bases of a path: functions that vanish at both ends of [0, 1] and are added to the straight line from start to goal.
+
+The bases of one piece span the same polynomials: the optimum is the same, its coefficients and the conditioning of the
+program are not. Those of several pieces are B-splines, which bend on one stretch without moving the others. End conditions
+fix some of the coefficients.
+"""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable

@@ -1,4 +1,8 @@
-"""Certificate: what an optimised path reaches, measured on the path and not taken from the solver."""
+"""Certificate: what an optimised path reaches, measured on the path and not taken from the solver.
+
+First-order conditions of a local optimum [nocedal2006, sec. 12.3]: the multipliers λ >= 0 of the active rows come from a
+non-negative least-squares fit, min ‖∇g - Σ λ_i ∇d_i‖, and not from the solver that found the path.
+"""
 
 import logging
 from dataclasses import dataclass, replace

@@ -1,4 +1,9 @@
-"""Clearance rows: distances of near pairs of bodies as functions of a path's coefficients, with exact derivatives."""
+"""Clearance rows: where a path comes near something, planes that keep it on its side.
+
+At a place s of a path, two convex bodies have a plane between them that touches the second. As long as the first stays
+beyond that plane the two are apart, whatever else the arm does: rows built on a free path keep a path free at s. The
+planes are renewed on each new path, so they follow it; where it is not free yet, those of the free seed push it out.
+"""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass

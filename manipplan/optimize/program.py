@@ -1,4 +1,10 @@
-"""PathProgram: the optimisation problem of a path in one basis, as IPOPT takes it."""
+"""The program of a path in one basis: solves of the energy by IPOPT, and the program of g for the descent.
+
+Everything that changes from one solve of the energy to the next (ends, guess, rows) is a parameter, so IPOPT is set up once
+for an objective and a basis. Unknowns z: coefficients along the free directions, joint after joint for each direction, then
+one slack [m] per clearance row. Parameters p: start, goal, 1 / size and g₀ of the objective, the coefficients that are kept,
+and the table of rows. First and second derivatives are exact.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

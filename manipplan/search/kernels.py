@@ -1,4 +1,10 @@
-"""Compiled kernels of the searches: cells, one step of the dynamic programme, and the paper's restarts."""
+"""Compiled kernels of the searches: cells, one step of the dynamic programme, and the paper's restarts.
+
+A step goes from the candidates of one layer to those of the next. All values are maximised. Candidates are in the order of
+their cells (`sort_into_cells`). `previous` is -inf where a candidate is not reached, `top` is the largest value of each cell.
+Threads share a layer: each works on cells first_cell to last_cell - 1. Results go into value, source (the index in the
+previous layer, -1 where there is none) and new_top.
+"""
 
 import numpy as np
 from numpy.typing import NDArray

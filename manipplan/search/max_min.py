@@ -1,4 +1,11 @@
-"""max_min_search: the path through layers whose smallest manipulability is the largest."""
+"""Exact max-min search: the continuous path through the layers whose minimum manipulability is the largest.
+
+The value of a candidate b of layer i is W_i(b) = min(m(b), max over its neighbours a in layer i - 1 of W_{i-1}(a)), and the
+optimum is the largest value in the last layer. This is a bottleneck path, found in one pass over the layers; guilamo2006
+searches for the same optimum by restarts. Two things make it fast. Neighbours are looked up in a grid whose cells are as wide
+as the largest step. And rounds go from high thresholds to low ones: a round in which only candidates with m >= t take part
+either finds the optimum, or proves that it is below t.
+"""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

@@ -1,4 +1,9 @@
-"""Programs that move configurations onto a workspace path, or into a tolerance around it."""
+"""The nonlinear program that moves a whole path within the tolerance of given poses, and the joint path through its result.
+
+The program raises the minimum manipulability, or shortens the path at that minimum. Unknowns: configurations X (n, L) and the
+level t. Constraints: m(x_i) >= t, pose rows within the tolerance, steps within ε, and linear rows that keep distances. It is
+solved inside a trust region around the present path, where the linear rows hold.
+"""
 
 import casadi as ca
 import numpy as np

@@ -7,8 +7,87 @@ linearisation of Verscheure and of TOPP3, within one interior-point method); the
 import numpy as np
 
 from manipplan.support.checks import Array
-from manipplan.timing.inside import motion_inside
-from manipplan.timing.jerk import JerkProblem, Slacks, SquaredSpeed
+from manipplan.timing.jerk import UNLIMITED, JerkProblem, Rows, Slacks, SquaredSpeed
+
+#: Linear programs in search of one where speeds are given at the ends.
+SEARCHES = 12
+
+
+def motion_inside(problem: JerkProblem, guess: Array | None) -> Array | None:
+    """Free coefficients within the limits; None where none were found.
+
+    From stop to stop a guess made slower, where a slower motion always exceeds less; between given speeds a search.
+    """
+    points = problem.demands.at[problem.inner]
+    knots = np.concatenate([[points[0]], points, [points[-1]]])
+    greville = (knots[:-1] + knots[1:]) / 2
+    shape = (
+        np.interp(greville, problem.demands.at, guess) if guess is not None else (greville * (1 - greville) + 1e-12) ** (4 / 3)
+    )
+    z = np.maximum(shape[1:-1], 1e-9 * shape.max())
+    start, end = problem.fixed
+    if not (start or end):
+        for _ in range(400):
+            if problem.slacks(problem.coefficients(z)) is not None:
+                return np.asarray(0.95 * z)
+            z = 0.8 * z
+        return None
+    nearest: Array | None = np.maximum(z / z.max() * max(start, end), np.interp(greville[1:-1], [0, 1], [start, end]) * 0.999)
+    for _ in range(SEARCHES):
+        if nearest is None or problem.slacks(problem.coefficients(nearest)) is not None:
+            return nearest
+        nearest = _nearer(problem, nearest)
+    return None
+
+
+def _nearer(problem: JerkProblem, z: Array) -> Array | None:
+    """Coefficients that exceed limits by the least share, with jerk limits linearised at z; None where that fails."""
+    from scipy.optimize import linprog
+    from scipy.sparse import csr_array, diags_array, hstack, vstack
+
+    c = problem.coefficients(z)
+    count, pace = len(c), problem.pace(c)
+
+    def matrix(rows: Rows) -> csr_array:
+        shape = (len(rows[0]), count)
+        return csr_array(diags_array(list(rows), offsets=list(range(len(rows))), shape=shape))
+
+    parts: list[tuple[csr_array, Array, Array]] = []  # matrix · c <= right + excess · limit
+    finite = problem.fastest < UNLIMITED
+    parts.append((matrix(problem.a_rows)[finite], problem.fastest[finite], problem.fastest[finite]))
+    limited = problem.most_c < UNLIMITED / 4
+    parts.append((matrix((np.ones(count),))[limited], problem.most_c[limited], problem.most_c[limited]))
+    for left, right, constant in zip(*(each.T for each in problem.demand_rows), problem.constant.T, strict=True):
+        for sign in (1.0, -1.0):
+            parts.append((sign * matrix((left, right)), 1.0 - sign * constant, np.ones(count - 1)))
+    grows = matrix(tuple(pace.first * row for row in pace.sum_rows))
+    for *change, jerk in zip(*(each.T for each in problem.change_rows), problem.jerk.T, strict=True):
+        for sign in (1.0, -1.0):
+            rows = sign * matrix(tuple(change)) - diags_array([jerk], offsets=[0]) @ grows
+            parts.append((csr_array(rows), jerk * (pace.step - grows @ c), jerk * pace.step))
+    b = matrix(problem.b_rows)
+    for k, most in enumerate(problem.most_b):
+        if np.isfinite(most):
+            parts.append((b[:1] if k == 0 else -b[-1:], np.array([most]), np.array([most])))
+    equal = np.zeros((2, count + 1))
+    for row, (end, beside) in enumerate(((0, 1), (count - 1, count - 2))):
+        equal[row, end], equal[row, beside] = 1.0, -problem.tied[row]
+    limits = np.concatenate([part[2] for part in parts])
+    every = hstack([vstack([part[0] for part in parts]), -csr_array(limits[:, None])], format="csr")
+    scale = 1 / np.maximum(np.abs(every).max(axis=1).toarray().ravel(), 1e-300)
+    answer = linprog(
+        np.append(np.zeros(count), 1.0),
+        A_ub=csr_array(diags_array([scale], offsets=[0]) @ every),
+        b_ub=scale * np.concatenate([part[1] for part in parts]),
+        A_eq=equal,
+        b_eq=np.array(problem.fixed),
+        bounds=np.column_stack([np.append(0.1 * c, -0.05), np.full(count + 1, np.inf)]),
+        method="highs-ipm",
+    )
+    if answer.x is None or not np.isfinite(answer.x).all():
+        return None
+    return np.asarray(np.maximum(answer.x[1:-2], 1e-12 * c.max()), dtype=float)
+
 
 #: The motion is at most this share slower than the local optimum on its grid.
 GAP = 1e-3

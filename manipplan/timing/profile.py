@@ -1,4 +1,8 @@
-"""Speed along a piece of path as a function of time, and the trajectory it makes."""
+"""Speed along a piece of path as a function of time, in steps or as a cubic spline, and the trajectory it makes.
+
+A cubic spline with continuous second derivative has a constant jerk on each piece, so its limits are checked exactly and a
+file needs positions and velocities only.
+"""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
@@ -9,6 +13,8 @@ import numpy as np
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.checks import Array
 from manipplan.timing.arc import ArcLength
+from manipplan.timing.dynamics import Demands
+from manipplan.timing.jerk import SquaredSpeed
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -70,3 +76,71 @@ class SteppedProfile(Profile):
 
     def joints(self, _t: Array, s: Array, length: Array, pace: Array) -> tuple[Array, Array]:
         return self.curve.path(s), self.curve.tangent(length) * pace[:, None]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SmoothProfile(Profile):
+    """A motion whose acceleration is continuous, and zero where it begins or ends at rest."""
+
+    @classmethod
+    def of(cls, demands: Demands, motion: SquaredSpeed) -> "SmoothProfile":
+        """From a solution in the units of the demands."""
+        time = np.concatenate([[0.0], np.cumsum(motion.steps)]) * demands.time_unit
+        speed = np.sqrt(np.maximum(motion.a, 0.0)) * demands.speed_unit
+        return cls(curve=demands.curve, time=time, length=demands.length, speed=speed)
+
+    def joints(self, t: Array, s: Array, length: Array, pace: Array) -> tuple[Array, Array]:
+        q = np.array(self.curve.path(s))
+        ends = self.curve.tangent(length[[0, -1]]) * pace[[0, -1], None]
+        qd = smooth_velocities(t, q, ends, (pace[0] == 0, pace[-1] == 0))
+        return q, qd
+
+
+def smooth_velocities(t: Array, q: Array, ends: Array, stops: tuple[bool, bool]) -> Array:
+    """Velocities (k, n) of the cubic spline with continuous acceleration through q (k, n), which is changed.
+
+    At an end that is a stop velocity and acceleration are zero; for this the sample beside it is moved, by far less than
+    it is away from the end. At the other ends velocity is that of `ends` (2, n).
+
+    Unknown are the accelerations M at the samples: h M_k-1 / 6 + (h + h') M_k / 3 + h' M_k+1 / 6 is the change of the mean
+    velocity from one piece to the next.
+    """
+    from scipy.linalg import solve_banded
+
+    h = np.diff(t)
+    mean = np.diff(q, axis=0) / h[:, None]
+    count = len(t)
+    band = np.zeros((3, count))  # band[1 + i - j, j] is entry (i, j)
+    right = np.zeros_like(q)
+    band[1, 1:-1] = (h[:-1] + h[1:]) / 3
+    band[2, :-2] = h[:-1] / 6
+    band[0, 2:] = h[1:] / 6
+    right[1:-1] = np.diff(mean, axis=0)
+    band[1, [0, -1]] = 1.0
+    for k, stop in enumerate(stops):
+        end, beside, first, second = (0, 1, 0, 1) if k == 0 else (-1, -2, -1, -2)
+        sign = 1.0 if k == 0 else -1.0
+        if not stop:
+            band[1, end] = h[first] / 3
+            band[(0 if k == 0 else 2), beside] = h[first] / 6
+            right[end] = sign * (mean[first] - ends[k])
+            continue
+        # the sample beside the stop is at q_end + h² M / 6, which keeps velocity and acceleration there at zero
+        far = q[2 if k == 0 else -3]
+        step = (far - q[end]) / h[second] * sign
+        band[1, beside] += h[first] ** 2 / (6 * h[second]) + h[first] / 6
+        right[beside] = sign * step
+        row = 2 if k == 0 else count - 3
+        band[(2 if k == 0 else 0), beside] -= h[first] ** 2 / (6 * h[second])
+        right[row] += sign * (mean[second] - step)
+    M = solve_banded((1, 1), band, right)
+    for k, stop in enumerate(stops):
+        if stop:
+            end, beside, first = (0, 1, 0) if k == 0 else (-1, -2, -1)
+            M[end] = 0.0
+            q[beside] = q[end] + h[first] ** 2 * M[beside] / 6
+    mean = np.diff(q, axis=0) / h[:, None]
+    qd = np.vstack([mean - h[:, None] * (2 * M[:-1] + M[1:]) / 6, [mean[-1] + h[-1] * (M[-2] + 2 * M[-1]) / 6]])
+    for k, stop in enumerate(stops):
+        qd[-k] = 0.0 if stop else ends[k]
+    return qd

@@ -7,7 +7,7 @@ import numpy as np
 
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.timing.demands import Demands
+from manipplan.timing.dynamics import Demands
 
 #: A given speed may be this much, relative, above what limits allow: digits of the user's own arithmetic.
 DIGITS = 1e-9

@@ -5,11 +5,10 @@ import pytest
 
 import manipplan as mp
 from manipplan.timing.arc import ArcLength
-from manipplan.timing.banded import BandedModel, applied
-from manipplan.timing.demands import demands
-from manipplan.timing.grids import first_grid
-from manipplan.timing.inside import motion_inside
-from manipplan.timing.jerk import JerkProblem
+from manipplan.timing.barrier import motion_inside
+from manipplan.timing.dynamics import demands
+from manipplan.timing.jerk import BandedModel, JerkProblem, applied
+from manipplan.timing.piece import first_grid
 from manipplan.timing.segment import LimitsAlong
 
 
