@@ -14,7 +14,7 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 
 @dataclass(frozen=True, kw_only=True)
-class Cell:
+class RobotOptions:
     """What is told of the arm beside its name, and of what stands around it."""
 
     scene: Path | None = None

@@ -5,7 +5,7 @@ from pathlib import Path
 from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import Cell
+from manipplan.cli.arm import RobotOptions
 from manipplan.jobs.follow import follow as follow_job
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
@@ -24,7 +24,7 @@ def follow(
     pointing: tuple[float, float, float] | None = None,
     tolerance: tuple[float, float] | None = None,
     out: Path = Path("follow"),
-    cell: OmitArgPrefixes[Cell] = Cell(),  # noqa: B008  # a frozen value
+    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),  # noqa: B008  # a frozen value
     jerk: tuple[float, ...] = (),
     clearance: float = 0.0,
     closed: bool = False,
@@ -34,7 +34,7 @@ def follow(
     """Follow a workspace path with the highest least index, and write the motion as CSV, JSON and ROS JointTrajectory.
 
     Args:
-        cell: What is told of the arm and its surroundings.
+        options: What is told of the arm and its surroundings.
         robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
         poses: CSV file with the columns x, y, z [m], qw, qx, qy, qz.
         positions: At which configurations are enumerated.
@@ -53,7 +53,7 @@ def follow(
     path = CartesianPath.from_csv(poses)
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
-        arm, world = cell.load(robot, jerk=jerk)
+        arm, world = options.load(robot, jerk=jerk)
         made = follow_job(
             arm,
             path,

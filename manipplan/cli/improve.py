@@ -5,7 +5,7 @@ from pathlib import Path
 from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import Cell
+from manipplan.cli.arm import RobotOptions
 from manipplan.jobs.improve import improve as improve_job
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.files import place_for
@@ -20,12 +20,12 @@ def improve(
     duration: float | None = None,
     dt: float = 0.01,
     out: Path = Path("improve"),
-    cell: OmitArgPrefixes[Cell] = Cell(),  # noqa: B008  # a frozen value
+    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),  # noqa: B008  # a frozen value
 ) -> int:
     """Follow a recorded joint motion with a higher index, and write it as CSV, JSON and ROS JointTrajectory.
 
     Args:
-        cell: What is told of the arm and its surroundings.
+        options: What is told of the arm and its surroundings.
         robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
         recorded: CSV file with the columns time [s], q_JOINT [rad or m] for each joint; velocities may follow.
         tolerance: How far the tool may leave the recorded poses [m] [rad].
@@ -36,7 +36,7 @@ def improve(
     folder = place_for("out", out)
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
-        arm, world = cell.load(robot)
+        arm, world = options.load(robot)
         made = improve_job(
             arm,
             recorded,

@@ -6,7 +6,7 @@ from typing import Literal
 from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import Cell, configuration_of
+from manipplan.cli.arm import RobotOptions, configuration_of
 from manipplan.jobs.plan import plan as plan_job
 from manipplan.support.files import place_for
 from manipplan.support.progress import part
@@ -18,7 +18,7 @@ def plan(
     start: tuple[str, ...],
     goal: tuple[str, ...],
     out: Path = Path("plan"),
-    cell: OmitArgPrefixes[Cell] = Cell(),  # noqa: B008  # a frozen value
+    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),  # noqa: B008  # a frozen value
     jerk: tuple[float, ...] = (),
     power: float = 1.0,
     measure: str | None = None,
@@ -33,7 +33,7 @@ def plan(
     """Plan a motion and write it as CSV, JSON and ROS JointTrajectory, with a report and a picture.
 
     Args:
-        cell: What is told of the arm and its surroundings.
+        options: What is told of the arm and its surroundings.
         robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
         start: One angle [rad] or length [m] a joint, or the name of a state in the robot's SRDF.
         goal: As `start`.
@@ -52,7 +52,7 @@ def plan(
     folder = place_for("out", out)
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
-        arm, world = cell.load(robot, jerk=jerk)
+        arm, world = options.load(robot, jerk=jerk)
         made = plan_job(
             arm,
             configuration_of("start", start, arm),

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.result import Plan, checked, failed
-from manipplan.optimize.result import PathResult, measured
+from manipplan.jobs.result import Plan, failed, finish
+from manipplan.optimize.result import PathResult, make_result
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation, deviation_at, deviation_from
 from manipplan.paths.joint import JointPath
@@ -21,7 +21,7 @@ from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.refine import Refinement, refine
 from manipplan.search.sampling import sample_layers
-from manipplan.search.steps import checked_epsilon
+from manipplan.search.steps import check_epsilon
 from manipplan.support.checks import Array, instance, number
 from manipplan.support.errors import PlanningError
 from manipplan.support.interrupts import interruptible
@@ -95,7 +95,7 @@ def follow(
     for name, value in (("torque", torque), ("throw", throw)):
         instance(name, value, bool)
     tell = teller(progress)
-    epsilon = checked_epsilon(epsilon, robot.endless)
+    epsilon = check_epsilon(epsilon, robot.endless)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
     layers = sample_layers(
@@ -134,7 +134,7 @@ def follow(
     pose, s = robot.kinematics(result.task).pose, np.linspace(0.0, 1.0, TIMES)
     deviation = deviation_from(path, pose(motion), axis)
     draft = replace(draft, deviation=deviation)
-    made = checked(draft, trajectory, result, world, joints.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
+    made = finish(draft, trajectory, result, world, joints.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
     excess = _excess(deviation, allowed, "time") or _excess(deviation_at(path, s, pose(joints(s)), axis), allowed, "path")
     if excess and made.report is not None and made.status is Status.FOLLOWED:
         report = replace(made.report, status=Status.CHECK_FAILED.value, passed=False)
@@ -160,9 +160,9 @@ def _joined(
     from manipplan.search.program import PoseRows, joint_path
     from manipplan.search.steps import full_turns
 
-    assert layers.worker is not None
+    assert layers.sampler is not None
     assert layers.s is not None
-    solver, kinematics = layers.worker.solver, layers.worker.kinematics
+    solver, kinematics = layers.sampler.solver, layers.sampler.kinematics
     rows = PoseRows(kinematics)
     paths = []
     exact = AT_KNOTS * rows.box(BETWEEN)
@@ -174,7 +174,7 @@ def _joined(
             s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
         paths.append(joint_path(solver, rows, path, s, q, closed=layers.closed, allowed=allowed, tube=inside))
     objective = PathObjective(kinematics=kinematics, power=1.0)
-    result = measured(
+    result = make_result(
         paths[0],
         objective,
         cost=objective.cost(paths[0]),

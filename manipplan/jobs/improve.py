@@ -7,8 +7,8 @@ import numpy as np
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.result import Plan, checked, failed
-from manipplan.optimize.result import measured
+from manipplan.jobs.result import Plan, failed, finish
+from manipplan.optimize.result import make_result
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Stiffness, StiffnessProfile, Tolerance
 from manipplan.paths.trajectory import Trajectory
@@ -98,7 +98,7 @@ def improve(
         tracking.manipulability.mean() > kinematics.manipulability(seed(u)).mean()
     )
     status = Status.IMPROVED if higher else Status.NOT_BETTER
-    result = measured(
+    result = make_result(
         path if higher else seed,
         objective,
         cost=cost if higher else recorded_cost,
@@ -121,7 +121,7 @@ def improve(
         return failed(replace(draft, status=Status.NOT_FOLLOWED), throw, f"{tracking.status.value}: {tracking.message}")
     tell(0.8, "checking the result")
     trajectory = tracking.trajectory() if higher else motion
-    made = checked(draft, trajectory, result, model, trajectory.q[-1], clearance=0.0, torque=False, jerk=False, throw=throw)
+    made = finish(draft, trajectory, result, model, trajectory.q[-1], clearance=0.0, torque=False, jerk=False, throw=throw)
     tell(1.0, "done")
     return made
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
-from manipplan.jobs.result import Plan, checked, failed
+from manipplan.jobs.result import Plan, failed, finish
 from manipplan.measures.measure import Measure
 from manipplan.optimize.optimize import MOST_DEGREE, optimize_from, optimize_path
 from manipplan.optimize.result import PathResult
@@ -127,6 +127,6 @@ def plan(
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     tell(0.9, "checking the result")
     model = scene.collision_model(robot)
-    made = checked(draft, trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
+    made = finish(draft, trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
     tell(1.0, "done")
     return made

@@ -122,7 +122,7 @@ class Plan:
         return record(self, file)
 
 
-def checked(
+def finish(
     draft: Plan,
     trajectory: Trajectory,
     result: PathResult,

@@ -12,7 +12,7 @@ import numpy as np
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.cost.objective import PathCost, PathObjective
-from manipplan.optimize.descent import TrueProgram
+from manipplan.optimize.descent import DescentProgram
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -69,7 +69,7 @@ SINGLE = Optimality(projected_gradient=0.0, complementarity=0.0, active_clearanc
 UNKNOWN = Optimality(projected_gradient=np.inf, complementarity=np.inf, active_clearance=np.inf)
 
 
-def measure_optimality(program: TrueProgram, z: Array) -> Optimality:
+def measure_optimality(program: DescentProgram, z: Array) -> Optimality:
     """The first-order conditions at z (f, n)."""
     close = _fitted(program, z, ACTIVE)
     if program.surroundings is None or close.projected_gradient <= GRADIENT:
@@ -78,7 +78,7 @@ def measure_optimality(program: TrueProgram, z: Array) -> Optimality:
     return next((each for each in further if each.projected_gradient <= GRADIENT), close)
 
 
-def _fitted(program: TrueProgram, z: Array, reach: float) -> Optimality:
+def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
     """The conditions with the multipliers that fit best, of pairs within `reach` of the demanded clearance [m]."""
     from scipy.optimize import nnls
 

@@ -73,7 +73,7 @@ class Descent:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class TrueProgram:
+class DescentProgram:
     """What a descent minimises and what it obeys.
 
     Attributes:
@@ -128,7 +128,7 @@ class _Point:
     violation: float
 
     @classmethod
-    def of(cls, program: TrueProgram, z: Array, radius: float) -> "_Point":
+    def of(cls, program: DescentProgram, z: Array, radius: float) -> "_Point":
         look = program.look(z, radius)
         value = program.length.value(z)
         return cls(z=z, value=value if np.isfinite(value) else np.inf, look=look, violation=program.violation(z, look))
@@ -168,7 +168,7 @@ class _Model:
     curvature: Array
 
     @classmethod
-    def of(cls, program: TrueProgram, at: _Point, radius: float, penalty: float, previous: Array) -> "_Model | None":
+    def of(cls, program: DescentProgram, at: _Point, radius: float, penalty: float, previous: Array) -> "_Model | None":
         """The model about a point; None where DAQP fails, or a derivative of g is not finite.
 
         The multipliers come from a first quadratic program, with the `previous` curvature (f n, f n) of the clearance.
@@ -197,7 +197,7 @@ class _Model:
             curvature=curvature,
         )
 
-    def with_rejected(self, program: TrueProgram, here: _Point, there: _Point) -> "_Model":
+    def with_rejected(self, program: DescentProgram, here: _Point, there: _Point) -> "_Model":
         """The same about `here` with rows for the bodies that a rejected step met at `there`."""
         table = program.rejected_rows(here, there)
         if table is None:
@@ -213,7 +213,7 @@ class _Model:
 
 
 @interruptible()
-def descend(program: TrueProgram, z: Array, *, tolerance: float | None = None) -> Descent:
+def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None) -> Descent:
     """Minimise g from z (f, n) to a local optimum of the true problem.
 
     Args:
@@ -282,7 +282,7 @@ def descend(program: TrueProgram, z: Array, *, tolerance: float | None = None) -
 
 
 def _tried(
-    program: TrueProgram,
+    program: DescentProgram,
     convex: tuple[Array, Array],
     here: _Point,
     step: _Step,

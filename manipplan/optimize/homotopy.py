@@ -17,7 +17,7 @@ from typing import TypeVar
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
-from manipplan.optimize.problem import PathProblem, solved
+from manipplan.optimize.problem import PathProblem, solve_local
 from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
@@ -39,7 +39,7 @@ _own = threading.local()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Crew:
+class SolvePool:
     """Does the work of one problem, here or over an executor, whose workers each have a robot of their own.
 
     First paths are the first third of what `tell` hears.
@@ -54,7 +54,7 @@ class Crew:
         tell = part(self.tell, 0.0, 0.33)
         return self._each(_seed, [(start, goal, seed) for goal, seed in tasks], tell, "looking for a first path")
 
-    def solved(self, firsts: Sequence[JointPath]) -> list[PathResult]:
+    def solve_local(self, firsts: Sequence[JointPath]) -> list[PathResult]:
         """The optimiser's result from each first path; from the first one to each goal also that from the straight line."""
         tasks = []
         for k, first in enumerate(firsts):
@@ -81,23 +81,23 @@ class Crew:
         return results
 
 
-def seed_classes(crew: Crew, start: Array, goals: Sequence[Array], seeds: Iterable[int]) -> list[JointPath]:
+def seed_classes(pool: SolvePool, start: Array, goals: Sequence[Array], seeds: Iterable[int]) -> list[JointPath]:
     """First paths to solve from: to each goal one of each class, of least g.
 
     Raises PlanningError when there is none to any goal.
     """
     tasks = list(itertools.product(goals, seeds))
-    found = crew.seeds(start, tasks)
+    found = pool.seeds(start, tasks)
     paths = [path for path in found if isinstance(path, JointPath)]
     if not paths:
         raise PlanningError(str(found[0]))
-    model = crew.problem.model()
+    model = pool.problem.model()
     if model is None or len(paths) == 1:
         return paths
-    objective = crew.problem.objective()
+    objective = pool.problem.objective()
     chosen: list[JointPath] = []
     for path in sorted(paths, key=lambda each: objective.cost(each).g):
-        if not any(same_class(model, path, other, crew.problem.clearance) for other in chosen):
+        if not any(same_class(model, path, other, pool.problem.clearance) for other in chosen):
             chosen.append(path)
     return chosen
 
@@ -194,7 +194,7 @@ def _random_path(robot: Robot, start: Array, goal: Array, seed: int) -> JointPat
 
 
 def _solve(problem: PathProblem, first: JointPath, straight: bool) -> PathResult:
-    return solved(problem, first.start, first.goal, first, straight=straight)
+    return solve_local(problem, first.start, first.goal, first, straight=straight)
 
 
 def _at_worker(work: Callable[..., T], packed: bytes, task: tuple[object, ...]) -> T:

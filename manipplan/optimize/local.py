@@ -163,7 +163,7 @@ class LocalSearch:
         for stage, margin in enumerate([*margins, *margins[-1:] * (DESCENTS - 1)]):
             if surroundings is not None:
                 surroundings.margin = margin
-            true, z = program.true_program(self.start, self.goal, coefficients, surroundings, edges=edges)
+            true, z = program.descent_program(self.start, self.goal, coefficients, surroundings, edges=edges)
             refined = edges is None or len(true.length.edges) > len(edges)
             edges = true.length.edges
             if not np.isfinite(true.length.g0):
@@ -274,7 +274,7 @@ class LocalSearch:
         coefficients = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
         if not self.program.free.size:
             return self.program.objective.cost(basis.path(self.start, self.goal, coefficients)).g
-        true, z = self.program.true_program(self.start, self.goal, coefficients, None, limited=False)
+        true, z = self.program.descent_program(self.start, self.goal, coefficients, None, limited=False)
         costs = [self.program.objective.cost(each).g for each in (path, true.path(descend(true, z, tolerance=ROUGH).z))]
         return min(costs)
 

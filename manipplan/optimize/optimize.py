@@ -12,8 +12,8 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import MEASURES
 from manipplan.optimize.basis import EndConditions, named_basis
-from manipplan.optimize.homotopy import Crew, best_and_rivals, seed_classes, shifted_goals
-from manipplan.optimize.problem import PathProblem, check_initial, initial_path, solved
+from manipplan.optimize.homotopy import SolvePool, best_and_rivals, seed_classes, shifted_goals
+from manipplan.optimize.problem import PathProblem, check_initial, initial_path, solve_local
 from manipplan.optimize.result import PathResult, no_path
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
@@ -189,20 +189,20 @@ def optimize_path(
         check_apart(q_start, each)
     numbers = [seed if scene is not None else 0, *(seed + k for k in range(1, seeds))]  # without a scene 0 is the line
     problem.ends.check_degree(lambda k: named_basis(basis, k, pieces), degree)
-    crew = Crew(problem=problem, executor=executor, tell=tell)
+    pool = SolvePool(problem=problem, executor=executor, tell=tell)
     if recorded is not None:
         check_initial(problem, recorded, q_start, q_goal)
         firsts = [recorded]
     else:
         try:
             with interruptible():
-                firsts = seed_classes(crew, q_start, goals, numbers)
+                firsts = seed_classes(pool, q_start, goals, numbers)
         except PlanningError as error:
             failed = no_path(problem.objective())
             if throw:
                 raise PlanningError(str(error), failed) from error
             return failed
-    best = best_and_rivals(crew.solved(firsts))
+    best = best_and_rivals(pool.solve_local(firsts))
     tell(1.0, "optimised")
     if throw and not np.isfinite(best.g) and best.status is not Status.INTERRUPTED:
         raise PlanningError(f"the index vanishes on the path at s = {best.min_at:.3f}, so g is infinite", best)
@@ -240,7 +240,7 @@ def optimize_from(
         given=True,
         climbs=False,
     )
-    return solved(problem, first.start, first.goal, first)
+    return solve_local(problem, first.start, first.goal, first)
 
 
 def check_task(kinematics: Kinematics) -> None:

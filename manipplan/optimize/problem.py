@@ -15,7 +15,7 @@ from manipplan.measures.measure import Measure
 from manipplan.optimize.basis import EndConditions, named_basis
 from manipplan.optimize.local import Candidate, LocalSearch, Step
 from manipplan.optimize.program import PathProgram
-from manipplan.optimize.result import PathResult, measured
+from manipplan.optimize.result import PathResult, make_result
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
@@ -88,7 +88,7 @@ class PathProblem:
         return replace(self, basis=self.basis if self.pieces == 1 else "legendre", degree=degree, pieces=1)
 
 
-def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *, straight: bool = True) -> PathResult:
+def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPath, *, straight: bool = True) -> PathResult:
     """The best path near `first`, which is free and inside the limits, and with `straight` near the straight line."""
     objective, model, clearance = problem.objective(), problem.model(), problem.clearance
     first_cost = objective.cost(first)
@@ -136,7 +136,7 @@ def solved(problem: PathProblem, start: Array, goal: Array, first: JointPath, *,
         status = Status.INTERRUPTED
     log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
     solver = best.solver if best is not None and path is best.path and is_free else ""
-    return measured(
+    return make_result(
         path,
         objective,
         cost=cost,
@@ -167,7 +167,7 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
         found += nearby or search.from_safe_path(first)
     lower = problem.lower()
     if lower is not None:
-        result = solved(lower, search.start, search.goal, first, straight=straight)
+        result = solve_local(lower, search.start, search.goal, first, straight=straight)
         search.history.extend(result.history)
         if result.status.ok and result.path is not None:
             found += search.embedded(result.path)

@@ -18,7 +18,7 @@ from manipplan.cost.objective import PathObjective, gauss
 from manipplan.optimize.basis import Basis, free_directions
 from manipplan.optimize.clearance import ClearanceRow, column_height, met_column, row_functions
 from manipplan.optimize.constraints import LimitRows, RowFunctions
-from manipplan.optimize.descent import TrueProgram
+from manipplan.optimize.descent import DescentProgram
 from manipplan.optimize.step_models import BatchDensity, Curves, LengthModel, Surroundings
 from manipplan.paths.rounding import FINE, on_grid, with_bits
 from manipplan.support.checks import Array
@@ -260,7 +260,7 @@ class PathProgram:
         slopes = np.sqrt(weights)[:, None] * (self.basis.values(s, 1) @ self.free)
         return np.asarray(self.free @ np.linalg.inv(np.linalg.qr(slopes).R))
 
-    def true_program(
+    def descent_program(
         self,
         start: Array,
         goal: Array,
@@ -269,7 +269,7 @@ class PathProgram:
         *,
         limited: bool = True,
         edges: Array | None = None,
-    ) -> tuple[TrueProgram, Array]:
+    ) -> tuple[DescentProgram, Array]:
         """The program of g among the true obstacles, and the unknowns z (f, n) that give the path of coefficients (n, size).
 
         Args:
@@ -308,7 +308,7 @@ class PathProgram:
             lower=limits.lower if limited else -unlimited,
             upper=limits.upper if limited else unlimited,
         )
-        return TrueProgram(length=length, limits=limit_rows, functions=self._batch_rows, surroundings=surroundings), z
+        return DescentProgram(length=length, limits=limit_rows, functions=self._batch_rows, surroundings=surroundings), z
 
     @interruptible()
     def solve(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:

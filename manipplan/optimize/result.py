@@ -51,7 +51,7 @@ class PathResult:
     certificate: Certificate | None = None
 
 
-def measured(
+def make_result(
     path: JointPath,
     objective: PathObjective,
     *,

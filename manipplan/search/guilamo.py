@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.search.layers import Layers
-from manipplan.search.steps import checked_epsilon, exclusive, without_jumps
+from manipplan.search.steps import check_epsilon, exclusive, without_jumps
 from manipplan.support.checks import Array, instance, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
 
@@ -92,7 +92,7 @@ def guilamo_search(
     instance("layers", layers, Layers)
     if layers.closed:
         raise InvalidInputError("layers", "closed layers", "open ones: the paper's search knows no cycles; take max_min_search")
-    steps = checked_epsilon(epsilon, layers.continuous)
+    steps = check_epsilon(epsilon, layers.continuous)
     for name, value in {"memoised": memoised, "strict": strict, "throw": throw}.items():
         if not isinstance(value, bool | np.bool_):
             raise InvalidInputError(name, value, "True or False")

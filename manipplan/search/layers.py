@@ -12,7 +12,7 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:
-    from manipplan.search.sampler import Worker
+    from manipplan.search.sampler import CandidateSampler
 
 #: So many rows are looked at as one long row when extremes are taken: NumPy is fast along long rows only.
 FOLD = 64
@@ -37,7 +37,7 @@ class Layers:
         s: (L,) path parameter of each position, or None.
         poses: (L, 4, 4) what is reached at each position, or None.
         considered: candidates looked at in all, those that were dropped included.
-        worker: what sampled them, or None.
+        sampler: what sampled them, or None.
     """
 
     q: tuple[Array, ...]
@@ -47,7 +47,7 @@ class Layers:
     s: Array | None = None
     poses: Array | None = None
     considered: int = 0
-    worker: "Worker | None" = None
+    sampler: "CandidateSampler | None" = None
 
     @classmethod
     def from_arrays(

@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.search.layers import Layers
-from manipplan.search.search import Path, Search
-from manipplan.search.steps import checked_epsilon, exclusive, path_length, without_jumps
-from manipplan.search.sweep import Crew, Lexicographic, Part, Shortest, Widest
+from manipplan.search.search import CandidatePath, Search
+from manipplan.search.steps import check_epsilon, exclusive, path_length, without_jumps
+from manipplan.search.sweep import Lexicographic, Part, Shortest, ThreadPool, Widest
 from manipplan.support.checks import Array, instance, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError, UnknownNameError
 from manipplan.support.progress import Progress, teller
@@ -220,7 +220,7 @@ def max_min_search(
     Raises InvalidInputError for bad arguments, PlanningError where no path is continuous.
     """
     instance("layers", layers, Layers)
-    steps = checked_epsilon(epsilon, layers.continuous)
+    steps = check_epsilon(epsilon, layers.continuous)
     for name, value in {"strict": strict, "anytime": anytime, "throw": throw}.items():
         if not isinstance(value, bool | np.bool_):
             raise InvalidInputError(name, value, "True or False")
@@ -247,8 +247,8 @@ def _results(
     """Results as they come."""
     reach = exclusive(epsilon, strict=strict)
     # samples and rounds grow fourfold up to all candidates; the wish for a certain path takes one pass more
-    with Crew(threads) as crew:
-        search = Search(layers, crew, tell, work=layers.count * (4 / 3 + (prefer is not Prefer.FIRST)))
+    with ThreadPool(threads) as pool:
+        search = Search(layers, pool, tell, work=layers.count * (4 / 3 + (prefer is not Prefer.FIRST)))
         search.tell(0.0, "searching")
         path, certified = None, layers.bound
         for path, certified, exact in _rounds(search, reach):
@@ -266,11 +266,11 @@ def _results(
         yield final
 
 
-def _rounds(search: Search, reach: Array) -> Iterator[tuple[Path | None, float, bool]]:
+def _rounds(search: Search, reach: Array) -> Iterator[tuple[CandidatePath | None, float, bool]]:
     """Rounds up to the exact one: each yields the best path so far, what no path exceeds, and whether that is the optimum."""
     layers = search.layers
     quantiles = Quantiles.of(layers.m, layers.bound)
-    path: Path | None = None
+    path: CandidatePath | None = None
     certified, least, nodes = layers.bound, -np.inf, FIRST
     threshold = quantiles.first()
     # from the top: either the optimum is found, or it is below the threshold
@@ -307,7 +307,7 @@ def _thrown(results: Iterator[SearchResult]) -> Iterator[SearchResult]:
 
 
 def _result(
-    search: Search, path: Path | None, status: SearchStatus, epsilon: Array, strict: bool, certified: float
+    search: Search, path: CandidatePath | None, status: SearchStatus, epsilon: Array, strict: bool, certified: float
 ) -> SearchResult:
     layers = search.layers
     if path is None:

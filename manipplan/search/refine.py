@@ -16,7 +16,7 @@ from manipplan.support.interrupts import interruptible
 from manipplan.support.progress import Progress, teller
 
 if TYPE_CHECKING:
-    from manipplan.search.sampler import Worker
+    from manipplan.search.sampler import CandidateSampler
 
 #: Values of each parameter around the path at hand, and how much nearer they lie in the next round.
 AROUND, CLOSER = 5, 0.4
@@ -100,7 +100,7 @@ def refine(
     """
     instance("layers", layers, Layers)
     instance("found", found, SearchResult)
-    if layers.worker is None or layers.poses is None:
+    if layers.sampler is None or layers.poses is None:
         raise InvalidInputError("layers", "layers of given arrays", "layers of sample_layers, which know their robot and poses")
     if not found.connected or len(found.q) != len(layers.q):
         raise InvalidInputError(
@@ -113,7 +113,7 @@ def refine(
     whole_number("resample", resample, least=0)
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
-    refiner = _Refiner(layers, found, layers.worker, layers.poses, tolerance)
+    refiner = _Refiner(layers, found, layers.sampler, layers.poses, tolerance)
     return refiner.run(resample, teller(progress))
 
 
@@ -121,13 +121,13 @@ class _Refiner:
     """What the steps of a refinement share."""
 
     def __init__(
-        self, layers: Layers, found: SearchResult, worker: "Worker", poses: Array, tolerance: Tolerance | None
+        self, layers: Layers, found: SearchResult, sampler: "CandidateSampler", poses: Array, tolerance: Tolerance | None
     ) -> None:
         from manipplan.search.program import LevelProgram
 
-        self.layers, self.found, self.worker, self.poses = layers, found, worker, poses
-        self.robot, self.clearance = worker.setup.robot, worker.setup.clearance
-        self.model, self.kinematics = worker.collision, worker.kinematics
+        self.layers, self.found, self.sampler, self.poses = layers, found, sampler, poses
+        self.robot, self.clearance = sampler.spec.robot, sampler.spec.clearance
+        self.model, self.kinematics = sampler.collision, sampler.kinematics
         self.program = LevelProgram(self.kinematics, len(self.poses), closed=layers.closed)
         self.tolerance = self.program.rows.box(tolerance)
         self.history = [found.minimum]
@@ -158,14 +158,14 @@ class _Refiner:
 
     def _resampled(self, q: Array, width: Array) -> Array:
         """The best path through samples around `q` (L, n), and through `q` itself."""
-        values = self.worker.solver.parameters_of(q, self.poses)
+        values = self.sampler.solver.parameters_of(q, self.poses)
         if values.shape[1] == 0:
             return q
         spread = float(width.max())
         offsets = np.array(list(product(np.linspace(-spread, spread, AROUND), repeat=values.shape[1])))
         sets, indices = [], []
         for k, pose in enumerate(self.poses):
-            near, m, _ = self.worker.sample(pose, values[k] + offsets)
+            near, m, _ = self.sampler.sample(pose, values[k] + offsets)
             step = steps_between(q[k], near, self.layers.continuous)
             beside = np.abs(step).max(axis=1) < 10 * spread
             sets.append(np.vstack([q[k], q[k] + step[beside]]))
@@ -251,7 +251,7 @@ class _Refiner:
         """Each configuration moved onto its pose by the shortest way, where no tolerance is left to it."""
         if self.tolerance.any():
             return q
-        return self.worker.solver.onto(q, self.poses)
+        return self.sampler.solver.onto(q, self.poses)
 
     def sound(self, q: Array) -> bool:
         """Whether poses, limits, ε and distances are kept; independent of the program."""

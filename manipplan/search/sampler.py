@@ -1,4 +1,4 @@
-"""Worker: the candidates of one position, in this process or another."""
+"""CandidateSampler: the candidates of one position, in this process or another."""
 
 import pickle
 import threading
@@ -11,7 +11,7 @@ from manipplan.ik.enumeration import CHUNK
 from manipplan.ik.newton import search
 from manipplan.ik.solver import Solver, turns_about
 from manipplan.paths.deviation import angles_between
-from manipplan.search.sampling import Setup
+from manipplan.search.sampling import SamplingSpec
 from manipplan.support.checks import Array
 
 #: Random starts and steps of each that tell how near to a pose an arm comes.
@@ -20,15 +20,15 @@ STARTS, STEPS = 60, 200
 AT_LIMIT = 1e-6
 
 
-class Worker:
-    """Samples positions for one setup; safe to share between threads, and sent to another process as its setup."""
+class CandidateSampler:
+    """Samples positions for one spec; safe to share between threads, and sent to another process as its spec."""
 
-    def __init__(self, setup: Setup) -> None:
-        self.setup = setup
-        robot = setup.robot
-        self.solver = Solver.of(robot, task=setup.task, held=setup.held, method=setup.method, seed=setup.seed)
-        self.kinematics = robot.kinematics(self.solver.task, measure=setup.measure, threads=1)
-        self.collision = setup.collision_model()
+    def __init__(self, spec: SamplingSpec) -> None:
+        self.spec = spec
+        robot = spec.robot
+        self.solver = Solver.of(robot, task=spec.task, held=spec.held, method=spec.method, seed=spec.seed)
+        self.kinematics = robot.kinematics(self.solver.task, measure=spec.measure, threads=1)
+        self.collision = spec.collision_model()
         self._screening = Screening.of(self.collision) if self.collision is not None else None
         self._own = threading.local()
         few = robot.random_configuration(np.random.default_rng(0), size=2)
@@ -36,11 +36,11 @@ class Worker:
         self.solver.kinematics.pose(few)
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _worker_of, (pickle.dumps(self.setup),)
+        return _sampler_of, (pickle.dumps(self.spec),)
 
     def sample(self, pose: Array, values: Array) -> tuple[Array, Array, int]:
         """Candidates q (k, n) that reach `pose` for parameters (s, r), their index (k,), and how many were reached at all."""
-        blocks, reached = [np.zeros((0, self.setup.robot.n))], 0
+        blocks, reached = [np.zeros((0, self.spec.robot.n))], 0
         for begin in range(0, len(values), CHUNK):
             some = values[begin : begin + CHUNK]
             q = self.solver.solve(pose[None], np.zeros(len(some), dtype=np.int64), some).q
@@ -54,11 +54,11 @@ class Worker:
             return np.ones(len(q), dtype=np.bool_)
         if not hasattr(self._own, "model"):
             self._own.model = self.collision.copy()
-        return free_rows(self._screening, self._own.model, q, self.setup.clearance)
+        return free_rows(self._screening, self._own.model, q, self.spec.clearance)
 
     def nearest_miss(self, pose: Array) -> tuple[float, float, list[str]]:
         """How far the arm stays from a pose at best, over random starts [m, rad], and which joints are at a limit then."""
-        solver, robot = self.solver, self.setup.robot
+        solver, robot = self.solver, self.spec.robot
         rng = np.random.default_rng(0)
         q = robot.random_configuration(rng, size=STARTS)
         screws, limits = solver.screws, robot.limits
@@ -90,6 +90,6 @@ class Worker:
 
 
 @lru_cache(maxsize=2)
-def _worker_of(setup: bytes) -> Worker:
-    """The worker of a setup, built once in each process."""
-    return Worker(pickle.loads(setup))
+def _sampler_of(spec: bytes) -> CandidateSampler:
+    """The sampler of a spec, built once in each process."""
+    return CandidateSampler(pickle.loads(spec))

@@ -23,11 +23,11 @@ from manipplan.support.progress import Progress, teller
 from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
-    from manipplan.search.sampler import Worker
+    from manipplan.search.sampler import CandidateSampler
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Setup:
+class SamplingSpec:
     """The arguments of `sample_layers` that say what a candidate is."""
 
     robot: Robot
@@ -103,7 +103,7 @@ def sample_layers(
             more candidates than memory allows, estimated before the work starts.
     """
     from manipplan.ik.verify import are_poses
-    from manipplan.search.sampler import Worker
+    from manipplan.search.sampler import CandidateSampler
 
     instance("robot", robot, Robot)
     if not isinstance(path, CartesianPath):
@@ -113,7 +113,7 @@ def sample_layers(
         instance(name, value, bool)
     if closed and np.abs(path(0.0) - path(1.0)).max() > RETURNS:
         raise InvalidInputError("closed", closed, "False, as the path's last pose is not its first")
-    setup = Setup(
+    spec = SamplingSpec(
         robot=robot,
         task=task,
         measure=measure,
@@ -128,18 +128,18 @@ def sample_layers(
         raise InvalidInputError("executor", executor, "a concurrent.futures.Executor, or None")
     tell = teller(progress)
     allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * _machine_memory()
-    worker = Worker(setup)
-    _check_grid(worker, n, samples, allowed)
-    values = worker.solver.grid(samples, SAMPLES)
+    sampler = CandidateSampler(spec)
+    _check_grid(sampler, n, samples, allowed)
+    values = sampler.solver.grid(samples, SAMPLES)
     s = np.arange(n) / n if closed else np.linspace(0.0, 1.0, n)
     poses = path(s)
     if not are_poses(poses):
         k = next(k for k in range(n) if not are_poses(poses[k : k + 1]))
         raise InvalidInputError(f"path, position {k} of 0 to {n - 1}", poses[k].tolist(), "a rotation and a translation")
-    _check_memory(worker, poses, values, allowed)
+    _check_memory(sampler, poses, values, allowed)
     with ExitStack() as stack:
         run = executor if executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))
-        jobs = {run.submit(worker.sample, pose, values): k for k, pose in enumerate(poses)}
+        jobs = {run.submit(sampler.sample, pose, values): k for k, pose in enumerate(poses)}
         stack.callback(lambda: [job.cancel() for job in jobs])
         layers: dict[int, tuple[Array, Array]] = {}
         for job in as_completed(jobs):
@@ -147,7 +147,7 @@ def sample_layers(
             q, m, reached = job.result()
             if not len(q):
                 position = f"path, position {k} of 0 to {n - 1} (s = {s[k]:.4g})"
-                raise InvalidInputError(position, poses[k].tolist(), _remedy(worker, poses[k], reached))
+                raise InvalidInputError(position, poses[k].tolist(), _remedy(sampler, poses[k], reached))
             layers[k] = q, m
             found = sum(len(m) for _, m in layers.values())
             tell(len(layers) / n, f"sampling positions: {found:,} candidates")
@@ -159,42 +159,42 @@ def sample_layers(
         s=s,
         poses=poses,
         considered=n * len(values),
-        worker=worker,
+        sampler=sampler,
     )
 
 
-def _remedy(worker: "Worker", pose: Array, reached: int) -> str:
+def _remedy(sampler: "CandidateSampler", pose: Array, reached: int) -> str:
     """Why a position has no candidate, and what would help."""
     if reached:
-        clearance = worker.setup.clearance
+        clearance = sampler.spec.clearance
         fault = f"comes nearer than {clearance:g} m to something" if clearance else "touches an obstacle or the arm itself"
         return f"a pose with a free configuration; each of the {reached:,} that reach it {fault}"
-    far, angle, stopped = worker.nearest_miss(pose)
+    far, angle, stopped = sampler.nearest_miss(pose)
     if far < REACHES[0] and angle < REACHES[1]:
         return "a pose that some sample reaches: it is within reach, but of no value on the grid; take more samples"
     limits = f", with {' and '.join(stopped)} at the limit" if stopped else ""
     return f"a pose within reach and joint limits; the arm stays {1e3 * far:.4g} mm and {np.rad2deg(angle):.3g}° away{limits}"
 
 
-def _check_grid(worker: "Worker", n: int, samples: int | Sequence[int] | None, allowed: float) -> None:
+def _check_grid(sampler: "CandidateSampler", n: int, samples: int | Sequence[int] | None, allowed: float) -> None:
     """Raises InvalidInputError where the poses, or the grid of parameters itself, would not fit into memory."""
     from manipplan.ik.solver import sample_counts
 
-    counts = sample_counts(samples, worker.solver.names, SAMPLES)
+    counts = sample_counts(samples, sampler.solver.names, SAMPLES)
     for argument, value, needed in (("n", n, 8 * 16 * n), ("samples", samples, GRID * math.prod(counts))):
         if needed > allowed:
             wanted = f"fewer: they need {needed / 1e9:.2g} GB, and memory allows {allowed / 1e9:.2g} GB"
             raise InvalidInputError(argument, value, wanted)
 
 
-def _check_memory(worker: "Worker", poses: Array, values: Array, allowed: float) -> None:
+def _check_memory(sampler: "CandidateSampler", poses: Array, values: Array, allowed: float) -> None:
     """Raises InvalidInputError where so many samples would give more candidates than fit into memory."""
     rng = np.random.default_rng(0)
     some = values[rng.choice(len(values), min(PROBE, len(values)), replace=False)]
     few = np.unique(np.linspace(0, len(poses) - 1, PROBES).astype(int))
-    share = np.mean([len(worker.sample(poses[k], some)[0]) / len(some) for k in few])
+    share = np.mean([len(sampler.sample(poses[k], some)[0]) / len(some) for k in few])
     candidates = share * len(values) * len(poses)
-    needed = candidates * 8 * (worker.setup.robot.n + 1)
+    needed = candidates * 8 * (sampler.spec.robot.n + 1)
     if needed > allowed:
         wanted = f"fewer: some {candidates:.2g} candidates need {needed / 1e9:.2g} GB, and memory allows {allowed / 1e9:.2g} GB"
         raise InvalidInputError("samples", f"{len(values):,} at each of {len(poses)} positions", wanted)

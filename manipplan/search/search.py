@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from manipplan.search.grid import SAMPLE, Grid, choose_grid
 from manipplan.search.layers import Layers
 from manipplan.search.steps import path_steps
-from manipplan.search.sweep import Cells, Closest, Crew, Objective, Part, Stage, Trace, Widest, sort_stage, sweep
+from manipplan.search.sweep import Cells, Closest, Objective, Part, Stage, ThreadPool, Trace, Widest, sort_stage, sweep
 from manipplan.support.checks import Array
 from manipplan.support.progress import Progress
 
@@ -73,7 +73,7 @@ CLOSE = 1.25
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Path:
+class CandidatePath:
     """The chosen candidate of each layer (L,), and the value of the objective."""
 
     indices: NDArray[np.int64]
@@ -83,9 +83,9 @@ class Path:
 class Search:
     """Searches of one set of layers. Counts its sweeps in `rounds`, and in `nodes` the candidates of the last one."""
 
-    def __init__(self, layers: Layers, crew: Crew, tell: Progress, *, work: float) -> None:
+    def __init__(self, layers: Layers, pool: ThreadPool, tell: Progress, *, work: float) -> None:
         self.layers = layers
-        self.crew = crew
+        self.pool = pool
         self.rounds = 0
         self.nodes = 0
         self.tell = tell
@@ -93,7 +93,7 @@ class Search:
         self._passed = 0
         self._told = -np.inf
 
-    def best(self, objective: Objective, part: Part, reach: Array, text: str) -> Path | None:
+    def best(self, objective: Objective, part: Part, reach: Array, text: str) -> CandidatePath | None:
         """The path that the objective values most, of the candidates that take part, with steps below `reach` (n,)."""
         active = [int(np.count_nonzero(m >= part.threshold)) for m in self.layers.m]
         if min(active) == 0:
@@ -103,7 +103,7 @@ class Search:
             return self._cycle(objective, part, grid, text, active)
         stages = [Stage(q, m) for q, m in zip(self.layers.q, self.layers.m, strict=True)]
         trace = self._sweep(self._sorted(stages, part, grid), grid, objective, text)
-        return Path(indices=trace.indices, value=trace.value) if len(trace.indices) else None
+        return CandidatePath(indices=trace.indices, value=trace.value) if len(trace.indices) else None
 
     def reached(self, reach: Array) -> int:
         """The first position that no path from position 0 reaches; L when all are."""
@@ -111,7 +111,7 @@ class Search:
         grid = self._grid(reach, self.layers.count)
         return self._sweep(self._sorted(stages, Part(), grid), grid, Widest(), "gaps").depth
 
-    def least_index(self, path: Path) -> float:
+    def least_index(self, path: CandidatePath) -> float:
         """The least index along the path."""
         return float(min(m[i] for m, i in zip(self.layers.m, path.indices, strict=True)))
 
@@ -133,11 +133,11 @@ class Search:
         least: Array = np.maximum(-path.value * epsilon, np.abs(self.steps(path)).max(axis=0))
         return least
 
-    def steps(self, path: Path) -> Array:
+    def steps(self, path: CandidatePath) -> Array:
         """Steps along the path: (L - 1, n), of a cycle (L, n)."""
         return path_steps(self.configurations(path), self.layers.continuous, closed=self.layers.closed)
 
-    def configurations(self, path: Path) -> Array:
+    def configurations(self, path: CandidatePath) -> Array:
         """Configurations of the path (L, n), as the layers hold them."""
         return np.array([q[i] for q, i in zip(self.layers.q, path.indices, strict=True)])
 
@@ -147,7 +147,7 @@ class Search:
         return choose_grid(q[:: max(1, len(q) // SAMPLE)], self.layers.extent, reach, self.layers.continuous, most)
 
     def _sorted(self, stages: list[Stage], part: Part, grid: Grid) -> Iterator[Cells]:
-        return self.crew.ahead(lambda stage: sort_stage(stage, part, grid), stages)
+        return self.pool.ahead(lambda stage: sort_stage(stage, part, grid), stages)
 
     def _sweep(self, cells: Iterator[Cells], grid: Grid, objective: Objective, text: str) -> Trace:
         before = self._passed
@@ -159,12 +159,12 @@ class Search:
                 self._told = now
                 self.tell(min(0.99, self._passed / self._work), text)
 
-        trace = sweep(cells, grid, objective, self.crew, tick)
+        trace = sweep(cells, grid, objective, self.pool, tick)
         self.rounds += 1
         self.nodes = trace.nodes
         return trace
 
-    def _cycle(self, objective: Objective, part: Part, grid: Grid, text: str, active: list[int]) -> Path | None:
+    def _cycle(self, objective: Objective, part: Part, grid: Grid, text: str, active: list[int]) -> CandidatePath | None:
         layers, count = self.layers, len(self.layers.q)
         begin = int(np.argmin(active))  # the fewest begins
         turned = [(begin + i) % count for i in range(count)]
@@ -176,7 +176,7 @@ class Search:
 
         whole = Part(threshold=part.threshold, cap=part.cap)
 
-        def relax(members: NDArray[np.int64]) -> tuple[tuple[bytes, float], int, int, Path] | None:
+        def relax(members: NDArray[np.int64]) -> tuple[tuple[bytes, float], int, int, CandidatePath] | None:
             q = np.ascontiguousarray(layers.q[begin][members])
             first = sort_stage(Stage(q, layers.m[begin][members]), whole, grid)
             # it is there twice, and must count once
@@ -189,6 +189,6 @@ class Search:
             indices = np.empty(count, dtype=np.int64)
             indices[turned] = [ends[0], *trace.indices[1:-1]]
             word = b"" if trace.vector is None else (~trace.vector).astype(">u8").tobytes()
-            return (word, -trace.value), int(ends[0]), int(ends[1]), Path(indices=indices, value=trace.value)
+            return (word, -trace.value), int(ends[0]), int(ends[1]), CandidatePath(indices=indices, value=trace.value)
 
         return best_cycle(layers.q[begin], begins, relax)

@@ -44,7 +44,7 @@ def full_turns(q: Array, continuous: NDArray[np.bool_]) -> Array:
     return np.where(continuous, 2 * np.pi * np.round((q[-1] - q[0]) / (2 * np.pi)), 0.0)
 
 
-def checked_epsilon(value: ArrayLike, continuous: NDArray[np.bool_]) -> Array:
+def check_epsilon(value: ArrayLike, continuous: NDArray[np.bool_]) -> Array:
     """`value`, one number or n of them, as read-only (n,): finite, above zero, below π for joints that turn without end."""
     n = len(continuous)
     array = number_array("epsilon", value)

@@ -88,14 +88,14 @@ class Trace:
     nodes: int
 
 
-class Crew:
+class ThreadPool:
     """Threads that share the work; one thread means none besides the caller."""
 
     def __init__(self, threads: int) -> None:
         self.threads = threads
         self._pool = ThreadPoolExecutor(threads) if threads > 1 else None
 
-    def __enter__(self) -> "Crew":
+    def __enter__(self) -> "ThreadPool":
         return self
 
     def __exit__(self, *error: object) -> None:
@@ -162,7 +162,7 @@ def sweep(
     stages: Iterable[Cells],
     grid: Grid,
     objective: Objective,
-    crew: Crew,
+    pool: ThreadPool,
     tick: Callable[[int], None],
 ) -> Trace:
     """One pass from the first stage to the last; tick(nodes) is called after each."""
@@ -176,7 +176,7 @@ def sweep(
         if old is None:
             reached, source = objective.first(cells), np.full(len(cells.ids), -1, dtype=np.int32)
         else:
-            reached, source = objective.step(old, reached, cells, grid, crew.share)
+            reached, source = objective.step(old, reached, cells, grid, pool.share)
         if not (reached.top > -np.inf).any():
             return Trace(indices=np.empty(0, np.int64), value=-np.inf, vector=None, depth=len(ids), nodes=nodes)
         ids.append(cells.ids)

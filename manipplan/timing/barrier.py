@@ -91,12 +91,14 @@ def _nearer(problem: JerkProblem, z: Array) -> Array | None:
 
 #: The motion is at most this share slower than the local optimum on its grid.
 GAP = 1e-3
-#: How many times heavier time counts from one round to the next.
+#: Factor of the weight of time from one round to the next.
 HEAVIER = 8.0
-#: Newton steps a round.
+#: Maximum number of Newton steps per round.
 STEPS = 40
-#: A round ends when a step gains less than this of the merit, as a step must of what its decrement promises.
-ENOUGH = 1e-2
+#: A round ends when a step lowers the merit function by less than this.
+CENTRED = 1e-2
+#: A step must lower the merit function by this share of what its Newton decrement predicts.
+SUFFICIENT = 1e-2
 
 
 def fastest_motion(problem: JerkProblem, guess: Array | None = None) -> SquaredSpeed | None:
@@ -117,15 +119,15 @@ def _centred(problem: JerkProblem, z: Array, weight: float) -> Array:
     value = _merit(problem, z, weight)
     for _ in range(STEPS):
         step, decrement = problem.model(_inside(problem, z), weight).newton_step()
-        if not np.isfinite(decrement) or decrement < ENOUGH:
+        if not np.isfinite(decrement) or decrement < CENTRED:
             break
         size = 1.0
-        while (after := _merit(problem, z + size * step, weight)) > value - ENOUGH * size * decrement:
+        while (after := _merit(problem, z + size * step, weight)) > value - SUFFICIENT * size * decrement:
             size /= 2
             if size <= 1e-9:
                 return z
         z, gained, value = z + size * step, value - after, after
-        if gained < ENOUGH:
+        if gained < CENTRED:
             break
     return z
 

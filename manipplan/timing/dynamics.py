@@ -23,7 +23,7 @@ NO_EFFORT = 1e12
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Demands:
+class PathDynamics:
     """Rows at k grid points of a piece of path.
 
     Attributes:
@@ -57,19 +57,21 @@ class Demands:
         """Unit of dl/dt [rad/s]."""
         return self.curve.length / self.time_unit
 
-    def eased(self, velocity: Array, rows: Array) -> "Demands":
+    def eased(self, velocity: Array, rows: Array) -> "PathDynamics":
         """The same with stricter limits: each grid point's velocity and rows divided by factors (k,) >= 1."""
         values = {name: getattr(self, name) for name in ("curve", "length", "time_unit", "tangent", "curvature", "bounds")}
         # what is constant (gravity) is not scaled: the room beside it is
         room = 1 / rows[:, None]
         left = np.maximum(room - np.abs(self.constant), 1e-3 * (1 - np.abs(self.constant)))
         share = np.where(self.constant == 0, rows[:, None], (1 - np.abs(self.constant)) / left)
-        return Demands(**values, fastest=self.fastest / velocity**2, u=self.u * share, x=self.x * share, constant=self.constant)
+        return PathDynamics(
+            **values, fastest=self.fastest / velocity**2, u=self.u * share, x=self.x * share, constant=self.constant
+        )
 
 
-def demands(
+def path_dynamics(
     curve: ArcLength, length: Array, limits: LimitsAlong, torque_model: pin.Model | None, tool: ToolSpeed | None
-) -> Demands:
+) -> PathDynamics:
     """The rows at the grid points `length` (k,) of a piece."""
     tangent, curvature = curve.tangent(length), curve.curvature(length)
     s = curve.s(length)
@@ -95,7 +97,7 @@ def demands(
         u, x = np.hstack([u, rows[:, 1] / effort - gravity]), np.hstack([x, rows[:, 2] / effort - gravity])
         constant = np.hstack([constant, gravity])
     size = curve.length
-    return Demands(
+    return PathDynamics(
         curve=curve,
         length=length,
         time_unit=time_unit,
@@ -112,7 +114,7 @@ def demands(
 Use = Mapping[str, Array]
 
 
-class Easing:
+class LimitTightening:
     """How much stricter limits are made at grid points (k,), and jerk's between them, over rounds of solving.
 
     Factors are 1 or more. Those of a speed that is given at an end stay 1.
@@ -124,7 +126,7 @@ class Easing:
         self._velocity, self._rows = np.ones(count), np.ones(count)
         self._given = given
 
-    def of(self, demands: Demands) -> Demands:
+    def of(self, demands: PathDynamics) -> PathDynamics:
         """The demands of limits this strict."""
         return demands.eased(self._velocity, self._rows) if self.rounds else demands
 

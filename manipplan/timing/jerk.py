@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from manipplan.support.checks import Array
-from manipplan.timing.dynamics import Demands
+from manipplan.timing.dynamics import PathDynamics
 
 Rows = tuple[Array, ...]
 
@@ -95,7 +95,7 @@ class SquaredSpeed:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Pace:
+class SpeedTerms:
     """√a at the inner grid points (k,), the time h of each interval (k - 1,), and its derivatives by both √a.
 
     h = 2 Δl / u with u = √a_k + √a_k+1: h' = -h / u and h'' = 2 h / u². ∂u/∂c are rows of three coefficients.
@@ -123,7 +123,7 @@ class Slacks:
     fall: Array
     ends: Array
     c: Array
-    pace: Pace
+    pace: SpeedTerms
 
     @property
     def every(self) -> tuple[Array, ...]:
@@ -137,7 +137,7 @@ class JerkProblem:
     Its `..._rows` are linear in the spline's coefficients c, at each inner grid point or from each to the next.
     """
 
-    def __init__(self, demands: Demands, jerk: Array, start: float, end: float) -> None:
+    def __init__(self, demands: PathDynamics, jerk: Array, start: float, end: float) -> None:
         """`start` and `end` are a at the ends, in the units of the demands; 0: a stop."""
         self.demands = demands
         self.fixed = (start, end)
@@ -188,15 +188,17 @@ class JerkProblem:
         """All spline coefficients of the free ones."""
         return np.concatenate([[self.tied[0] * z[0] + self.fixed[0]], z, [self.tied[1] * z[-1] + self.fixed[1]]])
 
-    def pace(self, c: Array) -> Pace:
+    def pace(self, c: Array) -> SpeedTerms:
         """How fast coefficients above zero are."""
         root = np.sqrt(applied(self.a_rows, c))
         u = root[:-1] + root[1:]
         step = 2 * self.h / u
         w, v = (row / (2 * root) for row in self.a_rows)
-        return Pace(root=root, step=step, first=-step / u, second=2 * step / u**2, sum_rows=(w[:-1], v[:-1] + w[1:], v[1:]))
+        return SpeedTerms(
+            root=root, step=step, first=-step / u, second=2 * step / u**2, sum_rows=(w[:-1], v[:-1] + w[1:], v[1:])
+        )
 
-    def time(self, pace: Pace) -> float:
+    def time(self, pace: SpeedTerms) -> float:
         """Duration in the units of the demands."""
         total = pace.step.sum()
         for k, size in self._stops():

@@ -15,12 +15,12 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.timing.arc import ArcLength
 from manipplan.timing.barrier import fastest_motion
-from manipplan.timing.dynamics import Demands, Easing, Use, demands, slowdown
+from manipplan.timing.dynamics import LimitTightening, PathDynamics, Use, path_dynamics, slowdown
 from manipplan.timing.jerk import JerkProblem, SquaredSpeed
 from manipplan.timing.profile import Profile, SmoothProfile, SteppedProfile
 from manipplan.timing.segment import LimitsAlong, ToolSpeed
 from manipplan.timing.speeds import DIGITS, fastest_speeds
-from manipplan.timing.stops import Course
+from manipplan.timing.stops import MovingPath
 from manipplan.timing.verify import piece_use
 
 #: Grid points nearer to a mark than this share of their distance are left out in its favour.
@@ -96,15 +96,15 @@ COARSE = 0.7
 class TimingProblem:
     """What every piece of a path shares."""
 
-    course: Course
+    course: MovingPath
     limits: LimitsAlong
     names: tuple[str, ...]
     torque_model: pin.Model | None
     tool: ToolSpeed | None
 
-    def demands(self, curve: ArcLength, points: Array) -> Demands:
+    def dynamics(self, curve: ArcLength, points: Array) -> PathDynamics:
         """What motion asks of the joints at grid points of a piece."""
-        return demands(curve, points, self.limits, self.torque_model, self.tool)
+        return path_dynamics(curve, points, self.limits, self.torque_model, self.tool)
 
     def use(self, trajectory: Trajectory, s: Array) -> Use:
         """Largest demand over limit on each piece of the trajectory, whose samples are at s."""
@@ -124,14 +124,14 @@ def stepped_piece(problem: TimingProblem, a: float, b: float, grid: int, start: 
     """The motion from s = a to s = b without jerk limits, by toppra. `start` and `end` are speeds [rad/s]; 0: a stop."""
     curve = ArcLength(problem.course.path, a, b)
     points = curve.grid(grid, problem.limits.edges)
-    asked = problem.demands(curve, points)
+    asked = problem.dynamics(curve, points)
     moving = start > 0 or end > 0
 
-    def solve(easing: Easing) -> Profile | None:
+    def solve(tightening: LimitTightening) -> Profile | None:
         try:
-            speed = fastest_speeds(easing.of(asked), problem.names, problem.course.given, start, end)
+            speed = fastest_speeds(tightening.of(asked), problem.names, problem.course.given, start, end)
         except (InvalidInputError, PlanningError):
-            if not easing.rounds:
+            if not tightening.rounds:
                 raise
             return None  # limits were made too strict
         return SteppedProfile.of(curve, points, speed)
@@ -145,8 +145,8 @@ def stepped_piece(problem: TimingProblem, a: float, b: float, grid: int, start: 
             f"s = {problem.course.given(float(s[k])):.4f}{remedy}"
         )
 
-    easing = Easing(len(points), (start > 0, end > 0))
-    return _verified(problem, solve, easing, ROUNDS, moving=moving, failure=failure)
+    tightening = LimitTightening(len(points), (start > 0, end > 0))
+    return _verified(problem, solve, tightening, ROUNDS, moving=moving, failure=failure)
 
 
 def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: float, end: float) -> Piece:
@@ -156,7 +156,7 @@ def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: f
     grid = max(grid, SMOOTH_LEAST)
     moving = start > 0 or end > 0
 
-    def motion(asked: Demands, factors: Array, guess: Array | None = None) -> SquaredSpeed | None:
+    def motion(asked: PathDynamics, factors: Array, guess: Array | None = None) -> SquaredSpeed | None:
         s, unit = curve.s((asked.length[:-1] + asked.length[1:]) / 2), asked.speed_unit
         jerk = problem.limits.at(s).jerk / factors[:, None]
         return fastest_motion(JerkProblem(asked, jerk, (start / unit) ** 2, (end / unit) ** 2), guess)
@@ -168,7 +168,7 @@ def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: f
         return InvalidInputError(name, value, "a lower speed: with this one no motion within the jerk limits was found")
 
     points = first_grid(curve, grid, edges, (start == 0, end == 0))
-    asked = problem.demands(curve, points)
+    asked = problem.dynamics(curve, points)
     fastest_speeds(asked, problem.names, problem.course.given, start, end)  # raises where nothing is within the limits
     first = motion(asked, np.ones(len(points) - 1))
     if first is None:
@@ -177,25 +177,25 @@ def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: f
     used = float(problem.use(*profile.sampled(problem.names))["jerk"].max())
     finer = 2 * grid if used < COARSE else grid
     points = next_grid(curve, profile, int(np.clip(profile.time[-1] / SHORTEST_STEP, SMOOTH_LEAST, finer)), edges)
-    asked = problem.demands(curve, points)
+    asked = problem.dynamics(curve, points)
     guess = np.interp(points, profile.length, profile.speed**2) / asked.speed_unit**2
 
-    def solve(easing: Easing) -> Profile | None:
+    def solve(tightening: LimitTightening) -> Profile | None:
         nonlocal guess
-        found = motion(easing.of(asked), easing.jerk, guess)
+        found = motion(tightening.of(asked), tightening.jerk, guess)
         if found is None:
             return None
         guess = found.a
         return SmoothProfile.of(asked, found)
 
-    easing = Easing(len(points), (start > 0, end > 0))
-    return _verified(problem, solve, easing, ROUNDS_SMOOTH, moving=moving, failure=failure)
+    tightening = LimitTightening(len(points), (start > 0, end > 0))
+    return _verified(problem, solve, tightening, ROUNDS_SMOOTH, moving=moving, failure=failure)
 
 
 def _verified(
     problem: TimingProblem,
-    solve: Callable[[Easing], Profile | None],
-    easing: Easing,
+    solve: Callable[[LimitTightening], Profile | None],
+    tightening: LimitTightening,
     rounds: int,
     *,
     moving: bool,
@@ -209,7 +209,7 @@ def _verified(
     use: Use = {}
     ideal, s = np.inf, np.empty(0)
     for _ in range(1 + (ROUNDS_MOVING if moving else rounds)):
-        profile = solve(easing)
+        profile = solve(tightening)
         if profile is None:
             break
         ideal = min(ideal, float(profile.time[-1]))
@@ -225,7 +225,7 @@ def _verified(
                 best = Piece(trajectory=slowed, ideal=ideal)
             if best is not None and factor <= CLOSE:
                 break
-        easing.tighten(use)
+        tightening.tighten(use)
     if best is None:
         raise failure(use, s)
     return best

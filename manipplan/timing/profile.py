@@ -13,7 +13,7 @@ import numpy as np
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.checks import Array
 from manipplan.timing.arc import ArcLength
-from manipplan.timing.dynamics import Demands
+from manipplan.timing.dynamics import PathDynamics
 from manipplan.timing.jerk import SquaredSpeed
 
 
@@ -83,7 +83,7 @@ class SmoothProfile(Profile):
     """A motion whose acceleration is continuous, and zero where it begins or ends at rest."""
 
     @classmethod
-    def of(cls, demands: Demands, motion: SquaredSpeed) -> "SmoothProfile":
+    def of(cls, demands: PathDynamics, motion: SquaredSpeed) -> "SmoothProfile":
         """From a solution in the units of the demands."""
         time = np.concatenate([[0.0], np.cumsum(motion.steps)]) * demands.time_unit
         speed = np.sqrt(np.maximum(motion.a, 0.0)) * demands.speed_unit

@@ -16,15 +16,15 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import distinct_names, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.timing.piece import Piece, TimingProblem, smooth_piece, stepped_piece
-from manipplan.timing.segment import LimitsAlong, Segment, ToolSpeed, checked_segments
-from manipplan.timing.stops import STANDSTILL, Course, stops
+from manipplan.timing.segment import LimitsAlong, Segment, ToolSpeed, check_segments
+from manipplan.timing.stops import STANDSTILL, MovingPath, stops
 
 #: Where a grid is too coarse for a bend as sharp as a corner, a stop where ‖q'‖ is below this share is tried.
 NEAR_STANDSTILL = 0.02
 #: Grid points for each polynomial piece, least, up to four times the grid asked for; one alone has the whole grid.
 EACH = 40
 #: A grid is refined while what it left over slows the whole motion by more than this.
-ENOUGH = 1.02
+CLOSE_TO_IDEAL = 1.02
 #: Limits that make sense lie far inside these [SI units].
 LEAST_LIMIT, MOST_LIMIT = 1e-9, 1e12
 
@@ -80,10 +80,10 @@ def retime(
         raise InvalidInputError("robot", f"an arm of {robot.n} joints", f"an arm of the path's {path.n} joints")
     names = distinct_names("joint_names", joint_names or [f"q{i}" for i in range(path.n)], path.n)
     speeds = (number("start_speed", start_speed, least=0.0), number("end_speed", end_speed, least=0.0))
-    parts = checked_segments(segments, limits, robot)
+    parts = check_segments(segments, limits, robot)
     if path.length < SHORTEST:
         raise InvalidInputError("path", f"length {path.length:g}", f"a path with a length of at least {SHORTEST:g}")
-    course = Course(path)
+    course = MovingPath(path)
     places = course.here(np.array([[part.begin, part.end] for part in parts]).reshape(-1, 2))
     along = LimitsAlong(limits, parts, places)
     if torque_model is not None:
@@ -94,7 +94,7 @@ def retime(
     for points, standstill in ((grid, STANDSTILL), (4 * grid, STANDSTILL), (grid, NEAR_STANDSTILL)):
         pieces = _pieces(problem, stops(course.path, standstill), points, speeds)
         found.append(joined([piece.trajectory for piece in pieces]))
-        if found[-1].duration <= ENOUGH * sum(piece.ideal for piece in pieces):
+        if found[-1].duration <= CLOSE_TO_IDEAL * sum(piece.ideal for piece in pieces):
             break
     return min(found, key=lambda each: each.duration)
 

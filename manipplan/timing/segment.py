@@ -107,7 +107,7 @@ class LimitsAlong:
         return row
 
 
-def checked_segments(segments: Any, limits: JointLimits, robot: Robot | None) -> tuple[Segment, ...]:
+def check_segments(segments: Any, limits: JointLimits, robot: Robot | None) -> tuple[Segment, ...]:
     """The segments given to `retime`. Raises InvalidInputError when one does not fit."""
     if segments is None:
         return ()

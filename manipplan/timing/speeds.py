@@ -7,14 +7,14 @@ import numpy as np
 
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.timing.dynamics import Demands
+from manipplan.timing.dynamics import PathDynamics
 
 #: A given speed may be this much, relative, above what limits allow: digits of the user's own arithmetic.
 DIGITS = 1e-9
 
 
 def fastest_speeds(
-    demands: Demands, names: Sequence[str], given: Callable[[float], float], start: float = 0.0, end: float = 0.0
+    demands: PathDynamics, names: Sequence[str], given: Callable[[float], float], start: float = 0.0, end: float = 0.0
 ) -> Array:
     """Speed dl/dt [rad/s] at each grid point (k,), from `start` to `end` [rad/s].
 
@@ -39,7 +39,7 @@ def fastest_speeds(
     return speed * unit
 
 
-def _algorithm(demands: Demands) -> Any:
+def _algorithm(demands: PathDynamics) -> Any:
     """toppra's algorithm with our rows."""
     import toppra
     from toppra.constraint import LinearConstraint
@@ -82,11 +82,11 @@ def _algorithm(demands: Demands) -> Any:
     return toppra.algorithm.TOPPRA([Speed(), Rows()], Geometric(), gridpoints=demands.at, solver_wrapper="seidel")
 
 
-def _place(demands: Demands, k: int, given: Callable[[float], float]) -> str:
+def _place(demands: PathDynamics, k: int, given: Callable[[float], float]) -> str:
     return f"at s = {given(float(demands.curve.s(demands.length[k]))):.4f}"
 
 
-def _binding(demands: Demands, names: Sequence[str], k: int) -> str:
+def _binding(demands: PathDynamics, names: Sequence[str], k: int) -> str:
     """Which joint leaves least room at grid point k, and by what."""
     n = len(names)
     row = int(np.argmax(np.abs(demands.constant[k]) + 1e-9 * np.abs(demands.x[k])))
@@ -95,7 +95,7 @@ def _binding(demands: Demands, names: Sequence[str], k: int) -> str:
 
 
 def _check_end(
-    name: str, speed: float, demands: Demands, names: Sequence[str], given: Callable[[float], float], k: int
+    name: str, speed: float, demands: PathDynamics, names: Sequence[str], given: Callable[[float], float], k: int
 ) -> None:
     most = float(np.sqrt(demands.fastest[k]) * demands.speed_unit)
     if speed <= most * (1 + DIGITS):
@@ -107,7 +107,9 @@ def _check_end(
     raise InvalidInputError(name, speed, f"0 to {most:.6g}: {whose} allows no more {_place(demands, k, given)}")
 
 
-def _failure(demands: Demands, names: Sequence[str], given: Callable[[float], float], start: float, end: float) -> Exception:
+def _failure(
+    demands: PathDynamics, names: Sequence[str], given: Callable[[float], float], start: float, end: float
+) -> Exception:
     """Why there is no motion, as the error to raise."""
     if end > 0 and (most := _most(demands, end, lambda speed: (start, speed))) is not None:
         return InvalidInputError(
@@ -123,7 +125,7 @@ def _failure(demands: Demands, names: Sequence[str], given: Callable[[float], fl
     return PlanningError(f"no motion is within the limits: {_binding(demands, names, k)} {_place(demands, k, given)}")
 
 
-def _most(demands: Demands, given: float, ends: Callable[[float], tuple[float, float]]) -> float | None:
+def _most(demands: PathDynamics, given: float, ends: Callable[[float], tuple[float, float]]) -> float | None:
     """The largest speed below the one given that allows a motion, rounded down; None when even 0 does not."""
     algorithm = _algorithm(demands)
 

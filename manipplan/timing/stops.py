@@ -10,7 +10,7 @@ STANDSTILL = 1e-6
 CORNER = 1e-4
 
 
-class Course:
+class MovingPath:
     """A path without standing pieces, and the way between its parameter and that of the path given."""
 
     def __init__(self, path: JointPath) -> None:

@@ -47,7 +47,7 @@ def plot_arm(
 
     Returns the axes.
     """
-    curve, other, world = checked(robot, path, scene, seed)
+    curve, other, world = check_motions(robot, path, scene, seed)
     shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2))
     ways = {name: tool_way(robot, each) for name, each in zip(names, (curve, other), strict=True) if each is not None}
     first, last = (joined(arm_surfaces(robot, q)) for q in (curve.start, curve.goal))
@@ -81,7 +81,9 @@ def draw_scene(ax: Any, scene: Scene, seen: list[Array]) -> list[Array]:
     return seen
 
 
-def checked(robot: Robot, path: Motion, scene: Scene | None, seed: Motion | None) -> tuple[JointPath, JointPath | None, Scene]:
+def check_motions(
+    robot: Robot, path: Motion, scene: Scene | None, seed: Motion | None
+) -> tuple[JointPath, JointPath | None, Scene]:
     """The paths of both motions, and the scene; raises InvalidInputError for what is no arm, scene or motion of this arm."""
     instance("robot", robot, Robot)
     world = Scene() if scene is None else instance("scene", scene, Scene)

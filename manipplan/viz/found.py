@@ -52,7 +52,7 @@ def plot_layers(layers: Layers, result: SearchResult | Refinement | None = None,
         if breaks_at is not None:
             ax.axvline(breaks_at, color=style.ARM, linewidth=1.2, label="no continuous path reaches this")
         ax.set(xlabel="position along the path", xlim=(-0.5, count - 0.5))
-        ax.set_ylabel("index" if layers.worker is None else style.index_label(layers.worker.kinematics))
+        ax.set_ylabel("index" if layers.sampler is None else style.index_label(layers.sampler.kinematics))
         if min(each.min() for each in shown) >= 0:
             ax.set_ylim(0, None)
         ax.set_title(f"{layers.count} candidates at {count} positions")

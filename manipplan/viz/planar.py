@@ -10,7 +10,7 @@ from manipplan.support.checks import Array, whole_number
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 from manipplan.viz import style
-from manipplan.viz.arm import PLACES, checked
+from manipplan.viz.arm import PLACES, check_motions
 from manipplan.viz.ellipsoids import plot_ellipsoids
 from manipplan.viz.motions import Motion, skeleton, tool_way
 from manipplan.viz.shapes import arm_surfaces, feet_on_planes, obstacle_surfaces
@@ -34,7 +34,7 @@ def plot_planar_arm(
 
     Returns the axes. Raises InvalidInputError for an arm that is not planar.
     """
-    curve, other, world = checked(robot, path, scene, seed)
+    curve, other, world = check_motions(robot, path, scene, seed)
     if not robot.planar:
         raise InvalidInputError("robot", robot.name, "a planar arm; plot_arm draws any other")
     shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2))

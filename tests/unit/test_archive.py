@@ -24,7 +24,7 @@ from manipplan.jobs.archive import checksum
 from manipplan.jobs.check import Report
 from manipplan.jobs.result import Plan
 from manipplan.jobs.stored import fingerprint
-from manipplan.optimize.result import measured
+from manipplan.optimize.result import make_result
 
 #: What only the solvers need.
 LEFT_OUT = {"history", "rivals", "search", "tracking", "cache", "model", "geometry", "hulls"}
@@ -65,7 +65,7 @@ def made_plan(robot, path, *, scene=None, task=None, measure=None, power=1.0, me
     cost = objective.cost(path)
     seed = mp.JointPath.through(path(np.linspace(0, 1, 5)))
     status = mp.Status.OPTIMAL
-    result = measured(
+    result = make_result(
         path, objective, cost=cost, seed=seed, seed_cost=objective.cost(seed), model=model, clearance=0.0, status=status
     )
     trajectory = mp.retime(path, robot.limits, joint_names=robot.joint_names)

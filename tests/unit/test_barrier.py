@@ -6,7 +6,7 @@ import pytest
 import manipplan as mp
 from manipplan.timing.arc import ArcLength
 from manipplan.timing.barrier import motion_inside
-from manipplan.timing.dynamics import demands
+from manipplan.timing.dynamics import path_dynamics
 from manipplan.timing.jerk import BandedModel, JerkProblem, applied
 from manipplan.timing.piece import first_grid
 from manipplan.timing.segment import LimitsAlong
@@ -49,7 +49,7 @@ def test_the_gradient_of_the_merit_is_that_of_differences(planar, rng, start, en
     limits = planar.with_limits(velocity=2.0, acceleration=4.0).limits.with_changes({"jerk": 60.0})
     curve = ArcLength(mp.JointPath(breaks=[0.0, 1.0], control=rng.uniform(-1, 1, (1, 4, 3))), 0.0, 1.0)
     points = first_grid(curve, 40, np.empty(0), (start == 0, end == 0))
-    asked = demands(curve, points, LimitsAlong(limits, (), np.empty((0, 2))), None, None)
+    asked = path_dynamics(curve, points, LimitsAlong(limits, (), np.empty((0, 2))), None, None)
     ends = [(each / asked.speed_unit) ** 2 for each in (start, end)]
     problem = JerkProblem(asked, np.full((len(points) - 1, 3), 60.0), *ends)
     z, weight = motion_inside(problem, None), 7.0

@@ -34,7 +34,7 @@ def around_a_post(panda):
     program = PathProgram(PathObjective(kinematics=panda.kinematics(), power=1.0), named_basis("legendre", 6))
     surroundings = Surroundings(model=mp.Scene([POST]).collision_model(panda), clearance=CLEARANCE)
     coefficients = program.basis.fit(result.path, np.linspace(0.0, 1.0, 161))
-    true, z = program.true_program(np.array(START), np.array(GOAL), coefficients, surroundings)
+    true, z = program.descent_program(np.array(START), np.array(GOAL), coefficients, surroundings)
     return result, true, z
 
 
