@@ -18,23 +18,22 @@ from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import core_of, enclose
 from manipplan.robots.description import axis_of, is_prismatic
 from manipplan.support.checks import Array
+from manipplan.support.memo import once_per_owner
 
 #: Bodies of more core points than this are bounded by those of a primitive around them.
 MOST_POINTS = 8
 
-Index = NDArray[np.intp]
+BodyIndices = NDArray[np.intp]
 
 
-class Reach:
+@once_per_owner
+def body_motion(model: CollisionModel) -> "BodyMotion":
     """How far the bodies of a collision model can move."""
+    return BodyMotion(model)
 
-    @classmethod
-    def of(cls, model: CollisionModel) -> "Reach":
-        """That of a model, made once."""
-        if "reach" not in model.cache:
-            model.cache["reach"] = cls(model)
-        reach: Reach = model.cache["reach"]
-        return reach
+
+class BodyMotion:
+    """How far the bodies of a collision model can move."""
 
     def __init__(self, model: CollisionModel) -> None:
         robot, objects = model.robot.model, model.geometry.geometryObjects
@@ -44,8 +43,8 @@ class Reach:
         #: (b,) the joint that carries each body; 0: the world
         self.joint = carrier
         #: (p,) of each pair the body further from the base, and the joint of the other
-        self.body: Index = pairs[np.arange(len(pairs)), carriers.argmax(axis=1)]
-        self.below: Index = carriers.min(axis=1)
+        self.body: BodyIndices = pairs[np.arange(len(pairs)), carriers.argmax(axis=1)]
+        self.below: BodyIndices = carriers.min(axis=1)
         self.points = np.empty((len(objects), MOST_POINTS, 3))
         self.radii = np.zeros(len(objects))
         for k, item in enumerate(objects):
@@ -56,7 +55,7 @@ class Reach:
         self._axes = [axis_of(joint) for joint in robot.joints[1:]]
         self._placements = [(np.array(place.rotation), np.array(place.translation)) for place in robot.jointPlacements[1:]]
 
-    def motion(self, q: Array, change: Array, rows: Index, pairs: Index) -> Array:
+    def motion(self, q: Array, change: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
         """How far the two bodies of a pair can move towards each other, (e,) [m].
 
         Args:

@@ -3,7 +3,6 @@
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import coal
 import numpy as np
@@ -17,6 +16,7 @@ from manipplan.robots.hulls import has_hull
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.memo import once_per_owner
 
 #: A pair that touches at this share of so many random configurations is dropped as touching by construction.
 SAMPLES = 200
@@ -96,7 +96,6 @@ class CollisionModel:
             request.gjk_tolerance = GJK_TOLERANCE
         self._margin = 0.0
         self._cores: dict[int, tuple[Array, float]] = {}
-        self.cache: dict[str, Any] = {}  # what is derived from the geometry and built once, such as the reach of its bodies
 
     @classmethod
     def of(cls, robot: Robot, scene: Scene) -> "CollisionModel":
@@ -262,19 +261,17 @@ class CollisionModel:
             self._margin = clearance
 
 
+@once_per_owner
 def _self_model(robot: Robot) -> CollisionModel:
-    """The robot alone, built once: its primitives and the pairs of its own bodies that are checked."""
-    if "self" not in robot.cache:
-        geometry, origins = _primitive_geometry(robot)
-        primitives = geometry.ngeoms
-        dropped = add_self_pairs(robot, geometry, origins)
-        samples = [robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)]
-        for tighter in (_hull, _mesh):
-            _tighten_coarse_pairs(robot, geometry, origins, samples, tighter)
-        _drop_always_touching(robot, geometry, dropped, samples)
-        robot.cache["self"] = CollisionModel(robot, geometry, dropped, primitives)
-    model: CollisionModel = robot.cache["self"]
-    return model
+    """The robot alone: its primitives and the pairs of its own bodies that are checked."""
+    geometry, origins = _primitive_geometry(robot)
+    primitives = geometry.ngeoms
+    dropped = add_self_pairs(robot, geometry, origins)
+    samples = [robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)]
+    for tighter in (_hull, _mesh):
+        _tighten_coarse_pairs(robot, geometry, origins, samples, tighter)
+    _drop_always_touching(robot, geometry, dropped, samples)
+    return CollisionModel(robot, geometry, dropped, primitives)
 
 
 def _primitive_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int]]:

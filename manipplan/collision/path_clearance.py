@@ -1,4 +1,4 @@
-"""The clearance of a whole curve, proven and not sampled: conservative bisection with the bounds of `reach`.
+"""The clearance of a whole curve, proven and not sampled: conservative bisection with the bounds of `body_motion`.
 
 The distance of a pair of bodies at the middle of an interval of the curve, less how far the two can move towards each other on
 it, bounds their distance on the interval. How far each joint moves comes from the control points of that interval, whose
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.collision.body_motion import Index, Reach
+from manipplan.collision.body_motion import BodyIndices, body_motion
 from manipplan.collision.model import CollisionModel
 from manipplan.paths.joint import JointPath, split
 from manipplan.support.checks import Array, instance, number
@@ -91,7 +91,7 @@ class _Search:
 
     def __init__(self, model: CollisionModel, clearance: float, tolerance: float | None) -> None:
         self.model = model
-        self.reach = Reach.of(model)
+        self.motion = body_motion(model)
         self.clearance = clearance
         self.tolerance = tolerance
         self.checks = 0
@@ -136,7 +136,7 @@ class _Search:
         tight = self.upper - self.tolerance
         return max(tight, self.clearance) if self.upper > self.clearance else tight
 
-    def _runs(self, control: Array, breaks: Array) -> tuple[Index, Index, Array]:
+    def _runs(self, control: Array, breaks: Array) -> tuple[BodyIndices, BodyIndices, Array]:
         """Pieces and pairs that are still open, with their bounds, after runs of pieces were looked at as a whole."""
         count = len(self.model.pair_names)
         first = np.arange(0, len(control), RUN)
@@ -154,14 +154,14 @@ class _Search:
         return np.repeat(first[rows], times) + inside, np.repeat(pairs, times), np.repeat(known, times)
 
     def _look(
-        self, q: Array, change: Array, middles: Array, rows: Index, pairs: Index, known: Array
+        self, q: Array, change: Array, middles: Array, rows: BodyIndices, pairs: BodyIndices, known: Array
     ) -> tuple[NDArray[np.bool_], Array]:
         """Measure pairs at the middles q (m, n) of intervals; which to cut, and lower bounds of all. The others are closed.
 
         `known` are bounds from the interval that was cut before.
         """
         distances = self._distances(q, rows, pairs)
-        bounds = np.maximum(known, distances - SLACK - self.reach.motion(q, change, rows, pairs))
+        bounds = np.maximum(known, distances - SLACK - self.motion.motion(q, change, rows, pairs))
         least = int(distances.argmin())
         if distances[least] < self.upper:
             self.upper, self.nearest = float(distances[least]), (float(middles[rows[least]]), int(pairs[least]))
@@ -171,12 +171,12 @@ class _Search:
         self._close(bounds[~cut], middles, rows[~cut], pairs[~cut])
         return cut, bounds
 
-    def _close(self, bounds: Array, middles: Array, rows: Index, pairs: Index) -> None:
+    def _close(self, bounds: Array, middles: Array, rows: BodyIndices, pairs: BodyIndices) -> None:
         if len(bounds) and bounds.min() < self.lower:
             least = int(bounds.argmin())
             self.lower, self.lowest = float(bounds[least]), (float(middles[rows[least]]), int(pairs[least]))
 
-    def _distances(self, q: Array, rows: Index, pairs: Index) -> Array:
+    def _distances(self, q: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
         self.checks += len(rows)
         found = np.empty(len(rows))
         order = np.argsort(rows, kind="stable")

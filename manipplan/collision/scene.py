@@ -12,17 +12,18 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
+from manipplan.paths.joint import JointPath
 from manipplan.robots.hulls import FARTHEST, convex_hull, has_hull
 from manipplan.robots.ply import fault_of
+from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, configurations, existing_file, finite_array, instance, number, number_array
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.files import write_text
+from manipplan.support.memo import once_per_owner, state_without_memo
 
 if TYPE_CHECKING:
     from manipplan.collision.model import CollisionModel
     from manipplan.collision.path_clearance import PathClearance
-    from manipplan.paths.joint import JointPath
-    from manipplan.robots.robot import Robot
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -173,7 +174,6 @@ class Scene:
         if doubled is not None:
             raise InvalidInputError("obstacles", doubled, "names that differ")
         self.names = tuple(names)
-        self._models: dict[Robot, CollisionModel] = {}
 
     @classmethod
     def from_yaml(cls, file: str | Path) -> "Scene":
@@ -227,24 +227,24 @@ class Scene:
             entries.append(entry)
         return entries
 
-    def collision_model(self, robot: "Robot") -> "CollisionModel":
+    def collision_model(self, robot: Robot) -> "CollisionModel":
         """The robot among these obstacles, built once."""
+        return self._collision_model(instance("robot", robot, Robot))
+
+    @once_per_owner
+    def _collision_model(self, robot: Robot) -> "CollisionModel":
         from manipplan.collision.model import CollisionModel
-        from manipplan.robots.robot import Robot
 
-        instance("robot", robot, Robot)
-        if robot not in self._models:
-            self._models[robot] = CollisionModel.of(robot, self)
-        return self._models[robot]
+        return CollisionModel.of(robot, self)
 
-    def in_collision(self, robot: "Robot", q: ArrayLike) -> bool | NDArray[np.bool_]:
+    def in_collision(self, robot: Robot, q: ArrayLike) -> bool | NDArray[np.bool_]:
         """Whether the robot touches an obstacle or itself at q (n,); an array of answers for q (..., n)."""
         model = self.collision_model(robot)
         batch = configurations("q", q, robot.n)
         hits = np.array([model.in_collision(each) for each in batch.reshape(-1, robot.n)], dtype=bool)
         return bool(hits[0]) if batch.ndim == 1 else hits.reshape(batch.shape[:-1])
 
-    def distances(self, robot: "Robot", q: ArrayLike) -> Array:
+    def distances(self, robot: Robot, q: ArrayLike) -> Array:
         """Signed distance of every pair [m], (k,) for q (n,), (..., k) for q (..., n); negative where they overlap.
 
         The pairs stand in the order of `collision_model(robot).pair_names`.
@@ -255,7 +255,7 @@ class Scene:
         return np.array(rows).reshape((*batch.shape[:-1], len(model.pair_names)))
 
     def path_clearance(
-        self, robot: "Robot", path: "JointPath", *, clearance: float = 0.0, tolerance: float | None = 1e-3
+        self, robot: Robot, path: JointPath, *, clearance: float = 0.0, tolerance: float | None = 1e-3
     ) -> "PathClearance":
         """Proven bounds [m] of how near the robot comes to an obstacle or to itself on the whole path, between samples too.
 
@@ -272,7 +272,7 @@ class Scene:
         return path_clearance(self.collision_model(robot), path, clearance=clearance, tolerance=tolerance)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_models": {}}  # a model holds pointers into Pinocchio
+        return state_without_memo(self)
 
     def __repr__(self) -> str:
         return f"Scene({', '.join(self.names)})"

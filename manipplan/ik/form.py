@@ -11,6 +11,7 @@ from manipplan.ik.spherical import SKEW, lie
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.task import Task
 
 #: Which solver answers.
@@ -66,14 +67,15 @@ def closed_form(robot: Robot, held: Sequence[str] | None = None) -> ClosedForm |
     if robot.n < 6 or robot.planar:
         return None
     chosen = held_indices(robot, held, robot.n - 6) if held is not None else None
-    key = ("closed form", chosen)
-    if key not in robot.cache:
-        if chosen is not None and not _moves_everywhere(robot, chosen):
-            wanted = "joints without which the others still move the tool in all directions"
-            raise InvalidInputError("held", [robot.joint_names[k] for k in chosen], wanted)
-        robot.cache[key] = _simplest(Screws.of(robot), chosen)
-    form: ClosedForm | None = robot.cache[key]
-    return form
+    return _closed_form(robot, chosen)
+
+
+@once_per_owner
+def _closed_form(robot: Robot, held: tuple[int, ...] | None) -> ClosedForm | None:
+    if held is not None and not _moves_everywhere(robot, held):
+        wanted = "joints without which the others still move the tool in all directions"
+        raise InvalidInputError("held", [robot.joint_names[k] for k in held], wanted)
+    return _simplest(Screws.of(robot), held)
 
 
 def _simplest(screws: Screws, held: tuple[int, ...] | None) -> ClosedForm | None:

@@ -23,6 +23,7 @@ from manipplan.seeds.ompl import CHECK_STEP
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.interrupts import interruptible
+from manipplan.support.memo import once_per_owner
 from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 
@@ -188,12 +189,17 @@ def _program(problem: PathProblem, objective: PathObjective) -> PathProgram:
     kinematics, fixed = objective.kinematics, problem.ends.pattern
     basis = (problem.basis, problem.degree, problem.pieces)
     metric = None if objective.metric is None else objective.metric.tobytes()
-    key = ("path program", kinematics.task, kinematics.measure, kinematics.compiled, objective.power, metric, basis, fixed)
-    cache = kinematics.robot.cache
-    if key not in cache:
-        cache[key] = PathProgram(objective, named_basis(*basis), fixed)
-    program: PathProgram = cache[key]
-    return program
+    key = (kinematics.task, kinematics.measure, kinematics.compiled, objective.power, metric, basis, fixed)
+    programs = _programs(kinematics.robot)
+    if key not in programs:
+        programs[key] = PathProgram(objective, named_basis(*basis), fixed)
+    return programs[key]
+
+
+@once_per_owner
+def _programs(_robot: Robot) -> dict[tuple[object, ...], PathProgram]:
+    """The programs that were built for a robot."""
+    return {}
 
 
 #: How a recorded motion is read, by the end of the file's name.

@@ -17,6 +17,7 @@ from manipplan.robots.source import RobotSource
 from manipplan.robots.states import NamedStates
 from manipplan.support.checks import Array, configurations, existing_file, instance, whole_number
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.memo import once_per_owner, state_without_memo
 
 if TYPE_CHECKING:
     from manipplan.kinematics.kinematics import Kinematics
@@ -47,7 +48,6 @@ class Robot:
         planar: True when the arm moves in the x-y plane alone.
         named_states: of an SRDF's named postures those that give every active joint a value: (n,) by name [rad or m].
         source: what the arm was read from, which builds it again; None for one that was put together by hand.
-        cache: what was built for this robot once and is used again (kinematics, fitted primitives).
     """
 
     name: str
@@ -62,7 +62,6 @@ class Robot:
     planar: bool = False
     named_states: Mapping[str, Array] = field(default_factory=NamedStates)
     source: RobotSource | None = None
-    cache: dict[object, Any] = field(default_factory=dict, init=False, repr=False)
 
     @classmethod
     def from_urdf(
@@ -229,9 +228,7 @@ class Robot:
             CompilerError: at the first call, when compiled is True and there is no compiler or it fails.
         """
         from manipplan.kinematics.batch import all_cores
-        from manipplan.kinematics.kinematics import Kinematics
         from manipplan.measures.names import measure_of
-        from manipplan.symbolic.backends import chain_of
         from manipplan.symbolic.task import Task
 
         task = instance("task", task if task is not None else self.default_task, Task)
@@ -241,14 +238,17 @@ class Robot:
         threads = all_cores() if threads is None else whole_number("threads", threads, least=1)
         if not isinstance(backend, str):
             raise InvalidInputError("backend", backend, "the name of one")
-        key = (task, backend, compiled, chosen, threads)
-        if key not in self.cache:
-            chain = chain_of(self, backend)
-            self.cache[key] = Kinematics(
-                robot=self, task=task, measure=chosen, compiled=compiled, threads=threads, backend=backend, chain=chain
-            )
-        kinematics: Kinematics = self.cache[key]
-        return kinematics
+        return self._kinematics(task, chosen, backend, compiled, threads)
+
+    @once_per_owner
+    def _kinematics(self, task: "Task", measure: "Measure", backend: str, compiled: bool | str, threads: int) -> "Kinematics":
+        from manipplan.kinematics.kinematics import Kinematics
+        from manipplan.symbolic.backends import chain_of
+
+        chain = chain_of(self, backend)
+        return Kinematics(
+            robot=self, task=task, measure=measure, compiled=compiled, threads=threads, backend=backend, chain=chain
+        )
 
     def configuration(self, argument: str, q: ArrayLike, *, tolerance: float = 0.0) -> Array:
         """Check one configuration (n,): finite, right length, inside the position limits.
@@ -303,7 +303,7 @@ class Robot:
         to_srdf(self, file, states, group=group)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "cache": {}}  # what was built holds pointers into Pinocchio
+        return state_without_memo(self)
 
     def __str__(self) -> str:
         limits = self.limits

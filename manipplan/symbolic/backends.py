@@ -6,6 +6,7 @@ import casadi as ca
 
 from manipplan.robots.description import frame_index
 from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.chain import Placement, SymbolicChain
 from manipplan.symbolic.pinocchio_casadi import bindings_installed, pinocchio_casadi
 
@@ -24,13 +25,12 @@ def chain_of(robot: "Robot", backend: str) -> SymbolicChain:
         raise InvalidInputError("backend", backend, wanted)
     if backend == "auto":
         backend = "bindings" if bindings_installed() else "chain"
-    key = ("chain", backend)
-    if key not in robot.cache:
-        robot.cache[key] = (
-            SymbolicChain.of(robot.model, robot.tool) if backend == "chain" else PinocchioChain.by(robot, backend)
-        )
-    chain: SymbolicChain = robot.cache[key]
-    return chain
+    return _chain(robot, backend)
+
+
+@once_per_owner
+def _chain(robot: "Robot", backend: str) -> SymbolicChain:
+    return SymbolicChain.of(robot.model, robot.tool) if backend == "chain" else PinocchioChain.by(robot, backend)
 
 
 class PinocchioChain(SymbolicChain):

@@ -18,6 +18,7 @@ import casadi as ca
 from manipplan.robots.description import frame_index
 from manipplan.support.compiler import load_library
 from manipplan.support.errors import CompilerError, InvalidInputError, ManipplanError, UnknownNameError
+from manipplan.support.memo import once_per_owner
 
 if TYPE_CHECKING:
     from manipplan.robots.robot import Robot
@@ -71,11 +72,7 @@ def pinocchio_casadi(robot: "Robot", *, source: str = "auto") -> PinocchioCasadi
         raise UnknownNameError("source", str(source), SOURCES)
     if source == "auto":
         source = "bindings" if bindings_installed() else "bridge"
-    key = ("pinocchio_casadi", source)
-    if key not in robot.cache:
-        robot.cache[key] = _by_bindings(robot) if source == "bindings" else _by_bridge(robot)
-    functions: PinocchioCasadi = robot.cache[key]
-    return functions
+    return _by_bindings(robot) if source == "bindings" else _by_bridge(robot)
 
 
 @cache
@@ -88,6 +85,7 @@ def bindings_installed() -> bool:
     return True
 
 
+@once_per_owner
 def _by_bindings(robot: "Robot") -> PinocchioCasadi:
     if not bindings_installed():
         raise InvalidInputError(
@@ -117,6 +115,7 @@ def _by_bindings(robot: "Robot") -> PinocchioCasadi:
     )
 
 
+@once_per_owner
 def _by_bridge(robot: "Robot") -> PinocchioCasadi:
     library = _bridge()
     text = ctypes.c_void_p()

@@ -11,6 +11,7 @@ from manipplan.collision.model import CollisionModel, add_self_pairs
 from manipplan.collision.primitives import core_of, fit_primitives, mesh_triangles
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.memo import once_per_owner
 
 log = logging.getLogger("manipplan")
 
@@ -57,10 +58,7 @@ class Bodies:
     @classmethod
     def of(cls, robot: Robot) -> "Bodies":
         """The capsules of a robot, fitted once."""
-        if "bodies" not in robot.cache:
-            robot.cache["bodies"] = cls._fitted(robot)
-        bodies: Bodies = robot.cache["bodies"]
-        return bodies
+        return _bodies(robot)
 
     @classmethod
     def _fitted(cls, robot: Robot) -> "Bodies":
@@ -131,3 +129,8 @@ def _that_can_meet(
         else:
             kept.append((int(pair.first), int(pair.second)))
     return tuple(kept)
+
+
+@once_per_owner
+def _bodies(robot: Robot) -> Bodies:
+    return Bodies._fitted(robot)

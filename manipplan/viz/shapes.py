@@ -11,6 +11,7 @@ from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.collision.scene import Plane, Scene
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.memo import once_per_owner
 
 #: Flat pieces around a round shape, and from one pole of a ball to the other.
 AROUND, UP = 28, 14
@@ -113,13 +114,17 @@ def feet_on_planes(scene: Scene, points: Array) -> Iterator[Array]:
 
 def arm_surfaces(robot: Robot, q: Array) -> list[Surface]:
     """The robot's collision bodies at q (n,), in the world, without planes such as the floor of an MJCF, which have no end."""
-    if "drawn bodies" not in robot.cache:
-        endless = coal.Halfspace | coal.Plane
-        objects = [each for each in robot.geometry.geometryObjects if not isinstance(each.geometry, endless)]
-        robot.cache["drawn bodies"] = [(each.parentJoint, surface_of(each.geometry).placed(each.placement)) for each in objects]
     data = robot.model.createData()
     pin.forwardKinematics(robot.model, data, q)
-    return [surface.placed(data.oMi[joint]) for joint, surface in robot.cache["drawn bodies"]]
+    return [surface.placed(data.oMi[joint]) for joint, surface in _drawn_bodies(robot)]
+
+
+@once_per_owner
+def _drawn_bodies(robot: Robot) -> list[tuple[int, Surface]]:
+    """The surface of each body in the frame of its joint, and the joint's index."""
+    endless = coal.Halfspace | coal.Plane
+    objects = [each for each in robot.geometry.geometryObjects if not isinstance(each.geometry, endless)]
+    return [(each.parentJoint, surface_of(each.geometry).placed(each.placement)) for each in objects]
 
 
 def _ball(radii: Array) -> Surface:

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.collision.body_motion import Reach
+from manipplan.collision.body_motion import BodyMotion
 from manipplan.collision.path_clearance import SLACK
 
 QUICK = ("panda", "ur5")  # which other tests need, too; most of the time is the fit of primitives
@@ -25,7 +25,7 @@ def among_obstacles(robot):
         ]
     )
     model = scene.collision_model(robot)
-    return model, Reach(model) if model.pair_names else None
+    return model, BodyMotion(model) if model.pair_names else None
 
 
 @pytest.fixture(scope="module", params=ARMS)

@@ -5,7 +5,8 @@ import pytest
 
 import manipplan as mp
 from manipplan.collision import path_clearance as continuous
-from manipplan.collision.path_clearance import Reach, path_clearance
+from manipplan.collision.body_motion import BodyMotion
+from manipplan.collision.path_clearance import path_clearance
 
 BOXES = [
     mp.Box(size=(0.1, 0.1, 0.4), position=(0.45, 0.2, 0.3), name="post"),
@@ -108,7 +109,7 @@ def test_a_slide_after_a_turn_counts_both(two_link_urdf, rng):
 
     robot = mp.Robot.from_urdf(two_link_urdf(), tool="tip")
     model = mp.Scene([mp.Sphere(radius=0.1, position=(2.0, 2.0, 2.0), name="ball")]).collision_model(robot)
-    reach = Reach(model)
+    reach = BodyMotion(model)
     data = robot.model.createData()
     pair = next(k for k, names in enumerate(model.pair_names) if names[0].startswith("fore"))
     body = model.geometry.geometryObjects[int(reach.body[pair])]

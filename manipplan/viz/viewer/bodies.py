@@ -8,6 +8,7 @@ import pinocchio as pin
 
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.memo import once_per_owner
 from manipplan.viz.viewer.triangles import MOST, Faces, triangles_of
 
 log = logging.getLogger("manipplan")
@@ -37,19 +38,13 @@ class Appearance:
     origin: str
 
 
+@once_per_owner
 def appearance_of(robot: Robot) -> Appearance:
     """The robot as it is drawn; built once.
 
     Without readable visual meshes it is drawn by its collision geometry, and without that as rods from joint to joint;
     `origin` says which, and why.
     """
-    if "appearance" not in robot.cache:
-        robot.cache["appearance"] = _appearance(robot)
-    appearance: Appearance = robot.cache["appearance"]
-    return appearance
-
-
-def _appearance(robot: Robot) -> Appearance:
     from manipplan.viz.viewer.visuals import visual_geometry
 
     geometry, reason = visual_geometry(robot)
