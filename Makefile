@@ -4,13 +4,17 @@ BIN := .venv/bin
 READY := .venv/.ready
 OLD := .peers/manipplan-0.1
 
-.PHONY: demo test test-long browser ffmpeg lint types docs links pictures benchmark benchmark-peers benchmark-paths benchmark-convergence clean
+.PHONY: demo test test-all test-long browser ffmpeg lint types docs links pictures benchmark benchmark-peers benchmark-paths benchmark-convergence clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
 
-test: $(READY) browser ffmpeg
+test: $(READY) ffmpeg
 	$(BIN)/python -m pytest
+
+# Adds the pages, the studies, the benchmarks and what needs a browser.
+test-all: $(READY) browser ffmpeg
+	$(BIN)/python -m pytest -m "not long and not site"
 
 test-long: $(READY)
 	$(BIN)/python -m pytest -m long

@@ -1,7 +1,9 @@
 """What the tests share: real robots, loaded once, and the scene of five boxes."""
 
+import os
 import shutil
 import signal
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,12 +13,33 @@ from manipplan.jobs.demo import panda_among_boxes
 from manipplan.support.compiler import find_compiler
 
 
+#: Folders of tests that `make test-all` adds, and fixtures whose tests it adds.
+SLOW_FOLDERS, SLOW_FIXTURES = ("docs", "problems", "studies"), ("browser",)
+
+
 def pytest_configure(config):
-    """A $CC or $CXX of this machine that does not work is no failure of the tests, which run without a compiler then."""
+    """Machine code of the tests is kept in a folder of their own, which all workers and later runs share.
+
+    A $CC or $CXX of this machine that does not work is no failure of the tests, which run without a compiler then.
+    """
+    os.environ.setdefault("MANIPPLAN_CACHE", str(config.cache.mkdir("manipplan")))
+    # each worker is a process of its own, so its linear algebra takes one thread
+    for threads in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+        os.environ.setdefault(threads, "1")
     config.addinivalue_line(
         "filterwarnings", r"ignore:\$(CC|CXX) = .* is not a compiler:manipplan.support.errors.CompilerWarning"
     )
     config.addinivalue_line("markers", "compiler: needs a C compiler that works")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    """Mark as slow what `make test` leaves to `make test-all`."""
+    here = Path(__file__).parent
+    for item in items:
+        folder = item.path.relative_to(here).parts[0]
+        if folder in SLOW_FOLDERS or set(SLOW_FIXTURES) & set(item.fixturenames):
+            item.add_marker(pytest.mark.slow)
 
 
 def pytest_runtest_setup(item):
