@@ -58,7 +58,8 @@ def main() -> None:
         f"| trajectories within their limits (worst ratio {worst:.7f}) | {sum(r.passed for r in reports)} of {PAIRS} |",
         f"| optimised; the rest are the safe seed, and say so | {optimised} of {PAIRS} |",
         f"| g over the simplified seed's g: median, worst | {np.median(ratio):.3f}, {ratio.max():.3f} |",
-        f"| least index over the seed's: worst, median, best | {least.min():.3g}, {np.median(least):.3g}, {least.max():.3g} |",
+        f"| minimum manipulability over the seed's: worst, median, best | {least.min():.3g}, {np.median(least):.3g}, "
+        f"{least.max():.3g} |",
         f"| wall time after the first call: median, worst | {np.median(times):.2f} s, {times.max():.2f} s |",
         f"| first call, with fitting primitives and building programs | {first:.2f} s |",
         "",

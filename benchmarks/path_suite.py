@@ -51,7 +51,7 @@ def load() -> list[dict]:
 
 
 def judged(robot: mp.Robot, scene: mp.Scene, path: mp.JointPath | None, pair: dict) -> dict:
-    """Of a path: g, least index, length, and whether it is free at every milliradian, inside the limits and at its ends."""
+    """Of a path: g, minimum manipulability, length, and whether it is free (every milliradian), inside limits and at its ends."""
     if path is None:
         return {"g": np.inf, "found": False, "free": False, "touches": False, "within": False}
     model, kinematics = scene.collision_model(robot), robot.kinematics()
@@ -65,7 +65,7 @@ def judged(robot: mp.Robot, scene: mp.Scene, path: mp.JointPath | None, pair: di
     return {
         "g": cost.g,
         "length": cost.length,
-        "least index": cost.min_manipulability,
+        "minimum manipulability": cost.min_manipulability,
         "found": True,
         "free": free,
         "touches": not clear,

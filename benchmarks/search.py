@@ -151,7 +151,7 @@ def small(branches: int, tell: Callable[[str], None]) -> list[str]:
     rows = [
         f"{layers.count} candidates in {POSITIONS} layers, ε = {epsilon:g} rad, one thread:",
         "",
-        "| search | time | of the exact search | least index | |",
+        "| search | time | of the exact search | minimum manipulability | |",
         "|---|---|---|---|---|",
         f'| exact, prefer="first" | {exact:.4f} s | 1 x | {result.minimum:.6f} | {result.rounds} passes |',
     ]
@@ -244,8 +244,8 @@ def large_rows(tell: Callable[[str], None]) -> list[str]:
         f'50 layers, ε = 0.1 rad, prefer="first", {threads} threads; memory is the peak of the whole process, with the '
         "candidates themselves in brackets.",
         "",
-        '| layers | candidates | search | one thread | prefer="shortest" | its path | least index (bound) | quantile | passes, '
-        "candidates in the last | memory | first path, and its certified gap |",
+        '| layers | candidates | search | one thread | prefer="shortest" | its path | minimum manipulability (bound) | quantile | '
+        "passes, candidates in the last | memory | first path, and its certified gap |",
         "|---|---|---|---|---|---|---|---|---|---|---|",
     ]
     for name in LARGE:
@@ -272,7 +272,7 @@ def sampled_rows(tell: Callable[[str], None]) -> list[str]:
         "TALOS' torso and right arm on a vertical circle, 306,306 samples at each of 50 positions, each with up to eight "
         f"answers; sampling on {CORES} threads:",
         "",
-        "| collisions | candidates | sampling | ε | search | least index (bound) | together |",
+        "| collisions | candidates | sampling | ε | search | minimum manipulability (bound) | together |",
         "|---|---|---|---|---|---|---|",
     ]
     for collisions in (False, True):

@@ -235,8 +235,8 @@ def main() -> None:
     lines = [
         *table,
         "",
-        "| path | solver | least index | mean index | worst deviation | velocity | acceleration | failed | ours, least index |"
-        " mean | deviation | acceleration |",
+        "| path | solver | minimum manipulability | mean index | worst deviation | velocity | acceleration | failed |"
+        " ours, minimum manipulability | mean | deviation | acceleration |",
         "|---|---|---|---|---|---|---|---|---|---|---|---|",
     ]
     for name, by_peer in found.items():

@@ -3,7 +3,7 @@
     URDF / MJCF / name -> Robot -> Kinematics(task): pose, J, index m, its gradient and Hessian
                                -> Scene: collision and distance
     pose -> inverse_kinematics: every configuration that reaches it
-    CartesianPath -> sample_layers -> max_min_search (the highest least index) -> refine
+    CartesianPath -> sample_layers -> max_min_search (the largest minimum manipulability) -> refine
     CartesianPath -> track (a QP a step that raises the index while it follows) -> Tracking
     start, goal -> seed_path (OMPL) -> optimize_path (least ∫ ‖q'‖/m^p ds) -> retime (toppra) -> Trajectory -> Report
 

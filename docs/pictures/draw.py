@@ -206,7 +206,13 @@ def search():
     s = np.repeat(layers.s, [len(each) for each in layers.m])
     q, m = np.vstack(layers.q), np.concatenate(layers.m)
     dots = ax.scatter(s, q[:, 0], c=m, s=9, cmap="cividis", linewidths=0, rasterized=True)
-    ax.plot(layers.s, found.q[:, 0], color=JOINTS[3], linewidth=2, label=f"widest path, least index {found.minimum:.2f} m²")
+    ax.plot(
+        layers.s,
+        found.q[:, 0],
+        color=JOINTS[3],
+        linewidth=2,
+        label=f"widest path, minimum manipulability {found.minimum:.2f} m²",
+    )
     k = int(found.manipulability.argmin())
     ax.plot(
         layers.s[k], found.q[k, 0], "o", color=JOINTS[3], markersize=9, fillstyle="none", markeredgewidth=1.8, label="its least"

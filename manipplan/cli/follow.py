@@ -1,4 +1,4 @@
-"""`manipplan follow`: along a path of the tool with the highest least index."""
+"""`manipplan follow`: along a path of the tool with the largest minimum manipulability."""
 
 from pathlib import Path
 
@@ -31,7 +31,7 @@ def follow(
     torque: bool = False,
     seed: int = 0,
 ) -> int:
-    """Follow a workspace path with the highest least index, and write the motion as CSV, JSON and ROS JointTrajectory.
+    """Follow a workspace path with the largest minimum manipulability; write the motion as CSV, JSON and ROS JointTrajectory.
 
     Args:
         options: What is told of the arm and its surroundings.

@@ -133,7 +133,7 @@ def path_cost(
         InvalidInputError: `metric` is no metric.
     """
     matrix = metric_matrix("metric", metric, path.n)
-    least, at, largest = _least_index(path, kinematics)
+    least, at, largest = _minimum_manipulability(path, kinematics)
     # a singularity, which Gauss points can pass by, makes the integral diverge for p >= 1
     singular = power >= 1 and least <= SINGULAR * largest
     g = np.inf if singular else _adaptive(path, kinematics, power, matrix, panels)
@@ -181,7 +181,7 @@ def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Arr
     return settled + float(whole.sum())
 
 
-def _least_index(path: JointPath, kinematics: Kinematics) -> tuple[float, float, float]:
+def _minimum_manipulability(path: JointPath, kinematics: Kinematics) -> tuple[float, float, float]:
     """The minimum manipulability, its s, and the maximum: the deepest dips of 2001 points are searched on ever finer grids.
 
     Where a path crosses a singularity the index has a sharp kink, which no fixed grid would hit.

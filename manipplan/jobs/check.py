@@ -27,7 +27,7 @@ T = TypeVar("T")
 
 #: A limit counts as kept when it is exceeded by no more than this [rad, m] or this share.
 TOLERANCE = 1e-6
-#: A least index this near to an end of a path [s] is that of the end.
+#: A minimum manipulability this near to an end of a path [s] is that of the end.
 AT_END = 0.01
 #: An index below this is rounding noise.
 VANISHING = 1e-12
@@ -45,9 +45,9 @@ class Report:
         duration: of the trajectory [s].
         g, seed_g: ∫ ‖q'‖ / m^power ds along the trajectory and along the seed.
         length, seed_length: in joint space.
-        min_manipulability, min_at: least index along the trajectory, and the share of the time at which it is.
-        seed_min_manipulability, straight_min_manipulability: least index on the seed, and on the straight line.
-        index_note: how the least index compares with those, and why when it is less than twice as large.
+        min_manipulability, min_at: minimum manipulability along the trajectory, and the share of the time at which it is.
+        seed_min_manipulability, straight_min_manipulability: minimum manipulability on the seed, and on the straight line.
+        minimum_note: how the minimum manipulability compares with those, and why when it is less than twice as large.
         clearance, nearest_pair: least distance [m] measured at evenly spaced times, and between what; inf and () when
             nothing is checked.
         proven_clearance: no checked pair comes nearer on the whole trajectory, between those times too [m].
@@ -75,7 +75,7 @@ class Report:
     min_at: float
     seed_min_manipulability: float
     straight_min_manipulability: float
-    index_note: str
+    minimum_note: str
     clearance: float
     nearest_pair: tuple[str, ...]
     proven_clearance: float
@@ -142,7 +142,7 @@ class Report:
             min_at=cost.at,
             seed_min_manipulability=result.seed_cost.min_manipulability,
             straight_min_manipulability=straight.min_manipulability,
-            index_note=_index_note(cost, result, straight),
+            minimum_note=_index_note(cost, result, straight),
             clearance=min(least, proof.upper),
             nearest_pair=pair,
             proven_clearance=proof.lower,
@@ -161,9 +161,9 @@ class Report:
             f"{self.robot}, tool {self.tool}, task {self.task}: {self._verdict()}",
             f"  status       {self.status}",
             f"  duration     {self.duration:.3f} s",
-            f"  least index  {self.min_manipulability:.4g}{unit} ({self.measure}; {first} {self.seed_min_manipulability:.4g}, "
+            f"  minimum m    {self.min_manipulability:.4g}{unit} ({self.measure}; {first} {self.seed_min_manipulability:.4g}, "
             f"straight {self.straight_min_manipulability:.4g}{'' if self.straight_free else ', which collides'})",
-            f"               {self.index_note}",
+            f"               {self.minimum_note}",
             f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
             f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
         ]
@@ -249,7 +249,7 @@ def _first_path(status: str) -> str:
 
 
 def _compared(least: float, other: float, name: str) -> str:
-    """A least index beside that of another path."""
+    """A minimum manipulability beside that of another path."""
     if other < VANISHING:
         return f"the {name}'s is zero"
     ratio = least / other
@@ -257,7 +257,7 @@ def _compared(least: float, other: float, name: str) -> str:
 
 
 def _index_note(cost: PathCost, result: PathResult, straight: PathCost) -> str:
-    """How the least index compares with the seed's and the straight path's, and why when it is not twice both."""
+    """How the minimum manipulability compares with the seed's and the straight path's, and why when it is not twice both."""
     least = cost.min_manipulability
     if result.status is Status.FOLLOWED:
         return "seed: the best path among the samples; straight: a line between the ends, which leaves the workspace path"

@@ -153,7 +153,7 @@ class Certificate:
             same basis and with the same end conditions. nan when g is infinite, and for a path that the path optimiser did
             not make. `gap` compares the two.
         power, measure, unit: exponent, name of the measure m, and its unit.
-        min_manipulability, min_at: the least index, and the s where it is.
+        min_manipulability, min_at: the minimum manipulability, and the s where it is.
         clearance, clearance_at, nearest_pair: the least distance [m] that was measured, the s where it is, and the two bodies.
             inf, nan and () where nothing is checked. Measured at 401 places, and closer around the least.
         proven_clearance: on the whole curve, also between those places, no checked pair comes nearer [m]; inf where nothing
@@ -228,7 +228,7 @@ class Certificate:
             f"solver       {self.solver or 'nothing was solved for this path'}",
             f"optimality   {self._optimality()}",
             f"g            {self.g:.6g}, exponent {self.power:g}{self._beside()}",
-            f"least index  {self.min_manipulability:.4g}{unit} at s = {self.min_at:.3f} ({self.measure})",
+            f"minimum m    {self.min_manipulability:.4g}{unit} at s = {self.min_at:.3f} ({self.measure})",
         ]
         if self.nearest_pair:
             pair = " and ".join(self.nearest_pair)

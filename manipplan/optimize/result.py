@@ -24,7 +24,7 @@ class PathResult:
         path: the JointPath; the seed when `status` says so, None when there is none (NO_PATH, with throw=False).
         g: ∫ ‖q'‖_W / m^power ds to ten digits: (6.6) in kth2012 with its exponent as a parameter.
         length: of the path in joint space [rad].
-        min_manipulability: least index on a dense grid [measure.unit(task)], and `min_at`, the s where it is.
+        min_manipulability: minimum manipulability on a dense grid [measure.unit(task)], and `min_at`, the s where it is.
         power, task: the objective's exponent and the task whose index it holds.
         seed, seed_cost: the collision-free first path (straight without a scene) and its cost, for comparison.
         history: every solve, in order.

@@ -28,7 +28,7 @@ BUDGET = 20_000_000
 class GuilamoStatus(Enum):
     """How the search ended. The value is the text for people; `ok` tells whether the optimum was found."""
 
-    FOUND = "found: the first complete path; none has a higher least index"
+    FOUND = "found: the first complete path; none has a larger minimum manipulability"
     GAVE_UP = "failed: most_branches were made without a complete path; take max_min_search, or memoised=True"
     NOT_CONNECTED = "failed: every start failed, no continuous path leads through the layers; raise epsilon"
 
@@ -104,7 +104,7 @@ def guilamo_search(
     layer_of = np.repeat(np.arange(len(orders)), layers.sizes)
     first = offset[int(np.argmin([value.max() for value in layers.m]))]
     lower = np.argsort(-m, kind="stable")
-    # a path's least index is at most that of the first start; others of the same index can still be the start of one
+    # a path's minimum manipulability is at most that of the first start; others of the same index can still be the start of one
     starts = np.concatenate([[first], lower[(m[lower] <= m[first]) & (lower != first)]])
     state = np.zeros(STATE, dtype=np.int64)
     path, pointer = np.zeros(len(orders), dtype=np.int64), np.zeros(len(orders), dtype=np.int64)

@@ -111,7 +111,7 @@ class Layers:
 
     @cached_property
     def bound(self) -> float:
-        """Least over the layers of the largest index: no path's least index is above it, whatever ε is."""
+        """Least over the layers of the largest index: no path's minimum manipulability is above it, whatever ε is."""
         return float(min(value.max() for value in self.m))
 
     @property

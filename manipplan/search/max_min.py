@@ -27,7 +27,7 @@ from manipplan.support.progress import Progress, teller
 class SearchStatus(Enum):
     """How a search ended. The value is the text for people; `ok` tells whether the optimum was found."""
 
-    OPTIMAL = "optimal: no continuous path through these candidates has a higher least index"
+    OPTIMAL = "optimal: no continuous path through these candidates has a larger minimum manipulability"
     IMPROVING = "improving: the search goes on; certified_gap tells how far the optimum can still be above the minimum"
     NOT_CONNECTED = (
         "failed: no continuous path leads through the layers; raise epsilon to more than smallest_epsilon, "
@@ -155,7 +155,7 @@ THREADED = 50_000
 
 
 class Prefer(Enum):
-    """Which of the paths with the highest least index is returned."""
+    """Which of the paths with the largest minimum manipulability is returned."""
 
     FIRST = "first"
     SHORTEST = "shortest"
@@ -197,13 +197,13 @@ def max_min_search(
     progress: Progress | None = None,
     threads: int | None = None,
 ) -> SearchResult | Iterator[SearchResult]:
-    """The continuous path through the layers whose least index is the highest. Exact, in float64.
+    """The continuous path through the layers whose minimum manipulability is the highest. Exact, in float64.
 
     Args:
         layers: candidates with their index; if they are closed, the path is a cycle.
         epsilon: what each joint's step between neighbouring layers has to be below [rad or m]: one number, or (n,).
         strict: with False, a step of exactly epsilon is allowed, too.
-        prefer: of the paths with that least index "first" takes any; "shortest" the one with the least Σ ‖Δq‖;
+        prefer: of the paths with that minimum manipulability "first" takes any; "shortest" the one with the least Σ ‖Δq‖;
             "lexicographic" the one whose second smallest index is the highest, then the third, and so on, of equal ones the
             shortest. The last one sorts all vectors of indices, layer by layer: it takes the most time and memory.
         anytime: return an iterator instead of a result. Its results come as the search goes on, with a minimum that rises
@@ -214,8 +214,8 @@ def max_min_search(
             share is that of the work in the worst case: an early end jumps to 1.
         threads: how many share the work; by default one for each core.
 
-    A cycle is found by branch and bound over its first candidate, exactly; the least index takes a few more passes than an
-    open path, the shortest cycle can take hundreds.
+    A cycle is found exactly, by branch and bound over its first candidate. For the largest minimum manipulability that takes a
+    few more passes than an open path, for the shortest cycle it can take hundreds.
 
     Raises InvalidInputError for bad arguments, PlanningError where no path is continuous.
     """
@@ -277,13 +277,13 @@ def _rounds(search: Search, reach: Array) -> Iterator[tuple[CandidatePath | None
     while threshold > -np.inf and quantiles.share(threshold) < max(TOP, 2 * FIRST / layers.count):
         path = search.best(Widest(), Part(threshold=threshold, cap=certified), reach, f"index from {threshold:.6g} on")
         if path is not None:
-            yield path, search.least_index(path), True
+            yield path, search.minimum_manipulability(path), True
             return
         certified = min(certified, threshold)
         yield None, certified, False
         nodes = max(nodes, search.nodes)
         threshold = quantiles.next(threshold)
-    # samples of the candidates: each finds a path with a higher least index, below which the next ones need not look
+    # samples of the candidates: each finds a path with a larger minimum manipulability, below which the next ones need not look
     while True:
         share = quantiles.sampled(GROWTH * nodes, least)
         part = Part(threshold=least, share=share, cap=certified)
@@ -292,7 +292,7 @@ def _rounds(search: Search, reach: Array) -> Iterator[tuple[CandidatePath | None
         path = found or path
         nodes = GROWTH * nodes
         if path is not None:
-            least = search.least_index(path)
+            least = search.minimum_manipulability(path)
         exact = share == 1 or least == certified
         yield path, certified if path is None or not exact else least, exact
         if exact:

@@ -23,11 +23,11 @@ AROUND, CLOSER = 5, 0.4
 #: Largest and smallest trust region of the program [rad or m], and how it changes.
 TRUST, LEAST_TRUST = 0.3, 1e-4
 SHRINK, GROW = 0.35, 2.0
-#: Solves of the program at most, and the relative gain in the least index that is worth another.
+#: Solves of the program at most, and the relative gain in the minimum manipulability that is worth another.
 SOLVES, GAIN = 30, 1e-7
 #: Steps stay this much below ε, relative: rounding.
 SPARE = 1e-9
-#: The share of the least index that is given for a shorter path: at the highest index itself there is no room to move.
+#: The share of the minimum manipulability that is given up for a shorter path: at the maximum itself there is no room to move.
 GIVEN = 1e-4
 #: Distances below this are watched [m].
 NEAR = 0.05
@@ -44,13 +44,13 @@ class Refinement:
     Attributes:
         q: (L, n) configurations [rad or m].
         manipulability: (L,) index.
-        discrete: least index of the path that was found among the samples.
+        discrete: minimum manipulability of the path that was found among the samples.
         resampled: the same, after finer samples around that path.
-        refined: the least index of q, never below the other two.
+        refined: the minimum manipulability of q, never below the other two.
         bound: least over the positions of the largest index among all samples, raised by ascent from them: an estimate of
             what no path can exceed; it is certain only for the samples.
         length: Σ ‖Δq‖ of q [rad or m].
-        history: least index after each step that was accepted.
+        history: minimum manipulability after each step that was accepted.
     """
 
     q: Array
@@ -69,7 +69,7 @@ class Refinement:
 
     def __str__(self) -> str:
         return (
-            f"least index {self.discrete:.6g} among the samples, {self.resampled:.6g} with finer ones, "
+            f"minimum manipulability {self.discrete:.6g} among the samples, {self.resampled:.6g} with finer ones, "
             f"{self.refined:.6g} refined; bound {self.bound:.6g}"
         )
 
@@ -83,7 +83,7 @@ def refine(
     resample: int = 2,
     progress: Progress | None = None,
 ) -> Refinement:
-    """The least index of a searched path raised beyond what its samples allow, with every constraint of the search kept.
+    """Raise the minimum manipulability of a searched path beyond what its samples allow, within all constraints of the search.
 
     Finer samples around the path are searched first. Then a nonlinear program over all positions at once raises the least
     index, and in the end shortens the path, for which it gives up to 1e-4 of the index. A step is accepted only when an
@@ -135,7 +135,7 @@ class _Refiner:
     def run(self, resample: int, progress: Progress) -> Refinement:
         q = self.found.q
         for k in range(resample):
-            progress(0.3 * k / max(resample, 1), f"finer samples, least index {self.least(q):.6g}")
+            progress(0.3 * k / max(resample, 1), f"finer samples, minimum manipulability {self.least(q):.6g}")
             q = self._resampled(q, self.found.epsilon * CLOSER**k)
         resampled = self.least(q)
         q = self._raised(q, progress)
@@ -175,7 +175,7 @@ class _Refiner:
         return self._better(q, found.q) if found.connected else q
 
     def _better(self, q: Array, new: Array) -> Array:
-        """The new path where it is sound and its least index is higher, else q."""
+        """The new path where it is sound and its minimum manipulability is higher, else q."""
         if self.least(new) <= self.least(q) or not self.sound(new):
             return q
         self.history.append(self.least(new))
@@ -184,7 +184,7 @@ class _Refiner:
     def _raised(self, q: Array, progress: Progress) -> Array:
         trust = TRUST
         for k in range(SOLVES):
-            progress(0.3 + 0.6 * k / SOLVES, f"raising the least index, {self.least(q):.6g}")
+            progress(0.3 + 0.6 * k / SOLVES, f"raising the minimum manipulability, {self.least(q):.6g}")
             before = self.least(q)
             new, _ = self._solve(q, trust, None)
             new = self._on_poses(new)

@@ -28,7 +28,7 @@ def best_cycle(q: Array, begins: NDArray[np.int64], relax: Relax) -> Any | None:
     A path that begins and ends somewhere in a set is at least as good as each cycle through a member of the set. So the best
     such path, if it ends where it begins, is the best cycle of the set; else the set is cut between its two ends. Sets are
     taken best first, and the first one whose path closes is the answer. Each set takes one sweep: for n begins at most
-    2 n - 1, mostly some tens when only the least index counts, more for the shortest cycle, whose bound is less sharp.
+    2 n - 1, usually some tens when only the minimum manipulability counts, more for the shortest cycle, whose bound is weaker.
     """
     order = count()  # sets of equal keys: the latest first, which is the smallest
     waiting: list[tuple[Any, int, NDArray[np.int64], int, int, Any]] = []
@@ -111,8 +111,8 @@ class Search:
         grid = self._grid(reach, self.layers.count)
         return self._sweep(self._sorted(stages, Part(), grid), grid, Widest(), "gaps").depth
 
-    def least_index(self, path: CandidatePath) -> float:
-        """The least index along the path."""
+    def minimum_manipulability(self, path: CandidatePath) -> float:
+        """The minimum manipulability along the path."""
         return float(min(m[i] for m, i in zip(self.layers.m, path.indices, strict=True)))
 
     def least_epsilon(self, epsilon: Array) -> Array:

@@ -209,7 +209,7 @@ def _last(reached: Reached) -> int:
 
 @dataclass(frozen=True, kw_only=True)
 class Widest:
-    """The least index of a path: W(b) = min(m(b), max over neighbours of W)."""
+    """The minimum manipulability of a path: W(b) = min(m(b), max over neighbours of W)."""
 
     def first(self, cells: Cells) -> Reached:
         return _reached(cells, cells.m)

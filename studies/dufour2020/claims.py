@@ -69,9 +69,9 @@ def claims(
     classical = second.classical or second.plain
     spread = [1e3 * run.worst for run in second.relaxed]
     found += [
-        Claim(text="S2: least index, best (7)", paper="close to a singularity", value=classical.least),
+        Claim(text="S2: minimum manipulability, best (7)", paper="close to a singularity", value=classical.least),
         Claim(
-            text="S2: least index, (10) with α = 15000",
+            text="S2: minimum manipulability, (10) with α = 15000",
             paper="escapes from the singularity",
             value=second.at_alpha.least,
             holds=second.at_alpha.least > 10 * classical.least,
@@ -135,7 +135,7 @@ def claims(
             value=float(np.mean([a.mean - b.mean for a, b in zip(log, equal, strict=True) if a and b])),
         ),
         Claim(
-            text="mean over all paths of LogDrive's least index less that of (14)",
+            text="mean over all paths of LogDrive's minimum manipulability less that of (14)",
             paper="ours",
             value=float(np.mean([a.least - b.least for a, b in zip(log, equal, strict=True) if a and b])),
         ),

@@ -201,7 +201,7 @@ def hessians(runs: dict[tuple[str, str, float], Run], file: Path) -> None:
 
 
 def pareto(found: Fronts, name: str, file: Path) -> None:
-    """Deviation against mean and least index, without a tube and inside three."""
+    """Deviation against mean and minimum manipulability, without a tube and inside three."""
     with rc_context(STYLE):
         figure = blank(11.5, 5.2)
         axes = figure.subplots(2, len(SPACES), sharey="row", sharex="col")

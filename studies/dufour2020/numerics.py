@@ -66,7 +66,17 @@ def hessians(arm: Arm) -> tuple[Table, dict[tuple[str, str, float], Run]]:
         runs[name, hessian, alpha] = run
         figures = (run.mean, near.mean, run.least, 1e3 * run.worst, run.convexified, 100 * run.chatter, run.reached)
         rows.append((name, hessian, alpha, *figures))
-    head = ("path", "Hessian", "α", "mean index", NUDGED, "least index", "deviation [mm]", "steps made convex", "chatter [%]")
+    head = (
+        "path",
+        "Hessian",
+        "α",
+        "mean index",
+        NUDGED,
+        "minimum manipulability",
+        "deviation [mm]",
+        "steps made convex",
+        "chatter [%]",
+    )
     return Table.of("hessians", (*head, "goal reached"), rows), runs
 
 
@@ -142,7 +152,15 @@ def approaches(arm: Arm) -> Table:
             for label, approach in (("inf (paper)", config.DEAD_BEAT), ("2 m/s²", config.GENTLE)):
                 run = arm.follow(name, formula, strength, approach=approach, compiled=False)
                 rows.append((name, formula, label, run.mean, run.least, 1e3 * run.worst, run.roughness))
-    head = ("path", "formulation", "approach", "mean index", "least index", "deviation [mm]", "rms acceleration [rad/s²]")
+    head = (
+        "path",
+        "formulation",
+        "approach",
+        "mean index",
+        "minimum manipulability",
+        "deviation [mm]",
+        "rms acceleration [rad/s²]",
+    )
     return Table.of("approach", head, rows)
 
 

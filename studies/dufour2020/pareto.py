@@ -46,7 +46,16 @@ def front_table(found: Fronts) -> Table:
         for (name, tube, formula), runs in found.items()
         for run in runs
     ]
-    head = ("path", "tube [mm]", "formulation", "parameter", "deviation [mm]", "rotation [°]", "mean index", "least index")
+    head = (
+        "path",
+        "tube [mm]",
+        "formulation",
+        "parameter",
+        "deviation [mm]",
+        "rotation [°]",
+        "mean index",
+        "minimum manipulability",
+    )
     return Table.of("pareto", (*head, "chatter [%]", "sound"), rows)
 
 
@@ -59,4 +68,4 @@ def tube_table(found: Fronts) -> Table:
             top, safest = max(counted, key=lambda run: run.mean), max(counted, key=lambda run: run.least)
             rows.append((name, 1e3 * tube, formula, top.strength, top.mean, 1e3 * top.worst, safest.strength, safest.least))
     head = ("path", "tube [mm]", "formulation", "parameter", "largest mean index", "deviation [mm]", "parameter")
-    return Table.of("tubes", (*head, "largest least index"), rows)
+    return Table.of("tubes", (*head, "largest minimum manipulability"), rows)

@@ -15,7 +15,7 @@ RUN_HEAD = (
     "formulation",
     "parameter",
     "mean index",
-    "least index",
+    "minimum manipulability",
     "deviation [mm]",
     "rotation [°]",
     "rms acceleration",
@@ -112,7 +112,7 @@ class Obstacle:
 
 def obstacle_table(found: Sequence[Obstacle]) -> Table:
     """Scenario 3 with every sphere."""
-    head = ("sphere at [m]", "α", "least distance without avoidance [mm]", "with [mm]", "mean index", "least index")
+    head = ("sphere at [m]", "α", "least distance without avoidance [mm]", "with [mm]", "mean index", "minimum manipulability")
     return Table.of("scenario3", (*head, "deviation [mm]", "at the end [mm]"), [row for each in found for row in each.rows()])
 
 

@@ -96,7 +96,7 @@ def curves(results: Results, file: Path) -> None:
             restarted = results.restarted(course, memoised=True)
             if restarted.ended:
                 ax.plot(places, restarted.found.manipulability, "-.", color=PAPERS, linewidth=1.2, label="the paper's search")
-            ax.plot(places, best.found.manipulability, color=OPTIMUM, label="shortest of the same least index")
+            ax.plot(places, best.found.manipulability, color=OPTIMUM, label="shortest of the same minimum manipulability")
             ax.plot(places, refined, color=REFINED, linewidth=2, label="refined")
             ax.axhline(best.found.minimum, color=OPTIMUM, linewidth=0.7)
             ax.xaxis.set_major_locator(MaxNLocator(integer=True))
@@ -174,7 +174,7 @@ def sampling(results: Results, file: Path) -> None:
         best = results.refined(circle).refinement.refined
         optimum.axhline(best, color=REFINED, linewidth=1.2)
         optimum.text(config.EPSILONS[-1], best, "refined", va="bottom", ha="right", fontsize=8, color=REFINED)
-        optimum.set(xlabel="ε [°]", ylabel="least index of the optimum [m³]", xscale="log")
+        optimum.set(xlabel="ε [°]", ylabel="minimum manipulability of the optimum [m³]", xscale="log")
         _degrees(optimum)
         optimum.legend(fontsize=7.5, loc="lower right")
         optimum.set_title("a) circle; dotted: bound of the samples", loc="left", fontsize=9)

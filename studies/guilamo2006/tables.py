@@ -38,7 +38,7 @@ def table_1(runs: Runs, courses: tuple[Course, ...], grids: tuple[Grid, ...]) ->
             searches = [runs.restarted(sampled, epsilon, memoised=each, most=most_of(grid)) for each in (False, True)]
             rows += [_search_row(each) for each in searches]
             rows.append(_exact_row(runs.searched(sampled, epsilon, "first")))
-    return Table.of("table1", (*head, "branches", "branching factor", "least index", "time of search"), rows)
+    return Table.of("table1", (*head, "branches", "branching factor", "minimum manipulability", "time of search"), rows)
 
 
 def _common(sampled: Sampled, epsilon: float, search: str) -> tuple[Cell, ...]:
@@ -189,7 +189,7 @@ def refinement_table(runs: Runs, searches: list[Searched]) -> Table:
 
 
 def ties_table(runs: Runs, searches: list[Searched]) -> Table:
-    """The first path found against the shortest of the same least index."""
+    """The first path found against the shortest of the same minimum manipulability."""
     rows = []
     for shortest in searches:
         first = runs.searched(shortest.sampled, shortest.epsilon, "first")
@@ -207,7 +207,7 @@ def ties_table(runs: Runs, searches: list[Searched]) -> Table:
                 seconds(shortest.seconds),
             )
         )
-    head = ("path", "grid", "ε [°]", "least index", "same", "first [rad]", "shortest [rad]", "shorter by [%]")
+    head = ("path", "grid", "ε [°]", "minimum manipulability", "same", "first [rad]", "shortest [rad]", "shorter by [%]")
     return Table.of("ties", (*head, "time, first", "time, shortest"), rows)
 
 
@@ -241,7 +241,7 @@ def closed_table(pairs: list[tuple[Searched, Searched]]) -> Table:
         "ε [°]",
         "circle",
         "valid",
-        "least index",
+        "minimum manipulability",
         "bound",
         "length [rad]",
         "last to first position, largest step [°]",
@@ -271,7 +271,16 @@ def collisions_table(runs: Runs, courses: tuple[Course, Course]) -> Table:
                     seconds(sampled.seconds),
                 )
             )
-    head = ("path", "ε [°]", "self-collisions", "valid", "fewest at a position", "bound", "least index", "smallest ε [°]")
+    head = (
+        "path",
+        "ε [°]",
+        "self-collisions",
+        "valid",
+        "fewest at a position",
+        "bound",
+        "minimum manipulability",
+        "smallest ε [°]",
+    )
     return Table.of("collisions", (*head, "sampling"), rows)
 
 
@@ -298,7 +307,17 @@ def second_table(runs: Runs, courses: tuple[Course, ...]) -> Table:
                     seconds(run.seconds),
                 )
             )
-    head = ("path", "ε [°]", "valid", "smallest ε [°]", "least index", "refined", "bound", "length [rad]", "refined [rad]")
+    head = (
+        "path",
+        "ε [°]",
+        "valid",
+        "smallest ε [°]",
+        "minimum manipulability",
+        "refined",
+        "bound",
+        "length [rad]",
+        "refined [rad]",
+    )
     return Table.of("second", (*head, "time of search"), rows)
 
 

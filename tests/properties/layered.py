@@ -33,7 +33,7 @@ def neighbours(layers, i, j, epsilon, strict):
 
 
 def widest(layers, epsilon, strict):
-    """The highest least index by all pairs; of a cycle from each begin."""
+    """The largest minimum manipulability by all pairs; of a cycle from each begin."""
     count = len(layers.q)
     edges = [neighbours(layers, i, (i + 1) % count, epsilon, strict) for i in range(count)]
 

@@ -87,7 +87,7 @@ def test_a_singular_start_is_planned_and_told(planar, tmp_path):
     plan = mp.plan(planar, [0.0, 0.0, 0.0], [1.0, 1.0, 1.0])
     assert plan.status is mp.Status.SINGULAR
     assert plan.report.min_manipulability == pytest.approx(0.0, abs=1e-15)
-    assert "at the start, which every path" in plan.report.index_note
+    assert "at the start, which every path" in plan.report.minimum_note
     plan.report.to_json(tmp_path / "report.json")
     assert json.loads((tmp_path / "report.json").read_text(), parse_constant=pytest.fail)["g"] == "inf"
     assert mp.Report.from_json(tmp_path / "report.json") == plan.report

@@ -93,7 +93,7 @@ m = np.array([index(x) for x in Q])
 torque = np.array([pin.rnea(model, data, *row) for row in zip(Q, V, A, strict=True)])
 g = (np.linalg.norm(np.diff(Q, axis=0), axis=1) * (1 / m[1:] + 1 / m[:-1]) / 2).sum()
 checks = {
-    "least index [m^6]": (m.min(), report["min_manipulability"]),
+    "minimum manipulability [m^6]": (m.min(), report["min_manipulability"]),
     "g": (g, report["g"]),
     "duration [s]": (t[-1] - t[0], report["duration"]),
     "largest share of velocity": (
@@ -167,7 +167,7 @@ top.axhline(
     report["min_manipulability"],
     color="0.4",
     linestyle=":",
-    label="least index of the report",
+    label="minimum manipulability of the report",
 )
 top.set(ylabel="index by Pinocchio [m⁶]", ylim=(0, 1.15 * m.max()))
 top.set(xlim=(0, times[-1]))

@@ -118,7 +118,7 @@ print(
 )
 
 order = np.argsort(table[..., 0], axis=None)
-print("   base [m]          g   least index [m^6]")
+print("   base [m]          g   minimum manipulability [m^6]")
 for row, column in zip(*np.unravel_index(order[:5], table.shape[:2]), strict=True):
     g, least = table[row, column]
     print(f"({xs[column]:5.2f}, {ys[row]:5.2f})  {g:8.1f}  {least:12.4f}")

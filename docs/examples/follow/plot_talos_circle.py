@@ -46,7 +46,7 @@ print(
 
 # %%
 # The search is exact: of all continuous cycles through these candidates none has a
-# higher least index. ``bound`` is what no motion can exceed, continuous or not.
+# higher minimum manipulability. ``bound`` is what no motion can exceed, continuous or not.
 # ``refine`` goes on between the samples.
 
 found = mp.max_min_search(layers, epsilon)

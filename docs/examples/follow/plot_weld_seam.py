@@ -35,7 +35,7 @@ print(f"length of the seam: {seam.length:.3f} m")
 # %%
 # ``Task.pointing`` leaves the turn about an axis of the tool free. All
 # configurations at 30 positions of the seam are enumerated, the turn in steps of 4
-# degrees. The search finds the continuous motion whose least index is the highest,
+# degrees. The search finds the continuous motion whose minimum manipulability is the highest,
 # ``refine`` raises it between the samples.
 
 task = mp.Task.pointing(axis)
@@ -54,7 +54,7 @@ held = mp.max_min_search(
 )
 index_held = robot.kinematics(task).manipulability(held.q)
 print(
-    f"least index with the turn held: {index_held.min():.4f} m^5, free: "
+    f"minimum manipulability with the turn held: {index_held.min():.4f} m^5, free: "
     f"{refined.refined:.4f} m^5"
 )
 assert refined.refined > index_held.min()

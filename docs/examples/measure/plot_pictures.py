@@ -140,7 +140,7 @@ _ = viz.plot_deviation(tracking, tolerance=tube, ax=figure.add_subplot(1, 2, 2))
 # How an answer was found
 # -----------------------
 # The layered search: each dot is a configuration that reaches a position of the path; the line is the continuous path whose
-# least index is the highest. The optimiser: g after each solve, filled where that path was free.
+# minimum manipulability is the highest. The optimiser: g after each solve, filled where that path was free.
 seam = mp.CartesianPath.line(
     near,
     near @ np.array([[1, 0, 0, 0.0], [0, 1, 0, 0.25], [0, 0, 1, 0.1], [0, 0, 0, 1]]),

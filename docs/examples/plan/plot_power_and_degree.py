@@ -35,7 +35,7 @@ by_power = {
     power: mp.optimize_path(arm, start, goal, degree=8, power=power)
     for power in (0.25, 1, 2, 4, 8)
 }
-print("power  length [rad]  least index [m²]  mean index [m²]")
+print("power  length [rad]  minimum manipulability [m²]  mean index [m²]")
 for power, result in by_power.items():
     print(
         f"{power:5g}  {result.length:12.3f}  {result.min_manipulability:16.3f}  "
@@ -131,6 +131,6 @@ right.legend(fontsize=8, frameon=False)
 plt.show()
 
 # %%
-# Start with ``power=1``. Raise it to 2 or 4 where the least index matters more than
+# Start with ``power=1``. Raise it to 2 or 4 where the minimum manipulability matters more than
 # the time; beyond that a path hardly changes, and numbers grow large. Use shifts
 # for arms whose joints turn far, and seeds among obstacles.

@@ -45,7 +45,7 @@ best = mp.optimize_path(
 print(best.certificate)
 print()
 print(f"{len(best.rivals)} rivals; the first of them:")
-print("rank       g   length [rad]   least index [m²]   turns of the goal")
+print("rank       g   length [rad]   minimum manipulability [m²]   turns of the goal")
 for rank, result in enumerate([best, *best.rivals[:9]]):
     turns = np.round((result.path.goal - goal) / (2 * np.pi)).astype(int)
     figures = f"{result.length:12.2f} {result.min_manipulability:16.3f}"

@@ -58,7 +58,7 @@ tracking = plan.tracking
 before = index(recorded(np.linspace(0, recorded.duration, 400)))
 after = index(plan.trajectory(np.linspace(0, plan.trajectory.duration, 400)))
 print(
-    f"least index: {before.min():.4f} -> {after.min():.4f} m^6;  mean: "
+    f"minimum manipulability: {before.min():.4f} -> {after.min():.4f} m^6;  mean: "
     f"{before.mean():.4f} -> {after.mean():.4f} m^6"
 )
 print(

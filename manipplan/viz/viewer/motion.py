@@ -120,9 +120,9 @@ class Motion:
         return np.asarray(self.ours.q[np.linspace(0, SAMPLES - 1, PLACES).round().astype(int)])
 
     def least(self) -> list[tuple[str, str]]:
-        """Name and value of the least index of the motion, and of the seed."""
+        """Name and value of the minimum manipulability of the motion, and of the seed."""
         k = int(self.ours.index.argmin())
-        rows = [("least index", f"{self._index(self.ours.index[k])} at {self.t[k]:.2f} s")]
+        rows = [("minimum m", f"{self._index(self.ours.index[k])} at {self.t[k]:.2f} s")]
         if self.seed is not None:
             rows.append((f"{self.seed.name}, least", self._index(self.seed.index.min())))
         return rows
