@@ -51,7 +51,7 @@ def load() -> list[dict]:
 
 
 def judged(robot: mp.Robot, scene: mp.Scene, path: mp.JointPath | None, pair: dict) -> dict:
-    """Of a path: g, minimum manipulability, length, and whether it is free (every milliradian), inside limits and at its ends."""
+    """Of a path: g, minimum manipulability, length, and whether it is free at every milliradian, inside limits, at its ends."""
     if path is None:
         return {"g": np.inf, "found": False, "free": False, "touches": False, "within": False}
     model, kinematics = scene.collision_model(robot), robot.kinematics()

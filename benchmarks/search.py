@@ -244,8 +244,8 @@ def large_rows(tell: Callable[[str], None]) -> list[str]:
         f'50 layers, ε = 0.1 rad, prefer="first", {threads} threads; memory is the peak of the whole process, with the '
         "candidates themselves in brackets.",
         "",
-        '| layers | candidates | search | one thread | prefer="shortest" | its path | minimum manipulability (bound) | quantile | '
-        "passes, candidates in the last | memory | first path, and its certified gap |",
+        '| layers | candidates | search | one thread | prefer="shortest" | its path | minimum manipulability (bound) '
+        "| quantile | passes, candidates in the last | memory | first path, and its certified gap |",
         "|---|---|---|---|---|---|---|---|---|---|---|",
     ]
     for name in LARGE:

@@ -37,7 +37,9 @@ class Status(Enum):
     NOT_FOLLOWED = (
         "failed: the recorded motion could not be followed inside the tolerance to its last pose; allow more tolerance or time"
     )
-    FOLLOWED = "followed: the workspace path is followed with the largest minimum manipulability that was found, and every check passed"
+    FOLLOWED = (
+        "followed: the motion follows the workspace path with the largest minimum manipulability found, and every check passed"
+    )
     NOT_CONNECTED = (
         "failed: no continuous motion along the workspace path was found; take more positions, more samples or a larger epsilon"
     )
