@@ -15,6 +15,7 @@ from numpy.polynomial import Chebyshev, Legendre, Polynomial
 from numpy.polynomial.legendre import legvander
 
 from manipplan.paths.joint import JointPath, bernstein, split
+from manipplan.paths.rounding import FIXED, gauss_rule, on_grid, product
 from manipplan.support.checks import Array, whole_number
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 
@@ -57,7 +58,7 @@ class Basis(ABC):
 
     def gauss(self, points: int) -> tuple[Array, Array]:
         """So many Gauss points on each piece, and their weights, (m,) each."""
-        x, weights = np.polynomial.legendre.leggauss(points)
+        x, weights = gauss_rule(points)
         half = np.diff(self.breaks)[:, None] / 2
         return (self.breaks[:-1, None] + half * (x + 1)).ravel(), (half * weights).ravel()
 
@@ -107,7 +108,7 @@ class IntegratedLegendre(Series):
     def values(self, s: Array, order: int = 0) -> Array:
         if order == 1:
             return np.asarray(legvander(2 * s - 1, max(self.degree - 1, 1)), dtype=float)[:, 1 : self.degree]
-        return np.asarray(legvander(2 * s - 1, self.degree) @ self._series(order))
+        return product(np.asarray(legvander(2 * s - 1, self.degree), dtype=float), self._series(order))
 
     def _series(self, order: int) -> Array:
         """Legendre coefficients (degree + 1, size) of the derivatives of an order."""
@@ -301,7 +302,7 @@ def free_directions(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Arr
     """
     across = orthonormal(basis)
     if pattern:
-        return np.asarray(across @ np.linalg.svd(end_rows(pattern, basis) @ across)[2][len(pattern) :].T)
+        return on_grid(across @ np.linalg.svd(end_rows(pattern, basis) @ across)[2][len(pattern) :].T, FIXED)
     are_orthogonal = np.allclose(across, np.diag(np.diag(across)), rtol=0, atol=ORTHOGONAL)  # Legendre
     return np.eye(basis.size) if are_orthogonal else across
 
@@ -309,4 +310,4 @@ def free_directions(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Arr
 def orthonormal(basis: Basis) -> Array:
     """The matrix (size, size) of coefficients whose functions ψ have ∫ ψ_i' ψ_j' ds = 1 for i = j, else 0."""
     s, weights = basis.gauss(basis.degree)
-    return np.asarray(np.linalg.inv(np.linalg.qr(np.sqrt(weights)[:, None] * basis.values(s, 1)).R))
+    return on_grid(np.linalg.inv(np.linalg.qr(np.sqrt(weights)[:, None] * basis.values(s, 1)).R), FIXED)

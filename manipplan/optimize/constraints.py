@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from manipplan.optimize.clearance import column_height
 from manipplan.optimize.step_models import Curves, Look, Surroundings
 from manipplan.paths.joint import JointPath
-from manipplan.paths.rounding import FINE, configurations, on_grid
+from manipplan.paths.rounding import FINE, configurations, on_grid, product
 from manipplan.support.checks import Array
 from manipplan.symbolic.batch_function import BatchFunction
 
@@ -140,7 +140,7 @@ class ClearanceTable:
             return None
         values = self.linear(z, z).value
         line, change = self._at
-        q = line + change @ z
+        q = line + product(change, z)
         true = [
             self.surroundings.model.pair_distances(each, [pair])[0] for each, (_, pair, _) in zip(q, self.places, strict=True)
         ]
@@ -160,7 +160,7 @@ class ClearanceTable:
         if not self.places:
             return LinearRows(value=np.empty(0), jacobian=np.empty((0, z.size)))
         line, values = self._at
-        q = line + values @ z
+        q = line + product(values, z)
         value = self.functions.value(q, self.columns)[:, 0, 0]
         gradient = self.functions.gradient(q, self.columns)[:, :, 0]
         jacobian = (values[:, :, None] * gradient[:, None, :]).reshape(len(q), z.size)

@@ -20,7 +20,7 @@ from manipplan.optimize.clearance import ClearanceRow, column_height, met_column
 from manipplan.optimize.constraints import LimitRows, RowFunctions
 from manipplan.optimize.descent import DescentProgram
 from manipplan.optimize.step_models import BatchDensity, Curves, LengthModel, Surroundings
-from manipplan.paths.rounding import FINE, on_grid, with_bits
+from manipplan.paths.rounding import FINE, FIXED, on_grid, with_bits
 from manipplan.support.checks import Array
 from manipplan.support.interrupts import interruptible
 from manipplan.symbolic.batch_function import BatchFunction
@@ -259,7 +259,7 @@ class PathProgram:
         """Combinations of the free directions (size, f) whose slopes are orthonormal."""
         s, weights = self.basis.gauss(self.basis.degree)
         slopes = np.sqrt(weights)[:, None] * (self.basis.values(s, 1) @ self.free)
-        return np.asarray(self.free @ np.linalg.inv(np.linalg.qr(slopes).R))
+        return on_grid(self.free @ np.linalg.inv(np.linalg.qr(slopes).R), FIXED)
 
     def descent_program(
         self,
@@ -283,7 +283,7 @@ class PathProgram:
         """
         directions = self._directions
         z: Array = np.asarray(np.linalg.lstsq(directions, coefficients.T, rcond=None)[0], dtype=float)
-        kept = coefficients - (directions @ z).T
+        kept = on_grid(coefficients - (directions @ z).T, FINE)
         z = on_grid(z, SPACING)
         curves = Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal)
         path = self.basis.path(start, goal, coefficients)
