@@ -405,7 +405,7 @@ def test_a_certificate_is_measured_on_the_path(planar):
     for part in (
         "no step lowers g",
         "projected gradient",
-        "minimum manipulability",
+        "minimum m",
         "nothing is checked for collision",
         "limit        joint",
         "yoshikawa",

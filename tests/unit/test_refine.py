@@ -44,9 +44,9 @@ def assert_sound(robot, layers, found, result, position=1e-9, rotation=1e-9, ind
         assert np.linalg.norm(pin.log3(target[:3, :3].T @ reached[:3, :3])) <= rotation
     assert (robot.limits.lower <= result.q).all() and (result.q <= robot.limits.upper).all()
     assert (np.abs(steps(result.q, layers)) < found.epsilon).all()
-    if layers.worker.setup.collisions:
-        model = layers.worker.setup.scene.collision_model(robot)
-        assert not any(model.in_collision(q, clearance=layers.worker.setup.clearance) for q in result.q)
+    if layers.sampler.spec.collisions:
+        model = layers.sampler.spec.scene.collision_model(robot)
+        assert not any(model.in_collision(q, clearance=layers.sampler.spec.clearance) for q in result.q)
     values = np.array([index(robot, q) for q in result.q])
     np.testing.assert_allclose(result.manipulability, values, rtol=1e-9)
     assert result.refined == pytest.approx(values.min(), rel=1e-9)

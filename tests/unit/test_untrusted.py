@@ -23,6 +23,7 @@ from manipplan.support import compiler
 from manipplan.support.compiler import find_compiler, load_library
 from manipplan.support.errors import ManipplanError
 from manipplan.support.untrusted import KEYWORDS, LONGEST, identifier, is_identifier, printable
+from manipplan.symbolic import machine_code
 from manipplan.symbolic.machine_code import generated_source
 from manipplan.tracking import machine
 
@@ -113,7 +114,7 @@ def compiled_sources(monkeypatch):
         seen.append((source, options.get("flags")))
         return load_library(source, load, **options)
 
-    for module in (compiler, batch, machine):
+    for module in (compiler, machine_code, batch, machine):
         monkeypatch.setattr(module, "load_library", remember)
     return seen
 
