@@ -18,7 +18,7 @@ SLACK_COST = 1e3
 
 
 #: With clearance rows, which are made anew after each solve, it may take no more than this.
-STEPS_WITH_ROWS = 100
+STEPS_WITH_ROWS = 60
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -31,8 +31,9 @@ NODES, PIECE_NODES = 40, 8
 #: Minimum number of parts the curve is cut into, for the energy and for g. Their control points obey the joint limits, and so
 #: does the whole curve. With more parts the curve can come nearer to the limits.
 LIMIT_PARTS, FINE_PARTS = 6, 32
-#: Unknowns where a solve or a descent begins are rounded to multiples of this [rad or m].
-SPACING = 2.0**-26
+#: Unknowns where a solve or a descent begins are rounded to multiples of this [rad or m]. It is no power of two: results of
+#: rounded steps would often lie halfway between two of these.
+SPACING = 1.5e-8
 #: Solutions of the energy are rounded to multiples of this [rad or m]: far above IPOPT's own accuracy, so that processors
 #: hardly ever round to different ones.
 SOLVED_SPACING = 2.0**-16

@@ -19,7 +19,7 @@ FINE_DISTANCE = 2.0**-40
 
 
 def on_grid(values: Array, spacing: float) -> Array:
-    """The nearest multiples of `spacing`, a power of two."""
+    """The nearest multiples of `spacing`."""
     return np.asarray(np.round(values / spacing) * spacing)
 
 
