@@ -15,6 +15,7 @@ from numpy.polynomial.legendre import legvander
 
 from manipplan.checks import Array, whole_number
 from manipplan.errors import InvalidInputError, UnknownNameError
+from manipplan.optimize.rounding import gauss_rule, product
 from manipplan.paths.joint import JointPath, bernstein, split
 
 Function = Legendre | Chebyshev | Polynomial
@@ -56,7 +57,7 @@ class Basis(ABC):
 
     def gauss(self, points: int) -> tuple[Array, Array]:
         """So many Gauss points on each piece, and their weights, (m,) each."""
-        x, weights = np.polynomial.legendre.leggauss(points)
+        x, weights = gauss_rule(points)
         half = np.diff(self.breaks)[:, None] / 2
         return (self.breaks[:-1, None] + half * (x + 1)).ravel(), (half * weights).ravel()
 
@@ -106,7 +107,7 @@ class IntegratedLegendre(Series):
     def values(self, s: Array, order: int = 0) -> Array:
         if order == 1:
             return np.asarray(legvander(2 * s - 1, max(self.degree - 1, 1)), dtype=float)[:, 1 : self.degree]
-        return np.asarray(legvander(2 * s - 1, self.degree) @ self._series(order))
+        return product(np.asarray(legvander(2 * s - 1, self.degree), dtype=float), self._series(order))
 
     def _series(self, order: int) -> Array:
         """Legendre coefficients (degree + 1, size) of the derivatives of an order."""

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from manipplan.checks import Array
 from manipplan.optimize.batch import BatchFunction
 from manipplan.optimize.length_model import Curves
-from manipplan.optimize.rounding import FINE, configurations, on_grid
+from manipplan.optimize.rounding import FINE, configurations, on_grid, product
 from manipplan.optimize.rows import column_height
 from manipplan.optimize.surroundings import Look, Surroundings
 from manipplan.paths.joint import JointPath
@@ -141,7 +141,7 @@ class ClearanceTable:
             return None
         values = self.linear(z, z).value
         line, change = self._at
-        q = line + change @ z
+        q = line + product(change, z)
         true = [
             self.surroundings.model.pair_distances(each, [pair])[0] for each, (_, pair, _) in zip(q, self.places, strict=True)
         ]
@@ -161,7 +161,7 @@ class ClearanceTable:
         if not self.places:
             return LinearRows(value=np.empty(0), jacobian=np.empty((0, z.size)))
         line, values = self._at
-        q = line + values @ z
+        q = line + product(values, z)
         value = self.functions.value(q, self.columns)[:, 0, 0]
         gradient = self.functions.gradient(q, self.columns)[:, :, 0]
         jacobian = (values[:, :, None] * gradient[:, None, :]).reshape(len(q), z.size)

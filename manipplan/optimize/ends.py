@@ -8,6 +8,7 @@ import numpy as np
 from manipplan.checks import Array
 from manipplan.errors import InvalidInputError
 from manipplan.optimize.basis import Basis
+from manipplan.optimize.rounding import FIXED, on_grid
 from manipplan.paths.joint import JointPath
 
 #: A path has an end derivative when no joint is off by more than this share of it, or of the way.
@@ -91,7 +92,7 @@ def free_directions(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Arr
     """
     across = orthonormal(basis)
     if pattern:
-        return np.asarray(across @ np.linalg.svd(end_rows(pattern, basis) @ across)[2][len(pattern) :].T)
+        return on_grid(across @ np.linalg.svd(end_rows(pattern, basis) @ across)[2][len(pattern) :].T, FIXED)
     are_orthogonal = np.allclose(across, np.diag(np.diag(across)), rtol=0, atol=ORTHOGONAL)  # Legendre
     return np.eye(basis.size) if are_orthogonal else across
 
@@ -99,4 +100,4 @@ def free_directions(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Arr
 def orthonormal(basis: Basis) -> Array:
     """The matrix (size, size) of coefficients whose functions ψ have ∫ ψ_i' ψ_j' ds = 1 for i = j, else 0."""
     s, weights = basis.gauss(basis.degree)
-    return np.asarray(np.linalg.inv(np.linalg.qr(np.sqrt(weights)[:, None] * basis.values(s, 1)).R))
+    return on_grid(np.linalg.inv(np.linalg.qr(np.sqrt(weights)[:, None] * basis.values(s, 1)).R), FIXED)

@@ -9,6 +9,7 @@ from manipplan.checks import Array
 from manipplan.optimize.basis import Basis
 from manipplan.optimize.batch import BatchFunction
 from manipplan.optimize.density import Density
+from manipplan.optimize.rounding import product
 
 #: Maximum number of products of two basis functions that are kept at a time while a Hessian is summed.
 MOST_PRODUCTS = 4_000_000
@@ -34,16 +35,16 @@ class Curves:
 
     def coefficients(self, z: Array) -> Array:
         """Coefficients (n, size) of the curve at z."""
-        return np.asarray(self.kept + (self.directions @ z).T)
+        return np.asarray(self.kept + product(self.directions, z).T)
 
     def values(self, s: Array, order: int = 0) -> Array:
         """Change of the curve, or of its derivative of an order, with z at s (m,): (m, f), the same for every joint."""
-        return np.asarray(self.basis.values(s, order) @ self.directions)
+        return product(self.basis.values(s, order), self.directions)
 
     def line(self, s: Array, order: int = 0) -> Array:
         """The curve at z = 0, or its derivative of order 1, at s (m,): (m, n)."""
         straight = self.start + s[:, None] * (self.goal - self.start) if order == 0 else self.goal - self.start
-        return np.asarray(straight + self.basis.values(s, order) @ self.kept.T)
+        return np.asarray(straight + product(self.basis.values(s, order), self.kept.T))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -100,7 +101,7 @@ class LengthModel:
         """Arguments of the density at the Gauss points: q and q' (m, n), and the pace and p (m, 2)."""
         line, slope, values, slopes = self._values
         numbers = np.tile([self.pace, self.power], (len(self.s), 1))
-        return line + values @ z, slope + slopes @ z, numbers
+        return line + product(values, z), slope + product(slopes, z), numbers
 
     def value(self, z: Array) -> float:
         """The integral at z (f, n)."""
@@ -111,7 +112,7 @@ class LengthModel:
         _, _, values, slopes = self._values
         weighed = self.density.gradient(*self._points(z))[:, :, 0] * (self.weights[:, None] / self.g0)
         n = weighed.shape[1] // 2
-        return np.asarray(values.T @ weighed[:, :n] + slopes.T @ weighed[:, n:])
+        return product(values.T, weighed[:, :n]) + product(slopes.T, weighed[:, n:])
 
     def hessian(self, z: Array) -> Array:
         """Its Hessian (f n, f n), z in row-major order."""
@@ -124,5 +125,5 @@ class LengthModel:
         for begin in range(0, len(self.s), count):
             part = both[begin : begin + count]
             products = np.einsum("ipj,iqk->jkipq", part, part).reshape(size * size, -1)
-            total += products @ blocks[begin : begin + count].reshape(-1, n * n)
+            total += product(products, blocks[begin : begin + count].reshape(-1, n * n))
         return np.asarray(total.reshape(size, size, n, n).transpose(0, 2, 1, 3).reshape(size * n, size * n))

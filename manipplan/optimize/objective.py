@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 from manipplan.checks import Array
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.metric import metric_matrix
+from manipplan.optimize.rounding import gauss_rule
 from manipplan.paths.joint import JointPath
 
 #: An index below this share of the path's largest counts as zero.
@@ -105,7 +106,7 @@ class PathObjective:
 
 def gauss(edges: Array) -> tuple[Array, Array]:
     """Gauss points and weights (k, POINTS) of the panels between edges (k + 1,)."""
-    nodes, weights = np.polynomial.legendre.leggauss(POINTS)
+    nodes, weights = gauss_rule(POINTS)
     half = np.diff(edges)[:, None] / 2
     return np.clip(edges[:-1, None] + half * (1 + nodes), 0.0, 1.0), half * weights
 

@@ -22,7 +22,7 @@ from manipplan.optimize.ends import free_directions
 from manipplan.optimize.length_model import BatchDensity, Curves, LengthModel
 from manipplan.optimize.nlp import Hull, Integral, ipopt_solver
 from manipplan.optimize.objective import PathObjective, gauss
-from manipplan.optimize.rounding import FINE, on_grid, with_bits
+from manipplan.optimize.rounding import FINE, FIXED, on_grid, with_bits
 from manipplan.optimize.rows import ClearanceRow, column_height, met_column, row_functions
 from manipplan.optimize.surroundings import Surroundings
 
@@ -97,7 +97,7 @@ class PathProgram:
         """Combinations of the free directions (size, f) whose slopes are orthonormal."""
         s, weights = self.basis.gauss(self.basis.degree)
         slopes = np.sqrt(weights)[:, None] * (self.basis.values(s, 1) @ self.free)
-        return np.asarray(self.free @ np.linalg.inv(np.linalg.qr(slopes).R))
+        return on_grid(self.free @ np.linalg.inv(np.linalg.qr(slopes).R), FIXED)
 
     def true_program(
         self,
@@ -121,7 +121,7 @@ class PathProgram:
         """
         directions = self._directions
         z: Array = np.asarray(np.linalg.lstsq(directions, coefficients.T, rcond=None)[0], dtype=float)
-        kept = coefficients - (directions @ z).T
+        kept = on_grid(coefficients - (directions @ z).T, FINE)
         z = on_grid(z, SPACING)
         curves = Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal)
         path = self.basis.path(start, goal, coefficients)

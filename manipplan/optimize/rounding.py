@@ -16,6 +16,8 @@ from manipplan.paths.joint import JointPath
 FINE = 2.0**-36
 #: Distances are rounded to multiples of this [m].
 FINE_DISTANCE = 2.0**-40
+#: Numbers that are found once by linear algebra, and used in all that follows, are rounded to multiples of this.
+FIXED = 2.0**-42
 
 
 def on_grid(values: Array, spacing: float) -> Array:
@@ -26,6 +28,17 @@ def on_grid(values: Array, spacing: float) -> Array:
 def configurations(path: JointPath, s: ArrayLike) -> Array:
     """The configurations (m, n) of a path at s (m,), on the fine grid."""
     return on_grid(path(s), FINE)
+
+
+def product(left: Array, right: Array) -> Array:
+    """The matrix product, with the same order of additions on every processor, which that of a BLAS has not."""
+    return np.asarray(np.einsum("ij,jk->ik", left, right))
+
+
+def gauss_rule(count: int) -> tuple[Array, Array]:
+    """Gauss points on [-1, 1] and their weights, (count,) each, rounded: NumPy finds them as eigenvalues."""
+    nodes, weights = np.polynomial.legendre.leggauss(count)
+    return on_grid(nodes, FIXED), on_grid(weights, FIXED)
 
 
 def with_bits(values: Array, bits: int) -> Array:
