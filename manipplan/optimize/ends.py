@@ -92,12 +92,12 @@ def free_directions(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Arr
     """
     across = orthonormal(basis)
     if pattern:
-        return on_grid(across @ np.linalg.svd(end_rows(pattern, basis) @ across)[2][len(pattern) :].T, FIXED)
+        return np.asarray(across @ np.linalg.svd(end_rows(pattern, basis) @ across)[2][len(pattern) :].T)
     are_orthogonal = np.allclose(across, np.diag(np.diag(across)), rtol=0, atol=ORTHOGONAL)  # Legendre
-    return np.eye(basis.size) if are_orthogonal else across
+    return np.eye(basis.size) if are_orthogonal else on_grid(across, FIXED)
 
 
 def orthonormal(basis: Basis) -> Array:
     """The matrix (size, size) of coefficients whose functions ψ have ∫ ψ_i' ψ_j' ds = 1 for i = j, else 0."""
     s, weights = basis.gauss(basis.degree)
-    return on_grid(np.linalg.inv(np.linalg.qr(np.sqrt(weights)[:, None] * basis.values(s, 1)).R), FIXED)
+    return np.asarray(np.linalg.inv(np.linalg.qr(np.sqrt(weights)[:, None] * basis.values(s, 1)).R))

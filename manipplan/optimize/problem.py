@@ -97,7 +97,9 @@ class PathProgram:
         """Combinations of the free directions (size, f) whose slopes are orthonormal."""
         s, weights = self.basis.gauss(self.basis.degree)
         slopes = np.sqrt(weights)[:, None] * (self.basis.values(s, 1) @ self.free)
-        return on_grid(self.free @ np.linalg.inv(np.linalg.qr(slopes).R), FIXED)
+        directions = np.asarray(self.free @ np.linalg.inv(np.linalg.qr(slopes).R))
+        fixed = self.free.shape[1] < self.basis.size  # rounded directions would change the derivatives that are fixed
+        return directions if fixed else on_grid(directions, FIXED)
 
     def true_program(
         self,
