@@ -92,14 +92,22 @@ class PathProgram:
         value, gradient, _ = self._rows
         return RowFunctions(value=BatchFunction(value), gradient=BatchFunction(gradient))
 
+    @property
+    def _fixes_derivatives(self) -> bool:
+        """Whether end derivatives are fixed: they would not survive rounding."""
+        return len(self.free.T) < self.basis.size
+
+    def _rounded(self, kept: Array) -> Array:
+        """Coefficients (n, size) that no unknown changes, on the fine grid unless they fix derivatives."""
+        return kept if self._fixes_derivatives else on_grid(kept, FINE)
+
     @cached_property
     def _directions(self) -> Array:
         """Combinations of the free directions (size, f) whose slopes are orthonormal."""
         s, weights = self.basis.gauss(self.basis.degree)
         slopes = np.sqrt(weights)[:, None] * (self.basis.values(s, 1) @ self.free)
         directions = np.asarray(self.free @ np.linalg.inv(np.linalg.qr(slopes).R))
-        fixed = self.free.shape[1] < self.basis.size  # rounded directions would change the derivatives that are fixed
-        return directions if fixed else on_grid(directions, FIXED)
+        return directions if self._fixes_derivatives else on_grid(directions, FIXED)
 
     def true_program(
         self,
@@ -123,7 +131,7 @@ class PathProgram:
         """
         directions = self._directions
         z: Array = np.asarray(np.linalg.lstsq(directions, coefficients.T, rcond=None)[0], dtype=float)
-        kept = on_grid(coefficients - (directions @ z).T, FINE)
+        kept = self._rounded(coefficients - (directions @ z).T)
         z = on_grid(z, SPACING)
         curves = Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal)
         path = self.basis.path(start, goal, coefficients)
@@ -163,7 +171,7 @@ class PathProgram:
         solver = self._solver(capacity, limited)
         # all that IPOPT gets is rounded: from inputs that differ in their last bits its iterations go apart
         unknowns = on_grid(guess @ self._along, SPACING)
-        kept = on_grid(guess - unknowns @ self.free.T, FINE)
+        kept = self._rounded(guess - unknowns @ self.free.T)
         scale = with_bits(np.array([1 / self._energy_of(start, goal, guess)]), SCALE_BITS)
         table = on_grid(self._row_parameters(rows, capacity), FINE)
         parameters = np.concatenate([start, goal, scale, [1.0], kept.ravel(order="F"), table.ravel(order="F")])
