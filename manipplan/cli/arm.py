@@ -15,7 +15,7 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 @dataclass(frozen=True, kw_only=True)
 class RobotOptions:
-    """What is told of the arm beside its name, and of what stands around it."""
+    """Robot and scene options that the commands share."""
 
     scene: Path | None = None
     """YAML file with obstacles."""

@@ -34,7 +34,7 @@ def follow(
     """Follow a workspace path with the largest minimum manipulability; write the motion as CSV, JSON and ROS JointTrajectory.
 
     Args:
-        options: What is told of the arm and its surroundings.
+        options: Options of the robot and the scene.
         robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
         poses: CSV file with the columns x, y, z [m], qw, qx, qy, qz.
         positions: At which configurations are enumerated.

@@ -25,7 +25,7 @@ def improve(
     """Follow a recorded joint motion with a higher index, and write it as CSV, JSON and ROS JointTrajectory.
 
     Args:
-        options: What is told of the arm and its surroundings.
+        options: Options of the robot and the scene.
         robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
         recorded: CSV file with the columns time [s], q_JOINT [rad or m] for each joint; velocities may follow.
         tolerance: How far the tool may leave the recorded poses [m] [rad].

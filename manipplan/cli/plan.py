@@ -33,7 +33,7 @@ def plan(
     """Plan a motion and write it as CSV, JSON and ROS JointTrajectory, with a report and a picture.
 
     Args:
-        options: What is told of the arm and its surroundings.
+        options: Options of the robot and the scene.
         robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
         start: One angle [rad] or length [m] a joint, or the name of a state in the robot's SRDF.
         goal: As `start`.

@@ -142,7 +142,7 @@ class Report:
             min_at=cost.at,
             seed_min_manipulability=result.seed_cost.min_manipulability,
             straight_min_manipulability=straight.min_manipulability,
-            minimum_note=_index_note(cost, result, straight),
+            minimum_note=_minimum_note(cost, result, straight),
             clearance=min(least, proof.upper),
             nearest_pair=pair,
             proven_clearance=proof.lower,
@@ -249,14 +249,14 @@ def _first_path(status: str) -> str:
 
 
 def _compared(least: float, other: float, name: str) -> str:
-    """A minimum manipulability beside that of another path."""
+    """A minimum manipulability compared with that of another path."""
     if other < VANISHING:
         return f"the {name}'s is zero"
     ratio = least / other
     return f"as the {name}'s" if abs(ratio - 1) < 5e-3 else f"{ratio:.3g} times the {name}'s"
 
 
-def _index_note(cost: PathCost, result: PathResult, straight: PathCost) -> str:
+def _minimum_note(cost: PathCost, result: PathResult, straight: PathCost) -> str:
     """How the minimum manipulability compares with the seed's and the straight path's, and why when it is not twice both."""
     least = cost.min_manipulability
     if result.status is Status.FOLLOWED:

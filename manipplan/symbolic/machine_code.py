@@ -12,10 +12,10 @@ from manipplan.support.compiler import NATIVE, find_compiler, load_library
 from manipplan.support.errors import CompilerError, CompilerWarning, ManipplanError
 from manipplan.support.untrusted import is_identifier, printable
 
-#: From so many characters on, -O1 is chosen: it compiles three times faster for code that runs a tenth slower.
+#: Minimum number of characters at which -O1 is chosen: it compiles three times faster, and the code runs a tenth slower.
 LONG = 200_000
 
-#: Functions of so many instructions are compiled in a few seconds; a user who did not ask for it waits no longer.
+#: Maximum number of instructions that "auto" compiles, which takes a few seconds.
 SOON_DONE = 60_000
 
 
