@@ -1,13 +1,13 @@
 """manipplan: from a robot description and a task to a timed trajectory that keeps the arm far from singularities.
 
-    URDF / MJCF / name -> Robot -> Kinematics(task): pose, J, index m, its gradient and Hessian
+    URDF / MJCF / name -> Robot -> Kinematics(task): pose, J, manipulability m, its gradient and Hessian
                                -> Scene: collision and distance
     pose -> inverse_kinematics: every configuration that reaches it
     CartesianPath -> sample_layers -> max_min_search (the largest minimum manipulability) -> refine
-    CartesianPath -> track (a QP a step that raises the index while it follows) -> Tracking
-    start, goal -> seed_path (OMPL) -> optimize_path (least ∫ ‖q'‖/m^p ds) -> retime (toppra) -> Trajectory -> Report
+    CartesianPath -> track (one QP per step, which raises m while following) -> Tracking
+    start, goal -> seed_path (OMPL) -> optimize_path (minimises ∫ ‖q'‖/m^p ds) -> retime (toppra) -> Trajectory -> Report
 
-One line each: ``mp.plan(robot, start, goal, scene)`` does all of it.
+One call runs a whole row, for instance ``mp.plan(robot, start, goal, scene)``.
 """
 
 from manipplan.collision.path_clearance import PathClearance

@@ -1,6 +1,6 @@
 """The command `manipplan`: the jobs from a shell.
 
-Exit codes: 0 done, 1 no result, 2 wrong input, 3 a checked motion that is not what was asked for (its status says why), 130
+Exit codes: 0 done, 1 no result, 2 invalid input, 3 a checked motion that does not meet the request (its status says why), 130
 interrupted.
 """
 
@@ -34,7 +34,7 @@ COMMANDS: dict[str, Callable[..., int | None]] = {
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command; returns its exit code and prints errors in one line, without a traceback."""
+    """Run the command; returns its exit code and prints errors on one line, without a traceback."""
     log = logging.StreamHandler()
     log.setFormatter(_Printable())
     logging.basicConfig(level=logging.WARNING, handlers=[log])
@@ -52,13 +52,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         show_line(errors, f"manipplan: {error}", style="red")
         return 2 if isinstance(error, InvalidInputError | MissingExtraError) else 1
     except KeyboardInterrupt:
-        errors.print("manipplan: interrupted; finished files are whole, nothing half-written is left", style="red")
+        errors.print("manipplan: interrupted; finished files are complete, and no partial file is left", style="red")
         return 130
     return code or 0
 
 
 class _Printable(logging.Formatter):
-    """The message alone, without the control characters that a name in it may hold."""
+    """Formats the message alone, without control characters from names in it."""
 
     def format(self, record: logging.LogRecord) -> str:
         return printable(super().format(record))

@@ -1,4 +1,4 @@
-"""The arm and the scene that a command was given, and configurations of the arm."""
+"""The robot, scene and configurations given to a command."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,21 +15,21 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 @dataclass(frozen=True, kw_only=True)
 class RobotOptions:
-    """Robot and scene options that the commands share."""
+    """Robot and scene options shared by the commands."""
 
     scene: Path | None = None
     """YAML file with obstacles."""
     tool: str | None = None
-    """Frame whose motion counts, when the robot is a file."""
+    """Tool frame, if the robot is a file."""
     srdf: Path | None = None
-    """Semantic description, when the robot is a file."""
+    """Semantic description (SRDF), if the robot is a file."""
     velocity: tuple[float, ...] = ()
-    """Limits [rad/s or m/s] instead of the robot's, one number or one a joint."""
+    """Velocity limits [rad/s or m/s] instead of the robot's, one number or one per joint."""
     acceleration: tuple[float, ...] = ()
-    """Limits [rad/s² or m/s²], likewise."""
+    """Acceleration limits [rad/s² or m/s²], in the same form."""
 
     def load(self, name: str, *, jerk: tuple[float, ...] = ()) -> tuple[Robot, Scene]:
-        """A known arm or that of a file, and the obstacles around it; `jerk` limits as the others."""
+        """A known arm or one from a file, and the obstacles around it; `jerk` limits as the others."""
         limits = {"velocity": self.velocity, "acceleration": self.acceleration, "jerk": jerk}
         plain = {kind: value[0] if len(value) == 1 else value for kind, value in limits.items() if value}
         files = {key: value for key, value in (("tool", self.tool), ("srdf", self.srdf)) if value is not None}
@@ -37,19 +37,19 @@ class RobotOptions:
 
 
 def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array:
-    """The configuration that words name: one number a joint, or one named state of the robot."""
+    """The configuration from words: one number per joint, or one named state of the robot."""
     try:
         numbers = np.array([float(word) for word in words])
     except ValueError as error:
         if len(words) != 1:
-            raise InvalidInputError(argument, " ".join(words), "one number a joint, or the name of one state") from error
+            raise InvalidInputError(argument, " ".join(words), "one number per joint, or the name of one state") from error
     else:
         if len(numbers) != robot.n:
             joints = ", ".join(robot.joint_names)
-            raise InvalidInputError(argument, " ".join(words), f"{robot.n} numbers, one a joint ({joints}), not {len(words)}")
+            raise InvalidInputError(argument, " ".join(words), f"{robot.n} numbers, one per joint ({joints}), not {len(words)}")
         return numbers
     if not robot.named_states:
-        raise InvalidInputError(argument, words[0], "one number a joint: the robot has no named states")
+        raise InvalidInputError(argument, words[0], "one number per joint: the robot has no named states")
     if words[0] not in robot.named_states:
         raise UnknownNameError(argument, words[0], robot.named_states)
     return robot.named_states[words[0]]

@@ -10,11 +10,11 @@ from manipplan.support.progress import part
 
 
 def demo(out: Path = Path("demo"), seed: int = 0) -> int:
-    """Plan for a Panda among five boxes, and for a planar arm of three links between the postures of (6.13) in kth2012.
+    """Plan for a Panda among five boxes, and for a planar arm of three links between the configurations of (6.13) in kth2012.
 
     Args:
         out: Folder for trajectories, reports and pictures.
-        seed: Of the planner; the same seed gives the same result.
+        seed: Random seed of the planner; the same seed gives the same result.
     """
     folder = place_for("out", out)
     with terminal.progress() as tell:

@@ -1,4 +1,4 @@
-"""`manipplan follow`: along a path of the tool with the largest minimum manipulability."""
+"""`manipplan follow`: follow a path of the tool with the largest minimum manipulability."""
 
 from pathlib import Path
 
@@ -34,20 +34,20 @@ def follow(
     """Follow a workspace path with the largest minimum manipulability; write the motion as CSV, JSON and ROS JointTrajectory.
 
     Args:
-        options: Options of the robot and the scene.
+        options: Options of the robot and its scene.
         robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
         poses: CSV file with the columns x, y, z [m], qw, qx, qy, qz.
-        positions: At which configurations are enumerated.
-        epsilon: Longest step of a joint between neighbouring positions [rad or m].
-        samples: Of what the arm has to spare, a number or one for each parameter.
+        positions: Number of positions at which configurations are enumerated.
+        epsilon: Maximum step of a joint between neighbouring positions [rad or m].
+        samples: Number of grid points of the redundancy, one number or one per parameter.
         pointing: Tool axis about which the tool may turn.
-        tolerance: How far the tool may leave the path [m] [rad].
-        out: Folder for what is written.
-        jerk: Limits [rad/s³ or m/s³] instead of the robot's, one number or one a joint.
-        clearance: Distance [m] to keep.
+        tolerance: Maximum deviation of the tool from the path [m] [rad].
+        out: Folder for the files that are written.
+        jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint.
+        clearance: Minimum distance to keep [m].
         closed: The path returns to its start, and so does the motion.
-        torque: Limit the motion by the joints' effort, too.
-        seed: Of random starts, for arms without a closed form.
+        torque: Keep the joints' effort limits as well.
+        seed: Seed of random starts, for arms without closed-form inverse kinematics.
     """
     folder = place_for("out", out)
     path = CartesianPath.from_csv(poses)

@@ -1,4 +1,4 @@
-"""`manipplan improve`: a recorded motion again, with a higher index."""
+"""`manipplan improve`: repeat a recorded motion with higher manipulability."""
 
 from pathlib import Path
 
@@ -22,16 +22,16 @@ def improve(
     out: Path = Path("improve"),
     options: OmitArgPrefixes[RobotOptions] = RobotOptions(),  # noqa: B008  # a frozen value
 ) -> int:
-    """Follow a recorded joint motion with a higher index, and write it as CSV, JSON and ROS JointTrajectory.
+    """Repeat a recorded joint motion with higher manipulability, and write it as CSV, JSON and ROS JointTrajectory.
 
     Args:
-        options: Options of the robot and the scene.
+        options: Options of the robot and its scene.
         robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
         recorded: CSV file with the columns time [s], q_JOINT [rad or m] for each joint; velocities may follow.
-        tolerance: How far the tool may leave the recorded poses [m] [rad].
-        duration: Of the new motion [s]; default that of the recording.
+        tolerance: Maximum deviation of the tool from the recorded poses [m] [rad].
+        duration: Duration of the new motion [s]; default: that of the recording.
         dt: Time step [s].
-        out: Folder for what is written.
+        out: Folder for the files that are written.
     """
     folder = place_for("out", out)
     with terminal.progress() as tell:

@@ -1,4 +1,4 @@
-"""`manipplan plan`: from start to goal among obstacles."""
+"""`manipplan plan`: plan a motion from start to goal among obstacles."""
 
 from pathlib import Path
 from typing import Literal
@@ -33,21 +33,21 @@ def plan(
     """Plan a motion and write it as CSV, JSON and ROS JointTrajectory, with a report and a picture.
 
     Args:
-        options: Options of the robot and the scene.
+        options: Options of the robot and its scene.
         robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
-        start: One angle [rad] or length [m] a joint, or the name of a state in the robot's SRDF.
+        start: One angle [rad] or length [m] per joint, or the name of a state in the robot's SRDF.
         goal: As `start`.
-        out: Folder for what is written.
-        jerk: Limits [rad/s³ or m/s³] instead of the robot's, one number or one a joint.
-        power: Exponent of the index in the objective.
-        measure: Of manipulability, by name; default Yoshikawa's.
-        degree: Of the path's polynomial.
-        shifts: within-limits tries goals a full turn away, too.
-        clearance: Distance [m] to keep.
-        torque: Limit the motion by the joints' effort, too.
-        seed: Of the planner.
-        seeds: How many first paths are looked for.
-        time_limit: For the planner's search [s].
+        out: Folder for the files that are written.
+        jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint.
+        power: Exponent of the manipulability in the objective.
+        measure: Name of the manipulability measure; default: Yoshikawa's.
+        degree: Degree of the path's polynomial.
+        shifts: within-limits also tries goals a full turn away.
+        clearance: Minimum distance to keep [m].
+        torque: Keep the joints' effort limits as well.
+        seed: Random seed of the planner.
+        seeds: Number of first paths to search for.
+        time_limit: Time limit of the planner's search [s].
     """
     folder = place_for("out", out)
     with terminal.progress() as tell:

@@ -15,11 +15,11 @@ Paper = Literal["kth2012", "dufour2020", "guilamo2006"]
 
 
 def study(paper: Positional[Paper], /, quick: bool = False, out: Path | None = None) -> None:
-    """Make all tables and figures of a paper again, and collect them in report.html.
+    """Reproduce all tables and figures of a paper, and collect them in report.html.
 
     Args:
         paper: kth2012 (paths of a planar arm), dufour2020 (QP inverse kinematics) or guilamo2006 (search along a path).
-        quick: Leave what takes long; the report says what is left.
+        quick: Skip what takes long; the report says what is skipped.
         out: Folder for tables, figures and report. Default: study/PAPER.
     """
     folder = place_for("out", out if out is not None else Path("study") / paper)

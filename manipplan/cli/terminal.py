@@ -1,4 +1,4 @@
-"""What every command shows: a bar while it works, the report and the files at its end."""
+"""Output of every command: a progress bar, and at the end the report and the files."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -10,13 +10,13 @@ from manipplan.jobs.result import Plan
 from manipplan.support.progress import Progress
 from manipplan.support.untrusted import printable, terminal_text
 
-#: How the source of limits begins that nobody gave.
+#: Prefix of the source of limits that were not given.
 DEFAULT = "default"
 
 
 @contextmanager
 def progress() -> Iterator[Progress]:
-    """A bar with the share done and the time that is left; where there is no terminal a line for every tenth."""
+    """A bar with the fraction done and the remaining time; without a terminal, one line per tenth."""
     console = Console(stderr=True)
     if not console.is_terminal:
         last = -1
@@ -43,9 +43,9 @@ def progress() -> Iterator[Progress]:
 
 
 def show_plan(plan: Plan, files: Sequence[Path], *lines: str) -> int:
-    """Print what was assumed of the robot, the plan's report with more lines below it, and where it lies.
+    """Print what was assumed about the robot, the plan's report followed by `lines`, and its files.
 
-    Returns the exit code: 0, or 3 for a checked motion that is not what was asked for.
+    Returns the exit code: 0, or 3 for a checked motion that does not meet the request.
     """
     assumed = [f"{kind} limits: {source}" for kind, source in plan.robot.limits.sources.items() if source.startswith(DEFAULT)]
     if plan.robot.locked:
@@ -57,12 +57,12 @@ def show_plan(plan: Plan, files: Sequence[Path], *lines: str) -> int:
 
 
 def show_result(report: str, files: Sequence[Path]) -> None:
-    """Print a report and where it lies."""
+    """Print a report and its files."""
     console = Console()
     show_line(console, report)
     show_line(console, "wrote " + " ".join(map(str, files)) + "\n")
 
 
 def show_line(console: Console, text: str, style: str = "") -> None:
-    """Print `text` as it is, in lines as long as they are; names in it are no markup."""
+    """Print `text` unchanged, without line breaks; names in it are not interpreted as markup."""
     console.print(terminal_text(text, style), soft_wrap=True)

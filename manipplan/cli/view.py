@@ -1,4 +1,4 @@
-"""`manipplan view`: a saved plan in the browser, or as a page that plays by itself."""
+"""`manipplan view`: show a saved plan in the browser, or record it as an HTML file."""
 
 from pathlib import Path
 
@@ -21,9 +21,9 @@ def view(
 
     Args:
         result: Folder that `manipplan plan`, `follow` or `improve` wrote, or its plan.json.
-        port: Of the page; 0 takes any free one.
-        host: Address on which the page can be seen; 0.0.0.0 lets other machines see it.
-        browser: Open the page.
+        port: Port of the page; 0 takes any free port.
+        host: Address on which the page is served; 0.0.0.0 lets other machines see it.
+        browser: Open the page in the browser.
         record: Write this HTML file, which plays anywhere, instead of showing the page.
     """
     console = Console()
@@ -33,7 +33,7 @@ def view(
         show_line(console, f"wrote {file}; open it in a browser")
         return
     with plan.show(port=port, host=host, open_browser=False) as page:
-        show_line(console, f"{plan.robot.name} at {page.url}; Ctrl-C ends it")
+        show_line(console, f"{plan.robot.name} at {page.url}; press Ctrl-C to stop")
         if browser:
             page.open()
         page.wait()

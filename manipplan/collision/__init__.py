@@ -1,5 +1,5 @@
-"""What touches what, and how far apart bodies are.
+"""Collision checks and distances of bodies.
 
-In: a Robot and a Scene of obstacles. Out: distances, contacts, and proofs for whole paths.
-`model` joins the two; everything else in the room serves it.
+In: a Robot and a Scene of obstacles. Out: distances, contacts, and proven clearances of whole paths.
+`model` joins the two; all other modules serve it.
 """

@@ -1,13 +1,13 @@
-"""How far a body can move when joints do.
+"""Bounds on the motion of a body when joints move.
 
-Between a configuration q and another that differs by δ_j in joint j, a point of a body moves no further, seen from the body it
-is paired with, than Σ_j D_j over the joints j between the two. Turned one after another, the joint nearest to the body first,
-joint j moves the point by at most
+Between a configuration q and another that differs by δ_j in joint j, a point of a body moves, relative to the other body of its
+pair, at most Σ_j D_j over the joints j between the two. When the joints move one after another, the joint nearest to the body
+first, joint j moves the point by at most
 
     D_j = δ_j (ρ_j + Σ_{i > j} D_i)   for a revolute joint,   D_j = δ_j   for a prismatic one,
 
-with ρ_j the largest distance of the body's points from axis j at q: those joints that have turned before have moved the point
-by no more than the sum. The distance of the pair falls by at most as much.
+with ρ_j the largest distance of the body's points from axis j at q: the joints that moved before have moved the point by
+at most the sum. The distance of the pair decreases by at most Σ_j D_j.
 """
 
 import numpy as np
@@ -20,7 +20,7 @@ from manipplan.robots.description import axis_of, is_prismatic
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
 
-#: Bodies of more core points than this are bounded by those of a primitive around them.
+#: Maximum number of core points of a body; a body with more is bounded by a primitive around it.
 MOST_POINTS = 8
 
 BodyIndices = NDArray[np.intp]
@@ -28,12 +28,12 @@ BodyIndices = NDArray[np.intp]
 
 @once_per_owner
 def body_motion(model: CollisionModel) -> "BodyMotion":
-    """How far the bodies of a collision model can move."""
+    """Bounds on the motion of the bodies of a collision model."""
     return BodyMotion(model)
 
 
 class BodyMotion:
-    """How far the bodies of a collision model can move."""
+    """Bounds on the motion of the bodies of a collision model."""
 
     def __init__(self, model: CollisionModel) -> None:
         robot, objects = model.robot.model, model.geometry.geometryObjects
@@ -42,7 +42,7 @@ class BodyMotion:
         carriers = carrier[pairs]
         #: (b,) the joint that carries each body; 0: the world
         self.joint = carrier
-        #: (p,) of each pair the body further from the base, and the joint of the other
+        #: (p,) the body of each pair that is farther from the base, and the joint of the other body
         self.body: BodyIndices = pairs[np.arange(len(pairs)), carriers.argmax(axis=1)]
         self.below: BodyIndices = carriers.min(axis=1)
         self.points = np.empty((len(objects), MOST_POINTS, 3))
@@ -56,12 +56,12 @@ class BodyMotion:
         self._placements = [(np.array(place.rotation), np.array(place.translation)) for place in robot.jointPlacements[1:]]
 
     def motion(self, q: Array, change: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
-        """How far the two bodies of a pair can move towards each other, (e,) [m].
+        """Upper bound on the motion of the two bodies of a pair towards each other, (e,) [m].
 
         Args:
             q: (m, n) configurations.
-            change: (m, n) how far each joint can be from there [rad or m].
-            rows, pairs: (e,) each: which configuration, which pair.
+            change: (m, n) maximum distance of each joint from there [rad or m].
+            rows, pairs: (e,) indices of the configuration and of the pair.
         """
         rotations, origins, axes = self._chain(q)
         bodies, where = np.unique(rows * len(self.radii) + self.body[pairs], return_inverse=True)
@@ -81,7 +81,7 @@ class BodyMotion:
         return np.asarray(moved[where, self.below[pairs]])
 
     def _chain(self, q: Array) -> tuple[Array, Array, Array]:
-        """Rotations (m, n + 1, 3, 3), origins and axes (m, n + 1, 3) of the world's frame and the joints', in the world."""
+        """Rotations (m, n + 1, 3, 3), origins and axes (m, n + 1, 3) of the world and joint frames, in the world."""
         m, n = q.shape
         rotations, origins, axes = np.empty((m, n + 1, 3, 3)), np.zeros((m, n + 1, 3)), np.zeros((m, n + 1, 3))
         rotations[:, 0] = np.eye(3)
@@ -102,7 +102,7 @@ class BodyMotion:
 
 
 def _few_points(item: pin.GeometryObject) -> tuple[Array, float]:
-    """At most MOST_POINTS points (k, 3) in the joint's frame and a radius [m] whose balls' hull holds the body."""
+    """At most MOST_POINTS points (k, 3) in the joint's frame and a radius [m]: the hull of these balls contains the body."""
     points, radius = core_of(item.geometry)
     place = item.placement
     if len(points) > MOST_POINTS:

@@ -1,4 +1,4 @@
-"""CollisionModel: a robot in convex primitives among the obstacles of a scene, and which pairs are checked."""
+"""CollisionModel: a robot as convex primitives among the obstacles of a scene, and the pairs that are checked."""
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
@@ -18,13 +18,13 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner
 
-#: A pair that touches at this share of so many random configurations is dropped as touching by construction.
+#: Number of random configurations, and share of them at which a pair that touches is dropped: it touches by construction.
 SAMPLES = 200
 ALWAYS = 0.95
-#: A pair whose primitives touch while its meshes do not at more than this share of the samples is checked with convex hulls,
-#: and when these are too coarse as well, with its meshes.
+#: Maximum share of the samples at which a pair's primitives touch while its meshes do not. Above it the pair is checked with
+#: convex hulls and, when these are too coarse as well, with its meshes.
 COARSE = 0.02
-#: Accuracy of coal's distances between curved bodies [m]; by default it is 1e-6, and gradients are off by 5 %.
+#: Accuracy of coal's distances between curved bodies [m]; at coal's default, 1e-6, gradients are off by 5 %.
 GJK_TOLERANCE = 1e-10
 
 
@@ -38,7 +38,7 @@ class Contact:
         normal: (3,) unit vector from the second body to the first, in the frame of joint `second`.
         offset: normal · p of the second body's point nearest to the first [m], in that frame: the body lies below it.
         points: (k, 3) core points of the first body in the frame of joint `first` [m].
-        radius: of the first body around its core points [m].
+        radius: radius of the first body around its core points [m].
     """
 
     distance: float
@@ -52,7 +52,7 @@ class Contact:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Witness:
-    """Two points of a pair of bodies, fixed to them: the distance of the pair is at most theirs minus `radius`.
+    """Two points fixed to the bodies of a pair: the distance of the pair is at most that of the points minus `radius`.
 
     The point of a sphere or capsule lies on its centre or axis, that of any other body on its surface.
 
@@ -70,7 +70,7 @@ class Witness:
 
 
 class CollisionModel:
-    """Collision and distance of one robot, with itself and with a scene, through Pinocchio and coal.
+    """Collision checks and distances of one robot with itself and with a scene, by Pinocchio and coal.
 
     Not safe to share between threads: it holds Pinocchio's working data.
 
@@ -78,7 +78,7 @@ class CollisionModel:
         geometry: the primitives of the robot and the obstacles, with the pairs that are checked.
         pair_names: (first, second) of every pair; the first belongs to the robot.
         dropped: pairs of the robot's bodies that are not checked, with the reason.
-        primitives: how many objects of `geometry`, the first, are the primitives of the robot.
+        primitives: number of primitives of the robot, which are the first objects of `geometry`.
     """
 
     def __init__(
@@ -99,8 +99,8 @@ class CollisionModel:
 
     @classmethod
     def of(cls, robot: Robot, scene: Scene) -> "CollisionModel":
-        """The robot's meshes become primitives. An SRDF's disabled pairs, adjacent ones and those that touch nearly
-        everywhere are left out; `dropped` lists them.
+        """Build the model, with primitives for the robot's meshes. An SRDF's disabled pairs, adjacent pairs and pairs that
+        touch nearly everywhere are left out; `dropped` lists them.
 
         Raises InvalidInputError when there are obstacles but the robot's description has no collision geometry.
         """
@@ -130,7 +130,7 @@ class CollisionModel:
         return any(pin.computeCollision(self.geometry, self._geometry_data, int(pair)) for pair in pairs)
 
     def copy(self) -> "CollisionModel":
-        """The same with working data of its own, for another thread."""
+        """A copy with its own working data, for another thread."""
         return CollisionModel(self.robot, self.geometry.copy(), self.dropped, self.primitives)
 
     def touching_pairs(self, q: Array) -> list[int]:
@@ -211,7 +211,7 @@ class CollisionModel:
         return witness, -self._data.oMi[carriers[1]].rotation.T @ normal
 
     def turned(self, q: Array, vector: Array, joint: int, into: int) -> Array:
-        """Components (3,) in the frame of joint `into` of a vector given in that of `joint` (0: the world), at q (n,)."""
+        """A vector given in the frame of joint `joint`, expressed in that of joint `into` (0: the world), at q (n,); (3,)."""
         pin.forwardKinematics(self.robot.model, self._data, q)
         return np.asarray(self._data.oMi[into].rotation.T @ (self._data.oMi[joint].rotation @ vector))
 
@@ -220,10 +220,10 @@ class CollisionModel:
         pin.forwardKinematics(self.robot.model, self._data, q)
         normal = self._data.oMi[contact.second].rotation @ contact.normal
         height = contact.points @ (self._data.oMi[contact.first].rotation.T @ normal)
-        return contact.points[np.argsort(np.round(height, 9), kind="stable")[:count]]  # rounding errors do not decide
+        return contact.points[np.argsort(np.round(height, 9), kind="stable")[:count]]  # rounding errors do not change the order
 
     def free_configuration(self, argument: str, q: ArrayLike, clearance: float = 0.0) -> Array:
-        """Check that q (n,) is inside the limits and free; raises InvalidInputError that names limit or pair."""
+        """Check that q (n,) is inside the limits and collision-free; raises InvalidInputError that names limit or pair."""
         q = self.robot.configuration(argument, q)
         distances = self.distances(q)
         nearest = int(distances.argmin()) if len(distances) else -1
@@ -232,14 +232,16 @@ class CollisionModel:
             apart = (
                 f"are {distances[nearest]:.4g} m apart" if distances[nearest] > 0 else f"overlap by {-distances[nearest]:.4g} m"
             )
-            demanded = f", the clearance asked for is {clearance:g} m" if clearance else ""
-            raise InvalidInputError(argument, q.tolist(), f"a free configuration; {first} and {second} {apart}{demanded}")
+            demanded = f", the required clearance is {clearance:g} m" if clearance else ""
+            raise InvalidInputError(
+                argument, q.tolist(), f"a collision-free configuration; {first} and {second} {apart}{demanded}"
+            )
         return q
 
     def path_is_free(self, path: JointPath, step: float, clearance: float = 0.0) -> bool:
-        """Whether the path is free wherever no joint moves more than `step` [rad or m] between two checks.
+        """Whether the path is collision-free at checks between which no joint moves more than `step` [rad or m].
 
-        Coarse checks come first, so that a path that is not free is found out early.
+        Coarse checks come first, so that a collision is found early.
         """
         s = path.fine_samples(step)
         q = path(s)
@@ -275,7 +277,7 @@ def _self_model(robot: Robot) -> CollisionModel:
 
 
 def _primitive_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int]]:
-    """The robot's geometry without meshes, and which object of the description each primitive stands for."""
+    """The robot's geometry without meshes, and the object of the description that each primitive represents."""
     geometry = pin.GeometryModel()
     origins = []
     for origin, item in enumerate(robot.geometry.geometryObjects):
@@ -292,9 +294,9 @@ def _primitive_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int]]:
 
 
 def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]) -> dict[tuple[str, str], str]:
-    """Add the pairs of different, not adjacent, not disabled links to `geometry`; returns those left out, and why.
+    """Add the pairs of different links to `geometry`, except adjacent and disabled ones; returns these, with the reason.
 
-    `origins` tells which object of the robot's description each object of `geometry` stands for.
+    `origins` gives the object of the robot's description that each object of `geometry` represents.
     """
     dropped: dict[tuple[str, str], str] = {}
     objects = list(geometry.geometryObjects)
@@ -340,7 +342,7 @@ def _tighten_coarse_pairs(
     samples: list[Array],
     tighter: Callable[[pin.GeometryObject], pin.GeometryObject],
 ) -> None:
-    """Pairs that touch at samples where the meshes they stand for do not are checked with tighter shapes instead."""
+    """Use tighter shapes for pairs that touch at samples where the meshes that they represent do not."""
     pairs = [(p.first, p.second) for p in geometry.collisionPairs]
     stands_for = [(origins[i], origins[j]) for i, j in pairs]
     described = robot.geometry.copy()
@@ -372,7 +374,7 @@ def _tighten_coarse_pairs(
 def _drop_always_touching(
     robot: Robot, geometry: pin.GeometryModel, dropped: dict[tuple[str, str], str], samples: list[Array]
 ) -> None:
-    """Drop pairs that touch nearly everywhere: they are built that way, as at a shoulder."""
+    """Drop pairs that touch nearly everywhere: they touch by construction, as at a shoulder."""
     model = CollisionModel(robot, geometry, {})
     counts = Counter(k for q in samples for k in model.touching_pairs(q))
     for k, pair in enumerate([(p.first, p.second) for p in geometry.collisionPairs]):

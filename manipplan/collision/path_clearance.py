@@ -1,8 +1,8 @@
-"""The clearance of a whole curve, proven and not sampled: conservative bisection with the bounds of `body_motion`.
+"""The clearance of a whole curve, proven and not sampled, by conservative bisection with the bounds of `body_motion`.
 
-The distance of a pair of bodies at the middle of an interval of the curve, less how far the two can move towards each other on
-it, bounds their distance on the interval. How far each joint moves comes from the control points of that interval, whose
-hull holds it. Where the bound is not enough the interval is cut in two, for the pairs that are still open.
+The distance of a pair of bodies at the middle of an interval of the curve, minus the largest motion of the two towards each
+other on it, is a lower bound of their distance on the interval. The motion of each joint comes from the control points of that
+interval, whose hull contains it. Where the bound is too low the interval is halved, for the pairs that are still open.
 """
 
 from dataclasses import dataclass
@@ -16,29 +16,29 @@ from manipplan.paths.joint import JointPath, split
 from manipplan.support.checks import Array, instance, number
 from manipplan.support.errors import InvalidInputError
 
-#: Taken off every distance: coal's are good to 2e-6 [m].
+#: Margin subtracted from every distance [m]; coal's distances are accurate to 2e-6 m.
 SLACK = 1e-5
-#: Intervals in which no joint moves further than this from the middle are not cut again [rad or m].
+#: Intervals in which no joint moves more than this from the middle are not cut again [rad or m].
 NARROW = 1e-5
-#: After so many distances the bound is what is known by then.
+#: Maximum number of distances computed; then the best bound so far is returned.
 MOST_CHECKS = 100_000
-#: Of a path of more pieces than this, such as a trajectory, so many at a time are looked at as one first.
+#: Number of pieces checked together first, on paths of more pieces than this, such as trajectories.
 RUN = 16
 
 
 @dataclass(frozen=True, kw_only=True)
 class PathClearance:
-    """How near two bodies come on a whole curve; all distances [m].
+    """Bounds on the smallest distance of two bodies on a whole curve; all distances [m].
 
     Attributes:
-        lower: proven: on the whole curve no checked pair is nearer. Where it is below zero the path touches or may touch; how
-            deep bodies overlap is not proven.
-        upper: the least distance that was met at a place; the true one lies between `lower` and it.
-        clearance: the one demanded.
-        at, pair: s in [0, 1] and the names of the two bodies: where they were met nearer than demanded; else, where that could
-            not be excluded; else where the bound is least. nan and () where nothing is checked.
-        index: of the pair in the collision model's `pair_names`; -1 where nothing is checked.
-        checks: how many distances were computed.
+        lower: proven lower bound of the distance of every checked pair on the whole curve. Below zero the path touches or may
+            touch; the depth of an overlap is not proven.
+        upper: smallest distance computed on the curve; the true minimum lies between `lower` and `upper`.
+        clearance: the required clearance.
+        at, pair: s in [0, 1] and the names of the two bodies where the required clearance is violated; otherwise where a
+            violation is not excluded; otherwise where the bound is smallest. nan and () when nothing is checked.
+        index: index of the pair in the collision model's `pair_names`; -1 when nothing is checked.
+        checks: number of distances computed.
     """
 
     lower: float
@@ -51,12 +51,12 @@ class PathClearance:
 
     @property
     def proven(self) -> bool:
-        """Whether every pair is further apart than `clearance` on the whole curve."""
+        """Whether every pair is farther apart than `clearance` on the whole curve."""
         return self.lower > self.clearance
 
     @property
     def refuted(self) -> bool:
-        """Whether a pair was met at `clearance` or nearer."""
+        """Whether a distance of at most `clearance` was found."""
         return self.upper <= self.clearance
 
 
@@ -68,12 +68,12 @@ def path_clearance(
     Args:
         model: the robot among its obstacles.
         path: of the robot's joints.
-        clearance: the demanded one [m].
-        tolerance: the bound is made this tight, `upper` - `lower` [m], 1e-4 or more, and tighter where that proves that the
-            path keeps `clearance`; None: only until that is proven or refuted.
+        clearance: required clearance [m].
+        tolerance: maximum `upper` - `lower` [m], at least 1e-4; smaller where that proves that the path keeps `clearance`.
+            None: the search ends as soon as that is proven or refuted.
 
     Raises:
-        InvalidInputError: the path is not of this robot's joints, or a number is not usable.
+        InvalidInputError: the path is not of this robot's joints, or a number is invalid.
     """
     n = model.robot.n
     if instance("path", path, JointPath).n != n:
@@ -125,19 +125,19 @@ class _Search:
 
     @property
     def decided(self) -> bool:
-        """Whether no more has to be known."""
+        """Whether the search can stop."""
         return self.tolerance is None and self.upper <= self.clearance
 
     @property
     def _target(self) -> float:
-        """A bound that has to be no higher: the clearance, and with a tolerance one so near to what was measured."""
+        """The bound above which a pair is closed: the clearance or, with a tolerance, `upper` minus the tolerance."""
         if self.tolerance is None:
             return self.clearance
         tight = self.upper - self.tolerance
         return max(tight, self.clearance) if self.upper > self.clearance else tight
 
     def _runs(self, control: Array, breaks: Array) -> tuple[BodyIndices, BodyIndices, Array]:
-        """Pieces and pairs that are still open, with their bounds, after runs of pieces were looked at as a whole."""
+        """Pieces and pairs that are still open, with their bounds, after each run of pieces was checked as a whole."""
         count = len(self.model.pair_names)
         first = np.arange(0, len(control), RUN)
         lengths = np.diff(np.append(first, len(control)))
@@ -156,9 +156,9 @@ class _Search:
     def _look(
         self, q: Array, change: Array, middles: Array, rows: BodyIndices, pairs: BodyIndices, known: Array
     ) -> tuple[NDArray[np.bool_], Array]:
-        """Measure pairs at the middles q (m, n) of intervals; which to cut, and lower bounds of all. The others are closed.
+        """Measure pairs at the middles q (m, n) of intervals; returns which to cut, and all bounds. The others are closed.
 
-        `known` are bounds from the interval that was cut before.
+        `known` holds the bounds from the parent interval.
         """
         distances = self._distances(q, rows, pairs)
         bounds = np.maximum(known, distances - SLACK - self.motion.motion(q, change, rows, pairs))

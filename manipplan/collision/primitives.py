@@ -1,6 +1,6 @@
-"""Convex primitives in place of meshes: spheres, capsules and boxes that contain every triangle they stand for.
+"""Convex primitives in place of meshes: spheres, capsules and boxes that contain every triangle they replace.
 
-A mesh is cut into few parts, each enclosed by the primitive of least volume. A primitive is convex, so it contains a
+A mesh is split into few parts, each enclosed by the primitive of smallest volume. A primitive is convex, so it contains a
 triangle when it contains its corners: that is checked, not assumed.
 """
 
@@ -15,16 +15,16 @@ from numpy.typing import NDArray
 from manipplan.support.checks import Array
 from manipplan.support.errors import ManipplanError
 
-#: A mesh is cut further only while a cut saves this share of the volume, up to this many parts.
+#: Minimum share of the volume that a further cut of a mesh must save, and maximum number of parts of a mesh.
 MIN_SAVING = 0.08
 MAX_PARTS = 4
-#: Every primitive is this much larger than the fit, so that rounding cannot leave a corner outside [m].
+#: Margin by which every primitive is larger than the fit, so that rounding cannot leave a corner outside [m].
 PADDING = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
 class Primitive:
-    """A coal shape and its pose in the frame in which its corners were given; volume [m³]."""
+    """A coal shape, its pose in the frame of the enclosed points, and its volume [m³]."""
 
     shape: coal.ShapeBase
     placement: pin.SE3
@@ -32,9 +32,9 @@ class Primitive:
 
 
 def fit_primitives(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
-    """Primitives that together contain `triangles` (t, 3, 3) [m]; `boxes`: whether boxes may be among them.
+    """Primitives that together contain `triangles` (t, 3, 3) [m]; `boxes`: whether boxes are allowed.
 
-    Raises ManipplanError should one triangle not lie inside the primitive of its part.
+    Raises ManipplanError if a triangle is not inside the primitive of its part.
     """
     triangles = _subdivided(triangles)
     parts = [(triangles, enclose(triangles, boxes=boxes))]
@@ -50,14 +50,14 @@ def fit_primitives(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
     for part, primitive in parts:
         excess = outside(primitive, part.reshape(-1, 3))
         if excess > 0:
-            raise ManipplanError(f"a fitted {type(primitive.shape).__name__} leaves a mesh by {excess:g} m")
+            raise ManipplanError(f"a fitted {type(primitive.shape).__name__} leaves up to {excess:g} m of its mesh outside")
     return [primitive for _, primitive in parts]
 
 
 def enclose(triangles: Array, *, refine: bool = True, boxes: bool = True) -> Primitive:
-    """The sphere, capsule or (with `boxes`) box of least volume found that contains `triangles` (t, 3, 3) [m]."""
+    """The sphere, capsule or (with `boxes`) box of smallest volume found that contains `triangles` (t, 3, 3) [m]."""
     points = _hull_points(triangles.reshape(-1, 3))
-    axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=len(points) < 3)[2]  # (3, 3) also of two points
+    axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=len(points) < 3)[2]  # (3, 3) also for two points
     axes[2] *= np.linalg.det(axes)
     capsule = min((_capsule(points, _frame(axis)) for axis in axes), key=_volume)
     if refine:
@@ -70,7 +70,7 @@ def enclose(triangles: Array, *, refine: bool = True, boxes: bool = True) -> Pri
 
 
 def outside(primitive: Primitive, points: Array) -> float:
-    """How far the farthest of `points` (k, 3) lies outside the primitive (along its axes for a box) [m]; 0 when none does."""
+    """Largest distance of `points` (k, 3) outside the primitive (along its axes for a box) [m]; 0 when all are inside."""
     local = (points - primitive.placement.translation) @ primitive.placement.rotation
     core, radius = core_of(primitive.shape)
     if isinstance(primitive.shape, coal.Box):
@@ -112,9 +112,9 @@ def mesh_triangles(mesh: coal.BVHModelBase) -> Array:
 
 
 def _best_cut(triangles: Array, boxes: bool) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Which triangles lie on either side of the plane, across a principal axis, whose sides need least volume.
+    """Masks of the triangles on either side of the plane, normal to a principal axis, whose sides need the smallest volume.
 
-    Planes are compared on a few hundred of the triangles; the whole part is cut by the best.
+    Planes are compared on a few hundred of the triangles; the best one cuts the whole part.
     """
     some = triangles[:: 1 + len(triangles) // 400]
     points = some.reshape(-1, 3)
@@ -132,7 +132,7 @@ def _best_cut(triangles: Array, boxes: bool) -> tuple[NDArray[np.bool_], NDArray
 
 
 def _subdivided(triangles: Array) -> Array:
-    """The same surface in triangles no longer than an eighth of its size, so that cuts leave little overlap."""
+    """The same surface as triangles with edges of at most an eighth of its size, so that the parts overlap little."""
     size = np.linalg.norm(np.ptp(triangles.reshape(-1, 3), axis=0)) / 8
     small = []
     while len(triangles):
@@ -164,7 +164,7 @@ def _volume(primitive: Primitive) -> float:
 
 
 def _turned(fit: Callable[[Array, Array], Primitive], points: Array, start: Primitive) -> Primitive:
-    """The fit of least volume over all rotations near that of `start`."""
+    """The fit of smallest volume over all rotations near that of `start`."""
     from scipy.optimize import minimize
 
     frame = start.placement.rotation
@@ -201,7 +201,7 @@ def _capsule(points: Array, frame: Array) -> Primitive:
     radius = float(np.sqrt(square.max()))
     reach = np.sqrt(np.maximum(radius**2 - square, 0.0))
     low, high = float((local[:, 2] + reach).min()), float((local[:, 2] - reach).max())
-    if low > high:  # one ball holds all points
+    if low > high:  # one ball contains all points
         low = high = (low + high) / 2
     half = (high - low) / 2
     radius += PADDING
@@ -219,7 +219,7 @@ def _box(points: Array, frame: Array) -> Primitive:
 
 
 def _ball_centre(points: Array) -> Array:
-    """About the centre of the least ball around `points`: steps towards the farthest [badoiu2003]."""
+    """Approximate centre of the smallest ball around `points`, by steps towards the farthest point [badoiu2003]."""
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
     for k in range(12):
         far = points[np.argmax(((points - centre) ** 2).sum(axis=1))]

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Obstacle(ABC):
-    """Something in the way. Its pose in the world: `position` (3,) [m] of its centre and `rotation`.
+    """A static obstacle. Its pose in the world: `position` (3,) [m] of its centre and `rotation`.
 
     `rotation` is None, a rotation matrix (3, 3), or roll, pitch and yaw (3,) [rad] as in URDF.
     """
@@ -102,7 +102,7 @@ class Sphere(Obstacle):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Capsule(Obstacle):
-    """A cylinder of `radius` and `length` [m] along z with a half ball on either end."""
+    """A cylinder of `radius` and `length` [m] along z with a hemisphere at either end."""
 
     radius: float
     length: float
@@ -126,7 +126,7 @@ class Cylinder(Obstacle):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Plane(Obstacle):
-    """All that lies below the x-y plane of its pose: a floor, or turned, a wall."""
+    """The half-space below the x-y plane of its pose: a floor or, rotated, a wall."""
 
     shape_name = "plane"
 
@@ -136,9 +136,9 @@ class Plane(Obstacle):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Mesh(Obstacle):
-    """The mesh of a file (STL, OBJ, DAE, ...), its vertices times `scale`.
+    """The mesh of a file (STL, OBJ, DAE, ...), with its vertices multiplied by `scale`.
 
-    A mesh is a hollow surface, in which a robot could hide: every connected part of it counts as its convex hull.
+    A mesh is a hollow surface, inside which nothing would collide, so every connected part is replaced by its convex hull.
     """
 
     file: str | Path
@@ -160,7 +160,7 @@ OBSTACLES: dict[str, type[Obstacle]] = {kind.shape_name: kind for kind in (Box, 
 
 
 class Scene:
-    """Obstacles that stand still. An empty scene still checks a robot against itself."""
+    """Static obstacles. An empty scene still checks a robot for self-collision."""
 
     def __init__(self, obstacles: Sequence[Obstacle] = ()) -> None:
         if not isinstance(obstacles, list | tuple):
@@ -180,7 +180,7 @@ class Scene:
         """Read a scene: ``obstacles: [{shape: box, size: [1, 1, 0.1], position: [0, 0, -0.05], name: table}, ...]``.
 
         Shapes are box (size), sphere (radius), capsule and cylinder (radius, length), plane and mesh (file, scale); each takes
-        position, rotation (matrix, or roll-pitch-yaw [rad]) and name. A mesh file is looked for beside the scene file.
+        position, rotation (matrix, or roll-pitch-yaw [rad]) and name. The path of a mesh is relative to the scene file.
 
         Raises FileFormatError or InvalidInputError that names the obstacle, the key and what is allowed.
         """
@@ -206,13 +206,13 @@ class Scene:
 
     @classmethod
     def from_entries(cls, entries: Sequence[Any], folder: str | Path = ".") -> "Scene":
-        """The scene of `entries`, each a mapping as in a YAML file; mesh files are looked for from `folder`."""
+        """The scene of `entries`, each a mapping as in a YAML file; paths of mesh files are relative to `folder`."""
         return cls([_obstacle(f"obstacles[{i}]", entry, Path(folder)) for i, entry in enumerate(entries)])
 
     def entries(self) -> list[dict[str, Any]]:
         """Name, shape and numbers of every obstacle as plain values; the file of a mesh as a Path.
 
-        Raises InvalidInputError for an obstacle of another class than those of this package.
+        Raises InvalidInputError for an obstacle of a class that is not in this package.
         """
         entries = []
         for name, obstacle in zip(self.names, self.obstacles, strict=True):
@@ -228,7 +228,7 @@ class Scene:
         return entries
 
     def collision_model(self, robot: Robot) -> "CollisionModel":
-        """The robot among these obstacles, built once."""
+        """The collision model of the robot among these obstacles, built once."""
         return self._collision_model(instance("robot", robot, Robot))
 
     @once_per_owner
@@ -238,7 +238,7 @@ class Scene:
         return CollisionModel.of(robot, self)
 
     def in_collision(self, robot: Robot, q: ArrayLike) -> bool | NDArray[np.bool_]:
-        """Whether the robot touches an obstacle or itself at q (n,); an array of answers for q (..., n)."""
+        """Whether the robot touches an obstacle or itself at q (n,); a boolean array for q (..., n)."""
         model = self.collision_model(robot)
         batch = configurations("q", q, robot.n)
         hits = np.array([model.in_collision(each) for each in batch.reshape(-1, robot.n)], dtype=bool)
@@ -247,7 +247,7 @@ class Scene:
     def distances(self, robot: Robot, q: ArrayLike) -> Array:
         """Signed distance of every pair [m], (k,) for q (n,), (..., k) for q (..., n); negative where they overlap.
 
-        The pairs stand in the order of `collision_model(robot).pair_names`.
+        The pairs are in the order of `collision_model(robot).pair_names`.
         """
         model = self.collision_model(robot)
         batch = configurations("q", q, robot.n)
@@ -257,15 +257,15 @@ class Scene:
     def path_clearance(
         self, robot: Robot, path: JointPath, *, clearance: float = 0.0, tolerance: float | None = 1e-3
     ) -> "PathClearance":
-        """Proven bounds [m] of how near the robot comes to an obstacle or to itself on the whole path, between samples too.
+        """Proven bounds [m] on the robot's distance to the obstacles and to itself on the whole path, also between samples.
 
         Args:
             robot: the arm.
-            path: a JointPath of its joints; of a Trajectory `trajectory.path()`.
-            clearance: the demanded one, which `proven` of the result refers to [m].
-            tolerance: how tight the bounds are made [m], 1e-4 or more; None: no tighter than it takes to decide on `clearance`.
+            path: a JointPath of its joints; for a Trajectory, `trajectory.path()`.
+            clearance: required clearance [m], to which `proven` of the result refers.
+            tolerance: maximum gap of the bounds [m], at least 1e-4; None: only as tight as needed to decide on `clearance`.
 
-        Raises InvalidInputError when an argument is not usable.
+        Raises InvalidInputError when an argument is invalid.
         """
         from manipplan.collision.path_clearance import path_clearance
 

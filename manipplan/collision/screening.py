@@ -1,4 +1,4 @@
-"""Which of many configurations are free: a quick lower bound of all distances spares most of the exact checks."""
+"""Collision screening of many configurations: a quick lower bound of all distances saves most of the exact checks."""
 
 import math
 from dataclasses import dataclass
@@ -16,24 +16,24 @@ from manipplan.ik.subproblems import add, cross, dot, sub, turn_by, turned
 from manipplan.support.checks import Array
 from manipplan.support.kernels import kernel
 
-#: Half the size of what has no end [m].
+#: Half the size of unbounded shapes [m].
 ENDLESS = 1e6
-#: Configurations that are screened at a time.
+#: Number of configurations screened at a time.
 BLOCK = 2048
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Screening:
-    """Every body of a collision model inside a capsule and inside a box, at q = 0; g bodies, k pairs.
+    """A capsule and a box around every body of a collision model, at q = 0; g bodies, k pairs.
 
     Attributes:
         screws: the arm.
-        carriers: (g,) how many of the first joints move a body.
+        carriers: (g,) number of joints, from the base, that move each body.
         ends: (2 g, 3) ends of the capsules' axes [m].
-        radii: (g,) of the capsules [m].
+        radii: (g,) radii of the capsules [m].
         boxes: (4 g, 3) centre and three axes of each box.
         halves: (g, 3) half sides of the boxes [m].
-        pairs: (k, 2) bodies that are checked.
+        pairs: (k, 2) bodies of each checked pair.
     """
 
     screws: Screws
@@ -46,7 +46,7 @@ class Screening:
 
     @classmethod
     def of(cls, model: CollisionModel) -> "Screening":
-        """That of a collision model."""
+        """Build the screening of a collision model."""
         robot = model.robot
         data = robot.model.createData()
         pin.forwardKinematics(robot.model, data, np.zeros(robot.model.nq))
@@ -70,7 +70,7 @@ class Screening:
         )
 
     def suspects(self, q: Array, clearance: float) -> NDArray[np.bool_]:
-        """Which pairs may be as near as `clearance` [m] at q (k, n), (k, pairs); the others surely are not."""
+        """Pairs that may be as near as `clearance` [m] at q (k, n), a mask (k, pairs); the others certainly are not."""
         screws = self.screws
         found = np.empty((len(q), len(self.pairs)), dtype=np.bool_)
         _suspects(
@@ -101,7 +101,7 @@ def free_rows(screening: Screening, model: CollisionModel, q: Array, clearance: 
 
 
 def _around(shape: coal.CollisionGeometry) -> tuple[list[Array], float, list[Array], Array]:
-    """Ends and radius of a capsule, centre with axes and half sides of a box, each of which contains a shape."""
+    """Ends and radius of a capsule, centre with axes and half sides of a box; both contain the shape."""
     if isinstance(shape, coal.Halfspace | coal.Plane):
         normal = np.array(shape.n)
         across = np.linalg.svd(normal[None])[2]
@@ -114,7 +114,7 @@ def _around(shape: coal.CollisionGeometry) -> tuple[list[Array], float, list[Arr
     low, high = along.min(axis=0), along.max(axis=0)
     off = np.linalg.norm(along[:, 1:] - (low[1:] + high[1:]) / 2, axis=1).max()
     spine = np.array([(low[1:] + high[1:]) / 2] * 2)
-    inner = min(off, (high[0] - low[0]) / 2)  # ends that stick out are round
+    inner = min(off, (high[0] - low[0]) / 2)  # the hemispheres cover the ends
     ends = np.column_stack([[low[0] + inner, high[0] - inner], spine])
     nearest = np.column_stack([np.clip(along[:, 0], *ends[:, 0]), np.broadcast_to(spine[0], (len(along), 2))])
     thick = float(np.linalg.norm(along - nearest, axis=1).max()) + radius
@@ -142,7 +142,7 @@ def _suspects(
     turns[0] = np.eye(3)
     moved_ends, moved_boxes = np.empty_like(ends), np.empty_like(boxes)
     for k in range(len(q)):
-        for j in range(n):  # e_1 ... e_j, of which a column is what a unit vector becomes
+        for j in range(n):  # e_1 ... e_j; its columns are the images of the unit vectors
             h, p = row(axes, j), row(points, j)
             before = turns[j]
             if slides[j]:

@@ -1,8 +1,8 @@
-"""What is integrated along a path: the energy, which is minimised until a free path is found, and the length, g itself.
+"""The integrands along a path: the energy, which is minimised until a free path is found, and the length, g itself.
 
 g = ∫ h ds with h = ‖q'‖_W / m^p does not change when a path is re-parametrised, so its Hessian is singular. The energy
-E = ∫ h² ds is not: g² <= E, with equality where h is constant, so both have the same minimum over all curves; over the
-polynomials of one degree, which not every re-parametrisation leads back to, the minima differ by a little.
+E = ∫ h² ds does change: g² <= E, with equality where h is constant, so both have the same minimum over all curves. Over the
+polynomials of one degree, which cannot represent every re-parametrisation, the minima differ slightly.
 """
 
 from dataclasses import dataclass
@@ -17,15 +17,15 @@ from manipplan.measures.indices import Yoshikawa
 from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian
 from manipplan.symbolic.machine_code import as_asked
 
-#: ρ in log sqrt(det(J Jᵀ + ρ² I)), which keeps what is solved finite on a singular posture: of the energy, and of the length.
-#: The g that is reported has none.
+#: ρ in log sqrt(det(J Jᵀ + ρ² I)) of the energy and of the length; it keeps them finite at a singular configuration. The
+#: reported g is not regularised.
 ENERGY_REGULARISATION, LENGTH_REGULARISATION = 1e-5, 1e-7
-#: δ of any other measure, log sqrt(m² + δ²), as a share of its usual value and of ρ over ENERGY_REGULARISATION.
+#: δ in log sqrt(m² + δ²) of any other measure is this times its typical value times ρ / ENERGY_REGULARISATION.
 MEASURE_REGULARISATION = 1e-6
-#: Speeds [rad] are rounded off below this, so that ‖q'‖ has derivatives where a path stands still.
+#: Speed [rad] below which ‖q'‖ is smoothed, so that it has derivatives where a path stands still.
 STANDSTILL = 1e-9
-#: Share κ of the speed's variance in the descent's objective ∫ h + κ h² / g₀ ds. It picks one of the re-parametrisations
-#: of a curve, and moves g by less than κ times that variance.
+#: Weight κ of the speed's variance in the descent's objective ∫ h + κ h² / g₀ ds. It selects one of the re-parametrisations
+#: of a curve, and changes g by less than κ times that variance.
 CONSTANCY = 1e-6
 
 
@@ -33,7 +33,7 @@ CONSTANCY = 1e-6
 class Density:
     """A density e(q, v, g₀, p) as CasADi Functions of (q, v, [g₀, p]): value, gradient (2n), Hessian (2n, 2n) in (q, v).
 
-    g₀ is about the path's g, on which the energy does not depend; p is the exponent, so that machine code is made once for all.
+    g₀ is an estimate of the path's g; the energy does not depend on it. The exponent p is an argument: one build serves all.
     """
 
     value: ca.Function
@@ -47,7 +47,7 @@ def energy_density(objective: PathObjective) -> Density:
     q, v, log_index, slope, bend = _symbols(objective.kinematics, ENERGY_REGULARISATION)
     weight = ca.exp(-2 * power * log_index)
     square = ca.bilin(metric, v, v)
-    # by hand from w(q) = exp(-2p log m): w' = -2p w ∇log m, w'' = w (4p² ∇log m ∇log mᵀ - 2p ∇²log m)
+    # derived by hand from w(q) = exp(-2p log m): w' = -2p w ∇log m, w'' = w (4p² ∇log m ∇log mᵀ - 2p ∇²log m)
     gradient = ca.vertcat(-2 * power * weight * square * slope, 2 * weight * metric @ v)
     qq = weight * square * (4 * power**2 * slope @ slope.T - 2 * power * bend)
     qv = -4 * power * weight * slope @ (metric @ v).T
@@ -56,7 +56,7 @@ def energy_density(objective: PathObjective) -> Density:
 
 
 def length_density(objective: PathObjective) -> Density:
-    """h + κ h² / g₀ with h = ‖v‖_W / m^p: its integral is g and a little of the energy."""
+    """h + κ h² / g₀ with h = ‖v‖_W / m^p: its integral is g plus a small multiple of the energy."""
     metric, g0, power = _metric(objective), ca.SX.sym("g0"), ca.SX.sym("p")
     q, v, log_index, slope, bend = _symbols(objective.kinematics, LENGTH_REGULARISATION)
     weight = ca.exp(-power * log_index)
@@ -87,7 +87,7 @@ def _symbols(kinematics: Kinematics, regularisation: float) -> tuple[ca.SX, ca.S
         factor = Factor.of(jacobian, regularisation)
         return q, v, ca.log(factor.index), log_gradient(factor, motion), log_hessian(factor, motion)
     value, slope, bend = measure.value(posture), measure.gradient(posture), measure.hessian(posture)
-    # log sqrt(m² + δ²), which is log m but for the least values
+    # log sqrt(m² + δ²), which is log m except for the smallest values
     square = value**2 + (MEASURE_REGULARISATION * regularisation / ENERGY_REGULARISATION * _usual(kinematics)) ** 2
     share = value / square
     log_bend = share * bend + (1 / square - 2 * share**2) * slope @ slope.T
@@ -95,7 +95,7 @@ def _symbols(kinematics: Kinematics, regularisation: float) -> tuple[ca.SX, ca.S
 
 
 def _usual(kinematics: Kinematics) -> float:
-    """A usual value of the measure: the median over some random configurations, always the same."""
+    """A typical value of the measure: its median over 200 random configurations with a fixed seed."""
     q = kinematics.robot.random_configuration(np.random.default_rng(0), size=200)
     return float(np.median(kinematics.manipulability(q)))
 
@@ -107,7 +107,7 @@ def _blocks(qq: ca.SX, qv: ca.SX, vv: ca.SX) -> ca.SX:
 def _density(
     objective: PathObjective, name: str, at: tuple[ca.SX, ca.SX, ca.SX], value: ca.SX, gradient: ca.SX, hessian: ca.SX
 ) -> Density:
-    """In machine code as `objective.kinematics.compiled` says."""
+    """The density, compiled to machine code as `objective.kinematics.compiled` specifies."""
     functions = [
         ca.Function(f"path_{name}", at, [value]),
         ca.Function(f"path_{name}_gradient", at, [ca.densify(gradient)]),

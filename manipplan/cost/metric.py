@@ -1,4 +1,4 @@
-"""The metric W of joint space: what a change of one joint costs beside that of another."""
+"""The metric W of joint space: the relative cost of moving each joint."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -6,11 +6,11 @@ from numpy.typing import ArrayLike
 from manipplan.support.checks import Array, number_array
 from manipplan.support.errors import InvalidInputError
 
-#: The least eigenvalue of W has to be above this share of the largest.
+#: Minimum ratio of the smallest eigenvalue of W to the largest.
 DEFINITE = 1e-12
-#: No entry of W is larger: its square is a number still.
+#: Upper bound on the entries of W, so that their squares do not overflow.
 LARGEST = 1e150
-#: The largest entry of W is not below this: slower motions than 1e-9 count as none.
+#: Minimum of the largest entry of W: speeds below 1e-9 count as none.
 SMALLEST = 1e-12
 
 
@@ -22,8 +22,8 @@ def metric_matrix(argument: str, value: ArrayLike | None, n: int) -> Array | Non
     if value is None:
         return None
     wanted = (
-        f"{n} weights above zero, one a joint, or a symmetric positive definite matrix ({n}, {n}), finite, below {LARGEST:g}, "
-        f"with the largest entry at least {SMALLEST:g}"
+        f"{n} weights above zero, one per joint, or a symmetric positive definite matrix ({n}, {n}), finite, below {LARGEST:g},"
+        f" with the largest entry at least {SMALLEST:g}"
     )
     matrix = number_array(argument, value)
     if matrix.shape == (n,):

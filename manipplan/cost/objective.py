@@ -11,18 +11,18 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import gauss_rule
 from manipplan.support.checks import Array
 
-#: An index below this share of the path's largest counts as zero.
+#: Manipulability below this share of the path's maximum counts as zero.
 SINGULAR = 1e-9
 #: Panels are halved until their halves agree with them to this share of g ...
 ACCURACY = 1e-10
 #: ... at most this number of times.
 HALVINGS = 25
-#: More than 2^NOISE times the first number of panels fail this test only where the integrand consists of rounding errors.
+#: More than 2^NOISE times the initial number of panels fail this test only where the integrand consists of rounding errors.
 NOISE = 6
 #: Gauss points per panel.
 POINTS = 10
-#: Panels on which g is minimised: their first number, the error per panel as a share of g on the path where a descent begins,
-#: the maximum number of halvings, and the number of panels above which none is halved.
+#: Panels on which g is minimised: initial number, error per panel as a share of g on the path where a descent begins,
+#: maximum number of halvings, and number of panels above which none is halved.
 RULE_PANELS, RULE_ACCURACY, RULE_HALVINGS, MOST_RULE_PANELS = 12, 1e-9, 12, 200
 
 
@@ -45,10 +45,10 @@ class PathCost:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PathObjective:
-    """What is minimised: g = ∫ ‖q'‖_W / m^p ds.
+    """The objective g = ∫ ‖q'‖_W / m^p ds.
 
     Attributes:
-        kinematics: whose measure m is.
+        kinematics: provides the measure m.
         power: p > 0.
         metric: W (n, n), symmetric and positive definite; None: the identity.
     """
@@ -58,15 +58,15 @@ class PathObjective:
     metric: Array | None = None
 
     def cost(self, path: JointPath) -> PathCost:
-        """g and the minimum manipulability of a path, as `path_cost`."""
+        """g and the minimum manipulability of a path, as in `path_cost`."""
         return path_cost(path, self.kinematics, self.power, metric=self.metric)
 
     def panels(self, path: JointPath, edges: Array | None = None) -> Array:
         """Edges (k + 1,) of quadrature panels for the descent from a path, narrow where m has a dip.
 
         A panel is halved, together with its two neighbours, until its two halves change its integral by at most
-        RULE_ACCURACY of g. The panels begin at `edges`, which other paths needed; default: RULE_PANELS of even width and the
-        breaks of the path. Beyond MOST_RULE_PANELS they are returned as they are.
+        RULE_ACCURACY of g. Halving starts from `edges`, such as those of other paths; default: RULE_PANELS of equal width,
+        split at the breaks of the path. With more than MOST_RULE_PANELS panels it stops.
         """
         if edges is None:
             edges = np.unique(np.concatenate([np.linspace(0.0, 1.0, RULE_PANELS + 1), path.breaks]))
@@ -84,7 +84,7 @@ class PathObjective:
         return edges
 
     def on_panels(self, path: JointPath, edges: Array) -> float:
-        """g of a path by the Gauss points of the panels between edges (k + 1,)."""
+        """g of a path from the Gauss points of the panels between edges (k + 1,)."""
         return float(self._panels(path, edges).sum())
 
     def _panels(self, path: JointPath, edges: Array) -> Array:
@@ -98,7 +98,7 @@ class PathObjective:
         s = np.linspace(0.0, 1.0, 1001)
         density = _weighed_speed(path, s, self.kinematics, self.power, self.metric)
         median = np.median(density)
-        # a cap, so that the places do not all gather near a singularity
+        # capped, so that the parameters do not all cluster near a singularity
         density = np.minimum(density, 1e3 * median) if np.isfinite(median) else speeds(path(s, 1), self.metric)
         gained = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2)])
         return np.interp(np.linspace(0.0, gained[-1], count), gained, s)
@@ -121,37 +121,37 @@ def speeds(v: Array, metric: Array | None) -> Array:
 def path_cost(
     path: JointPath, kinematics: Kinematics, power: float, *, metric: ArrayLike | None = None, panels: int = 40
 ) -> PathCost:
-    """Measure g, on panels of ten Gauss points that are halved where that still changes it, and the minimum manipulability.
+    """Compute g, on panels of ten Gauss points that are halved where that still changes g, and the minimum manipulability.
 
     Args:
         path: the path.
-        kinematics: whose measure counts.
+        kinematics: provides the measure.
         power: exponent of the measure.
         metric: W in ‖q'‖_W, weights (n,) or a matrix (n, n); None: the identity.
-        panels: first number of panels.
+        panels: initial number of panels.
 
     Raises:
-        InvalidInputError: `metric` is no metric.
+        InvalidInputError: `metric` is not a metric.
     """
     matrix = metric_matrix("metric", metric, path.n)
     least, at, largest = _minimum_manipulability(path, kinematics)
-    # a singularity, which Gauss points can pass by, makes the integral diverge for p >= 1
+    # a singularity, which Gauss points can miss, makes the integral diverge for p >= 1
     singular = power >= 1 and least <= SINGULAR * largest
     g = np.inf if singular else _adaptive(path, kinematics, power, matrix, panels)
     return PathCost(g=g, length=path.length, min_manipulability=least, at=at)
 
 
 def _weighed_speed(path: JointPath, s: Array, kinematics: Kinematics, power: float, metric: Array | None) -> Array:
-    """h = ‖q'‖_W / m^p at s (m,), whose integral is g; inf on a singular posture."""
+    """h = ‖q'‖_W / m^p at s (m,), whose integral is g; inf at a singular configuration."""
     with np.errstate(divide="ignore"):
         return np.asarray(speeds(path(s, 1), metric) / kinematics.manipulability(path(s)) ** power)
 
 
 def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Array | None, panels: int) -> float:
-    """g to ACCURACY by halving panels: a dip of the index can be a thousand times narrower than an even panel.
+    """g to ACCURACY by halving panels: a dip of m can be a thousand times narrower than an initial panel.
 
-    Infinite where the index consists of rounding errors, as on a path that is singular all along. A dip needs few narrow
-    panels, rounding errors need them everywhere.
+    Infinite if m consists of rounding errors, as on a path that is singular everywhere. A dip needs few narrow panels,
+    rounding errors need them everywhere.
     """
     nodes, weights = np.polynomial.legendre.leggauss(POINTS)
 
@@ -169,7 +169,7 @@ def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Arr
     for _ in range(HALVINGS):
         middle = (begin + end) / 2
         left, right = gained(begin, middle), gained(middle, end)
-        finite = np.isfinite(left + right) & np.isfinite(whole)  # not where m vanishes at a Gauss point
+        finite = np.isfinite(left + right) & np.isfinite(whole)  # false where m vanishes at a Gauss point
         change = np.abs(np.where(finite, left + right, 0.0) - np.where(finite, whole, 0.0))
         open_ = ~finite | (change > ACCURACY * (settled + whole[finite].sum()))
         settled += float((left + right)[~open_].sum())
@@ -183,9 +183,9 @@ def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Arr
 
 
 def _minimum_manipulability(path: JointPath, kinematics: Kinematics) -> tuple[float, float, float]:
-    """The minimum manipulability, its s, and the maximum: the deepest dips of 2001 points are searched on ever finer grids.
+    """The minimum manipulability, its s, and the maximum: ever finer grids search the deepest dips of 2001 points.
 
-    Where a path crosses a singularity the index has a sharp kink, which no fixed grid would hit.
+    Where a path crosses a singularity, m has a sharp kink, which no fixed grid would hit.
     """
     s = np.linspace(0.0, 1.0, 2001)
     values = kinematics.manipulability(path(s))

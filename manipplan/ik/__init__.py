@@ -1,5 +1,5 @@
 """All configurations that reach a pose.
 
-In: a robot and poses. Out: a SolutionSet that says whether it is complete, and by which method.
-Each family of arms has a file; Newton steps serve arms without a closed form.
+Input: a robot and poses. Output: a SolutionSet that says whether it is complete and which method was used.
+Each family of arms has a file; arms without a closed form are solved by Newton steps.
 """

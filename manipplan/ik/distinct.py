@@ -1,4 +1,4 @@
-"""Doubles among answers: at a double root a closed form gives the same configuration twice."""
+"""Duplicate solutions: at a double root a closed form gives the same configuration twice."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,12 +6,12 @@ from numpy.typing import NDArray
 from manipplan.support.checks import Array
 from manipplan.support.kernels import kernel
 
-#: Configurations of one sample that differ by less count once [rad or m].
+#: Configurations of one sample that differ by less than this are the same [rad or m].
 SAME = 1e-6
 
 
 def distinct(q: Array, source: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Indices of the rows of q (k, n), of those of one sample that differ by less than `SAME` the first."""
+    """Indices of the rows of q (k, n), only the first of those of one sample that differ by less than `SAME`."""
     order = np.argsort(source, kind="stable")
     return order[_first_ones(np.ascontiguousarray(q[order]), source[order])]
 

@@ -1,4 +1,4 @@
-"""All answers of a closed form for many poses and values of the held joints, in machine code."""
+"""All solutions of a closed form for many poses and values of the held joints, compiled."""
 
 import math
 from collections.abc import Iterator
@@ -14,7 +14,7 @@ from manipplan.ik.swivel import solve_swivel
 from manipplan.support.checks import Array
 from manipplan.support.kernels import kernel
 
-#: Samples that are answered at a time.
+#: Number of samples that a block of solutions is sized for.
 CHUNK = 8192
 
 
@@ -27,17 +27,17 @@ def answers(
     upper: Array,
     axis: Array | None,
 ) -> Iterator[tuple[Array, NDArray[np.int64]]]:
-    """Blocks of answers q (k, n) inside the limits, with the sample (k,) that each belongs to.
+    """Blocks of solutions q (k, n) inside the limits, with the sample (k,) of each.
 
-    Joints without limits answer in [-π, π]; others with every full turn that is inside the limits.
+    Joints without limits are in [-π, π]; others are listed at every full turn inside the limits.
 
     Args:
         form: the arm's closed form.
         poses: (p, 4, 4).
-        owners: (s,) which pose a sample is of.
-        samples: (s, r) values of the held joints, then the swivel, then the turn about `axis` where it is free.
-        lower, upper: (n,) limits [rad or m]; infinite on both sides for joints that turn without end.
-        axis: (3,) of the tool, about which it may turn; None: the pose is met in full.
+        owners: (s,) pose index of each sample.
+        samples: (s, r) values of the held joints, then the swivel, then the rotation about `axis` where it is free.
+        lower, upper: (n,) limits [rad or m]; infinite on both sides for continuous joints.
+        axis: (3,) tool axis about which the tool is free to rotate; None for a full pose.
     """
     free = np.array(form.free)
     home = np.asarray(np.linalg.inv(form.screws.home), dtype=np.float64)
@@ -144,7 +144,7 @@ def _fill(
     out: Array,
     source: NDArray[np.int64],
 ) -> tuple[int, int]:
-    """Answers samples from `begin` on until `out` is nearly full; returns the next sample and how many rows are filled."""
+    """Solves samples from `begin` on until `out` is nearly full; returns the next sample and the number of filled rows."""
     n, f = len(home_axes), len(free)
     axes, points, meeting = home_axes.copy(), home_points.copy(), home_meeting.copy()
     free_axes, free_points = np.empty((f, 3)), np.empty((f, 3))
@@ -184,7 +184,7 @@ def _fill(
             continue
         if backward:
             _invert(motion)
-        # with joints held behind the first free one: S = A E B = A (E B E⁻¹) E
+        # with joints held after the first free one: S = A E B = A (E B E⁻¹) E
         for k in range(len(held)):
             joint, value = held[k], samples[sample, k]
             if joint < first:
@@ -230,7 +230,7 @@ def _fill(
             shoulder = row(meeting, 1)
             count = solve_swivel(free_axes, free_points, shoulder, wrist, motion, swivel, low, high, found, work)
         for a in range(count):
-            # the least value of each joint inside its limits, then every full turn more
+            # the smallest value of each joint inside its limits, then every further full turn
             before = filled
             for k in range(f):
                 if endless[free[k]]:

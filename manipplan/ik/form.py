@@ -1,4 +1,4 @@
-"""Which closed form fits an arm, and which joints it holds at sampled values."""
+"""Selects the closed form that fits an arm and the joints that it holds at sampled values."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,24 +14,24 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.task import Task
 
-#: Which solver answers.
+#: Solver of a closed form.
 SPHERICAL, PARALLEL, SWIVEL = range(3)
 NAMES = ("spherical", "parallel", "swivel")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ClosedForm:
-    """A solver for one arm: held joints at given values (and a swivel) leave finitely many answers.
+    """A solver for one arm: with the held joints (and a swivel) fixed, it has finitely many solutions.
 
     Attributes:
         screws: the arm.
         solver: SPHERICAL, PARALLEL or SWIVEL.
         held: indices of the joints that are held, ascending.
-        free: indices of the others in the order in which the solver takes them.
+        free: indices of the other joints in the solver's order.
         backward: whether the solver reads the chain from the tool to the base.
-        meeting: (2, 3) the points where the last three (or two) free axes meet, and the shoulder's of SWIVEL.
+        meeting: (2, 3) the point where the last three (or two) free axes meet, and the shoulder of SWIVEL.
         triple: index of the joint that carries the first of these points.
-        miss: by how much the arm differs from what the form takes it for [m or rad].
+        miss: deviation of the arm from the geometry that the form assumes [m or rad].
     """
 
     screws: Screws
@@ -45,24 +45,24 @@ class ClosedForm:
 
     @property
     def exact(self) -> bool:
-        """Whether the form is the arm itself, and not the arm up to what its description rounds."""
+        """Whether the form fits the arm exactly, and not only up to the rounding of its description."""
         return self.miss < EXACT
 
     @property
     def name(self) -> str:
-        """What the method is called."""
+        """Name of the method."""
         return NAMES[self.solver]
 
     @property
     def moves_axes(self) -> bool:
-        """Whether a held joint lies between free ones, so that it moves some of their axes against others."""
+        """Whether a held joint lies between free ones, so that it moves some of their axes relative to others."""
         return any(min(self.free) < joint < max(self.free) for joint in self.held)
 
 
 def closed_form(robot: Robot, held: Sequence[str] | None = None) -> ClosedForm | None:
     """The simplest closed form of an arm, with the joints in `held` held; None where there is none.
 
-    Raises UnknownNameError or InvalidInputError where `held` names no joints of the arm, or not n - 6 of them.
+    Raises UnknownNameError or InvalidInputError where `held` names unknown joints, or not exactly n - 6 joints.
     """
     if robot.n < 6 or robot.planar:
         return None
@@ -73,7 +73,7 @@ def closed_form(robot: Robot, held: Sequence[str] | None = None) -> ClosedForm |
 @once_per_owner
 def _closed_form(robot: Robot, held: tuple[int, ...] | None) -> ClosedForm | None:
     if held is not None and not _moves_everywhere(robot, held):
-        wanted = "joints without which the others still move the tool in all directions"
+        wanted = "joints that can be held while the others still move the tool in all directions"
         raise InvalidInputError("held", [robot.joint_names[k] for k in held], wanted)
     return _simplest(Screws.of(robot), held)
 
@@ -96,19 +96,19 @@ def held_indices(robot: Robot, held: Sequence[str], count: int) -> tuple[int, ..
         if name not in robot.joint_names:
             raise UnknownNameError("held", name, robot.joint_names)
     if len(set(held)) != count or len(held) != count:
-        raise InvalidInputError("held", list(held), f"{count} different joints: so many are left over by a pose")
+        raise InvalidInputError("held", list(held), f"{count} different joints, the arm's degree of redundancy")
     return tuple(sorted(robot.joint_names.index(name) for name in held))
 
 
 def _moves_everywhere(robot: Robot, held: tuple[int, ...]) -> bool:
-    """Whether the joints that are not held move the tool in six dimensions."""
+    """Whether the joints that are not held move the tool in all six degrees of freedom."""
     q = robot.random_configuration(np.random.default_rng(0), size=5)
     jacobians = np.delete(robot.kinematics(Task.pose()).jacobian(q), held, axis=2)
     return int(np.linalg.matrix_rank(jacobians, tol=1e-8).max()) == 6
 
 
 def _swivel(screws: Screws) -> ClosedForm | None:
-    """Held joints, a spherical shoulder, an elbow and a spherical wrist."""
+    """The form with held joints, a spherical shoulder, an elbow and a spherical wrist, if it fits."""
     n = screws.n
     if n < 7:
         return None
@@ -134,7 +134,7 @@ def _swivel(screws: Screws) -> ClosedForm | None:
 
 
 def _six_joints(screws: Screws, held: tuple[int, ...]) -> list[ClosedForm]:
-    """All closed forms of the six joints that are left."""
+    """All closed forms of the six remaining joints."""
     free = tuple(k for k in range(screws.n) if k not in held)
     if screws.slides[list(free)].any():
         return []
@@ -177,6 +177,6 @@ def _meeting(screws: Screws, joints: tuple[int, ...]) -> tuple[Array, float] | N
 
 
 def _effort(form: ClosedForm) -> tuple[int, int, int, int]:
-    """What makes a form slow: axes that have to be moved, a quartic; then joints held far from the base."""
+    """Sort key, fastest form first: axes to be moved, a quartic, a backward chain, joints held far from the base."""
     skew = form.solver == SPHERICAL and lie(form.screws.axes[list(form.free)], form.screws.points[list(form.free)])[0] == SKEW
     return int(form.moves_axes), int(skew), int(form.backward), sum(form.held)

@@ -10,21 +10,21 @@ from manipplan.robots.description import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
-#: Axes that miss a point by less count as meeting in it [m]; directions that differ by less as parallel. Descriptions round
-#: angles to 1e-5 and better; the answers are refined on the arm as described.
+#: Axes that miss a point by less than this meet in it [m]; directions that differ by less are parallel. Descriptions round
+#: angles to 1e-5 or better; solutions are refined on the arm as described.
 MEETS = 1e-5
-#: Up to here a closed form is the arm itself, but for rounding.
+#: Deviation below which a closed form fits an arm exactly, up to rounding.
 EXACT = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Screws:
-    """T(q) = e^[ξ_1] q_1 ... e^[ξ_n] q_n T(0): the joints' axes at q = 0.
+    """T(q) = e^[ξ_1] q_1 ... e^[ξ_n] q_n T(0): the joint axes at q = 0.
 
     Attributes:
         axes: (n, 3) unit directions.
-        points: (n, 3) a point of each axis [m].
-        slides: (n,) prismatic joints.
+        points: (n, 3) a point on each axis [m].
+        slides: (n,) whether each joint is prismatic.
         home: (4, 4) the tool's pose at q = 0.
     """
 
@@ -35,13 +35,13 @@ class Screws:
 
     @classmethod
     def of(cls, robot: Robot) -> "Screws":
-        """Those of a robot."""
+        """The screws of a robot."""
         data = robot.model.createData()
         frame = frame_index(robot.model, robot.tool)
         pin.forwardKinematics(robot.model, data, pin.neutral(robot.model))
         pin.updateFramePlacements(robot.model, data)
         pin.computeJointJacobians(robot.model, data, pin.neutral(robot.model))
-        twists = pin.getFrameJacobian(robot.model, data, frame, pin.WORLD).reshape(6, -1)  # of one joint, it is flat
+        twists = pin.getFrameJacobian(robot.model, data, frame, pin.WORLD).reshape(6, -1)  # it is flat for one joint
         slides = np.array([kind == "prismatic" for kind in robot.joint_types])
         axes = np.where(slides, twists[:3], twists[3:]).T
         points = np.where(slides[:, None], 0.0, np.cross(twists[3:].T, twists[:3].T))
@@ -54,7 +54,7 @@ class Screws:
         return len(self.axes)
 
     def meeting_point(self, joints: tuple[int, ...]) -> tuple[Array, float] | None:
-        """The point (3,) that all these axes share, and by how much one misses it [m]; None where there is none."""
+        """The point (3,) where all these axes meet, and their largest distance from it [m]; None where there is none."""
         if self.slides[list(joints)].any():
             return None
         across = [np.eye(3) - np.outer(h, h) for h in self.axes[list(joints)]]
@@ -66,7 +66,7 @@ class Screws:
         return (np.asarray(point), float(miss)) if miss < MEETS else None
 
     def askew(self, *joints: int) -> float:
-        """The largest sine between the first of these axes and another; inf with a prismatic joint among them."""
+        """The largest sine of the angle between the first of these axes and another; inf if any joint is prismatic."""
         if self.slides[list(joints)].any():
             return float("inf")
         first = self.axes[joints[0]]

@@ -1,4 +1,4 @@
-"""Newton steps on the arm as described: they refine closed forms, and find answers where there is none."""
+"""Newton steps on the arm as described: they refine closed-form solutions, and find solutions where there is no closed form."""
 
 import math
 
@@ -10,9 +10,9 @@ from manipplan.ik.subproblems import add, cross, sub, turn_by, turned, turned_ab
 from manipplan.support.checks import Array
 from manipplan.support.kernels import kernel
 
-#: Damping of the first step of a search, times the squared error.
+#: Damping of the first step of a search, as a factor of the squared error.
 DAMPING = 1e-2
-#: The least damping relative to the trace of J Jᵀ: less is lost in rounding, and no longer keeps the matrix regular.
+#: Minimum damping relative to the trace of J Jᵀ: less is lost in rounding and does not keep the matrix regular.
 LEAST = 1e-14
 
 
@@ -25,7 +25,7 @@ def forward(axes: Array, points: Array, slides: NDArray[np.bool_], home: Array, 
     tip = (home[0, 3], home[1, 3], home[2, 3])
     for k in range(n - 1, -1, -1):
         h, p = row(axes, k), row(points, k)
-        # the columns of later joints, the tip and the tool turn with this joint
+        # the columns of later joints, the tip and the tool rotate with this joint
         if slides[k]:
             tip = (tip[0] + q[k] * h[0], tip[1] + q[k] * h[1], tip[2] + q[k] * h[2])
             jacobian[0, k], jacobian[1, k], jacobian[2, k] = h[0], h[1], h[2]
@@ -49,7 +49,7 @@ def forward(axes: Array, points: Array, slides: NDArray[np.bool_], home: Array, 
 
 @kernel
 def _error(pose: Array, target: Array, out: Array) -> float:
-    """Displacement and rotation vector (6,) from pose to target; returns the largest entry."""
+    """Writes displacement and rotation vector (6,) from pose to target to `out`; returns the largest entry."""
     for i in range(3):
         out[i] = target[i, 3] - pose[i, 3]
     # R = target poseᵀ; its skew part is sin(angle) axis
@@ -83,9 +83,9 @@ def refine(
     steps: int,
     tolerance: float,
 ) -> None:
-    """Newton steps of least norm from each row of q (k, n), in place, with the joints that `moves` names.
+    """Minimum-norm Newton steps from each row of q (k, n), in place, with the joints marked in `moves`.
 
-    A row ends once its pose is met to `tolerance` [m, rad], and stays as it is where a step does not lead nearer.
+    A row ends once its pose is reached to `tolerance` [m, rad]; a step that does not reduce the error is rejected.
     """
     n = q.shape[1]
     pose, jacobian, error = np.eye(4), np.empty((6, n)), np.empty(6)
@@ -111,7 +111,7 @@ def refine(
             if nearer < miss:
                 miss, damping = nearer, max(damping / 100, LEAST)
                 q[k] = trial
-            else:  # next to a singularity, where only short steps lead nearer
+            else:  # near a singularity, where only short steps reduce the error
                 damping *= 10
                 forward(axes, points, slides, home, q[k], pose, jacobian)
                 _error(pose, target, error)
@@ -133,8 +133,8 @@ def search(
 ) -> Array:
     """Damped Newton steps (Levenberg-Marquardt, [sugihara2011]) from each row of q (k, n), in place, inside the limits.
 
-    Joints stop at their limits and leave them when the step leads back. A row ends once its pose is met to `tolerance`. Returns
-    the largest entry (k,) of each row's error [m, rad].
+    Joints stop at their limits and leave them when the step leads back. A row ends once its pose is reached to `tolerance`.
+    Returns the largest entry (k,) of each row's error [m, rad].
     """
     n = q.shape[1]
     pose, jacobian, error = np.eye(4), np.empty((6, n)), np.empty(6)

@@ -1,4 +1,4 @@
-"""Six revolute joints of which the second, third and fourth are parallel and the last two meet: UR's arms, Z1 and others."""
+"""Six revolute joints, of which axes 2, 3 and 4 are parallel and the last two meet: the UR arms, Z1 and others."""
 
 import math
 
@@ -20,19 +20,19 @@ from manipplan.ik.subproblems import (
 from manipplan.support.checks import Array
 from manipplan.support.kernels import kernel
 
-#: Below this sine the last axis counts as parallel to the three: so many values of q6 are then tried.
+#: Sine below which the last axis counts as parallel to the three, and the number of q6 values then tried.
 IN_LINE, TRIES = 1e-7, 32
 
 
 @kernel
 def solve_parallel(axes: Array, points: Array, wrist: Vector, motion: Array, lower: Array, upper: Array, out: Array) -> int:
-    """All angles with e_1 ... e_6 = motion, where axes 2, 3, 4 are parallel and 5 and 6 meet in `wrist`.
+    """All joint angles with e_1 ... e_6 = motion, where axes 2, 3, 4 are parallel and 5 and 6 meet in `wrist`.
 
     Arguments and result as in `solve_spherical`.
     """
     h1, h2, h5, h6 = row(axes, 0), row(axes, 1), row(axes, 4), row(axes, 5)
     p1, p2, p3, p4 = row(points, 0), row(points, 1), row(points, 2), row(points, 3)
-    same3, same4 = dot(h2, row(axes, 2)), dot(h2, row(axes, 3))  # 1 or -1: which way 3 and 4 turn
+    same3, same4 = dot(h2, row(axes, 2)), dot(h2, row(axes, 3))  # 1 or -1: sense of rotation of 3 and 4
     point = add(times(motion, wrist), (motion[0, 3], motion[1, 3], motion[2, 3]))
     found = 0
     # the parallel joints keep the height of `wrist` along their axes
@@ -44,7 +44,7 @@ def solve_parallel(axes: Array, points: Array, wrist: Vector, motion: Array, low
             continue
         centre = turned_about(h1, p1, back(first), point)
         outward = turned(h1, first, h2)
-        # the part of the last axis along the parallel ones is q5's alone
+        # the component of the last axis along the parallel ones depends on q5 alone
         wrists, wrist1, wrist2 = turns_to_height(h5, h6, h2, dot(outward, times(motion, h6)))
         for j in range(wrists):
             fifth = wrist1 if j == 0 else wrist2
@@ -53,7 +53,7 @@ def solve_parallel(axes: Array, points: Array, wrist: Vector, motion: Array, low
                 continue
             last = turned(h5, back(fifth), h2)
             sixth = angle(turn_from_to(h6, times_back(motion, outward), last))
-            # where the last axis is parallel to the others q6 is free, but not each lets the arm reach
+            # where the last axis is parallel to the others q6 is free, but not every q6 lets the arm reach
             in_line = dot(last, h6) ** 2 > 1.0 - IN_LINE**2
             before, tries = found, TRIES if in_line else 1
             for attempt in range(tries):

@@ -1,4 +1,4 @@
-"""All inverse kinematics of a pose: every configuration that reaches it, for sampled values of what the arm has to spare."""
+"""All inverse kinematics solutions of a pose: every configuration that reaches it, for sampled redundancy parameters."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,15 +14,15 @@ from manipplan.symbolic.task import Task
 
 
 class Completeness(StrEnum):
-    """How far a set of solutions is all of them."""
+    """How complete a set of solutions is."""
 
     EXACT = "exact"
-    """All, for each given value of the parameters; of a continuum, at a singularity, one."""
+    """All solutions for each given value of the parameters; one of a continuum, at a singularity."""
     TO_RESOLUTION = "to-resolution"
-    """All for each value on a grid of parameters, between which there are more; or for given values, but for answers next to a
-    singularity of an arm whose description rounds its axes."""
+    """All solutions for each value on a grid of parameters, with more between the grid points; or all for given values, except
+    solutions near a singularity of an arm whose description rounds its axes."""
     STATISTICAL = "statistical"
-    """Found by many random starts; `SolutionSet.missing` estimates the share that is not found."""
+    """Found from many random starts; `SolutionSet.missing` estimates the share that is not found."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -31,10 +31,10 @@ class SolutionSet:
 
     Attributes:
         q: (k, n) [rad or m], inside the position limits.
-        pose_index: (k,) which pose a row is of.
-        parameters: (k, r) the values of what the arm has to spare, by which the row was found.
+        pose_index: (k,) index of the pose that each row reaches.
+        parameters: (k, r) values of the redundancy parameters of each row.
         parameter_names: (r,) held joints, then "swivel", then "tool rotation".
-        residual: (k,) largest entry by which the pose is missed [m or 1].
+        residual: (k,) largest entry of the pose error [m or 1].
         complete: "exact", "to-resolution" or "statistical"; see `Completeness`.
         method: "spherical", "parallel", "swivel" or "newton".
         missing: estimated share of solutions that is not found, 0 to 1; 0 for closed forms.
@@ -74,33 +74,33 @@ def inverse_kinematics(
 ) -> SolutionSet:
     """Every configuration that reaches a pose.
 
-    An arm with more joints than the pose asks for has finitely many answers once some joints are held, or, with a spherical
-    shoulder and wrist, once the swivel of the elbow is chosen: these values are the parameters. Joints that fit into their
-    limits at several full turns are listed with each; joints without limits in [-π, π].
+    A redundant arm has finitely many solutions once some joints are held or, with a spherical shoulder and wrist, once the
+    swivel angle of the elbow is fixed: these values are the parameters. A joint angle that fits its limits at several full
+    turns is listed at each of them; joints without limits are in [-π, π].
 
-    Closed forms [pieper1968], of Paden-Kahan subproblems [murray1994], know every arm with three joint axes that meet at the
-    wrist or the shoulder, and those with three parallel axes and two that meet (UR). Others are solved by Newton steps from
-    random starts.
+    Closed forms [pieper1968], built from Paden-Kahan subproblems [murray1994], cover every arm with three joint axes that meet
+    at the wrist or the shoulder, and arms with three parallel axes and two that meet (UR). Others are solved by Newton steps
+    from random starts.
 
     Args:
         robot: the arm.
         pose: (4, 4) or pin.SE3 of the tool, or several, (p, 4, 4).
         parameters: (r,), or (s, r) to be tried for each pose: held joints [rad or m] in the order of the arm, then the
-            swivel, then the turn about a free tool axis [rad]. Default: a grid.
+            swivel, then the rotation about a free tool axis [rad]. Default: a grid.
         task: Task.pose(), the default, or Task.pointing(axis) whose rotation about the axis is free. For planar arms
             Task.planar(), their default: the position alone.
-        samples: points of that grid, one number or one for each parameter.
-        held: names of the joints that are held instead of the ones that the arm's closed form prefers.
+        samples: number of grid points, one number or one per parameter.
+        held: names of the joints to hold instead of those that the arm's closed form prefers.
         method: "closed-form", "newton", or "auto": the closed form where there is one.
-        turns: False lists configurations that differ by full turns of joints once: the one with the smallest angles.
-        seed: of the random starts.
+        turns: False lists only one of the configurations that differ by full turns, the one with the smallest angles.
+        seed: seed of the random starts.
 
     Raises:
-        InvalidInputError: a pose with NaN or without a rotation matrix, parameters of a wrong shape, a task that is no
-            pose, no closed form although asked for.
-        UnknownNameError: no such method or joint.
+        InvalidInputError: a pose with NaN or without a rotation matrix, parameters of a wrong shape, a task that is not a
+            pose, or "closed-form" for an arm without one.
+        UnknownNameError: unknown method or joint.
 
-    A pose out of reach gives an empty set.
+    The set is empty for a pose out of reach.
     """
     from manipplan.ik.distinct import distinct
     from manipplan.ik.solver import Solver
@@ -127,7 +127,7 @@ def inverse_kinematics(
 
 
 def pose_stack(argument: str, pose: Any) -> Array:
-    """One pose, or several, as (p, 4, 4); every one is checked."""
+    """One or several poses as (p, 4, 4); each is checked."""
     from manipplan.ik.verify import are_poses
 
     matrix = getattr(pose, "homogeneous", pose)
@@ -150,6 +150,6 @@ def _is_matrix(value: Any) -> bool:
 
 
 def _directions(robot: Robot, q: Array) -> Array:
-    """Equal for configurations (k, n) that differ by full turns: lengths as they are, for angles their cosine and sine."""
+    """Equal rows for configurations (k, n) that differ by full turns: lengths, then cosines and sines of angles."""
     revolute = np.array([kind != "prismatic" for kind in robot.joint_types])
     return np.hstack([q[:, ~revolute], np.cos(q[:, revolute]), np.sin(q[:, revolute])])

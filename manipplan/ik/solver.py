@@ -1,4 +1,4 @@
-"""Solver: how all answers of one arm are found and judged."""
+"""Solver: finds and verifies all inverse kinematics solutions of one arm."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -22,20 +22,20 @@ from manipplan.support.checks import Array, finite_array, instance, random_seed,
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.symbolic.task import Task
 
-#: A configuration reaches a pose when no entry of the two matrices differs by more [m or 1].
+#: A configuration reaches a pose when no entry of the two matrices differs by more than this [m or 1].
 REACHED = 1e-10
-#: What rounding leaves of an exact closed form next to a singularity, and is refined; more is no answer.
+#: Maximum residual that rounding leaves in an exact closed form near a singularity, to be refined; more is no solution.
 ROUNDED = 1e-6
-#: Refinement ends after so many steps; next to a singularity they are short.
+#: Maximum number of refinement steps; near a singularity they are short.
 STEPS = 200
-#: Samples that are taken for one to six parameters where the caller names no number.
+#: Default number of samples per parameter, for one to six parameters.
 SAMPLES = (64, 24, 12, 8, 6, 5)
 METHODS = ("auto", "closed-form", "newton")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Found:
-    """Rows q (k, n), the sample (k,) that each belongs to, the residual (k,), the share that is estimated to be missing."""
+    """Rows q (k, n), the sample (k,) of each, the residual (k,), and the estimated share of missing solutions."""
 
     q: Array
     source: NDArray[np.int64]
@@ -45,17 +45,17 @@ class Found:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Solver:
-    """How all answers of one arm are found.
+    """Finds all inverse kinematics solutions of one arm.
 
     Attributes:
         robot: the arm.
-        task: what of a pose has to be met.
-        kinematics: by which answers are judged.
-        form: the closed form; None: Newton steps from random starts.
+        task: the part of a pose that must be reached.
+        kinematics: forward kinematics that verify solutions.
+        form: the closed form; None for Newton steps from random starts.
         screws: the arm.
         held: indices of the joints that are held.
-        axis: (3,) of the tool about which it may turn; None: none.
-        seed: of the random starts.
+        axis: (3,) tool axis about which the tool is free to rotate, or None.
+        seed: seed of the random starts.
     """
 
     robot: Robot
@@ -98,19 +98,19 @@ class Solver:
 
     @property
     def method(self) -> str:
-        """What the method is called."""
+        """Name of the method."""
         return "newton" if self.form is None else self.form.name
 
     @property
     def complete(self) -> Completeness | None:
-        """The completeness of any answer, where the method itself sets it."""
+        """The completeness of every result, where the method alone determines it."""
         if self.form is None:
             return Completeness.STATISTICAL
         return None if self.form.exact else Completeness.TO_RESOLUTION
 
     @cached_property
     def names(self) -> tuple[str, ...]:
-        """What the parameters are called."""
+        """Names of the parameters."""
         held = tuple(self.robot.joint_names[k] for k in self.held)
         swivel = ("swivel",) if self.form is not None and self.form.solver == SWIVEL else ()
         return held + swivel + (("tool rotation",) if self.axis is not None else ())
@@ -128,7 +128,7 @@ class Solver:
         return self.grid(samples, SAMPLES), Completeness.TO_RESOLUTION if r else Completeness.EXACT
 
     def grid(self, samples: int | Sequence[int] | None, usual: Sequence[int]) -> Array:
-        """A grid of parameters (s, r); `usual` says how many values of each where `samples` does not, by the number of them."""
+        """A grid of parameters (s, r); `usual` has the default number of values per parameter, by number of parameters."""
         counts = sample_counts(samples, self.names, usual)
         return np.array(list(product(*(self._line(k, count) for k, count in enumerate(counts)))))
 
@@ -141,7 +141,7 @@ class Solver:
         return -np.pi + 2 * np.pi * np.arange(count) / count
 
     def parameters_of(self, q: Array, poses: Array) -> Array:
-        """The parameters (k, r) by which configurations (k, n) that reach poses (k, 4, 4) are found."""
+        """The parameters (k, r) of configurations (k, n) that reach poses (k, 4, 4)."""
         columns = [q[:, list(self.held)]]
         if self.form is not None and self.form.solver == SWIVEL:
             free, screws = list(self.form.free), self.screws
@@ -152,14 +152,14 @@ class Solver:
         return np.hstack(columns)
 
     def _tool_turns(self, q: Array, poses: Array) -> Array:
-        """By how much the tool is turned about its free axis against the poses, (k,) [rad]."""
+        """Rotation of the tool about its free axis relative to the poses, (k,) [rad]."""
         from scipy.spatial.transform import Rotation
 
         turned = np.swapaxes(poses[:, :3, :3], 1, 2) @ self.kinematics.pose(q)[:, :3, :3]
         return np.asarray(Rotation.from_matrix(turned).as_rotvec() @ self.axis)
 
     def onto(self, q: Array, poses: Array) -> Array:
-        """Configurations (k, n) moved onto poses (k, 4, 4) by Newton steps of least norm; inside the limits."""
+        """Configurations (k, n) moved onto poses (k, 4, 4) by minimum-norm Newton steps; inside the limits."""
         targets = poses
         if self.axis is not None:
             targets = poses @ turns_about(self.axis, self._tool_turns(q, poses))
@@ -169,7 +169,7 @@ class Solver:
         return np.clip(moved, self.robot.limits.lower, self.robot.limits.upper)
 
     def solve(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
-        """All answers for samples (s, r), each for the pose that `owners` (s,) names; doubles among them."""
+        """All solutions for samples (s, r), with duplicates; `owners` (s,) is the pose index of each sample."""
         if self.form is None:
             return self._by_search(poses, owners, samples)
         limits = self.robot.limits
@@ -182,13 +182,13 @@ class Solver:
     def _targets(
         self, poses: Array, owners: NDArray[np.int64], samples: Array, source: NDArray[np.int64]
     ) -> tuple[Array, NDArray[np.int64]]:
-        """Poses (p, 4, 4), and which of them (k,) each row has to reach."""
+        """Poses (p, 4, 4), and the index (k,) of the one that each row must reach."""
         if self.axis is None:
             return poses, owners[source]
         return poses[owners[source]] @ turns_about(self.axis, samples[source, -1]), np.arange(len(source))
 
     def _judged(self, q: Array, source: NDArray[np.int64], targets: Array, rows: NDArray[np.int64]) -> Found:
-        """The rows of q that reach their pose, targets[rows], after refinement where rounding makes it necessary."""
+        """The rows of q that reach their pose, targets[rows], after refinement where rounding requires it."""
         residual = self._residual(q, targets, rows)
         off = residual > REACHED
         if self.form is not None and self.form.exact:
@@ -236,7 +236,7 @@ class Solver:
 
 
 def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...], usual: Sequence[int]) -> tuple[int, ...]:
-    """How many values of each parameter a grid takes."""
+    """Number of grid values of each parameter."""
     r = len(names)
     if samples is None:
         return (usual[min(r, len(usual)) - 1],) * r
@@ -249,7 +249,7 @@ def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...], u
 
 
 def turns_about(axis: Array, angles: Array) -> Array:
-    """Motions (k, 4, 4) that turn about a tool's axis (3,) by angles (k,)."""
+    """Rotations (k, 4, 4) about a tool's axis (3,) by angles (k,)."""
     from scipy.spatial.transform import Rotation
 
     turns = np.tile(np.eye(4), (len(angles), 1, 1))
@@ -258,24 +258,24 @@ def turns_about(axis: Array, angles: Array) -> Array:
 
 
 def spare(robot: Robot) -> int:
-    """How many joints an arm has beyond those that its poses need."""
+    """Degree of redundancy: number of joints beyond those that the arm's poses need."""
     q = robot.random_configuration(np.random.default_rng(0), size=5)
     ranks = np.linalg.matrix_rank(robot.kinematics(Task.pose()).jacobian(q), tol=1e-8)
     return robot.n - int(ranks.max())
 
 
 def _check_limits(robot: Robot) -> None:
-    """Raises InvalidInputError where a joint has a limit on one side only, or slides without any."""
+    """Raises InvalidInputError where a joint has a limit on one side only, or a prismatic joint has none."""
     limits = robot.limits
     half = (np.isinf(limits.lower) | np.isinf(limits.upper)) & ~robot.endless
     if half.any():
         k = int(half.argmax())
-        wanted = "limits on both sides; joints that turn may have none at all"
+        wanted = "limits on both sides; revolute joints may have none at all"
         raise InvalidInputError(f"limits of {robot.joint_names[k]}", (float(limits.lower[k]), float(limits.upper[k])), wanted)
 
 
 def _tool_axis(task: Task, robot: Robot) -> Array | None:
-    """The tool's axis about which the task lets it turn; raises InvalidInputError for a task that is no pose."""
+    """The tool axis about which the task leaves it free; raises InvalidInputError for a task that is not a pose."""
     if robot.planar and task == Task.planar():
         return np.array([0.0, 0.0, 1.0])
     rows = [*task.world_rows, *task.tool_rows]

@@ -1,6 +1,6 @@
-"""Six revolute joints of which three neighbours meet in one point, at the wrist or (the chain read backwards) at the shoulder.
+"""Six revolute joints, of which three adjacent axes meet in one point, at the wrist or (chain read backwards) the shoulder.
 
-Position and rotation come apart [pieper1968]: the three other joints place the point, the three that meet turn the tool.
+Position and rotation decouple [pieper1968]: the other three joints place the point, the three that meet orient the tool.
 """
 
 import math
@@ -25,11 +25,11 @@ from manipplan.ik.subproblems import (
 from manipplan.support.checks import Array
 from manipplan.support.kernels import kernel
 
-#: How the three joints a, b, c that place the point lie.
+#: Arrangement of the axes of the three joints a, b, c that place the point.
 A_MEETS_B, B_MEETS_C, A_PARALLEL_B, B_PARALLEL_C, SKEW = range(5)
-#: Answers that are outside a limit by less are put on it [rad], and then judged: rounding puts them outside as often as inside.
+#: Solutions outside a limit by less than this are set to it [rad] and then verified: rounding puts them on either side.
 AT_LIMIT = 1e-5
-#: A general position has up to four answers, the wrist two each.
+#: Maximum number of solutions: up to four for the position, and two of the wrist for each.
 MOST = 8
 
 
@@ -41,7 +41,7 @@ def row(rows: Array, k: int) -> Vector:
 
 @kernel
 def times(rotation: Array, v: Vector) -> Vector:
-    """`v` turned by a matrix (3, 3)."""
+    """`v` rotated by a matrix (3, 3)."""
     return (
         rotation[0, 0] * v[0] + rotation[0, 1] * v[1] + rotation[0, 2] * v[2],
         rotation[1, 0] * v[0] + rotation[1, 1] * v[1] + rotation[1, 2] * v[2],
@@ -51,7 +51,7 @@ def times(rotation: Array, v: Vector) -> Vector:
 
 @kernel
 def times_back(rotation: Array, v: Vector) -> Vector:
-    """`v` turned by the transpose of a matrix (3, 3)."""
+    """`v` rotated by the transpose of a matrix (3, 3)."""
     return (
         rotation[0, 0] * v[0] + rotation[1, 0] * v[1] + rotation[2, 0] * v[2],
         rotation[0, 1] * v[0] + rotation[1, 1] * v[1] + rotation[2, 1] * v[2],
@@ -67,19 +67,19 @@ def wrapped(angle: float) -> float:
 
 @kernel
 def least_above(angle: float, lower: float) -> float:
-    """The least of the angles that differ from this one by full turns, above `lower` or below it by no more than rounding."""
+    """The smallest angle that differs from this one by full turns and is at least `lower`, up to rounding."""
     return angle - 2 * math.pi * math.floor((angle - lower + AT_LIMIT) / (2 * math.pi))
 
 
 @kernel
 def fits(angle: float, lower: float, upper: float) -> bool:
-    """Whether the angle, or one that differs by full turns, lies inside limits."""
+    """Whether the angle, or one that differs by full turns, is inside the limits."""
     return least_above(angle, lower) <= upper + AT_LIMIT
 
 
 @kernel
 def perpendicular(h: Vector) -> Vector:
-    """A unit vector at right angles to h."""
+    """A unit vector perpendicular to h."""
     v = (0.0, -h[2], h[1]) if abs(h[0]) < 0.6 else (h[2], 0.0, -h[0])
     size = math.sqrt(dot(v, v))
     return (v[0] / size, v[1] / size, v[2] / size)
@@ -87,7 +87,7 @@ def perpendicular(h: Vector) -> Vector:
 
 @kernel
 def lie(axes: Array, points: Array) -> tuple[int, Vector, float]:
-    """How the first three axes lie (A_MEETS_B, ...), the point where two of them meet, and by how much they miss it."""
+    """Arrangement of the first three axes (A_MEETS_B, ...), the point where two of them meet, and the deviation from it."""
     nowhere = (0.0, 0.0, 0.0)
     for first, kind in ((0, A_MEETS_B), (1, B_MEETS_C)):
         g, h = row(axes, first), row(axes, first + 1)
@@ -109,7 +109,7 @@ def lie(axes: Array, points: Array) -> tuple[int, Vector, float]:
 
 @kernel
 def put(out: Array, k: int, first: Turn, second: Turn, third: Turn) -> None:
-    """Write three turns into row k of an array (any, 6)."""
+    """Writes three rotations to row k of an array (any, 6)."""
     out[k, 0], out[k, 1] = first
     out[k, 2], out[k, 3] = second
     out[k, 4], out[k, 5] = third
@@ -117,7 +117,7 @@ def put(out: Array, k: int, first: Turn, second: Turn, third: Turn) -> None:
 
 @kernel
 def two_meeting(ha: Vector, hb: Vector, x: Vector, y: Vector) -> tuple[int, Turn, Turn, Turn, Turn]:
-    """Subproblem 2: turns a, b with R_a R_b x = y, for vectors from the point where the axes meet: how many, a, b, a, b."""
+    """Subproblem 2: rotations a, b with R_a R_b x = y, for vectors from the point where the axes meet: count, a, b, a, b."""
     count, first, second = turns_to_height(hb, x, ha, dot(ha, y))
     return (
         count,
@@ -130,7 +130,7 @@ def two_meeting(ha: Vector, hb: Vector, x: Vector, y: Vector) -> tuple[int, Turn
 
 @kernel
 def place(kind: int, axes: Array, points: Array, meeting: Vector, x: Vector, y: Vector, out: Array) -> int:
-    """Turns a, b, c about the three first axes with e_a e_b e_c x = y: rows of `out` (4, 6), and how many."""
+    """Rotations a, b, c about the first three axes with e_a e_b e_c x = y, as rows of `out` (4, 6); returns their number."""
     ha, hb, hc = row(axes, 0), row(axes, 1), row(axes, 2)
     pa, pb, pc = row(points, 0), row(points, 1), row(points, 2)
     found = 0
@@ -157,7 +157,7 @@ def place(kind: int, axes: Array, points: Array, meeting: Vector, x: Vector, y: 
                 put(out, found, a, b1 if j == 0 else b2, c1 if j == 0 else c2)
                 found += 1
     elif kind == A_PARALLEL_B:
-        # the height along a is that of c's turn alone
+        # the height along a depends on c alone
         target = sub(y, pa)
         count, first, second = turns_to_height(hc, sub(x, pc), ha, dot(ha, sub(y, pc)))
         for k in range(count):
@@ -183,11 +183,11 @@ def place(kind: int, axes: Array, points: Array, meeting: Vector, x: Vector, y: 
 
 @kernel
 def place_skew(ha: Vector, hb: Vector, hc: Vector, pa: Vector, pb: Vector, pc: Vector, x: Vector, y: Vector, out: Array) -> int:
-    """The same for axes in any position: a quartic in tan(qc / 2).
+    """The same for axes in general position: a quartic in tan(qc / 2).
 
-    With z = e_c x - pb, u = b · z and r² = |z|² are of first degree in cos qc and sin qc. The turn about b puts z at
-    u b + ρ (cos ψ e1 + sin ψ e2), e2 at right angles to a and b. Its height along a gives ρ cos ψ, its distance from a point of
-    a then ρ sin ψ, each of first degree in u and r²; their squares add up to r² - u².
+    With z = e_c x - pb, u = b · z and r² = |z|² are linear in cos qc and sin qc. The rotation about b moves z to
+    u b + ρ (cos ψ e1 + sin ψ e2), with e2 perpendicular to a and b. Its height along a gives ρ cos ψ, then its distance from a
+    point on a gives ρ sin ψ, each linear in u and r²; their squares add up to r² - u².
     """
     sine = math.sqrt(max(1.0 - dot(ha, hb) ** 2, 0.0))
     e2 = cross(hb, ha)
@@ -220,7 +220,7 @@ def place_skew(ha: Vector, hb: Vector, hc: Vector, pa: Vector, pb: Vector, pc: V
     k11 = s2 * (x1[1] * x1[1] + u[1] * u[1]) + n1 * n1
     k12 = s2 * (2 * x1[1] * x1[2] + 2 * u[1] * u[2]) + 2 * n1 * n2
     k22 = s2 * (x1[2] * x1[2] + u[2] * u[2]) + n2 * n2
-    # c = (1 - t²) / (1 + t²), s = 2 t / (1 + t²): a quartic in t, or in 1/t where the first coefficient is the smaller one
+    # c = (1 - t²) / (1 + t²), s = 2 t / (1 + t²): a quartic in t, or in 1/t where t⁴ has the smaller coefficient
     k0, k4 = k00 + k01 + k11, k00 - k01 + k11
     k1, k3 = 2 * (k02 + k12), 2 * (k02 - k12)
     upward = abs(k4) >= abs(k0)
@@ -254,7 +254,7 @@ def place_skew(ha: Vector, hb: Vector, hc: Vector, pa: Vector, pb: Vector, pc: V
 
 @kernel
 def orient(h4: Vector, h5: Vector, h6: Vector, rotation: Array, out: Array) -> int:
-    """Turns with R4 R5 R6 = rotation (3, 3), for any three axes: rows of `out` (2, 6), and how many."""
+    """Rotations with R4 R5 R6 = rotation (3, 3), for any three axes, as rows of `out` (2, 6); returns their number."""
     toward = times(rotation, h6)
     across = perpendicular(h6)
     across_turned = times(rotation, across)
@@ -262,7 +262,7 @@ def orient(h4: Vector, h5: Vector, h6: Vector, rotation: Array, out: Array) -> i
     for k in range(count):
         fifth = first if k == 0 else second
         fourth = turn_from_to(h4, turned(h5, fifth, h6), toward)
-        # R6 = R5ᵀ R4ᵀ R, also where 4 and 6 are in line and q4 is free
+        # R6 = R5ᵀ R4ᵀ R, also where axes 4 and 6 are in line and q4 is free
         image = turned(h5, back(fifth), turned(h4, back(fourth), across_turned))
         put(out, k, fourth, fifth, turn_from_to(h6, across, image))
     return count
@@ -270,7 +270,7 @@ def orient(h4: Vector, h5: Vector, h6: Vector, rotation: Array, out: Array) -> i
 
 @kernel
 def angles_fit(turns: Array, k: int, lower: Array, upper: Array, begin: int, out: Array, found: int) -> bool:
-    """Write the angles of the three turns in row k to row `found` of `out`, from column `begin` on; whether they fit."""
+    """Writes the angles of the rotations in row k to row `found` of `out`, from column `begin` on; returns whether they fit."""
     for i in range(3):
         value = math.atan2(turns[k, 2 * i + 1], turns[k, 2 * i])
         if not fits(value, lower[begin + i], upper[begin + i]):
@@ -292,18 +292,18 @@ def solve_spherical(
     out: Array,
     work: Array,
 ) -> int:
-    """All angles with e_1 ... e_6 = motion, where axes 4, 5, 6 meet in `wrist`.
+    """All joint angles with e_1 ... e_6 = motion, where axes 4, 5, 6 meet in `wrist`.
 
     Args:
-        kind, meeting: what `lie` says of axes 1, 2, 3.
+        kind, meeting: what `lie` returns for axes 1, 2, 3.
         axes, points: (6, 3).
-        wrist: where 4, 5, 6 meet at zero.
+        wrist: where axes 4, 5, 6 meet at q = 0.
         motion: (4, 4).
-        lower, upper: (6,); an answer outside, whatever its full turns, is left out.
+        lower, upper: (6,); a solution outside at every full turn is left out.
         out: (MOST + 1, 6), filled; the last row is for trials.
         work: (16, 6).
 
-    Returns how many rows of `out` are filled.
+    Returns the number of filled rows of `out`.
     """
     target = add(times(motion, wrist), (motion[0, 3], motion[1, 3], motion[2, 3]))
     places, wrists, rotation = work[0:4], work[4:6], work[6:9, 0:3]

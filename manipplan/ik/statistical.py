@@ -1,4 +1,4 @@
-"""Answers by Newton steps from random starts, until chance leaves little to be found."""
+"""Solutions by Newton steps from random starts, until few are likely to be missing."""
 
 from dataclasses import dataclass
 from itertools import combinations
@@ -12,18 +12,18 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.symbolic.task import Task
 
-#: Random starts of a round, and the most of them in all.
+#: Number of random starts per round, and their maximum number in total.
 ROUND = 64
 MOST = 4096
-#: After so many starts without an answer, there is none.
+#: Number of starts without a solution after which the pose counts as unreachable.
 FRUITLESS = 512
-#: Rounds go on until every answer was met this often on average and none only once.
+#: Rounds continue until each solution was found this often on average and none only once.
 SEEN = 8
 STEPS = 80
-#: Where nothing is found, starts that came this near [m, rad] get more steps: at a singularity, steps are short.
+#: Where nothing is found, starts that came this near [m, rad] get more steps: near a singularity, steps are short.
 NEAR, MORE_STEPS = 1e-2, 500
 TOLERANCE = 1e-12
-#: Answers that differ by less are the same [rad or m].
+#: Solutions that differ by less than this are the same [rad or m].
 SAME = 1e-5
 
 
@@ -34,8 +34,8 @@ class Sampled:
     Attributes:
         screws: the arm.
         held: indices of the joints that are held at `values` [rad or m].
-        values: (h,).
-        limits: of the arm.
+        values: (h,) positions of the held joints.
+        limits: limits of the arm.
     """
 
     screws: Screws
@@ -47,7 +47,7 @@ class Sampled:
 def random_answers(setup: Sampled, target: Array, rng: np.random.Generator) -> tuple[Array, float]:
     """Configurations (k, n) that reach `target` (4, 4), and an estimate of the share that was not found.
 
-    The estimate is Good and Turing's [good1953]: the share of the hits whose answer was met only once.
+    The estimate is the Good-Turing one [good1953]: the share of the hits whose solution was found only once.
     """
     limits, screws, held = setup.limits, setup.screws, list(setup.held)
     lower, upper = (
@@ -100,7 +100,7 @@ def random_answers(setup: Sampled, target: Array, rng: np.random.Generator) -> t
 
 
 def best_held(robot: Robot, count: int) -> tuple[int, ...]:
-    """The joints to hold: those without which the others still move the tool best, on average over random postures."""
+    """The joints to hold: those without which the others move the tool best, on average over random postures."""
     if count == 0:
         return ()
     q = robot.random_configuration(np.random.default_rng(0), size=200)
@@ -115,5 +115,5 @@ def best_held(robot: Robot, count: int) -> tuple[int, ...]:
 
 
 def _in_range(q: Array, limits: JointLimits) -> Array:
-    """Joints without limits in [-π, π]."""
+    """q with joints without limits wrapped to [-π, π]."""
     return np.where(np.isinf(limits.lower), (q + np.pi) % (2 * np.pi) - np.pi, q)

@@ -1,19 +1,19 @@
-"""The geometric subproblems of Paden and Kahan [murray1994, ch. 3] that closed-form inverse kinematics is made of, for numba.
+"""The geometric Paden-Kahan subproblems [murray1994, ch. 3] that closed-form inverse kinematics is built from, for numba.
 
-Vectors are tuples of three floats: numba keeps them in registers. Where a subproblem has no answer by less than `GRAZE`, two
-guesses beside the nearest point are given, since an arm may differ from its closed form by what its description rounds. All
-answers are refined and judged by forward kinematics afterwards.
+Vectors are tuples of three floats: numba keeps them in registers. Where a subproblem misses a solution by less than `GRAZE`,
+two guesses next to the nearest point are returned, since an arm may differ from its closed form by the rounding of its
+description. All solutions are refined and verified by forward kinematics afterwards.
 """
 
 import math
 
 from manipplan.support.kernels import kernel
 
-#: How far a cosine may be above 1.
+#: Maximum amount by which a cosine may exceed 1.
 GRAZE = 1e-3
 
 Vector = tuple[float, float, float]
-#: Cosine and sine of an angle: trigonometry is left for the angles that come out.
+#: Cosine and sine of an angle: trigonometric functions are evaluated for the resulting angles only.
 Turn = tuple[float, float]
 
 
@@ -43,7 +43,7 @@ def sub(a: Vector, b: Vector) -> Vector:
 
 @kernel
 def turned(h: Vector, turn: Turn, v: Vector) -> Vector:
-    """`v` turned about the unit axis h (Rodrigues)."""
+    """`v` rotated about the unit axis h (Rodrigues)."""
     c, s = turn
     along = dot(h, v) * (1.0 - c)
     w = cross(h, v)
@@ -52,31 +52,31 @@ def turned(h: Vector, turn: Turn, v: Vector) -> Vector:
 
 @kernel
 def turned_about(h: Vector, p: Vector, turn: Turn, v: Vector) -> Vector:
-    """The point `v` turned about the axis h through the point p."""
+    """The point `v` rotated about the axis h through the point p."""
     return add(p, turned(h, turn, sub(v, p)))
 
 
 @kernel
 def back(turn: Turn) -> Turn:
-    """The turn the other way round."""
+    """The inverse rotation."""
     return (turn[0], -turn[1])
 
 
 @kernel
 def angle(turn: Turn) -> float:
-    """The angle of a turn, in [-π, π]."""
+    """The angle of a rotation, in [-π, π]."""
     return math.atan2(turn[1], turn[0])
 
 
 @kernel
 def turn_by(value: float) -> Turn:
-    """The turn by an angle."""
+    """The rotation by an angle."""
     return (math.cos(value), math.sin(value))
 
 
 @kernel
 def turn_from_to(h: Vector, x: Vector, y: Vector) -> Turn:
-    """Subproblem 1: the turn about h that brings x nearest to y; none where either lies on the axis."""
+    """Subproblem 1: the rotation about h that brings x nearest to y; the identity where either lies on the axis."""
     across = cross(h, x)
     s, c = dot(across, y), dot(x, y) - dot(h, x) * dot(h, y)
     size = math.sqrt(s * s + c * c)
@@ -87,9 +87,9 @@ def turn_from_to(h: Vector, x: Vector, y: Vector) -> Turn:
 
 @kernel
 def turns_to_height(h: Vector, x: Vector, k: Vector, d: float) -> tuple[int, Turn, Turn]:
-    """Subproblem 4: turns about h at which k · (x turned) = d: how many, and two of them.
+    """Subproblem 4: rotations about h at which k · (x rotated) = d: their number, and two of them.
 
-    None where the height cannot be reached; one, which is none at all, where every turn reaches it.
+    None where the height cannot be reached; one, the identity, where every rotation reaches it.
     """
     across = cross(h, x)
     a = dot(k, x) - dot(h, x) * dot(h, k)
@@ -113,7 +113,7 @@ def turns_to_height(h: Vector, x: Vector, k: Vector, d: float) -> tuple[int, Tur
 
 @kernel
 def turns_to_distance(h: Vector, p: Vector, x: Vector, y: Vector, distance: float) -> tuple[int, Turn, Turn]:
-    """Subproblem 3: turns about h through p at which the point x comes to `distance` from the point y."""
+    """Subproblem 3: rotations about h through p that bring the point x to `distance` from the point y."""
     x, y = sub(x, p), sub(y, p)
-    # |x turned - y|² = |x|² + |y|² - 2 y · (x turned)
+    # |x rotated - y|² = |x|² + |y|² - 2 y · (x rotated)
     return turns_to_height(h, x, y, 0.5 * (dot(x, x) + dot(y, y) - distance * distance))

@@ -1,7 +1,7 @@
-"""Seven revolute joints with a spherical shoulder and a spherical wrist: for each swivel of the elbow all answers.
+"""Seven revolute joints with a spherical shoulder and a spherical wrist: all solutions for each swivel angle of the elbow.
 
-The elbow joint sets the distance from shoulder to wrist. What is left is a turn of the whole arm about the line between
-the two, the swivel: it is measured at the elbow's axis, from the first joint's axis.
+The elbow joint sets the distance from shoulder to wrist. What remains is a rotation of the whole arm about the line
+between the two, the swivel: the angle of the elbow's axis, measured from the first joint's axis.
 """
 
 import math
@@ -13,13 +13,13 @@ from manipplan.ik.subproblems import Vector, add, angle, back, cross, dot, sub, 
 from manipplan.support.checks import Array
 from manipplan.support.kernels import kernel
 
-#: Below this sine two directions count as one.
+#: Sine below which two directions count as parallel.
 IN_LINE = 1e-9
 
 
 @kernel
 def beside(axis: Vector, v: Vector) -> Vector:
-    """The unit vector of v's part at right angles to the unit vector `axis`; any such where there is none."""
+    """The unit vector along v's part perpendicular to the unit vector `axis`; any perpendicular one where that is zero."""
     along = dot(axis, v)
     part = (v[0] - along * axis[0], v[1] - along * axis[1], v[2] - along * axis[2])
     size = math.sqrt(dot(part, part))
@@ -48,7 +48,7 @@ def solve_swivel(
     out: Array,
     work: Array,
 ) -> int:
-    """All angles with e_1 ... e_7 = motion at the given swivel [rad].
+    """All joint angles with e_1 ... e_7 = motion at the given swivel [rad].
 
     Axes 1, 2, 3 meet in `shoulder` and 5, 6, 7 in `wrist`; the other arguments and the result are those of
     `solve_spherical`, with seven joints.
@@ -73,10 +73,10 @@ def solve_swivel(
         at = unit(sub(turned_about(h4, p4, fourth, wrist), shoulder))
         side = beside(at, h4)
         up = cross(at, side)
-        for i in range(3):  # the turn that takes (at, side, up) to (to, toward, third)
+        for i in range(3):  # the rotation of (at, side, up) to (to, toward, third)
             for j in range(3):
                 turns[i, j] = to[i] * at[j] + toward[i] * side[j] + third[i] * up[j]
-        for column in range(3):  # what is left for the wrist
+        for column in range(3):  # the rotation left to the wrist
             v = times_back(turns, (motion[0, column], motion[1, column], motion[2, column]))
             v = turned(h4, back(fourth), v)
             rest[0, column], rest[1, column], rest[2, column] = v[0], v[1], v[2]
@@ -94,7 +94,7 @@ def solve_swivel(
 
 @kernel
 def swivel_of(axes: Array, points: Array, shoulder: Vector, wrist: Vector, q: Array) -> float:
-    """The swivel [rad] of angles q (7,)."""
+    """The swivel [rad] of joint angles q (7,)."""
     h4, at = row(axes, 3), turned_about(row(axes, 3), row(points, 3), turn_by(q[3]), wrist)
     arm, side = sub(at, shoulder), h4
     for k in (2, 1, 0):

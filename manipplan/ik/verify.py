@@ -1,4 +1,4 @@
-"""Poses are rotations, and answers reach them: the checks that every pose and every answer goes through, in machine code."""
+"""Compiled checks of every pose and every solution: a pose is a rigid motion, and a solution reaches it."""
 
 import math
 
@@ -34,7 +34,7 @@ def are_poses(poses: Array) -> bool:
 
 @kernel
 def residuals(reached: Array, targets: Array, owners: NDArray[np.int64]) -> Array:
-    """The largest entry (k,) by which poses `reached` (k, 4, 4) miss the targets (p, 4, 4) that `owners` (k,) names."""
+    """The largest entry (k,) of reached - targets[owners], of poses reached (k, 4, 4), targets (p, 4, 4) and owners (k,)."""
     out = np.empty(len(reached))
     for k in range(len(reached)):
         worst = 0.0

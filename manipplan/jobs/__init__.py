@@ -1,5 +1,5 @@
-"""Whole tasks: plan, follow, improve, and the check of what came out.
+"""Complete jobs: plan, follow, improve, and the check of their results.
 
-In: a robot and what it has to do. Out: a Plan with path, trajectory and Report, which files can keep.
-Success is reported after an independent check only.
+A job takes a robot and its task, and returns a Plan with path, trajectory and Report, which can be saved to files.
+Success is reported only after an independent check.
 """

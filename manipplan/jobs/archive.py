@@ -1,8 +1,8 @@
-"""Plans to one JSON file and back: everything that is needed to show a plan, to check it again and to play it.
+"""Plans in one JSON file, written and read: all data needed to show a plan, to check it again and to play it.
 
-The file says what the robot was read from, not the robot itself; beside it stand the joints' names, limits and screws and the
-outlines of the bodies, by which another robot is noticed. A checksum tells a file that was changed. Numbers keep all their
-digits. Infinite ones are texts, since JSON has none.
+The file holds the source of the robot, not the robot itself, and the joints' names, limits and screws and the outlines of the
+bodies, by which a different robot is detected. A checksum detects a file that was changed. Numbers keep all their digits.
+Infinite ones are strings, since JSON has none.
 """
 
 import hashlib
@@ -46,7 +46,7 @@ NAME = "plan.json"
 
 
 def write_plan(plan: "Plan", file: Path) -> None:
-    """Write a plan that has a trajectory. What cannot be written is named in the log, and again when the file is read."""
+    """Write a plan that has a trajectory. Parts that cannot be written are logged, now and when the file is read."""
     import manipplan
 
     result = instance("plan.result", plan.result, PathResult)
@@ -82,7 +82,7 @@ def write_plan(plan: "Plan", file: Path) -> None:
 
 
 def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, measure: Measure | None) -> "Plan":
-    """Read `write_plan`'s file; see `Plan.load`."""
+    """Read a file of `write_plan`; see `Plan.load`."""
     from manipplan.jobs.result import Plan
 
     path = _plan_file(file)
@@ -93,7 +93,7 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
         world = scene_of(path, data["scene"], folder, scene)
         index = measure_of(path, data["measure"], measure)
         joints = JointPath(**data["path"])
-        # a seed that is the path itself stays so: pictures tell by it that there is one path, not two
+        # a seed that is the path itself remains the same object, by which pictures know that there is only one path
         seed = joints if data["seed"] == data["path"] else _maybe(data["seed"], lambda each: JointPath(**each))
         numbers = data["result"]
         result = PathResult(
@@ -134,7 +134,7 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
 
 
 def checksum(data: Mapping[str, Any]) -> str:
-    """Of all values of a file beside it, in hexadecimal digits."""
+    """SHA-256 of all other values of a file, in hexadecimal digits."""
     return hashlib.sha256(json.dumps(data).encode()).hexdigest()
 
 
@@ -148,7 +148,7 @@ def _workspace_data(workspace: CartesianPath | None) -> Any:
 
 
 def _workspace(data: Mapping[str, Any]) -> CartesianPath | None:
-    """The workspace path; None for one of a class that cannot be stored, of which the log told when it was saved."""
+    """The workspace path; None if its class cannot be stored, which was logged when the plan was saved."""
     if "missing" in data:
         log.warning("the workspace path is missing: %s", data["missing"])
         return None
@@ -188,7 +188,7 @@ def _maybe(data: Any, build: Callable[[Any], Any]) -> Any:
 
 
 def _plan_file(file: str | Path) -> Path:
-    """The plan's file itself, or that in a result's folder."""
+    """The plan's file, given by its own path or by its folder."""
     if isinstance(file, str | Path) and Path(file).expanduser().is_dir():
         inside = Path(file).expanduser() / NAME
         if not inside.is_file():
@@ -201,7 +201,7 @@ def _checked_json(path: Path) -> dict[str, Any]:
     try:
         data = json.loads(path.read_text())
     except (ValueError, OSError, RecursionError) as error:
-        wanted = f"a whole result ({error}); it was cut off or is no {NAME}: save the plan again"
+        wanted = f"a complete result ({error}); it was truncated or is not a {NAME}: save the plan again"
         raise FileFormatError("file", str(path), wanted) from error
     if not isinstance(data, dict) or data.get("format") != FORMAT:
         raise FileFormatError("file", str(path), f"a result written by Plan.save, an object with format {FORMAT!r}")
@@ -209,7 +209,7 @@ def _checked_json(path: Path) -> dict[str, Any]:
     if version != VERSION:
         wanted = (
             f"a result of version {VERSION}; this is version {version!r}, written by manipplan {data.get('manipplan')!r}: "
-            "read it with that one, or install it here"
+            "read it with that version, or install that version here"
         )
         raise FileFormatError("file", str(path), wanted)
     if data.pop("sha256", None) != checksum(data):

@@ -25,38 +25,38 @@ from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 
 T = TypeVar("T")
 
-#: A limit counts as kept when it is exceeded by no more than this [rad, m] or this share.
+#: Excess of a limit [rad, m], or share of it, up to which the limit counts as kept.
 TOLERANCE = 1e-6
-#: A minimum manipulability this near to an end of a path [s] is that of the end.
+#: Distance in s from an end of the path within which the minimum manipulability counts as that of the end.
 AT_END = 0.01
-#: An index below this is rounding noise.
+#: Manipulability below this is rounding noise.
 VANISHING = 1e-12
-#: Places along the trajectory at which distances are measured for the report.
+#: Number of intervals of the trajectory at whose ends distances are measured for the report.
 PLACES = 400
 
 
 @dataclass(frozen=True, kw_only=True)
 class Report:
-    """What a trajectory reaches. Lengths in radians or metres of joint space, times in seconds.
+    """Figures of a finished trajectory. Lengths are in radians or metres of joint space, times in seconds.
 
     Attributes:
-        robot, tool, task, measure, index_unit, power: what was planned for; the index' measure, its unit and exponent.
+        robot, tool, task, measure, index_unit, power: what was planned for; the measure, its unit and its exponent.
         status: text of the Status.
         duration: of the trajectory [s].
         g, seed_g: ∫ ‖q'‖ / m^power ds along the trajectory and along the seed.
         length, seed_length: in joint space.
-        min_manipulability, min_at: minimum manipulability along the trajectory, and the share of the time at which it is.
+        min_manipulability, min_at: minimum manipulability along the trajectory, and the share of the time at which it occurs.
         seed_min_manipulability, straight_min_manipulability: minimum manipulability on the seed, and on the straight line.
-        minimum_note: how the minimum manipulability compares with those, and why when it is less than twice as large.
-        clearance, nearest_pair: least distance [m] measured at evenly spaced times, and between what; inf and () when
-            nothing is checked.
-        proven_clearance: no checked pair comes nearer on the whole trajectory, between those times too [m].
-        collision_free: whether the trajectory is free at every milliradian.
+        minimum_note: how the minimum manipulability compares with those, and why if it is less than twice as large.
+        clearance, nearest_pair: minimum distance [m] measured at evenly spaced times, and its pair; inf and () if nothing
+            is checked.
+        proven_clearance: lower bound on the distances of all checked pairs on the whole trajectory, at all times [m].
+        collision_free: whether the trajectory is collision-free at every milliradian.
         limits: worst use of position, velocity, acceleration and, where the motion is limited by them, jerk and torque.
-        position_unit: "rad" or "m", of the joint that comes nearest to a position limit.
-        straight_free: whether the straight line from start to goal would be free of collisions.
+        position_unit: "rad" or "m", of the joint that comes closest to a position limit.
+        straight_free: whether the straight line from start to goal is collision-free.
         goal_error: largest distance of the last sample from the goal [rad or m].
-        passed: every limit kept, collision-free, goal reached.
+        passed: whether all limits are kept, no collision occurs and the goal is reached.
     """
 
     robot: str
@@ -98,9 +98,9 @@ class Report:
         torque: bool,
         jerk: bool,
     ) -> "Report":
-        """Measure a finished trajectory: nothing is taken over from the optimiser but the figures of the seed.
+        """Measure a finished trajectory; only the figures of the seed are taken from the optimiser.
 
-        `torque` and `jerk` tell whether these limits count; a jerk limit that is infinite does not.
+        `torque` and `jerk` say whether these limits are checked; infinite jerk limits are not.
         """
         robot = model.robot
         kinematics = robot.kinematics(result.task, measure=result.measure)
@@ -182,7 +182,7 @@ class Report:
             worst = f"{100 * use.ratio:.2f} %"
             if kind == "position":
                 worst = (
-                    f"{use.ratio:.2e} {self.position_unit} beyond"
+                    f"{use.ratio:.2e} {self.position_unit} outside"
                     if use.ratio > 0
                     else f"{abs(use.ratio):.3f} {self.position_unit} inside"
                 )
@@ -190,11 +190,11 @@ class Report:
         return "\n".join(lines)
 
     def _verdict(self) -> str:
-        """The first line's last words."""
+        """The verdict at the end of the first line."""
         if not self.passed:
             return "CHECK FAILED"
         if self.status == Status.SINGULAR.value:
-            return "limits, collisions and goal are as they should be, but the path is SINGULAR"
+            return "limits, collisions and goal passed their checks, but the path is SINGULAR"
         return "all checks passed"
 
     def to_json(self, file: str | Path) -> None:
@@ -203,7 +203,7 @@ class Report:
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> "Report":
-        """The report of what JSON holds of it; raises KeyError, TypeError or ValueError for data of another kind."""
+        """The report from its JSON data; raises KeyError, TypeError or ValueError for other data."""
         uses = {kind: _record(LimitUse, use) for kind, use in data["limits"].items()}
         pair = tuple(data["nearest_pair"])
         if not all(isinstance(name, str) for name in pair):
@@ -221,7 +221,7 @@ class Report:
 
 
 def _record(kind: type[T], data: Mapping[str, Any]) -> T:
-    """`kind(**data)` where every text, number and truth is one; a number may be the text "inf", "-inf" or "nan"."""
+    """`kind(**data)` with checked types of strings, numbers and booleans; a number may be the string "inf", "-inf" or "nan"."""
     values = dict(data)
     for each in fields(kind):  # type: ignore[arg-type]  # a dataclass
         value = data[each.name]
@@ -233,31 +233,31 @@ def _record(kind: type[T], data: Mapping[str, Any]) -> T:
 
 
 def _standing(path: JointPath, objective: PathObjective) -> PathCost:
-    """The cost of standing at the start: what a straight line is for a path that returns there."""
+    """The cost of standing still at the start, the straight line of a path that returns there."""
     index = float(objective.kinematics.manipulability(path.start))
     return PathCost(g=0.0, length=0.0, min_manipulability=index, at=0.0)
 
 
 def _unit_of(joint: str, robot: Robot) -> str:
-    """Of the named joint's positions."""
+    """Unit of the named joint's position."""
     return "m" if joint and robot.joint_types[robot.joint_names.index(joint)] == "prismatic" else "rad"
 
 
 def _first_path(status: str) -> str:
-    """What the path is compared with."""
+    """Name of the path that the result is compared with."""
     return "recorded" if status in {each.value for each in RECORDED} else "seed"
 
 
 def _compared(least: float, other: float, name: str) -> str:
-    """A minimum manipulability compared with that of another path."""
+    """Comparison of a minimum manipulability with that of another path."""
     if other < VANISHING:
         return f"the {name}'s is zero"
     ratio = least / other
-    return f"as the {name}'s" if abs(ratio - 1) < 5e-3 else f"{ratio:.3g} times the {name}'s"
+    return f"same as the {name}'s" if abs(ratio - 1) < 5e-3 else f"{ratio:.3g} times the {name}'s"
 
 
 def _minimum_note(cost: PathCost, result: PathResult, straight: PathCost) -> str:
-    """How the minimum manipulability compares with the seed's and the straight path's, and why when it is not twice both."""
+    """How the minimum manipulability compares with the seed's and the straight path's, and why if it is not twice both."""
     least = cost.min_manipulability
     if result.status is Status.FOLLOWED:
         return "seed: the best path among the samples; straight: a line between the ends, which leaves the workspace path"
@@ -267,7 +267,7 @@ def _minimum_note(cost: PathCost, result: PathResult, straight: PathCost) -> str
     if least > 0 and all(least >= 2 * other for other in others.values()):
         return note
     if cost.at <= AT_END or cost.at >= 1 - AT_END:
-        return f"{note}; it is at the {'start' if cost.at <= AT_END else 'goal'}, which every path between the two shares"
+        return f"{note}; it is at the {'start' if cost.at <= AT_END else 'goal'}, which all paths between the two share"
     if result.path is result.seed:
         return f"{note}; this is the {first} itself"
-    return f"{note}; no path with a larger one and a g as low was found"
+    return f"{note}; no path with a larger minimum and an equally low g was found"

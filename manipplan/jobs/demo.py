@@ -12,7 +12,7 @@ from manipplan.support.checks import Array
 
 @dataclass(frozen=True, kw_only=True)
 class Problem:
-    """A robot, its scene, start and goal (n,), the exponent of the index, and the clearance [m]."""
+    """A robot, its scene, start and goal (n,), the exponent of m, and the clearance [m]."""
 
     robot: Robot
     scene: Scene
@@ -44,7 +44,7 @@ def panda_among_boxes() -> Problem:
 
 
 def planar_path() -> Problem:
-    """Problem (6.13) of kth2012: three unit links; its tables hold the exponent 2."""
+    """Problem (6.13) of kth2012: three unit links; its tables use the exponent 2."""
     return Problem(
         robot=planar_arm([1.0, 1.0, 1.0]),
         scene=Scene(),

@@ -1,4 +1,4 @@
-"""follow: a workspace path in, a timed motion along it out."""
+"""follow: a timed motion along a workspace path."""
 
 from collections.abc import Sequence
 from concurrent.futures import Executor
@@ -30,15 +30,15 @@ from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import check_timing_limits, retime
 
-#: How far the tool may leave the path between positions where no tolerance is given [m, rad].
+#: Default tolerance of the tool on the path between positions [m, rad].
 BETWEEN = Tolerance(position=1e-4, rotation=1e-3)
-#: The share of a tolerance that is used at the positions, and between them before knots are added: timing needs a little, too.
+#: Share of a tolerance that is used at the positions, and between them before knots are added: timing needs some of it, too.
 AT_POSITIONS, IN_TUBE = 0.9, 0.97
-#: The latter where no tolerance is given.
+#: The latter if no tolerance is given.
 AT_KNOTS = 0.5
-#: Candidates keep this much more than the demanded clearance, for what happens between positions [m].
+#: Clearance that candidates keep beyond the required one, for the motion between positions [m].
 SPARE = 0.003
-#: The tool is compared with the path at so many times.
+#: Number of times at which the tool is compared with the path.
 TIMES = 1500
 
 
@@ -61,31 +61,31 @@ def follow(
     throw: bool = True,
     progress: Progress | None = None,
 ) -> Plan:
-    """The motion along a workspace path whose least manipulability index is the highest, timed and checked.
+    """Plan the motion along a workspace path with the largest minimum manipulability, timed and checked.
 
     All configurations at n positions are searched for the best continuous path, which is refined between the samples, joined
-    by a spline that stays on the workspace path, timed, and judged by an independent check.
+    by a spline that stays on the workspace path, timed, and checked independently.
 
     Args:
         robot: the arm.
-        path: of the tool.
-        n: positions at which configurations are enumerated.
-        epsilon: longest step of a joint between neighbouring positions [rad or m], one number or (n,).
+        path: workspace path of the tool.
+        n: number of positions at which configurations are enumerated.
+        epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,).
         task: Task.pose(), the default, or Task.pointing(axis); see `sample_layers`.
-        samples: of what the arm has to spare; see `sample_layers`.
-        tolerance: how far the tool may leave the path. The default keeps it within 0.1 mm and 1 mrad, all but the
-            positions themselves, which are met exactly; so does a tolerance that names one of the two for the other.
+        samples: number of grid points of the redundancy; see `sample_layers`.
+        tolerance: maximum deviation of the tool from the path. Default: 0.1 mm and 1 mrad between the positions, which are
+            met exactly; a tolerance that gives only one of the two has the default for the other.
         scene: obstacles; None: none. The arm is always checked against itself.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
-        closed: the path returns to its start, and the motion ends in the configuration in which it began.
-        torque: limit the motion by the joints' effort, too.
-        executor: where positions are sampled; see `sample_layers`.
-        seed: of random starts, for arms without a closed form.
-        throw: raise PlanningError where no motion can be had; False: return a Plan whose status says why.
-        progress: called with the share done in [0, 1] and a text.
+        closed: the path returns to its start, and the motion to its first configuration.
+        torque: keep the joints' effort limits as well.
+        executor: runs the sampling of positions; see `sample_layers`.
+        seed: of random starts, for arms without closed-form inverse kinematics.
+        throw: raise PlanningError if no motion is found; False: return a Plan whose status says why.
+        progress: called with the fraction done in [0, 1] and a text.
 
     Raises:
-        InvalidInputError: an argument is not usable, a position is out of reach (also with throw=False).
+        InvalidInputError: an argument is invalid, or a position is out of reach (also with throw=False).
         PlanningError: no continuous motion, or none that passes its checks; its `result` is the Plan so far.
     """
     instance("robot", robot, Robot)
@@ -152,8 +152,8 @@ def _joined(
     model: CollisionModel,
     clearance: float,
 ) -> tuple[JointPath, PathResult, Array | None]:
-    """The joint path through the refined positions, its figures beside those of the path that the search found, and the
-    tool's axis whose direction alone counts.
+    """The joint path through the refined positions, its figures compared with those of the path that the search found, and
+    the tool's axis if only its direction counts.
 
     With a tolerance the refined positions are joined as they are, as long as their spline stays inside it.
     """
@@ -188,7 +188,7 @@ def _joined(
 
 
 def _allowed(tolerance: Tolerance | None) -> Tolerance:
-    """The tolerance, or for what it leaves out the default."""
+    """The tolerance, with the default for a missing part."""
     if tolerance is None:
         return BETWEEN
     position = BETWEEN.position if tolerance.position is None else tolerance.position
@@ -196,7 +196,7 @@ def _allowed(tolerance: Tolerance | None) -> Tolerance:
 
 
 def _excess(deviation: Deviation, tolerance: Tolerance, of: str) -> str:
-    """What of a tolerance is exceeded, and after which share `of` what; nothing when it is kept."""
+    """Message on the part of a tolerance that is exceeded, and after which share `of` what; empty if it is kept."""
     for name, value, limit, unit, at in (
         ("position", deviation.position, tolerance.position, "m", deviation.position_at),
         ("rotation", deviation.rotation, tolerance.rotation, "rad", deviation.rotation_at),

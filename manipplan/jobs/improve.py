@@ -1,4 +1,4 @@
-"""improve: a recorded motion again, with a higher index."""
+"""improve: repeats a recorded motion with higher manipulability."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -43,10 +43,10 @@ def improve(
     throw: bool = True,
     progress: Progress | None = None,
 ) -> Plan:
-    """A recorded or planned joint motion again, with a higher manipulability index, from its first to its last pose.
+    """Repeat a recorded or planned joint motion with higher manipulability, from its first to its last pose.
 
-    The tool follows the recorded poses inside a tube, each at its time, while the formulation raises the index; the motion
-    ends in the recorded last pose, in general with other joint angles. What comes out is checked as every plan.
+    The tool follows the recorded poses inside a tube, each at its time, while the formulation raises manipulability; the
+    motion ends in the last recorded pose, in general with other joint angles. The result is checked like every plan.
 
     Args:
         robot: the arm.
@@ -54,17 +54,17 @@ def improve(
             recording that exceeds the robot's limits is slowed down until it keeps them.
         formulation: Objective, Equality or LogDrive; default LogDrive().
         dt: time step [s].
-        duration: slow the recording down, or speed it up, to this [s].
-        tolerance: how far the tool may leave the recorded poses; None: as far as the stiffness lets it.
+        duration: new duration of the recording, slower or faster [s].
+        tolerance: maximum deviation of the tool from the recorded poses; None: limited only by the stiffness.
         stiffness: of the poses: a number, or a function of the share of the time. Default StiffnessProfile().
-        task: rows that are followed, and whose index counts; default `robot.default_task`.
-        scene: obstacles to check against, and to avoid unless `avoidance` says how.
-        avoidance: what is kept away from on the way.
-        throw: raise PlanningError where no motion can be had; False: return a Plan whose status says why.
-        progress: called with the share done in [0, 1] and a text.
+        task: task that is tracked, and whose manipulability counts; default `robot.default_task`.
+        scene: obstacles to check against, and to avoid if `avoidance` is not given.
+        avoidance: collision avoidance on the way.
+        throw: raise PlanningError if no motion is found; False: return a Plan whose status says why.
+        progress: called with the fraction done in [0, 1] and a text.
 
     Raises:
-        InvalidInputError, FileFormatError: an argument is not usable (also with throw=False).
+        InvalidInputError, FileFormatError: an argument is invalid (also with throw=False).
         PlanningError: the motion was not followed or failed its checks; its `result` is the Plan so far.
     """
     instance("robot", robot, Robot)

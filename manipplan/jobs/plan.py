@@ -1,4 +1,4 @@
-"""plan: from start to goal."""
+"""plan: a motion from start to goal."""
 
 from concurrent.futures import Executor
 from dataclasses import replace
@@ -22,7 +22,7 @@ from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import check_timing_limits, retime
 
-#: Pieces of the B-spline that is tried when polynomials of one piece fail.
+#: Number of pieces of the B-spline that is tried if single polynomials fail.
 SPLINE_PIECES = 8
 
 
@@ -48,35 +48,35 @@ def plan(
     throw: bool = True,
     progress: Progress | None = None,
 ) -> Plan:
-    """Plan a motion from start to goal: free of collision, far from singularities, timed, and checked when finished.
+    """Plan a motion from start to goal: collision-free, far from singularities, timed, and checked when finished.
 
-    OMPL finds a first path, and the path optimiser looks for a local optimum of g near it (see `optimize_path`). Where no
-    polynomial of `degree` stays clear or has a lower g than the first path, three degrees more are tried, then a cubic B-spline
-    of eight pieces, which starts from the fit to the first path. Where that fails too, the first path itself is timed, and the
-    status says so. A path that is checked but not at its optimum is timed with Status.STOPPED_EARLY.
+    OMPL finds a first path, and the path optimiser searches for a local optimum of g near it (see `optimize_path`). If no
+    polynomial of `degree` is collision-free with a lower g than the first path, three more degrees are tried, then a cubic
+    B-spline of eight pieces, which starts from the fit to the first path. If that fails too, the first path itself is timed,
+    and the status says so. A path that is checked but not at its optimum is timed with Status.STOPPED_EARLY.
 
     Args:
         robot: the arm.
-        start, goal: (n,) inside the limits and free [rad or m].
+        start, goal: (n,) inside the limits and collision-free [rad or m].
         scene: obstacles; None: none. The arm is always checked against itself.
-        task: whose manipulability index counts; default `robot.default_task`.
+        task: task whose manipulability counts; default `robot.default_task`.
         measure: m in g = ∫ ‖q'‖_W / m^power ds, by name or as a Measure; default Yoshikawa's.
         metric: W, the weights of the joints in the length, (n,) or (n, n); default the identity.
-        power: exponent of the index.
+        power: exponent of m.
         degree: of the path's polynomial.
         shifts: "within-limits" also tries goals a full turn away in any revolute joint.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
-        torque: obey the joints' effort limits as well.
-        seed: of the planner; the same seed gives the same plan.
-        seeds: number of first paths that are looked for; see `optimize_path`.
-        time_limit: of the planner, for each first path [s].
-        executor: where first paths and solves run side by side. Default: one by one, here.
-        throw: raise PlanningError where no trajectory can be had; False: return a Plan whose status says why.
-        progress: called with the share done in [0, 1] and a text.
+        torque: keep the joints' effort limits as well.
+        seed: random seed of the planner; the same seed gives the same plan.
+        seeds: number of first paths to search for; see `optimize_path`.
+        time_limit: of the planner, per first path [s].
+        executor: runs first paths and solves in parallel. Default: one after the other, in this process.
+        throw: raise PlanningError if no trajectory is found; False: return a Plan whose status says why.
+        progress: called with the fraction done in [0, 1] and a text.
 
     Raises:
-        InvalidInputError: an argument is not usable (also with throw=False).
-        PlanningError: no free path, or no motion within the limits; its `result` is the Plan so far.
+        InvalidInputError: an argument is invalid (also with throw=False).
+        PlanningError: no collision-free path, or no motion within the limits; its `result` is the Plan so far.
     """
     instance("robot", robot, Robot)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)

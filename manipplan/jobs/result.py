@@ -1,4 +1,4 @@
-"""Plan: what every job returns, and the check that none leaves out."""
+"""Plan: the result of every job, and the check that every job runs."""
 
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -29,21 +29,21 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Plan:
-    """A finished plan. With a status that failed, what could not be made is None and `message` says why.
+    """A finished plan. If the status is a failure, missing parts are None and `message` says why.
 
     Attributes:
         robot, scene: what was planned for.
-        status: how the path came about.
+        status: how the path was obtained.
         path: the JointPath from start to goal.
         trajectory: the timed motion along it.
         report: its figures, measured on the trajectory.
-        result: the optimiser's result, with seed and history; of `improve`, the motion beside the recorded one.
-        tracking: what `improve` did, step by step.
-        search, refinement, deviation: of `follow`: the path found among the samples, refined, and how far the tool leaves
-            the workspace path.
-        workspace_path: of `follow`, and tolerance, of `follow` and `improve`: what is followed, and how far the tool may
-            leave it.
-        message: why it failed, when it did.
+        result: the optimiser's result, with seed and history; for `improve`, the motion compared with the recorded one.
+        tracking: the steps of `improve`.
+        search, refinement, deviation: for `follow`: the path found among the samples, its refinement, and the tool's
+            deviation from the workspace path.
+        workspace_path: the path that `follow` follows.
+        tolerance: maximum deviation of the tool, for `follow` and `improve`.
+        message: the reason of a failure.
     """
 
     robot: Robot
@@ -64,8 +64,8 @@ class Plan:
     def save(self, folder: str | Path) -> list[Path]:
         """Write trajectory.csv, .json and .yaml (ROS), report.json, report.txt, plan.png and plan.json; returns the files.
 
-        plan.json is what `load` reads. What cannot be written there (a measure, obstacle or workspace path of a class of your
-        own, a robot put together by hand) is told in the log, and has to be given when the plan is loaded.
+        `load` reads plan.json. Parts that cannot be written there (a measure, obstacle or workspace path of a class of your
+        own, a robot put together by hand) are named in the log, and have to be given when the plan is loaded.
 
         Raises InvalidInputError when the folder cannot be written and PlanningError when there is no trajectory.
         """
@@ -81,7 +81,7 @@ class Plan:
         self.trajectory.to_ros(to / "trajectory.yaml")
         self.report.to_json(to / "report.json")
         write_text(to / "report.txt", f"{self.report}\n")
-        save_plan(self, to / "plan.png")  # last: the data are on disk whatever becomes of the picture
+        save_plan(self, to / "plan.png")  # last: the data are on disk even if the picture fails
         names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png", archive.NAME)
         return [to / name for name in names]
 
@@ -89,21 +89,22 @@ class Plan:
     def load(
         cls, file: str | Path, *, robot: Robot | None = None, scene: Scene | None = None, measure: Measure | None = None
     ) -> "Plan":
-        """Read a plan that `save` wrote, to show it, to check it or to save it again: every number is the same.
+        """Read a plan that `save` wrote, to show it, to check it or to save it again: all numbers are the same.
 
-        The report is the record of what was measured before it was saved; nothing is measured again. A file that was changed
-        since is refused, and so is a robot that moves otherwise or whose bodies have other outlines. What only the solvers
-        need is not kept: `search`, `tracking`, and the `history` and `rivals` of `result`.
+        The report is the one measured before the plan was saved; nothing is measured again. A file that was changed since is
+        rejected, and so is a robot with different kinematics or different outlines of its bodies. Data that only the solvers
+        need are not kept: `search`, `tracking`, and the `history` and `rivals` of `result`.
 
         Args:
             file: the folder, or plan.json in it.
-            robot, scene, measure: in place of the stored ones, where the files of robot or meshes have gone, or where they are
-                of a class of your own. The robot has to be the one that was planned for; if its limits are others, the log
-                says so. Whether the scene is the same is not looked at.
+            robot, scene, measure: used instead of the stored ones, if files of the robot or its meshes are missing, or if
+                they are of a class of your own. The robot has to be the one that was planned for; different limits are
+                logged. Whether the scene is the same is not checked.
 
         Raises:
-            FileFormatError: not a result, cut off, changed, of another version; a robot or mesh file is gone or was changed.
-            MissingExtraError: the robot is of the catalogue, whose package is not installed.
+            FileFormatError: the file is not a result, truncated, changed or of another version, or a robot or mesh file is
+                missing or was changed.
+            MissingExtraError: the robot is from the catalogue, whose package is not installed.
         """
         from manipplan.jobs import archive
 
@@ -134,7 +135,7 @@ def finish(
     jerk: bool,
     throw: bool,
 ) -> Plan:
-    """The plan with its report; one that failed where the report did not pass."""
+    """The plan with its report; a failed plan if the report does not pass."""
     report = Report.of(trajectory, result, model, goal, clearance=clearance, torque=torque, jerk=jerk)
     finished = replace(draft, trajectory=trajectory, report=report)
     if report.passed:

@@ -1,4 +1,4 @@
-"""A robot and a scene as JSON holds them: what they were read from, and what tells another robot apart."""
+"""A robot and a scene in JSON: their sources, and the data that identify a different robot."""
 
 import logging
 from collections.abc import Callable, Mapping
@@ -20,9 +20,9 @@ from manipplan.support.files import absolute_and_relative, found_again
 
 log = logging.getLogger("manipplan")
 
-#: Screws, home pose and bodies of the robot that is built again agree with the stored ones within this [m, rad].
+#: Tolerance on screws, home pose and bodies of the rebuilt robot against the stored ones [m, rad].
 SAME = 1e-6
-#: Numbers that tell a body's joint, place and box.
+#: Number of values for a body's joint, placement and box.
 OUTLINE = 1 + 12 + 6
 LIMITS = ("lower", "upper", "velocity", "acceleration", "jerk", "effort")
 
@@ -30,7 +30,7 @@ LIMITS = ("lower", "upper", "velocity", "acceleration", "jerk", "effort")
 def fingerprint(robot: Robot) -> tuple[Array, Array]:
     """The pose of the tool at q = 0 (4, 4) and every joint's screw there (n, 6), linear part first, in the world's frame.
 
-    By the product of exponentials they say where the tool is at every q: what moves it differently has others.
+    By the product of exponentials they give the pose of the tool at every q: different kinematics have different values.
     """
     data = robot.model.createData()
     zero = np.zeros(robot.n)
@@ -41,9 +41,9 @@ def fingerprint(robot: Robot) -> tuple[Array, Array]:
 
 
 def outlines(robot: Robot) -> Array:
-    """Of each body of the collision geometry its joint's number, its place there and the box around its shape (k, OUTLINE).
+    """Joint number, placement in the joint's frame and bounding box of each body of the collision geometry (k, OUTLINE).
 
-    A shape that was exchanged, scaled or moved has another row.
+    A shape that was replaced, scaled or moved has a different row.
     """
     rows = []
     for body in robot.geometry.geometryObjects:
@@ -54,7 +54,7 @@ def outlines(robot: Robot) -> Array:
 
 
 def robot_data(robot: Robot, folder: Path) -> dict[str, Any]:
-    """What a file in `folder` holds of a robot; its paths absolute and as seen from there."""
+    """The data of a robot for a file in `folder`; paths are stored both absolute and relative to `folder`."""
     home, screws = fingerprint(robot)
     limits = {kind: getattr(robot.limits, kind) for kind in LIMITS}
     data = {
@@ -78,7 +78,7 @@ def robot_data(robot: Robot, folder: Path) -> dict[str, Any]:
 
 
 def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | None) -> Robot:
-    """The arm built again, or the one given; either has to be the one of the file."""
+    """The arm rebuilt from the data, or the one given; both have to be the robot of the file."""
     if given is None:
         if "source" not in data:
             raise FileFormatError("file", str(path), f"a result with its robot, but it has {data['missing']}; give robot=")
@@ -91,7 +91,7 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
             arm = RobotSource(kind=source["kind"], name=source["name"], file=file, options=options).load()
             sources = dict(data["limits"]["sources"])
             limits = JointLimits(**{kind: stored_array(data["limits"][kind]) for kind in LIMITS}, sources=sources)
-            if limits.n == arm.n:  # otherwise it is another arm, which is told below
+            if limits.n == arm.n:  # otherwise it is another arm, which raises below
                 arm = replace(arm, limits=limits, neutral=stored_array(data["neutral"]))
         except MissingExtraError:
             raise
@@ -107,7 +107,7 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
     if arm.joint_names != names or not all(_same(a, b) for a, b in zip(found, stored, strict=True)):
         said = f"{arm.name} with {', '.join(arm.joint_names)} and tool {arm.tool}"
         wanted = (
-            f"the robot of {path}: {data['arm']} with {', '.join(names)} and tool {data['tool']}, its links as when the plan "
+            f"the robot of {path}: {data['arm']} with {', '.join(names)} and tool {data['tool']}, and links as when the plan "
             "was saved. Its files were changed, or it is another robot: give the right robot="
         )
         raise FileFormatError("robot", said, wanted)
@@ -122,7 +122,7 @@ def _same(first: Array, second: Array) -> bool:
 
 
 def scene_data(scene: Scene, folder: Path) -> Any:
-    """What a file in `folder` holds of a scene: a list of obstacles, or what is missing where one is of another class."""
+    """The data of a scene for a file in `folder`: a list of obstacles, or why it is missing if one is of an unknown class."""
     try:
         return [
             {key: absolute_and_relative(value, folder) if isinstance(value, Path) else value for key, value in entry.items()}
@@ -133,7 +133,7 @@ def scene_data(scene: Scene, folder: Path) -> Any:
 
 
 def scene_of(path: Path, data: Any, folder: Path, given: Scene | None) -> Scene:
-    """The scene built again, or the one given."""
+    """The scene rebuilt from the data, or the one given."""
     if given is not None:
         return instance("scene", given, Scene)
     if isinstance(data, dict):
@@ -147,14 +147,14 @@ def scene_of(path: Path, data: Any, folder: Path, given: Scene | None) -> Scene:
 
 
 def stored_array(data: Any) -> Array:
-    """Numbers of a file, some of them perhaps the texts "inf" and "nan", as a read-only array."""
+    """Numbers of a file, possibly with the strings "inf" and "nan", as a read-only array."""
     array = np.array(data, dtype=float)
     array.flags.writeable = False
     return array
 
 
 def _option(key: str, value: Any, change: Callable[[Any], Any]) -> Any:
-    """An option of a robot, with its paths changed and its numbers as numbers."""
+    """An option of a robot, with its paths changed and its lists of numbers as arrays."""
     if key in FILES:
         return change(value)
     if key in FOLDERS:

@@ -1,4 +1,4 @@
-"""Everything symbolic, evaluated.
+"""Numerical evaluation of the symbolic expressions.
 
 In: configurations, one or millions. Out: pose, Jacobian, manipulability, gradient and Hessian,
 by machine code or by CasADi's virtual machine.

@@ -1,4 +1,4 @@
-"""Millions of configurations at once: kernels generated for one CasADi Function, and threads that share the work."""
+"""Evaluation of large batches: kernels generated from a CasADi Function, and threads that share the work."""
 
 import ctypes
 import os
@@ -15,7 +15,7 @@ from manipplan.kinematics.simd import kernel_source
 from manipplan.support.checks import Array
 from manipplan.support.compiler import NATIVE, load_library
 
-#: A thread gets at least as many configurations.
+#: Minimum number of configurations per thread.
 SHARE = 16384
 
 #: Evaluates q (count, n) into out (count, outputs), both contiguous; returns whether all of q was finite.
@@ -23,7 +23,7 @@ Kernel = Callable[[Array, Array], bool]
 
 
 def simd_kernel(function: ca.Function, subject: str) -> Kernel:
-    """A kernel in C on vectors of the processor's width; raises CompilerError where it cannot be built."""
+    """A C kernel that uses the processor's vector width; raises CompilerError if it cannot be built."""
 
     def load(file: Path) -> Any:
         run = ctypes.CDLL(str(file)).manipplan_batch
@@ -48,5 +48,5 @@ def run_kernel(kernel: Kernel, q: Array, outputs: int, *, threads: int) -> Array
 
 
 def all_cores() -> int:
-    """How many cores this process may use."""
+    """Number of cores this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -1,4 +1,4 @@
-"""One configuration, as fast as Python allows: one Function for all that is asked, through buffers that stay."""
+"""Fast evaluation of one configuration: one Function for all requested quantities, with buffers allocated once."""
 
 from typing import Any
 
@@ -11,14 +11,14 @@ from manipplan.support.errors import InvalidInputError
 
 
 class Evaluator:
-    """Several quantities at one q (n,) by one call; made by `Kinematics.evaluator`.
+    """Several quantities at one q (n,) in one call; created by `Kinematics.evaluator`.
 
-    The arrays that a call returns are views that the next call overwrites: copy what has to stay. Not for sharing between
-    threads.
+    The returned arrays are views that the next call overwrites: copy them to keep them. Threads must not share an
+    Evaluator.
     """
 
     def __init__(self, function: ca.Function, shapes: list[tuple[int, ...]]) -> None:
-        """`function` takes q and gives the quantities (dense), then the sum of q, by which NaN and inf are found."""
+        """`function` takes q and returns the quantities (dense), then the sum of q, which reveals NaN and inf."""
         self._n = function.nnz_in(0)
         self._q: Any = np.zeros(self._n).data
         flat = [np.zeros(function.nnz_out(i)) for i in range(function.n_out())]
@@ -33,7 +33,7 @@ class Evaluator:
     def __call__(self, q: ArrayLike) -> tuple[Array, ...]:
         """The quantities at q; raises InvalidInputError for another shape, NaN or inf."""
         try:
-            self._q[:] = q  # a memoryview takes n doubles and nothing else
+            self._q[:] = q  # a memoryview accepts exactly n doubles
         except (TypeError, ValueError):
             q = configurations("q", q, self._n)
             if q.ndim != 1:

@@ -1,11 +1,11 @@
-"""An SX Function as a list of operations on named values, for writing it in another language."""
+"""An SX Function as a list of operations on named values, for code generation in another language."""
 
 from collections.abc import Collection
 from dataclasses import dataclass
 
 import casadi as ca
 
-#: Sine and cosine of one angle, together; everything else has CasADi's own code.
+#: Code for the sine and cosine of one angle together; all other operations have CasADi's codes.
 SINE_COSINE = -1
 
 
@@ -14,10 +14,10 @@ class Instruction:
     """One operation.
 
     Attributes:
-        code: CasADi's operation, or SINE_COSINE, or ca.OP_OUTPUT.
+        code: CasADi's operation code, or SINE_COSINE, or ca.OP_OUTPUT.
         result: index of the value: t0, t1, ...; of a pair s0 and c0, s1 and c1, ...; or of the output.
         arguments: names of values: t0, s0, c0, ... or inputs x0, x1, ...
-        constant: of ca.OP_CONST.
+        constant: value of ca.OP_CONST.
     """
 
     code: int
@@ -27,9 +27,9 @@ class Instruction:
 
 
 def instructions(function: ca.Function) -> list[Instruction]:
-    """The operations of `function`, of one input and one output, in order; each value is given once."""
+    """The operations of `function`, which has one input and one output, in order; each value is assigned once."""
     found: list[Instruction] = []
-    held: dict[int, str] = {}  # CasADi's work vector: what each slot holds now
+    held: dict[int, str] = {}  # CasADi's work vector: the value now in each slot
     angles: dict[str, int] = {}
     for k in range(function.n_instructions()):
         code, inputs, outputs = function.instruction_id(k), function.instruction_input(k), function.instruction_output(k)
@@ -53,14 +53,14 @@ def instructions(function: ca.Function) -> list[Instruction]:
 
 
 def expressible(function: ca.Function, operations: Collection[int]) -> bool:
-    """Whether `function` holds no operation but these, sine, cosine and constants."""
+    """Whether `function` uses only these operations, sine, cosine and constants."""
     basic = {ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_CONST, ca.OP_SIN, ca.OP_COS}
     used = {function.instruction_id(k) for k in range(function.n_instructions())}
     return used <= basic | set(operations)
 
 
 def pure_angles(found: list[Instruction]) -> set[str]:
-    """Inputs of which nothing but sine and cosine is taken, so that whole turns do not count."""
+    """Inputs that are used only in sines and cosines, so that full turns make no difference."""
     used = {name for each in found if each.code != SINE_COSINE for name in each.arguments}
     turned = {name for each in found if each.code == SINE_COSINE for name in each.arguments if name.startswith("x")}
     return turned - used

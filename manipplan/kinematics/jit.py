@@ -18,7 +18,7 @@ def jit_kernel(function: ca.Function) -> Callable[[Array, Array], bool]:
     inputs = "; ".join(f"x{i} = q[k, {i}]" for i in range(function.nnz_in(0)))
     source = f"def kernel(q, out):\n    for k in range(len(q)):\n        {inputs}\n        {body}\n"
     names: dict[str, Any] = {name: getattr(np, name) for name in _FUNCTIONS}
-    exec(source, names)  # made here from operations and numbers alone
+    exec(source, names)  # generated above, from operations and numbers alone
     compiled = numba.njit(nogil=True, error_model="numpy")(names["kernel"])
 
     def run(q: Array, out: Array) -> bool:

@@ -30,16 +30,16 @@ if TYPE_CHECKING:
 
 QUANTITIES = ("pose", "jacobian", "manipulability", "gradient", "hessian")
 
-#: From so many configurations on numba's compile time is worth it.
+#: Minimum batch size for numba, whose compilation takes time.
 MANY = 300_000
 
 
 class SymbolicKinematics:
-    """The CasADi expressions and Functions of one arm and task, each built when first asked for.
+    """The CasADi expressions and Functions of one arm and task, each built on first use.
 
     Attributes:
         chain: the arm at symbolic q.
-        posture: what measures are made of.
+        posture: the quantities that measures depend on.
     """
 
     def __init__(self, chain: SymbolicChain, task: Task, measure: Measure, robot: "Robot") -> None:
@@ -90,7 +90,7 @@ class SymbolicKinematics:
         return ca.Function("mass_matrix", [self.chain.q], [ca.densify(self.chain.mass_matrix)], ["q"], ["M"])
 
     def function(self, *quantities: str, with_sum: bool = False) -> ca.Function:
-        """One Function of q that gives several of pose, jacobian, manipulability, gradient, hessian, and the sum of q."""
+        """One Function of q for several of pose, jacobian, manipulability, gradient, hessian, and on request the sum of q."""
         outputs = [ca.densify(self._expression(quantity)) for quantity in quantities]
         names = list(quantities)
         if with_sum:
@@ -121,19 +121,19 @@ class SymbolicKinematics:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Kinematics:
-    """Kinematics of `robot` for `task`; made by `Robot.kinematics`.
+    """Kinematics of `robot` for `task`; created by `Robot.kinematics`.
 
     Every method takes q (n,) or (..., n) [rad or m] and raises InvalidInputError for another shape, NaN or inf. The
     Jacobian is LOCAL_WORLD_ALIGNED: velocity of the tool's origin along world axes, then angular velocity about world axes
-    times `task.length`. Where the arm has fewer joints than the task rows, a measure that would be identically zero raises
+    times `task.length`. If the arm has fewer joints than the task has rows, a measure that would be identically zero raises
     InvalidInputError.
 
     Attributes:
-        robot, task: whose kinematics, and for what.
-        measure: what `manipulability`, `gradient` and `hessian` are of; Yoshikawa's index unless asked otherwise.
+        robot, task: the arm and its task.
+        measure: evaluated by `manipulability`, `gradient` and `hessian`; Yoshikawa's manipulability by default.
         compiled: "auto", True or False; see `Robot.kinematics`.
-        threads: how many threads share a large batch.
-        backend: which symbolic kinematics it is made of; see `Robot.kinematics`.
+        threads: number of threads that share a large batch.
+        backend: source of the symbolic kinematics; see `Robot.kinematics`.
         chain: the arm at symbolic q.
         symbolic: the CasADi Functions themselves.
     """
@@ -166,7 +166,7 @@ class Kinematics:
         return self._evaluate("jacobian", q)
 
     def manipulability(self, q: ArrayLike) -> Array:
-        """The measure, (...) [measure.unit(task)]; a scalar array for one q. Yoshikawa's index by default."""
+        """The measure, (...) [measure.unit(task)]; a scalar array for one q. Yoshikawa's manipulability by default."""
         return self._evaluate("manipulability", q)
 
     def gradient(self, q: ArrayLike) -> Array:
@@ -182,14 +182,14 @@ class Kinematics:
         return self._columns(self.symbolic.mass_matrix, configurations("q", q, self.robot.n), self._shape("hessian"))
 
     def evaluator(self, *quantities: str) -> Evaluator:
-        """The fastest way to several quantities at one q: one call, for instance of a control step.
+        """The fastest way to evaluate several quantities at one q: in one call, for instance per control step.
 
-        `kin.evaluator("jacobian", "manipulability", "gradient")` gives a callable with `J, m, slope = call(q)`.
+        `kin.evaluator("jacobian", "manipulability", "gradient")` returns a callable for `J, m, slope = call(q)`.
 
         Raises UnknownNameError for names other than pose, jacobian, manipulability, gradient and hessian.
         """
         if not quantities:
-            raise InvalidInputError("quantities", quantities, f"some of {', '.join(QUANTITIES)}")
+            raise InvalidInputError("quantities", quantities, f"at least one of {', '.join(QUANTITIES)}")
         for quantity in quantities:
             if quantity not in QUANTITIES:
                 raise UnknownNameError("quantities", str(quantity), QUANTITIES)
@@ -221,12 +221,12 @@ class Kinematics:
         values = run_kernel(kernel, np.ascontiguousarray(q).reshape(-1, n), math.prod(shape), threads=self.threads)
         if values is None:
             raise InvalidInputError("q", q, "finite numbers, no NaN or inf")
-        if len(shape) == 2:  # CasADi holds matrices column by column
+        if len(shape) == 2:  # CasADi stores matrices column by column
             return np.ascontiguousarray(values.reshape(*q.shape[:-1], *shape[::-1]).swapaxes(-1, -2))
         return values.reshape(*q.shape[:-1], *shape)
 
     def _kernel(self, quantity: str, count: int) -> Kernel | None:
-        """Generated C where there is a compiler, else numba's work where it is worth its time; None: CasADi's machine."""
+        """Generated C if there is a compiler, else a numba kernel for large batches; None: CasADi's virtual machine."""
         function = getattr(self.symbolic, quantity)
         if quantity not in self._kernels:
             self._kernels[quantity] = None
@@ -248,7 +248,7 @@ class Kinematics:
 
     @staticmethod
     def _columns(function: ca.Function, q: Array, shape: tuple[int, ...]) -> Array:
-        """In CasADi's virtual machine, which evaluates all columns in one call and sets the results side by side."""
+        """Evaluate in CasADi's virtual machine, which takes all columns in one call and returns the results side by side."""
         batch = q.reshape(-1, q.shape[-1])
         if len(batch) == 0:
             return np.empty((*q.shape[:-1], *shape))

@@ -6,15 +6,15 @@ import casadi as ca
 
 from manipplan.kinematics.instructions import SINE_COSINE, Instruction, instructions, pure_angles
 
-#: Functions of more instructions are long; see `kernel_source`.
+#: Number of instructions from which a Function is long; see `kernel_source`.
 LONG = 3000
 
 
 def kernel_source(function: ca.Function) -> str:
     """C source with `int manipplan_batch(const double *q, double *out, long count)`.
 
-    Every instruction becomes one on vectors (structure of arrays). Two vectors are worked on in turns, so that one's
-    instructions fill the waiting times of the other's; long Functions, whose values do not fit the registers, take one.
+    Every instruction becomes a vector instruction (structure of arrays). Two vectors are interleaved, so that the
+    instructions of one fill the latencies of the other; long Functions, whose values do not fit the registers, use one.
     """
     found = instructions(function)
     copies = 2 if len(found) < LONG else 1
@@ -35,7 +35,7 @@ def kernel_source(function: ca.Function) -> str:
 
 
 def _statement(each: Instruction, copy: str, turning: set[str]) -> str:
-    """The statement for one of the copies; names of copy a end in a, those of copy b in b."""
+    """The C statement for one copy; names of copy a end in a, those of copy b in b."""
     names = [f"x{copy}[{name[1:]}]" if name.startswith("x") else name + copy for name in each.arguments]
     if each.code == ca.OP_OUTPUT:
         return f"y{copy}[{each.result}] = {names[0]};"
@@ -189,7 +189,7 @@ static inline void block(const vec x[@COPIES@][@N@], vec y[@COPIES@][@M@]) {
   @BODY@
 }
 
-/* notes what is not finite; turns angles that are far from zero back by whole turns */
+/* reports entries that are not finite; wraps angles by full turns */
 static void tame(vec x[@COPIES@][@N@], int *bad) {
   static const int angle[@N@] = {@ANGLES@};
   for (int copy = 0; copy < @COPIES@; ++copy)

@@ -1,7 +1,7 @@
-"""The arm seen from one of its middle joints: the same index from a Jacobian of far fewer operations.
+"""Jacobians in the frame of a middle joint: the same manipulability with far fewer operations.
 
-Turning all rows leaves Yoshikawa's index as it is, and so does another reference point where all six rows count. Then base
-and tool angle do not occur, and the columns near the middle are short.
+Rotating all rows does not change Yoshikawa's manipulability; nor does another reference point if the task has all six rows.
+In such a frame base and tool angle do not occur, and the columns near the middle are short.
 """
 
 from dataclasses import dataclass
@@ -15,11 +15,11 @@ from manipplan.symbolic.task import Task
 
 @dataclass(frozen=True, kw_only=True)
 class View:
-    """Jacobians with the index of a task.
+    """Jacobians with the manipulability of a task.
 
     Attributes:
-        jacobian: (m, n), of as few operations as we know.
-        smooth: a Jacobian (m, n) of that index, with its motion: for derivatives of functions of det(J Jᵀ) alone.
+        jacobian: (m, n), the one with the fewest operations that we know.
+        smooth: a Jacobian (m, n) with that manipulability, and its motion, for derivatives of functions of det(J Jᵀ) alone.
     """
 
     jacobian: ca.SX
@@ -27,7 +27,7 @@ class View:
 
     @classmethod
     def of(cls, chain: SymbolicChain, task: Task) -> "View":
-        """The best view of `chain` for the index of `task`; the plain one where the task depends on the world's axes."""
+        """The best view of `chain` for `task`; the plain Jacobian if the task depends on the world axes."""
         n = chain.q.shape[0]
         plain = task.rows_of(chain.jacobian, chain.tool.rotation)
         smooth: tuple[ca.SX, Motion] = (plain, TaskMotion(chain=chain, task=task))
@@ -46,10 +46,10 @@ class View:
 
 
 def steady(chain: SymbolicChain, task: Task) -> tuple[ca.SX, Motion]:
-    """A Jacobian (m, n) with the index of `task` and its true derivatives: for functions of J Jᵀ + ρ² I.
+    """A Jacobian (m, n) with the manipulability of `task` and its true derivatives, for functions of J Jᵀ + ρ² I.
 
-    Those depend on the point that J is for. Here it is the origin of the middle joint, which does not move as seen from there;
-    that takes a third more operations than `View.smooth`, and a third of those of the plain Jacobian.
+    Such functions depend on the reference point of J. Here it is the origin of the middle joint, at rest in that frame.
+    This takes a third more operations than `View.smooth`, and a third of those of the plain Jacobian.
     """
     n = chain.q.shape[0]
     if not (_straight(chain) and task.turns_freely and not task.tool_rows and len(task.world_rows) == 6):
@@ -62,17 +62,17 @@ def steady(chain: SymbolicChain, task: Task) -> tuple[ca.SX, Motion]:
 
 @dataclass(frozen=True, kw_only=True)
 class ViewMotion(Motion):
-    """The six rows of a pose seen from joint f: its axes, and a point that is frozen on it where it stands at q.
+    """The six rows of a pose along the axes of joint f, for a reference point frozen in that frame at q.
 
-    There a column only changes with the joints between it and f: ∂_k S_j = ± [S_k, S_j], plus for f < k < j, minus for
-    j < k <= f, with the bracket (w_k x v_j + v_k x w_j, w_k x w_j). So most of the kinematic Hessian is zero. Where the
-    point that `jacobian` is for moves with q this is not the derivative of `jacobian`; yet det(J Jᵀ) does not depend on
-    the point, so that its gradient and Hessian come out right.
+    A column only changes with the joints between it and f: ∂_k S_j = ± [S_k, S_j], plus for f < k < j, minus for
+    j < k <= f, with the bracket (w_k x v_j + v_k x w_j, w_k x w_j). So most of the kinematic Hessian is zero. If the
+    reference point of `jacobian` moves with q, this is not the derivative of `jacobian`. But det(J Jᵀ) does not depend
+    on the point, so its gradient and Hessian are still correct.
 
     Attributes:
         jacobian: (6, n), not weighted.
         f: the joint, counted from 1.
-        rows: the task's rows (6, 6), its length multiplied in.
+        rows: the task's rows (6, 6), including the task's length.
     """
 
     jacobian: ca.SX
@@ -106,7 +106,7 @@ class ViewMotion(Motion):
         return out
 
     def _moved(self, k: int) -> dict[int, ca.SX]:
-        """∂_k S_j for those j that joint k moves; joints counted from 0."""
+        """∂_k S_j for the j that joint k moves; joints counted from 0."""
         n = self.jacobian.shape[1]
         if k >= self.f:
             return {j: _bracket(self.jacobian[:, k], self.jacobian[:, j]) for j in range(k + 1, n)}
@@ -114,7 +114,7 @@ class ViewMotion(Motion):
 
 
 def _straight(chain: SymbolicChain) -> bool:
-    """Whether each joint carries the next and the last one the tool, in expressions of our own."""
+    """Whether each joint carries the next and the last one the tool, and the expressions are our own."""
     n = chain.q.shape[0]
     return chain.own and list(chain.model.parents)[1:] == list(range(n)) and chain.frame.parentJoint == n
 
@@ -130,7 +130,7 @@ def _dual(b: ca.SX, weights: ca.SX) -> ca.SX:
 
 
 def _seen_from(chain: SymbolicChain, f: int, at: int | None) -> tuple[ca.SX, ca.SX]:
-    """The Jacobian (6, n) with the axes of joint f, for the point at joint `at` or at the tool; and the tool's rotation."""
+    """The Jacobian (6, n) along the axes of joint f for the origin of joint `at` (None: the tool), and the tool's rotation."""
     model, n = chain.model, chain.q.shape[0]
     frames = {f: WORLD}
     for i in range(f + 1, n + 1):

@@ -1,5 +1,5 @@
 """Measures of manipulability as expressions of the Jacobian, and ellipsoids.
 
 In: the symbolic posture of an arm. Out: the value of a measure with its derivatives, its name and its unit.
-`names` lists what a user can choose by name.
+`names` lists the measures that a user can choose by name.
 """

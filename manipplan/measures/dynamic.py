@@ -1,4 +1,4 @@
-"""Measures that count the arm's inertia M(q): what accelerations the motors can give the tool."""
+"""Measures that include the arm's inertia M(q): the tool accelerations that the motors can produce."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -16,7 +16,7 @@ from manipplan.symbolic.task import Task
 
 @dataclass(frozen=True, kw_only=True)
 class DynamicManipulability(Measure):
-    """The index w_d = sqrt(det(J M⁻² Jᵀ)) of the arm at rest without gravity: accelerations for joint torques of norm 1.
+    """w_d = sqrt(det(J M⁻² Jᵀ)) of the arm at rest without gravity: tool accelerations for joint torques of norm 1.
 
     Attributes:
         regularisation: ρ > 0 as for `Yoshikawa`, in the unit of the rows of J M⁻¹.
@@ -45,7 +45,7 @@ class DynamicManipulability(Measure):
 
 @dataclass(frozen=True, kw_only=True)
 class Asada(Measure):
-    """Isotropy of the generalised inertia ellipsoid: least over largest eigenvalue of the tool's inertia (J M⁻¹ Jᵀ)⁻¹.
+    """Isotropy of the generalised inertia ellipsoid: smallest over largest eigenvalue of the tool's inertia (J M⁻¹ Jᵀ)⁻¹.
 
     From 0 (singular) to 1 (the tool feels equally heavy in all directions).
     """

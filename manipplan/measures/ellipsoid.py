@@ -1,4 +1,4 @@
-"""Ellipsoids of velocity, force and acceleration: what joint motions or torques of unit norm give the tool."""
+"""Ellipsoids of tool velocity, force and acceleration for joint speeds or torques of norm 1."""
 
 import math
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ class Ellipsoid:
 
     Attributes:
         axes: (m, m) orthonormal columns.
-        radii: (m,) their half lengths, falling; 0 where nothing can be done, inf where nothing is needed.
+        radii: (m,) semi-axis lengths in descending order; 0 where no motion is possible, inf where no torque is needed.
     """
 
     axes: Array
@@ -39,10 +39,10 @@ def velocity_ellipsoid(jacobian: ArrayLike) -> Ellipsoid:
 
 
 def force_ellipsoid(jacobian: ArrayLike) -> Ellipsoid:
-    """Tool forces that joint torques of norm 1 hold, from a Jacobian (m, n): {f : fᵀ J Jᵀ f <= 1}.
+    """Tool forces that joint torques of norm 1 can hold, from a Jacobian (m, n): {f : fᵀ J Jᵀ f <= 1}.
 
-    Its axes are those of the velocity ellipsoid, its radii 1/σ: where the tool is slow it is strong, and where it cannot
-    move, structure bears any force (radius inf).
+    It has the axes of the velocity ellipsoid and the radii 1/σ: the tool is strong where it is slow. Where it cannot move,
+    the structure bears any force (radius inf).
     """
     velocity = velocity_ellipsoid(jacobian)
     floor = velocity.radii[0] * np.finfo(float).eps * max(np.shape(jacobian))
@@ -52,7 +52,7 @@ def force_ellipsoid(jacobian: ArrayLike) -> Ellipsoid:
 
 
 def dynamic_ellipsoid(jacobian: ArrayLike, mass_matrix: ArrayLike) -> Ellipsoid:
-    """Tool accelerations from rest for joint torques of norm 1 beyond gravity's: the image of J M⁻¹ [yoshikawa1985b].
+    """Tool accelerations from rest for joint torques of norm 1 beyond gravity compensation: image of J M⁻¹ [yoshikawa1985b].
 
     Args:
         jacobian: (m, n).

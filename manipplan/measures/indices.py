@@ -1,4 +1,4 @@
-"""Measures that are smooth functions of J Jᵀ: Yoshikawa's index, its logarithm, the Frobenius norm, isotropy."""
+"""Measures that are smooth functions of J Jᵀ: Yoshikawa's manipulability, its logarithm, the Frobenius norm, isotropy."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -15,16 +15,16 @@ from manipplan.symbolic.task import Task
 
 #: ρ of the regularised form m_ρ = sqrt(det(J Jᵀ + ρ² I)), in units of the Jacobian's rows.
 REGULARISATION = 1e-9
-#: The same of the logarithm: where there are more rows than joints, ρ² has to stay above the rounding of J Jᵀ.
+#: ρ of the logarithm: with more rows than joints, ρ² has to stay above the rounding errors of J Jᵀ.
 LOG_REGULARISATION = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
 class Yoshikawa(JacobianMeasure):
-    """The manipulability index m = sqrt(det(J Jᵀ)), the product of the singular values.
+    """The manipulability m = sqrt(det(J Jᵀ)), the product of the singular values.
 
-    Its value is exact. Its derivatives are those of sqrt(det(J Jᵀ + ρ² I)), which also exist where m = 0; where the task
-    is a whole pose, of a J seen from the middle of the arm, whose index is the same.
+    The value is exact. The derivatives are those of sqrt(det(J Jᵀ + ρ² I)), which also exist where m = 0. For a full-pose
+    task, J is taken in the frame of a middle joint, where m is the same.
 
     Attributes:
         regularisation: ρ > 0, in the unit of the Jacobian's rows.
@@ -56,7 +56,7 @@ class Yoshikawa(JacobianMeasure):
 
 @dataclass(frozen=True, kw_only=True)
 class LogDet(JacobianMeasure):
-    """The logarithm log m_ρ = log sqrt(det(J Jᵀ + ρ² I)); smooth and finite also on a singularity.
+    """The logarithm log m_ρ = log sqrt(det(J Jᵀ + ρ² I)); smooth and finite even at a singularity.
 
     Attributes:
         regularisation: ρ > 0, in the unit of the Jacobian's rows.
@@ -87,10 +87,10 @@ class LogDet(JacobianMeasure):
 
 @dataclass(frozen=True, kw_only=True)
 class FrobeniusNorm(JacobianMeasure):
-    """The weighted Frobenius norm sqrt(tr(J W Jᵀ)), definition 2.9 in kth2012. It does not vanish on singularities.
+    """The weighted Frobenius norm sqrt(tr(J W Jᵀ)), definition 2.9 in kth2012. It does not vanish at singularities.
 
     Attributes:
-        weights: diagonal of W, one number > 0 or n of them, one a joint.
+        weights: diagonal of W: one number > 0, or n of them, one per joint.
     """
 
     weights: ArrayLike = 1.0
@@ -102,7 +102,7 @@ class FrobeniusNorm(JacobianMeasure):
     def __post_init__(self) -> None:
         weights = number_array("weights", self.weights)
         if weights.ndim > 1 or not weights.size or not (np.isfinite(weights) & (weights > 0)).all():
-            raise InvalidInputError("weights", self.weights, "one finite number above zero, or one a joint")
+            raise InvalidInputError("weights", self.weights, "one finite number above zero, or one per joint")
         plain = float(weights) if weights.ndim == 0 else tuple(weights.tolist())
         object.__setattr__(self, "weights", plain)
 
@@ -122,7 +122,7 @@ class FrobeniusNorm(JacobianMeasure):
 class Isotropy(JacobianMeasure):
     """Geometric over arithmetic mean of the squared singular values, det(J Jᵀ)^(1/m) / (tr(J Jᵀ) / m), from 0 to 1.
 
-    1 where the tool moves equally well in all directions, 0 on a singularity, where derivatives are those of m_ρ.
+    It is 1 where the tool moves equally well in all directions and 0 at a singularity. The derivatives are those of m_ρ.
 
     Attributes:
         regularisation: ρ > 0, in the unit of the Jacobian's rows.
@@ -153,7 +153,7 @@ class Isotropy(JacobianMeasure):
         return value * log_bend + slope @ slope.T / value
 
     def _regular(self, posture: Posture) -> tuple[Factor, ca.SX, ca.SX]:
-        """Factor, value and gradient, by log Δ = (2/m) log m_ρ - log tr(J Jᵀ) + constant."""
+        """Factor, value and gradient, from log Δ = (2/m) log m_ρ - log tr(J Jᵀ) + constant."""
         m = posture.jacobian.shape[0]
         factor = Factor.of(posture.jacobian, self.regularisation)
         trace = ca.sumsqr(posture.jacobian)
@@ -163,10 +163,10 @@ class Isotropy(JacobianMeasure):
 
 
 def yoshikawa(jacobian: ca.SX) -> ca.SX:
-    """The index sqrt(det(J Jᵀ)) of a Jacobian (m, n), m <= n; zero where rows depend on each other [yoshikawa1985].
+    """The manipulability sqrt(det(J Jᵀ)) of a Jacobian (m, n), m <= n; zero for linearly dependent rows [yoshikawa1985].
 
-    By Gram-Schmidt on the rows without square roots: m² is the product of the squared lengths that are left of them. No
-    digits are lost to the square in J Jᵀ.
+    Computed by Gram-Schmidt on the rows, without square roots: m² is the product of the squared lengths of the orthogonal
+    rows. No digits are lost by squaring, as they are in J Jᵀ.
     """
     if jacobian.shape[0] > jacobian.shape[1]:
         return ca.SX(0.0)
@@ -175,7 +175,7 @@ def yoshikawa(jacobian: ca.SX) -> ca.SX:
     for i, row in enumerate(rows):
         left = ca.sumsqr(row)
         square *= left
-        inverse = 1 / ca.fmax(left, 1e-300)  # a row that vanished has no direction
+        inverse = 1 / ca.fmax(left, 1e-300)  # a zero row has no direction
         for j in range(i + 1, len(rows)):
             rows[j] -= ca.dot(row, rows[j]) * inverse * row
     return ca.sqrt(square)

@@ -1,4 +1,4 @@
-"""An index that also falls towards the position limits of the joints."""
+"""A measure that also falls towards the position limits of the joints."""
 
 from dataclasses import dataclass, field
 from typing import ClassVar
@@ -15,13 +15,13 @@ from manipplan.symbolic.task import Task
 
 @dataclass(frozen=True, kw_only=True)
 class JointLimitPenalised(Measure):
-    """A measure times P(q) = 1 - exp(-k Π_i 4 (q_i - l_i)(u_i - q_i)/(u_i - l_i)²), which is 0 on a position limit.
+    """A measure times P(q) = 1 - exp(-k Π_i 4 (q_i - l_i)(u_i - q_i)/(u_i - l_i)²), which is 0 at a position limit.
 
-    Joints without limits do not count. In the source the product lacks the factors 4, which here scale it to 0 ... 1.
+    Joints without limits are left out. The source does not have the factors 4, which here scale the product to 0 ... 1.
 
     Attributes:
         measure: the measure that is penalised.
-        k: how steep P is; P = 1 - exp(-k) in the middle of all ranges.
+        k: steepness of P; P = 1 - exp(-k) in the middle of all joint ranges.
     """
 
     measure: Measure = field(default_factory=Yoshikawa)

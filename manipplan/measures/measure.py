@@ -1,4 +1,4 @@
-"""What every measure of manipulability is: a number of a posture, with unit, definition, source and derivatives."""
+"""Base classes of the manipulability measures: a scalar per posture, with unit, definition, source and derivatives."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
@@ -17,14 +17,14 @@ from manipplan.symbolic.task import Task
 
 @dataclass(frozen=True, kw_only=True)
 class Posture:
-    """What a measure may depend on, symbolically.
+    """The symbolic quantities that a measure may depend on.
 
     Attributes:
         q: (n, 1) symbols [rad or m].
         jacobian: the task's rows (m, n).
         motion: how `jacobian` changes with q.
-        isometric: a Jacobian (m, n) of the same Yoshikawa index, seen from the place on the arm where it is simplest.
-        smooth: a Jacobian of that index with its motion, for derivatives of functions of det(J Jᵀ) alone.
+        isometric: a Jacobian (m, n) with the same Yoshikawa manipulability, in the frame on the arm where it is simplest.
+        smooth: a Jacobian with the same manipulability, and its motion, for derivatives of functions of det(J Jᵀ) alone.
         mass_matrix: M(q), (n, n), built when called.
         lower, upper: position limits (n,) [rad or m]; infinite where there are none.
     """
@@ -40,10 +40,10 @@ class Posture:
 
 
 class Measure(ABC):
-    """A measure of manipulability; the children are frozen values with their options.
+    """A measure of manipulability; subclasses are frozen and hold their options.
 
     Attributes:
-        name: the name by which `Robot.kinematics(measure=...)` knows it.
+        name: the name that `Robot.kinematics(measure=...)` accepts.
         formula: its definition.
         source: citation key of its source.
         vanishes: whether it is constant (zero, or not defined) for every arm with fewer joints than task rows.
@@ -73,7 +73,7 @@ class Measure(ABC):
         return ca.hessian(self.value(posture), posture.q)[0]
 
     def check(self, m: int, n: int) -> None:
-        """Raise InvalidInputError where the measure says nothing about m task rows and n joints."""
+        """Raise InvalidInputError if the measure cannot be used for m task rows and n joints."""
         if self.vanishes and m > n:
             raise InvalidInputError(
                 "measure",
@@ -83,7 +83,7 @@ class Measure(ABC):
 
 
 class JacobianMeasure(Measure):
-    """A measure that depends on the Jacobian alone; called with Jacobians (..., m, n) it gives their values (...)."""
+    """A measure that depends on the Jacobian alone; called with Jacobians (..., m, n), it returns their values (...)."""
 
     @abstractmethod
     def of(self, jacobian: ca.SX) -> ca.SX:
@@ -95,7 +95,7 @@ class JacobianMeasure(Measure):
     def __call__(self, jacobian: ArrayLike) -> Array:
         """Values (...) of Jacobians (..., m, n).
 
-        Raises InvalidInputError for NaN, inf, or more rows than columns where the measure `vanishes` then.
+        Raises InvalidInputError for NaN or inf, and for more rows than columns if the measure `vanishes`.
         """
         matrices = number_array("jacobian", jacobian)
         if matrices.ndim < 2 or 0 in matrices.shape[-2:] or not np.isfinite(matrices).all():
@@ -110,10 +110,10 @@ class JacobianMeasure(Measure):
 
 
 def row_unit(task: Task) -> str:
-    """Unit of a singular value; rows of metres and of radians have none in common."""
+    """Unit of a singular value; "mixed" if some rows are in metres and some in radians."""
     return {task.rows: "m", 0: "1"}.get(task.metres, "mixed")
 
 
 def product_unit(task: Task, divisor: str) -> str:
-    """Unit of a product of one value a row, each over `divisor`."""
+    """Unit of a product of one value per row, each divided by `divisor`."""
     return f"{task.unit}/({divisor})" + (f"^{task.rows}" if task.rows > 1 else "")

@@ -28,12 +28,12 @@ MEASURES: dict[str, type[Measure]] = {
 
 
 def available_measures() -> tuple[str, ...]:
-    """Names that `Robot.kinematics(measure=...)` knows."""
+    """Names that `Robot.kinematics(measure=...)` accepts."""
     return tuple(MEASURES)
 
 
 def measure_of(measure: Measure | str | None) -> Measure:
-    """The measure itself, or the one of that name with its usual options; Yoshikawa's index for None."""
+    """The given measure, or the measure of that name with default options; Yoshikawa's manipulability for None."""
     if measure is None:
         return Yoshikawa()
     if isinstance(measure, Measure):

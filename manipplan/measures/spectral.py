@@ -1,4 +1,4 @@
-"""Measures that need single singular values: the smallest, the condition number, its inverse.
+"""Measures that use individual singular values: the smallest, the condition number, its inverse.
 
 The singular values are computed in the expression graph by one-sided Jacobi rotations, so that these measures compile and
 are as accurate as an SVD. Derivatives follow from perturbation theory rather than from differentiating the rotations.
@@ -13,10 +13,10 @@ from manipplan.measures.measure import JacobianMeasure, Posture, row_unit
 from manipplan.symbolic.motion import Motion
 from manipplan.symbolic.task import Task
 
-#: Sweeps of rotations over all pairs of rows; six rows need at most seven to reach rounding error.
+#: Number of sweeps of rotations over all pairs of rows; six rows need at most seven to reach rounding error.
 SWEEPS = 9
 
-#: Differences of squared singular values below this share of the largest count as this share in second derivatives.
+#: Minimum difference of squared singular values in second derivatives, as a share of the largest squared singular value.
 GAP = 1e-12
 
 _TINY = 1e-150
@@ -24,12 +24,12 @@ _TINY = 1e-150
 
 @dataclass(frozen=True, kw_only=True)
 class SingularValues:
-    """J = Σ σ_i u_i v_iᵀ with falling σ_i.
+    """J = Σ σ_i u_i v_iᵀ with σ_i in descending order.
 
     Attributes:
-        u: (m, m) left singular vectors, one a column.
+        u: (m, m) left singular vectors, one per column.
         sigma: m values.
-        v: (n, m) right singular vectors, one a column; zero where σ_i = 0.
+        v: (n, m) right singular vectors, one per column; zero where σ_i = 0.
     """
 
     u: ca.SX
@@ -81,7 +81,7 @@ class SingularValues:
 
 
 def _rotation(first: ca.SX, second: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Cosine and sine that make two rows orthogonal, the longer one first."""
+    """Cosine and sine of the rotation that makes two rows orthogonal, the longer one first."""
     difference = ca.sumsqr(first) - ca.sumsqr(second)
     overlap = ca.dot(first, second)
     span = ca.sqrt(difference**2 + 4 * overlap**2)

@@ -1,4 +1,4 @@
-"""A measure of manipulability as JSON holds it: its name and its options."""
+"""Measures of manipulability in JSON: their name and options."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass
@@ -11,7 +11,7 @@ from manipplan.support.errors import FileFormatError, InvalidInputError
 
 
 def measure_data(measure: Measure) -> dict[str, Any]:
-    """What a file holds of a measure, or what is missing where it is of another class than those of this package."""
+    """The JSON data of a measure; "missing" names the class where it is not one of this package."""
     kind = type(measure)
     if MEASURES.get(kind.name) is not kind:
         return {"missing": f"a measure of your own, {kind.__name__}", "name": kind.name}
@@ -24,7 +24,7 @@ def measure_data(measure: Measure) -> dict[str, Any]:
 
 
 def measure_of(path: Path, data: Mapping[str, Any], given: Measure | None) -> Measure:
-    """The measure built again, or the one given, which has to be of the same name; `path` is the file's, for errors."""
+    """The stored measure, or `given`, which must have the same name; `path` is the file named in errors."""
     if given is not None:
         if not isinstance(given, Measure) or given.name != data["name"]:
             raise InvalidInputError("measure", given, f"the measure of the plan, {data['name']}")

@@ -1,4 +1,4 @@
-"""How velocity and force pass from the joints to the tool along one direction [chiu1988]."""
+"""Transmission of velocity and force from the joints to the tool along one direction [chiu1988]."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -14,7 +14,7 @@ from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.derivatives import Factor
 from manipplan.symbolic.task import Task
 
-#: A direction whose length differs from 1 by rounding alone has length 1.
+#: Tolerance on the length of a direction that is already normalised.
 UNIT = 1e-15
 
 
@@ -31,7 +31,7 @@ class _Transmission(JacobianMeasure):
     def check(self, m: int, n: int) -> None:
         super().check(m, n)
         if np.size(self.direction) != m:
-            raise InvalidInputError("direction", self.direction, f"{m} numbers, one a task row")
+            raise InvalidInputError("direction", self.direction, f"{m} numbers, one per task row")
 
     @property
     def _unit_vector(self) -> ca.DM:
@@ -40,13 +40,13 @@ class _Transmission(JacobianMeasure):
 
 @dataclass(frozen=True, kw_only=True)
 class VelocityTransmission(_Transmission):
-    """β = (uᵀ (J Jᵀ + ρ² I)⁻¹ u)^(-1/2): the largest speed along u, and along nothing else, for joint speeds of norm 1.
+    """β = (uᵀ (J Jᵀ + ρ² I)⁻¹ u)^(-1/2): the largest speed along u alone for joint speeds of norm 1.
 
     It is the distance from the centre to the surface of the velocity ellipsoid along u.
 
     Attributes:
         direction: u (m,) in task rows, of any length > 0.
-        regularisation: ρ > 0, in the unit of the Jacobian's rows; where u cannot be reached β falls to ρ, not to 0.
+        regularisation: ρ > 0, in the unit of the Jacobian's rows; where no motion along u is possible, β falls to ρ, not to 0.
     """
 
     regularisation: float = REGULARISATION
@@ -69,7 +69,7 @@ class VelocityTransmission(_Transmission):
 
 @dataclass(frozen=True, kw_only=True)
 class ForceTransmission(_Transmission):
-    """α = (uᵀ J Jᵀ u)^(-1/2): the largest force along u that joint torques of norm 1 hold; inf where they bear none of it.
+    """α = (uᵀ J Jᵀ u)^(-1/2): the largest force along u that joint torques of norm 1 can hold; inf where it needs no torque.
 
     It is the distance from the centre to the surface of the force ellipsoid along u.
 

@@ -1,7 +1,7 @@
 """Bases of a path: functions that vanish at both ends of [0, 1] and are added to the straight line from start to goal.
 
-The bases of one piece span the same polynomials: the optimum is the same, its coefficients and the conditioning of the
-program are not. Those of several pieces are B-splines, which bend on one stretch without moving the others. End conditions
+The bases of one piece span the same polynomials: the optimum is the same, but its coefficients and the conditioning of the
+program differ. Those of several pieces are B-splines, which bend on one stretch without moving the others. End conditions
 fix some of the coefficients.
 """
 
@@ -28,7 +28,7 @@ class Basis(ABC):
 
     Attributes:
         degree: of the pieces.
-        breaks: (p + 1,) where they begin and end, from 0 to 1.
+        breaks: (p + 1,) where the pieces begin and end, from 0 to 1.
     """
 
     degree: int
@@ -37,11 +37,11 @@ class Basis(ABC):
     @property
     @abstractmethod
     def size(self) -> int:
-        """Number of functions φ_j, the coefficients of a joint."""
+        """Number of functions φ_j, and of coefficients per joint."""
 
     @abstractmethod
     def values(self, s: Array, order: int = 0) -> Array:
-        """φ_j or its derivative of an order by s, at s (m,): (m, size)."""
+        """φ_j, or its derivative of an order with respect to s, at s (m,): (m, size)."""
 
     @cached_property
     def control(self) -> Array:
@@ -57,7 +57,7 @@ class Basis(ABC):
         return np.asarray(np.linspace(self.breaks[:-1], self.breaks[1:], self.degree + 1, axis=1))
 
     def gauss(self, points: int) -> tuple[Array, Array]:
-        """So many Gauss points on each piece, and their weights, (m,) each."""
+        """This number of Gauss points on each piece, and their weights, (m,) each."""
         x, weights = gauss_rule(points)
         half = np.diff(self.breaks)[:, None] / 2
         return (self.breaks[:-1, None] + half * (x + 1)).ravel(), (half * weights).ravel()
@@ -76,7 +76,7 @@ class Basis(ABC):
         return np.asarray(np.linalg.lstsq(self.values(even), rest, rcond=None)[0].T)
 
     def hull(self, parts: int) -> tuple[Array, Array]:
-        """Points whose convex hulls hold the curve: (r,) and (r, size), so that each is line (goal - start) + row x.
+        """Points whose convex hulls contain the curve: (r,) and (r, size), so that each is line (goal - start) + row x.
 
         They are the control points of at least `parts` equal parts of the pieces together.
         """
@@ -88,7 +88,7 @@ class Basis(ABC):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Series(Basis):
-    """One polynomial piece, by functions that are NumPy series over [0, 1]."""
+    """One polynomial piece, with NumPy series over [0, 1] as functions."""
 
     functions: tuple[Function, ...]
 
@@ -103,7 +103,7 @@ class Series(Basis):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class IntegratedLegendre(Series):
-    """The same with φ_j' = P_j(2s - 1) to the last digit: the rounds among obstacles enlarge what is rounded."""
+    """The same with φ_j' = P_j(2s - 1) to the last digit: rounds among obstacles amplify rounding errors."""
 
     def values(self, s: Array, order: int = 0) -> Array:
         if order == 1:
@@ -129,7 +129,7 @@ class Spline(Basis):
     """Clamped B-splines [deboor1978]; with continuity C¹ their coefficients are Bernstein points of the pieces.
 
     Attributes:
-        continuity: of the curve where pieces join: so many derivatives are continuous.
+        continuity: number of continuous derivatives where pieces join.
     """
 
     continuity: int
@@ -140,7 +140,7 @@ class Spline(Basis):
 
     @property
     def knots(self) -> Array:
-        """Clamped at the ends, and repeated inside until no more derivatives are continuous than should be."""
+        """Clamped at the ends, and repeated inside as often as the continuity requires."""
         repeats = [self.degree + 1, *[self.degree - self.continuity] * (len(self.breaks) - 2), self.degree + 1]
         return np.repeat(self.breaks, repeats)
 
@@ -149,7 +149,7 @@ class Spline(Basis):
 
         if self.size == 0:
             return np.empty((len(s), 0))
-        inner = np.eye(self.size + 2)[:, 1:-1]  # the first and the last are those that do not vanish at the ends
+        inner = np.eye(self.size + 2)[:, 1:-1]  # only the first and the last function do not vanish at the ends
         return np.asarray(BSpline(self.knots, inner, self.degree)(s, nu=order))
 
 
@@ -165,7 +165,7 @@ def _legendre(degree: int) -> tuple[Function, ...]:
 
 
 def _chebyshev(degree: int) -> tuple[Function, ...]:
-    """T_2 .. T_k less the T_0 or T_1 of the same ends."""
+    """T_2 .. T_k minus T_0 or T_1, the one with the same end values."""
     series = [Chebyshev.basis(j, domain=[0, 1]) for j in range(degree + 1)]
     return tuple(series[j] - series[j % 2] for j in range(2, degree + 1))
 
@@ -181,19 +181,19 @@ SERIES: dict[str, Callable[[int], tuple[Function, ...]]] = {
     "chebyshev": _chebyshev,
     "monomial": _monomial,
 }
-#: Least degree of each that may have several pieces: composite ones join with one slope.
+#: Minimum degree of each basis that can have several pieces: those of composite ones join with the same slope.
 SPLINES = {"bspline": 1, "composite": 2}
 BASES = (*SERIES, "bernstein", *SPLINES)
-#: Pieces at most.
+#: Maximum number of pieces.
 MOST_PIECES = 32
 
 
 def named_basis(name: str, degree: int, pieces: int = 1) -> Basis:
-    """The basis of a name of BASES; its pieces are equally wide.
+    """The basis with a name from BASES; its pieces have equal width.
 
     Raises:
         UnknownNameError: no such basis.
-        InvalidInputError: `pieces` that the basis cannot have, or a degree below what joining them needs.
+        InvalidInputError: the basis cannot have this number of `pieces`, or the degree is too low to join them.
     """
     if name not in BASES:
         raise UnknownNameError("basis", str(name), BASES)
@@ -206,13 +206,13 @@ def named_basis(name: str, degree: int, pieces: int = 1) -> Basis:
         return kind(degree=degree, breaks=breaks, functions=SERIES[name](degree))
     if degree < SPLINES.get(name, 1):
         raise InvalidInputError(
-            "degree", degree, f"at least {SPLINES[name]} with basis {name!r}, whose pieces join in one slope"
+            "degree", degree, f"at least {SPLINES[name]} with basis {name!r}, whose pieces join with the same slope"
         )
     return Spline(degree=degree, breaks=breaks, continuity=1 if name == "composite" else degree - 1)
 
 
 def subdivision(degree: int, pieces: int) -> Array:
-    """The matrix (pieces (degree + 1), degree + 1) from control points of a curve to those of its equal pieces."""
+    """The matrix (pieces (degree + 1), degree + 1) from control points of a curve to those of its parts of equal width."""
     rows = []
     rest = np.eye(degree + 1)
     for k in range(pieces - 1, 0, -1):
@@ -221,17 +221,17 @@ def subdivision(degree: int, pieces: int) -> Array:
     return np.concatenate([*rows, rest])
 
 
-#: A path has an end derivative when no joint is off by more than this share of it, or of the way.
+#: Tolerance on end derivatives, as a share of the derivative or, if larger, of the distance from start to goal.
 TOLERANCE = 1e-6
-#: Slopes of integrated Legendre polynomials come out orthogonal to this.
+#: Tolerance to which slopes of integrated Legendre polynomials are orthogonal.
 ORTHOGONAL = 1e-10
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class EndConditions:
-    """Derivatives q' (slope) and q'' (bend) by the parameter s, (n,) each [rad or m]; None: free.
+    """Derivatives q' (slope) and q'' (bend) with respect to s, (n,) each [rad or m]; None: free.
 
-    Each takes one coefficient of every joint: one piece needs a degree of one more than there are conditions.
+    Each fixes one coefficient per joint: a single piece needs a degree of at least the number of conditions plus one.
     """
 
     start_slope: Array | None = None
@@ -241,18 +241,18 @@ class EndConditions:
 
     @property
     def pattern(self) -> tuple[tuple[float, int], ...]:
-        """Which are fixed: place s and order of each."""
+        """The fixed derivatives: s and order of each."""
         return tuple((s, order) for s, order, value in self._all() if value is not None)
 
     def check_degree(self, basis_of: Callable[[int], Basis], degree: int) -> None:
-        """Raise InvalidInputError for a degree below what the conditions need in the basis, given by `basis_of` a degree."""
+        """Raise InvalidInputError for a degree too low for the conditions; `basis_of` gives the basis of a degree."""
         if self.possible(basis_of(degree)):
             return
         count = len(self.pattern)
         least = next(k for k in range(degree + 1, degree + 2 + count) if self.possible(basis_of(k)))
         wanted = f"at least {least}: start and goal need one, and each of the {count} end conditions one more"
         if len(basis_of(degree).breaks) > 2:
-            wanted = f"at least {least} for these {count} end conditions and so many pieces"
+            wanted = f"at least {least} for these {count} end conditions and this number of pieces"
         raise InvalidInputError("degree", degree, wanted)
 
     def possible(self, basis: Basis) -> bool:
@@ -297,8 +297,8 @@ def end_rows(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Array:
 def free_directions(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Array:
     """Directions (size, f) of a joint's coefficients that keep the conditions, and whose slopes are orthogonal.
 
-    IPOPT adds multiples of the identity to the Hessian, which so mean the same in every basis; so do the trust region of the
-    descent and the norm of its gradient.
+    With these, the multiples of the identity that IPOPT adds to the Hessian mean the same in every basis; so do the trust
+    region of the descent and the norm of its gradient.
     """
     across = orthonormal(basis)
     if pattern:

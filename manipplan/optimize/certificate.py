@@ -24,15 +24,15 @@ log = logging.getLogger("manipplan")
 GRADIENT = 1e-3
 #: ... the complementarity at most this share of g, ...
 COMPLEMENTARITY = 1e-5
-#: ... and active clearances differ from the demanded one by at most this [m].
+#: ... and active clearances differ from the required one by at most this [m].
 ACTIVE = 1e-4
 #: Joint limits that a step of this radius can reach are active [rad or m].
 LIMIT = 1e-6
 #: The gradient of a distance may be any convex combination of those at configurations whose joints differ by this from the
 #: path's [rad or m]: near the edges of two bodies it turns within a fraction of a millimetre [goldstein1977].
 KINK = 1e-4
-#: Where the pairs within ACTIVE do not balance the gradient, pairs further away are tried, up to these distances from the
-#: demanded clearance [m]. Where they do, the path keeps a distance that nothing demands: the active clearance says how much.
+#: If the pairs within ACTIVE do not balance the gradient, pairs further away are tried, up to these distances from the
+#: required clearance [m]. If those balance it, the path keeps more distance than required; the active clearance says how much.
 KEPT_AWAY = tuple(ACTIVE * 2.0**k for k in range(1, 8))
 #: Clearances count as active when their multiplier is above this share of the largest.
 NOTABLE = 1e-3
@@ -43,11 +43,11 @@ class Optimality:
     """First-order conditions of a path.
 
     Attributes:
-        projected_gradient: norm of what the active limits and clearances leave of the gradient of g, over g [1/rad]: the
-            relative change of g per radian of the root mean square of the slope's change, all joints together.
-        complementarity: Σ λ_i |d_i - target| over g, where the target is the demanded clearance plus the margin for the proof:
+        projected_gradient: norm of the part of the gradient of g that active limits and clearances do not balance, over g
+            [1/rad]: the relative change of g per radian of the root mean square of the slope's change, all joints together.
+        complementarity: Σ λ_i |d_i - target| over g, where the target is the required clearance plus the margin for the proof:
             about the share by which g would fall if no active pair kept more than the target.
-        active_clearance: largest difference between the distance of an active pair and the demanded clearance [m]; 0 where
+        active_clearance: largest difference between the distance of an active pair and the required clearance [m]; 0 where
             no clearance is active. Above ACTIVE where only pairs that are further away balance the gradient.
     """
 
@@ -63,9 +63,9 @@ class Optimality:
         )
 
 
-#: Of the only path of a basis, which has no unknowns.
+#: For the only path of a basis, which has no unknowns.
 SINGLE = Optimality(projected_gradient=0.0, complementarity=0.0, active_clearance=0.0)
-#: Of a path at which no descent ended, or whose g the quadrature panels of the descent do not resolve.
+#: For a path at which no descent ended, or whose g the quadrature panels of the descent do not resolve.
 UNKNOWN = Optimality(projected_gradient=np.inf, complementarity=np.inf, active_clearance=np.inf)
 
 
@@ -79,7 +79,7 @@ def measure_optimality(program: DescentProgram, z: Array) -> Optimality:
 
 
 def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
-    """The conditions with the multipliers that fit best, of pairs within `reach` of the demanded clearance [m]."""
+    """The conditions with the best-fitting multipliers of pairs within `reach` of the required clearance [m]."""
     from scipy.optimize import nnls
 
     length = program.length.without_energy
@@ -98,7 +98,7 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
         return Optimality(projected_gradient=float(np.linalg.norm(gradient)), complementarity=0.0, active_clearance=0.0)
     try:
         multipliers, left = nnls(whole.T, gradient)
-    except RuntimeError as error:  # its maximum number of iterations
+    except RuntimeError as error:  # nnls reached its maximum number of iterations
         log.debug("no multipliers for %d active rows: %s", len(whole), error)
         return UNKNOWN
     # several gradients of one row are one convex combination times the sum of their multipliers [goldstein1977]
@@ -111,19 +111,19 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
     )
 
 
-#: Number of intervals of the path at whose ends all distances are measured; around the least one the grid is made finer.
+#: Number of intervals of the path at whose ends all distances are measured; the grid is refined around the smallest one.
 PLACES = 400
 
 
 @dataclass(frozen=True, kw_only=True)
 class LimitApproach:
-    """How near a path comes to one position limit of a joint.
+    """Smallest distance of a path to one position limit of a joint.
 
     Attributes:
-        joint: its name.
+        joint: name of the joint.
         side: "lower" or "upper".
-        distance: left to the limit [rad or m], over the whole curve; below zero beyond it.
-        at: the s where it is nearest, on a grid of 2001.
+        distance: smallest on the whole curve [rad or m]; negative beyond the limit.
+        at: the s where it is nearest, on a grid of 2001 points.
         unit: "rad" or "m".
     """
 
@@ -136,29 +136,29 @@ class LimitApproach:
 
 @dataclass(frozen=True, kw_only=True)
 class Certificate:
-    """What one path reaches.
+    """Figures measured on one path.
 
     Attributes:
         status: how the path came about.
         solver: how the solver that gave the path ended; "" for a seed, and where there was nothing to solve.
-        projected_gradient: what the active limits and clearances leave of the gradient of g, over g [1/rad]: the relative
-            change of g per radian of the root mean square of a change of q'(s). nan for a path that was not optimised; inf
-            where no descent ended at it, or what the descent minimised differs from its g.
+        projected_gradient: the part of the gradient of g that active limits and clearances do not balance, over g [1/rad]: the
+            relative change of g per radian of the root mean square of a change of q'(s). nan for a path that was not optimised;
+            inf when no descent ended at it, or what the descent minimised differs from its g.
         complementarity: about the share by which g would fall if no active pair of bodies kept more than the clearance and the
             margin for the proof; nan and inf as above.
         active_clearance: largest difference between the distance of an active pair of bodies and the clearance [m]; 0 where no
             clearance is active, nan and inf as above.
         g: ∫ ‖q'‖_W / m^power ds, to ten digits; to four where a power below 1 lets a path cross a singularity.
         unconstrained_g: g of the local optimum that is reached from this path when limits and obstacles are taken away, in the
-            same basis and with the same end conditions. nan when g is infinite, and for a path that the path optimiser did
-            not make. `gap` compares the two.
+            same basis and with the same end conditions. nan when g is infinite, and for a path that does not come from
+            the path optimiser. `gap` compares the two.
         power, measure, unit: exponent, name of the measure m, and its unit.
-        min_manipulability, min_at: the minimum manipulability, and the s where it is.
-        clearance, clearance_at, nearest_pair: the least distance [m] that was measured, the s where it is, and the two bodies.
-            inf, nan and () where nothing is checked. Measured at 401 places, and closer around the least.
-        proven_clearance: on the whole curve, also between those places, no checked pair comes nearer [m]; inf where nothing
-            is checked. For a seed that could not be proven free it is not above the clearance asked for.
-        limits: how near the path comes to every finite position limit of every joint, nearest first.
+        min_manipulability, min_at: the minimum manipulability, and the s where it occurs.
+        clearance, clearance_at, nearest_pair: the smallest measured distance [m], the s where it occurs, and the two bodies.
+            inf, nan and () where nothing is checked. Measured at 401 places, and more densely around the smallest.
+        proven_clearance: lower bound of the distance of all checked pairs on the whole curve, also between those places [m];
+            inf where nothing is checked. For a seed that could not be proven free it is at most the required clearance.
+        limits: smallest distance to every finite position limit of every joint, nearest first.
     """
 
     status: Status
@@ -181,7 +181,7 @@ class Certificate:
 
     @property
     def gap(self) -> float:
-        """g over the unconstrained optimum nearby, minus 1: what limits and obstacles, or a seed that was kept, cost."""
+        """g over the unconstrained optimum nearby, minus 1: the cost of limits and obstacles, or of keeping the seed."""
         return self.g / self.unconstrained_g - 1
 
     @classmethod
@@ -249,7 +249,7 @@ class Certificate:
         if np.isnan(self.projected_gradient):
             return "not measured: this path was not optimised"
         if np.isinf(self.projected_gradient):
-            return "not known: no descent ended at this path, or what it minimised differs from g here"
+            return "unknown: no descent ended at this path, or what it minimised differs from g here"
         return (
             f"projected gradient {self.projected_gradient:.1e} (at most {GRADIENT:g} per rad), "
             f"complementarity {self.complementarity:.1e} (at most {COMPLEMENTARITY:g}), "
@@ -257,14 +257,14 @@ class Certificate:
         )
 
     def _beside(self) -> str:
-        """How g compares with the unconstrained optimum, where that is known."""
+        """Comparison of g with the unconstrained optimum, if that is known."""
         if np.isnan(self.unconstrained_g):
             return ""
-        return f"; without limits and obstacles nearby {self.unconstrained_g:.6g} ({100 * self.gap:+.3g} %)"
+        return f"; nearby optimum without limits and obstacles: {self.unconstrained_g:.6g} ({100 * self.gap:+.3g} %)"
 
 
 def limit_approaches(path: JointPath, robot: Robot) -> tuple[LimitApproach, ...]:
-    """How near the whole curve comes to every finite position limit, nearest first."""
+    """Smallest distance of the whole curve to every finite position limit, nearest first."""
     low, high = path.bounds()
     s = np.linspace(0.0, 1.0, 2001)
     q = path(s)
@@ -281,12 +281,12 @@ def limit_approaches(path: JointPath, robot: Robot) -> tuple[LimitApproach, ...]
 
 
 def _clearance(path: JointPath, model: CollisionModel | None) -> tuple[float, float, tuple[str, ...]]:
-    """Least distance of all pairs [m], the s where it is, and the names of the pair."""
+    """Smallest distance of all pairs [m], the s where it occurs, and the names of the pair."""
     if model is None or not model.pair_names:
         return np.inf, np.nan, ()
     s = np.linspace(0.0, 1.0, PLACES + 1)
     least, at, pair = np.inf, 0.0, 0
-    for _ in range(3):  # 400 places, then 40 around the least, then 40 around that
+    for _ in range(3):  # 400 intervals, then 40 around the smallest distance, then 40 around that
         distances: Array = np.array([model.distances(q) for q in path(s)])
         k, nearest = divmod(int(distances.argmin()), distances.shape[1])
         if distances[k, nearest] < least:

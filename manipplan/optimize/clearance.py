@@ -1,6 +1,6 @@
-"""Clearance rows: where a path comes near something, planes that keep it on its side.
+"""Clearance rows: planes that keep a path on its side of bodies that it comes near.
 
-At a place s of a path, two convex bodies have a plane between them that touches the second. As long as the first stays
+At a place s of a path, a plane that touches the second of two convex bodies separates them. As long as the first stays
 beyond that plane the two are apart, whatever else the arm does: rows built on a free path keep a path free at s. The
 planes are renewed on each new path, so they follow it; where it is not free yet, those of the free seed push it out.
 """
@@ -30,7 +30,7 @@ class ClearanceRow:
         s: place on the path.
         joint, point: index of the joint that carries the point, and the point (3,) in its frame [m].
         other, normal, offset: index of the joint that carries the plane, its unit normal (3,) and offset [m] there.
-        distance: to keep from the plane [m].
+        distance: minimum distance from the plane [m].
     """
 
     s: float
@@ -42,26 +42,26 @@ class ClearanceRow:
     distance: float
 
     def column(self, n: int) -> Array:
-        """The row of a robot of n joints as numbers, (column_height(n),): what `row_functions` take."""
+        """The row as numbers (column_height(n),) for a robot of n joints: the argument of `row_functions`."""
         carrier, other = np.eye(n + 1)[[self.joint, self.other]]
         return np.array([*carrier, *other, *self.point, *self.normal, self.offset, self.distance])
 
 
 def column_height(n: int) -> int:
-    """Numbers of a column: two joints one-hot, point, normal, offset and distance."""
+    """Length of a column: two joints one-hot, point, normal, offset and distance."""
     return 2 * (n + 1) + 8
 
 
 def met_column(n: int) -> Array:
-    """The column of a row that is always met: no normal and offset -1 m, so 0 >= -1."""
+    """The column of a row that is always met: zero normal and offset -1 m, so 0 >= -1."""
     return ClearanceRow(s=0.0, joint=0, point=np.zeros(3), other=0, normal=np.zeros(3), offset=-1.0, distance=0.0).column(n)
 
 
 def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
-    """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q, a Function each, compiled as asked.
+    """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q, one Function each, compiled on request.
 
-    The second argument is a `ClearanceRow.column`. Only joints between the two move the point against the plane: sign σ_i is
-    1 where joint i carries the point alone, -1 where it carries the plane alone. Then with c_i the velocity of the point as
+    The second argument is a `ClearanceRow.column`. Only joints between the two move the point relative to the plane: the sign
+    σ_i is 1 where joint i carries only the point, -1 where it carries only the plane. With c_i the velocity of the point as
     carried by joint i, ∂_i d = σ_i n · c_i, and for i <= j ∂_i ∂_j d = n · (z_i x c_j), or n · (z_j x c_i) for the plane.
     """
     chain, model = kinematics.symbolic.chain, kinematics.robot.model
@@ -102,24 +102,24 @@ def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
     return as_asked(functions, kinematics.compiled, f"clearance rows of paths of {kinematics.robot.name}")
 
 
-#: Places along a path at which all distances are looked at.
+#: Number of intervals of a path at whose ends all distances are measured.
 PLACES = 160
-#: A pair is watched where its distance has a dip below this [m].
+#: A pair gets rows where its distance has a dip below the clearance plus this [m].
 NEAR = 0.03
-#: Rows ask for this much more than the demanded clearance, for what happens between places [m].
+#: Margin of rows above the required clearance, to cover the path between places [m].
 SPARE = 0.003
-#: Rows are made at so many places a solve at most, those where pairs are nearest.
+#: Maximum number of places with rows per solve, those where pairs are nearest.
 MOST_PLACES = 60
-#: Where there are more and no free path is known yet, only where pairs are nearer than this [m]: of the rows of a long search
-#: nine of ten are further off, and most of a solve's time is the factorisation of all of them.
+#: If there are more and no free path is known yet, only places where pairs are nearer than the clearance plus this [m] get
+#: rows: nine of ten rows of a long search are further away, and most of a solve's time is the factorisation of all of them.
 FAR = 0.1
 #: Distance in s of the places that are added on either side of a dip.
 REACH = 0.02
-#: New places nearer in s than this to one of the same pair are not added.
+#: New places closer in s than this to one of the same pair are not added.
 APART = 0.4 * REACH
-#: The same once a path touches something between places that far apart.
+#: The same after a path touched something between places that far apart.
 CLOSE = 0.05 * REACH
-#: Points of a body that are kept on their side of a plane: those nearest to it.
+#: Number of points per body that are kept on their side of a plane: those nearest to it.
 POINTS = 2
 
 Place = tuple[float, int]
@@ -145,7 +145,7 @@ def around(places: Iterable[Place]) -> list[Place]:
 
 
 def merged(old: Iterable[Place], new: Iterable[Place], apart: float = APART) -> list[Place]:
-    """Old places and those of the new ones that are more than `apart` from each one of the same pair."""
+    """Old places, and the new ones that are more than `apart` from every place of the same pair."""
     places = list(old)
     for s, pair in new:
         if all(other != pair or abs(s - place) > apart for place, other in places):
@@ -154,7 +154,7 @@ def merged(old: Iterable[Place], new: Iterable[Place], apart: float = APART) -> 
 
 
 def nearest(model: CollisionModel, path: JointPath, places: Sequence[Place], *, most: float = np.inf) -> tuple[Place, ...]:
-    """All places, or where they are more than MOST_PLACES, the nearest of them on `path` that are not beyond `most` [m]."""
+    """All places; if there are more than MOST_PLACES, the nearest on `path` whose distance is at most `most` [m]."""
     if len(places) <= MOST_PLACES:
         return tuple(places)
     at = configurations(path, [s for s, _ in places])

@@ -22,7 +22,7 @@ from manipplan.symbolic.batch_function import BatchFunction
 LEAST_BEND = 1e-3
 #: Maximum number of places of a rejected path whose planes become rows, the nearest first.
 MOST_REJECTED = 10
-#: A row may be smaller than the true distance allows by this [m].
+#: Tolerance by which a row may be stricter than the true distance [m].
 STRICT = 1e-7
 
 
@@ -42,7 +42,7 @@ class LinearRows:
     jacobian: Array
 
     def with_rows(self, other: "LinearRows") -> "LinearRows":
-        """These rows, then the other ones."""
+        """These rows followed by the other ones."""
         return LinearRows(
             value=np.concatenate([self.value, other.value]), jacobian=np.concatenate([self.jacobian, other.jacobian])
         )
@@ -63,7 +63,7 @@ class LimitRows:
     upper: Array
 
     def violation(self, z: Array) -> float:
-        """How far a point is beyond a limit at most [rad or m]; 0 where none is."""
+        """Largest violation of a limit by a control point [rad or m]; 0 when there is none."""
         points = self.line + self.directions @ z
         return float(max(np.max(self.lower - points, initial=0.0), np.max(points - self.upper, initial=0.0)))
 
@@ -87,8 +87,8 @@ class ClearanceTable:
 
     Attributes:
         functions: distance and gradient of the rows.
-        curves: on which they are.
-        surroundings: where they were measured; None: nothing is checked.
+        curves: the curves they are on.
+        surroundings: source of their distances; None: nothing is checked.
         places: s and pair of each row, and whether the distance has a minimum along the path there.
         columns: (r, column_height(n)) the rows as numbers, see `ClearanceRow.column`.
     """
@@ -131,9 +131,9 @@ class ClearanceTable:
         return cls(functions=functions, curves=curves, surroundings=surroundings, places=twice, columns=table)
 
     def usable(self, z: Array) -> "ClearanceTable | None":
-        """The rows that are not stricter at z (f, n) than the true distance of their pair; None without any.
+        """The rows that are not stricter at z (f, n) than the true distance of their pair; None when there are none.
 
-        A plane that was made on another path can be: its row would forbid configurations that are free.
+        A row with a plane from another path can be stricter and would forbid configurations that are free.
         """
         assert self.surroundings is not None
         if not self.places:
@@ -197,7 +197,7 @@ class ClearanceTable:
         Args:
             z: unknowns (f, n).
             rows: indices of the rows (r,).
-            step: of each joint to either side [rad or m].
+            step: joint step to either side [rad or m].
 
         Returns:
             The gradients (k, f n) with k = r (2 n + 1), and for each the index of its row (k,).

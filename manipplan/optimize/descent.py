@@ -30,7 +30,7 @@ RADIUS, LARGEST_RADIUS, SMALLEST_RADIUS = 0.1, 0.8, 1e-8
 #: The descent ends when the model predicts that the merit function falls by less than this share of g: with collision checks,
 #: and without.
 TOLERANCE, FREE_TOLERANCE = 5e-7, 1e-9
-#: Before it ends, the radius is set back to RADIUS for up to this number of steps. At a saddle of g the gradient is zero, and
+#: Before it ends, the radius is set back to RADIUS for at most this number of steps. At a saddle of g the gradient is zero, and
 #: only a long step along negative curvature lowers g.
 WIDE_STEPS = 3
 #: A step is accepted when the actual decrease is more than this share of the predicted one. Up to the second share, a
@@ -40,7 +40,7 @@ ACCEPTED, CORRECTED = 1e-4, 0.75
 EXACT = 1e-9
 #: Minimum eigenvalue of a convex model, as a share of the largest absolute one.
 LEAST_CURVATURE = 1e-6
-#: Where no step meets all rows: curvature that is added to the model, as a share of its largest and of ν, and the minimum ν.
+#: When no step meets all rows: curvature that is added to the model, as a share of its largest and of ν, and the minimum ν.
 SOFT, SOFT_PENALTY = 1e-5, 1e3
 #: First, smallest and largest penalty parameter ν, in units of g per metre or radian.
 PENALTY, LEAST_PENALTY, LARGEST_PENALTY = 10.0, 10.0, 1e6
@@ -48,10 +48,10 @@ PENALTY, LEAST_PENALTY, LARGEST_PENALTY = 10.0, 10.0, 1e6
 MENDED = 0.7
 #: Rows are made for bodies within this distance of the target: metres per radian of the radius, at least and at most [m].
 BAND, LEAST_BAND, MOST_BAND = 1.0, 2e-3, 0.1
-#: What DAQP gets is rounded to this number of bits, values of rows to multiples of a spacing [rad or m], and steps to fewer
+#: Inputs of DAQP are rounded to this number of bits, values of rows to multiples of a spacing [rad or m], and steps to fewer
 #: bits, so that rounding errors are not amplified from step to step.
 QP_BITS, ROW_SPACING, STEP_BITS = 24, 2.0**-30, 12
-#: For DAQP: the bound that stands for none, the tolerances that are tried in turn, and the maximum number of iterations.
+#: For DAQP: the value of an absent bound, the tolerances that are tried in turn, and the maximum number of iterations.
 NONE, QP_TOLERANCES, QP_STEPS = 1e30, (1e-10, 1e-8), 3000
 
 
@@ -74,12 +74,12 @@ class Descent:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class DescentProgram:
-    """What a descent minimises and what it obeys.
+    """Objective and constraints of a descent.
 
     Attributes:
         length: g as a function of the unknowns.
         limits: the joint limits.
-        functions: of the clearance rows.
+        functions: functions of the clearance rows.
         surroundings: distances of the true bodies; None: nothing is checked for collision.
     """
 
@@ -94,7 +94,7 @@ class DescentProgram:
         return curves.basis.path(curves.start, curves.goal, curves.coefficients(z))
 
     def look(self, z: Array, radius: float) -> Look:
-        """The bodies that are near the path at z (f, n), within the distance that a step of `radius` can use up."""
+        """The bodies near the path at z (f, n), within the distance that a step of `radius` can use up."""
         if self.surroundings is None:
             return Look(places=(), distances=np.empty(0), bottoms=frozenset())
         return self.surroundings.look(self.path(z), min(max(BAND * radius, LEAST_BAND), MOST_BAND))
@@ -105,7 +105,7 @@ class DescentProgram:
         return max(short, self.limits.violation(z))
 
     def rejected_rows(self, here: "_Point", there: "_Point") -> ClearanceTable | None:
-        """Rows with the separating planes of a rejected path `there`, as far as they are not too strict at `here`."""
+        """Rows with the separating planes of a rejected path `there`, except those too strict at `here`."""
         if self.surroundings is None:
             return None
         table = ClearanceTable.of_rejected(
@@ -140,7 +140,7 @@ class _Point:
 
 @dataclass(frozen=True, kw_only=True)
 class _Step:
-    """A step p (f n,), the violation that its linear rows keep [rad or m], and the multipliers (r,) of these rows."""
+    """A step p (f n,), the violation that its linear rows leave [rad or m], and the multipliers (r,) of these rows."""
 
     p: Array
     slack: float
@@ -156,8 +156,8 @@ class _Model:
         hessian: (f n, f n) of the Lagrangian: that of g minus `curvature`. It may be indefinite.
         clearance: linear clearance rows about the point.
         convex: two convex models, each a Hessian (f n, f n) and a gradient (f n,). Where the first gives no step that lowers
-            the merit function, the second is tried. The first has ½ ρ ‖A p + c‖² added for the active rows A p + c, which
-            does not change the step while these rows stay active. The second has not.
+            the merit function, the second is tried. Only the first has ½ ρ ‖A p + c‖² added for the active rows A p + c, which
+            does not change the step while these rows stay active.
         curvature: (f n, f n) Σ_i λ_i ∇²d_i of the clearance rows.
     """
 
@@ -198,7 +198,7 @@ class _Model:
         )
 
     def with_rejected(self, program: DescentProgram, here: _Point, there: _Point) -> "_Model":
-        """The same about `here` with rows for the bodies that a rejected step met at `there`."""
+        """The same model about `here`, with rows for the bodies that a rejected step met at `there`."""
         table = program.rejected_rows(here, there)
         if table is None:
             return self
@@ -219,8 +219,8 @@ def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None
     Args:
         program: what is minimised.
         z: first unknowns (f, n).
-        tolerance: the descent ends when the predicted decrease of the merit function is a smaller share of g than this;
-            default TOLERANCE, or FREE_TOLERANCE without collision checks.
+        tolerance: the descent ends when the predicted decrease of the merit function is below this share of g; default
+            TOLERANCE, or FREE_TOLERANCE without collision checks.
     """
     is_unchecked = program.surroundings is None
     steps, usual_tolerance = (FREE_STEPS, FREE_TOLERANCE) if is_unchecked else (STEPS, TOLERANCE)

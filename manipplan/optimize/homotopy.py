@@ -1,7 +1,7 @@
-"""Ways around: goals a turn away, seeds of several homotopy classes, their solves side by side, the best and its rivals.
+"""Alternative paths: goals a turn away, seeds of several homotopy classes, their parallel solves, the best and its rivals.
 
-Two free paths are taken for one class when the straight homotopy (1 - t) a(s) + t b(s) between them stays free on a grid. That
-errs to the safe side: paths of one class may be told apart, and are then both solved; a thin obstacle may slip through.
+Two free paths count as one class when the straight homotopy (1 - t) a(s) + t b(s) between them stays free on a grid. This is
+conservative: paths of one class may count as two, and are then both solved. But a thin obstacle may be missed.
 """
 
 import itertools
@@ -28,9 +28,9 @@ from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Status
 
-#: Places along two paths, and stages between them, at which their homotopy is looked at.
+#: Number of places along two paths, and of stages between them, at which their homotopy is checked.
 PLACES, STAGES = 80, 9
-#: Two results are the same path when no joint differs more than this between points of equal share of length [rad or m].
+#: Two results are the same path when no joint differs by more than this at equal shares of their length [rad or m].
 SAME = 1e-2
 
 log = logging.getLogger("manipplan")
@@ -40,9 +40,9 @@ _own = threading.local()
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SolvePool:
-    """Does the work of one problem, here or over an executor, whose workers each have a robot of their own.
+    """Runs the tasks of one problem, in this process or on an executor, whose workers each have their own robot.
 
-    First paths are the first third of what `tell` hears.
+    The search for first paths reports progress 0 to 0.33.
     """
 
     problem: PathProblem
@@ -50,12 +50,12 @@ class SolvePool:
     tell: Progress = silent
 
     def seeds(self, start: Array, tasks: Sequence[tuple[Array, int]]) -> list[JointPath | str]:
-        """A free first path for each goal (n,) and seed, or why there is none."""
+        """A free first path per goal (n,) and seed, or the reason why there is none."""
         tell = part(self.tell, 0.0, 0.33)
         return self._each(_seed, [(start, goal, seed) for goal, seed in tasks], tell, "looking for a first path")
 
     def solve_local(self, firsts: Sequence[JointPath]) -> list[PathResult]:
-        """The optimiser's result from each first path; from the first one to each goal also that from the straight line."""
+        """The optimiser's result from each first path; the first one to each goal is solved from the straight line as well."""
         tasks = []
         for k, first in enumerate(firsts):
             known = any(np.array_equal(first.goal, other.goal) for other in firsts[:k])
@@ -82,7 +82,7 @@ class SolvePool:
 
 
 def seed_classes(pool: SolvePool, start: Array, goals: Sequence[Array], seeds: Iterable[int]) -> list[JointPath]:
-    """First paths to solve from: to each goal one of each class, of least g.
+    """First paths to solve from: per goal and class, the one with the smallest g.
 
     Raises PlanningError when there is none to any goal.
     """
@@ -115,7 +115,7 @@ def same_class(model: CollisionModel, first: JointPath, second: JointPath, clear
 
 
 def best_and_rivals(results: Sequence[PathResult]) -> PathResult:
-    """The result of least g, with the others as its rivals, best first, each path once."""
+    """The result with the smallest g, with the others as its rivals, best first, each path once."""
     kept: list[PathResult] = []
     for result in sorted(results, key=lambda each: each.g):
         if not any(_same(result.path, other.path) for other in kept):
@@ -127,7 +127,7 @@ def best_and_rivals(results: Sequence[PathResult]) -> PathResult:
 
 
 def shifted_goals(robot: Robot, start: Array, goal: Array) -> list[Array]:
-    """The goal and all that differ from it by a turn in some revolute joints, inside the limits."""
+    """The goal and all goals inside the limits that differ from it by one turn in some revolute joints."""
     turns = []
     for joint, kind in enumerate(robot.joint_types):
         options = (0,) if kind == "prismatic" else (-1, 0, 1)
@@ -161,7 +161,7 @@ def _seed(problem: PathProblem, start: Array, goal: Array, seed: int) -> JointPa
         try:
             return _planned(problem, start, goal, seed, limit / 2, same_aspect=True)
         except PlanningError as error:
-            log.info("%s; now also through singularities", error)
+            log.info("%s; trying again with paths through singularities", error)
             limit /= 2
     try:
         return _planned(problem, start, goal, seed, limit)
@@ -186,7 +186,7 @@ def _planned(
 
 
 def _random_path(robot: Robot, start: Array, goal: Array, seed: int) -> JointPath:
-    """The straight line for seed 0, else by way of a random configuration no further than half a turn from its middle."""
+    """The straight line for seed 0, else a path through a random configuration within half a turn of its middle per joint."""
     if seed == 0:
         return JointPath.line(start, goal)
     via = (start + goal) / 2 + np.random.default_rng(seed).uniform(-np.pi, np.pi, robot.n)
@@ -198,7 +198,7 @@ def _solve(problem: PathProblem, first: JointPath, straight: bool) -> PathResult
 
 
 def _at_worker(work: Callable[..., T], packed: bytes, task: tuple[object, ...]) -> T:
-    """Run in a worker's thread: its problem is unpacked once, with what was built for it, and kept for the next task."""
+    """Run in a worker's thread, which unpacks the problem once and keeps it, with what was built for it, for later tasks."""
     if getattr(_own, "packed", None) != packed:
         _own.problem, _own.packed = pickle.loads(packed), packed
     return work(_own.problem, *task)

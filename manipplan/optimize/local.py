@@ -1,4 +1,4 @@
-"""Local optima between one start and goal: a path of low energy first, then a descent on g among the true obstacles."""
+"""Local optima between one start and goal: first a path of low energy, then a descent on g among the true obstacles."""
 
 import logging
 from collections.abc import Callable
@@ -21,31 +21,31 @@ from manipplan.support.checks import Array
 
 log = logging.getLogger("manipplan")
 
-#: Rounds of solving and renewing clearance rows, from one first path.
+#: Maximum number of rounds of solving and renewing clearance rows, per first path.
 ROUNDS = 8
 #: Rounds end when one lowers g by less than this share.
 SMALL_GAIN = 1e-2
-#: Where no round gives a free path, the descent starts from the solution that misses the demanded clearance by the least,
-#: if that is less than this [m].
+#: If no round gives a collision-free path, the descent starts from the solution that falls short of the required clearance
+#: the least, if by less than this [m].
 NEARLY_FREE = 0.1
-#: Clearance rows are added at up to this number of places per round, the deepest dips first.
+#: Maximum number of places at which clearance rows are added per round, the deepest dips first.
 NEW_PLACES = 10
-#: A basis contains a path when its fit is nowhere further from the path than this [rad or m].
+#: Maximum deviation of the fit to a path that the basis contains [rad or m].
 SAME = 1e-9
-#: The descent is repeated from the optimum at an even pace while that lowers g by more than this share.
+#: The descent is repeated from the fit to the optimum at an even pace while that lowers g by more than this share.
 WORTH = 1e-3
-#: A solution of the energy, which is rounded, may be beyond a joint limit by this [rad or m]: the descent goes back inside. A
-#: path that is returned may be beyond by the second value.
+#: Tolerances on the joint limits [rad or m]: of rounded solutions of the energy, from which a descent moves back inside, and
+#: of paths that are returned.
 NEARLY_INSIDE, INSIDE = 1e-4, 1e-7
-#: Tolerance of the descent to the unconstrained optimum, as a share of g: it serves only for comparison.
+#: Tolerance of the descent to the unconstrained optimum, as a share of g: it is used only for comparison.
 ROUGH = 1e-6
-#: Maximum number of descents from one path with the final margin. Another one follows where the proof fails, or where the
-#: quadrature panels do not resolve g on the path that was reached.
+#: Maximum number of descents from one path with the final margin. Another one follows when the proof fails, or when the
+#: quadrature panels do not resolve g on the path reached.
 DESCENTS = 8
-#: A path with a demanded clearance below the first value keeps these margins first [m]: a descent is slow around a corner of
-#: which it keeps only a tenth of a millimetre.
+#: With a required clearance below the first value, descents keep these wider margins first [m]: a descent is slow around a
+#: corner that it passes at only a tenth of a millimetre.
 ROUND, WIDE_MARGINS = 5e-3, (2e-3, 3e-4)
-#: What a descent minimises, without its share of the energy, is g when it agrees with the path's g to this share.
+#: Relative tolerance within which a descent's g, without its share of the energy, agrees with the path's g.
 AGREEMENT = 1e-6
 
 
@@ -61,7 +61,7 @@ class Step:
 
 @dataclass(frozen=True, kw_only=True)
 class Candidate:
-    """An optimised path inside the limits and proven free: coefficients (n, size), cost, first-order conditions, solver."""
+    """An optimised path, inside the limits and proven free: coefficients (n, size), cost, first-order conditions, solver."""
 
     path: JointPath
     coefficients: Array
@@ -78,7 +78,7 @@ class LocalSearch:
         program: the objective in one basis.
         start, goal: (n,) [rad or m].
         model: the arm among its obstacles; None: nothing is checked for collision.
-        clearance: demanded distance [m].
+        clearance: required distance [m].
         history: every solve is appended to it.
         ends: fixed derivatives at start and goal.
         accepted: every candidate is appended to it, so that an interrupt loses none.
@@ -105,7 +105,7 @@ class LocalSearch:
         return [Candidate(path=path, coefficients=self._straight(), cost=cost, optimality=SINGLE, solver="no unknowns")]
 
     def unconstrained(self) -> list[Candidate]:
-        """The local optimum near that of the energy from the straight line without obstacles; none when that is not free."""
+        """The local optimum near that of the energy, from the straight line without obstacles; none when that is not free."""
         solution = self.program.solve(self.start, self.goal, self._straight())
         free, *_ = self._judged("straight", solution)
         if not free:
@@ -114,7 +114,7 @@ class LocalSearch:
         return found or self._low_energy_path(solution)
 
     def nearest_to(self, first: JointPath) -> list[Candidate]:
-        """The local optimum that is reached from a path, or from the fit to it at an even pace where the basis lacks it."""
+        """The local optimum reached from a path, or from its fit at an even pace when the basis does not contain it."""
         basis, even = self.program.basis, np.linspace(0.0, 1.0, near.PLACES + 1)
         coefficients = self.ends.met(basis, basis.fit(first, even), self.start, self.goal)
         off = np.abs(basis.path(self.start, self.goal, coefficients)(even) - first(even)).max()
@@ -122,16 +122,16 @@ class LocalSearch:
         return [] if found is None else [found]
 
     def embedded(self, path: JointPath) -> list[Candidate]:
-        """The local optimum that is reached from a path of a lower degree."""
+        """The local optimum reached from a path of a lower degree."""
         basis = self.program.basis
         coefficients = basis.fit(path, np.linspace(0.0, 1.0, near.PLACES + 1))
         return self.optimum_from("lower degree", self.ends.met(basis, coefficients, self.start, self.goal))
 
     def optimum_from(self, name: str, coefficients: Array) -> list[Candidate]:
-        """The local optimum of the true problem that is reached from coefficients (n, size); none when it is not free.
+        """The local optimum of the true problem reached from coefficients (n, size); none when it is not free.
 
-        With `repaces`, where no clearance is active, the optimum is fitted again at an even pace. The fit differs a little, so
-        that another descent from it may reach a lower g.
+        With `repaces` and no active clearance, the optimum is fitted again at an even pace. The fit differs slightly, so
+        another descent from it may reach a lower g.
         """
         best = self._descend(name, coefficients)
         while self.repaces and best is not None and best.optimality.active_clearance == 0.0 and np.isfinite(best.cost.g):
@@ -146,10 +146,10 @@ class LocalSearch:
         return [] if best is None else [best]
 
     def _descend(self, name: str, coefficients: Array) -> Candidate | None:
-        """The path on which a descent from coefficients (n, size) ends; None when it is not free or leaves the limits.
+        """The path at which a descent from coefficients (n, size) ends; None when it is not free or leaves the limits.
 
-        Descents follow each other until a path is proven free, its g is resolved by the quadrature panels, and the descent has
-        converged. Each gets the place where the proof failed, and the panels that the one before it needed.
+        Descents are repeated until the path is proven free, the quadrature panels resolve its g, and the descent has
+        converged. Each takes over the place where the proof failed, and the panels that the one before it needed.
         """
         program, objective = self.program, self.program.objective
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
@@ -171,7 +171,7 @@ class LocalSearch:
             descent = descend(true, z)
             steps += descent.steps
             coefficients = true.length.curves.coefficients(descent.z)
-            if stage < len(margins) - 1:  # only an intermediate margin
+            if stage < len(margins) - 1:  # this margin is not the final one
                 continue
             path = true.path(descent.z)
             cost, proof = objective.cost(path), self._proof(path)
@@ -181,14 +181,14 @@ class LocalSearch:
                 surroundings.always.append((proof.at, proof.index))
                 continue
             if not self._inside_limits(path):
-                log.debug("descent: its path leaves the joint limits")
+                log.debug("descent: the path leaves the joint limits")
                 break
             solver = f"{descent.reason} after {steps} steps"
             optimality = measure_optimality(true, descent.z)
             candidate = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)
             agrees = abs(true.length.without_energy.value(descent.z) * true.length.g0 - cost.g) <= AGREEMENT * cost.g
             candidate = candidate if agrees else replace(candidate, optimality=UNKNOWN)
-            worth = WORTH if agrees else 0.0  # a confirmed optimum may be a little higher
+            worth = WORTH if agrees else 0.0  # a confirmed optimum may have a slightly larger g
             best = candidate if best is None or cost.g < best.cost.g * (1 + worth) else best
             converged = optimality.reached or not descent.exhausted
             if not np.isfinite(cost.g) or (converged and (agrees or not refined)):
@@ -207,10 +207,10 @@ class LocalSearch:
         return [*wide, max(min(MARGIN, room), 0.0)]
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
-        """The local optimum near a free path, by way of a path of low energy that passes bodies on the same sides.
+        """The local optimum near a free path, through a path of low energy that passes bodies on the same sides.
 
-        Clearance rows keep the energy's solution on these sides. They are renewed on each solution, until one is free and
-        the next one has hardly a lower g.
+        Clearance rows keep the solution of the energy on these sides. They are renewed on each solution until one is free and
+        the next one lowers g only slightly.
         """
         s, beginning = self._followed(first)
         coefficients = beginning
@@ -231,7 +231,7 @@ class LocalSearch:
             solution = self.program.solve(self.start, self.goal, coefficients, rows)
             if not solution.converged and np.array_equal(coefficients, beginning):
                 break
-            if not solution.converged:  # where it stopped depends on rounding errors: with the same places from the beginning
+            if not solution.converged:  # where it stopped depends on rounding errors: restart with the same places
                 coefficients = beginning
                 continue
             coefficients = solution.coefficients
@@ -251,7 +251,7 @@ class LocalSearch:
         return self.optimum_from("seed", nearly_free) if depth < NEARLY_FREE else []
 
     def _low_energy_path(self, solution: Solution) -> list[Candidate]:
-        """The free path of low energy itself, where no descent from it gave a free path; none when it leaves the limits."""
+        """The free path of low energy itself, when no descent from it gave a free path; none when it leaves the limits."""
         path = self.program.basis.path(self.start, self.goal, solution.coefficients)
         if not self._inside_limits(path):
             return []
@@ -260,15 +260,15 @@ class LocalSearch:
             coefficients=solution.coefficients,
             cost=self.program.objective.cost(path),
             optimality=UNKNOWN,
-            solver=f"no descent on g gave a free path; this one has a low energy (IPOPT: {solution.status})",
+            solver=f"no descent on g gave a collision-free path; this one has a low energy (IPOPT: {solution.status})",
         )
         self.accepted.append(candidate)
         return [candidate]
 
     def unconstrained_g(self, path: JointPath) -> float:
-        """g of the local optimum near a path with neither limits nor obstacles."""
+        """g of the local optimum near a path, without limits and obstacles."""
         basis = self.program.basis
-        same_breaks = np.isin(path.breaks, basis.breaks).all()  # then the fit at even places gives the path back
+        same_breaks = np.isin(path.breaks, basis.breaks).all()  # then the fit at even places is the path itself
         even = np.linspace(0.0, 1.0, near.PLACES + 1)
         s = even if same_breaks else self.program.objective.constant_speed(path, near.PLACES + 1)
         coefficients = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
@@ -279,7 +279,7 @@ class LocalSearch:
         return min(costs)
 
     def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
-        """Clearance rows at the places of `path`, with planes of the path `safe` where it is not free."""
+        """Clearance rows at the places of `path`, with planes of the path `safe` where `path` is not free."""
         if self.model is None:
             return []
         return near.rows_for(self.model, path, safe, places, self.clearance)
@@ -289,8 +289,8 @@ class LocalSearch:
     ) -> tuple[near.Place, ...]:
         """The places, and those where a path `touched` something or its distance profile (m, k) [m] dips below the clearance.
 
-        Where that adds none although the path is `touching` something, dips a little above the clearance and closer places
-        are added as well.
+        If that adds none although the path is `touching` something, dips slightly above the clearance and closer places are
+        added as well.
         """
         for spare in (0.0, near.SPARE) if touching else (0.0,):
             deepest = [*touched, *near.dips(distances, self.clearance + spare)][:NEW_PLACES]

@@ -1,4 +1,4 @@
-"""optimize_path: the joint path of least g between two configurations, among obstacles."""
+"""optimize_path: the joint path of minimum g between two configurations, among obstacles."""
 
 from concurrent.futures import Executor
 from pathlib import Path
@@ -28,9 +28,9 @@ from manipplan.symbolic.task import Task
 
 #: Maximum degree: a higher one is slower and no better.
 MOST_DEGREE = 20
-#: Maximum number of coefficients of one joint: the time of a solve grows with the square, and so does its memory.
+#: Maximum number of coefficients per joint: time and memory of a solve grow with its square.
 MOST_COEFFICIENTS = 200
-#: Maximum number of first paths to one goal.
+#: Maximum number of first paths per goal.
 MOST_SEEDS = 10_000
 SHIFTS = ("none", "within-limits")
 
@@ -63,67 +63,67 @@ def optimize_path(
     throw: bool = True,
     progress: Progress | None = None,
 ) -> PathResult:
-    """Find the path from start to goal that keeps far from singularities: of least g = ∫ ‖q'‖_W / m^power ds [kth2012, ch. 6].
+    """Find the path from start to goal of minimum g = ∫ ‖q'‖_W / m^power ds, far from singularities [kth2012, ch. 6].
 
-    The path is a polynomial of `degree`, or pieces of that degree. Its energy ∫ ‖q'‖_W² / m^(2 power) ds is minimised by IPOPT
-    until a free path is found, once from the straight line and once from the seed. From there g itself is minimised by
-    sequential quadratic programming in a trust region [nocedal2006, ch. 18], among the true distances of the scene. Degrees
-    above 6 and paths of several pieces also start from the optimum of a lower degree. The path of least g is returned; of two
-    whose g differ by less than 1e-5 the one that was found first. The optimum is local.
+    The path is a polynomial of `degree`, or pieces of that degree. IPOPT minimises its energy ∫ ‖q'‖_W² / m^(2 power) ds until
+    a collision-free path is found, once from the straight line and once from the seed. From there, sequential quadratic
+    programming in a trust region [nocedal2006, ch. 18] minimises g itself with the true distances of the scene. Degrees above
+    6 and paths of several pieces also start from the optimum of a lower degree. The path with the smallest g is returned; of
+    two whose g differ by less than a share of 1e-5, the one found first. The optimum is local.
 
-    Joint limits hold on the whole curve. With a scene, an optimised path is proven to be free on the whole curve; a seed is so
-    too, or is at least free at every milliradian. `certificate` says what was reached. Status.OPTIMAL means that first-order
-    conditions hold, measured on the path: the projected gradient of g is at most 1e-3 per rad, relative to g; complementarity
-    is at most 1e-5; active clearances are within 0.1 mm of the demanded one. Where one of them does not hold the status is
-    STOPPED_EARLY.
+    Joint limits hold on the whole curve. With a scene, an optimised path is proven collision-free on the whole curve; a seed
+    is proven too, or at least checked every milliradian. `certificate` holds the measured figures. Status.OPTIMAL means that
+    the first-order conditions hold on the path: the projected gradient of g is at most 1e-3 per rad, relative to g;
+    complementarity is at most 1e-5; active clearances are within 0.1 mm of the required one. If one of them does not hold,
+    the status is STOPPED_EARLY.
 
     Args:
         robot: the arm.
-        start, goal: (n,) inside the limits [rad or m].
+        start, goal: (n,) inside the joint limits [rad or m].
         degree: of the polynomial, or of each of its pieces, 1 to 20; 1 in one piece is the straight line.
-        power: exponent p of the index, above 0 and at most 100.
-        task: whose index counts; default `robot.default_task`.
+        power: exponent p of m, above 0 and at most 100.
+        task: task whose manipulability counts; default `robot.default_task`.
         scene: obstacles. None: no collision is checked, not even of the arm with itself.
-        initial: a first path from start to goal: a JointPath, a Trajectory, or the file of one (.csv, .json, .yaml, .npz), such
-            as a recorded motion. With a scene it must be free. g descends from the fit to it, so that optimising a result
-            again returns it. Default: the straight line, or with a scene `seed_path`.
-        shifts: "within-limits" also tries goals 2π away in each revolute joint, up to 3 to the power of n of them, and returns
-            the best. Their pose is that of the goal. Not together with `initial`.
-        basis: how the path is written. "legendre", "bernstein", "chebyshev" and "monomial" are the same polynomial and have
-            the same optimum; monomials only up to about degree 14. "bspline" joins `pieces` with degree - 1 continuous
-            derivatives, "composite" with one: for ways around many corners.
-        pieces: of equal width in s, 1 to 32; more than 1 only with "bspline" and "composite". With "composite" pieces times
-            (degree - 1) is at most 200.
-        measure: m, a name of `available_measures()` or a Measure that is at least zero and better when larger. Default:
-            Yoshikawa's index.
+        initial: a first path from start to goal: a JointPath, a Trajectory, or a trajectory file (.csv, .json, .yaml, .npz),
+            such as a recorded motion. With a scene it must be collision-free. The descent starts from the fit to it, so
+            optimising a result again returns it. Default: the straight line, or with a scene `seed_path`.
+        shifts: "within-limits" also tries goals 2π away in each revolute joint, at most 3 to the power of n of them, and
+            returns the best path. Their pose is that of the goal. Not together with `initial`.
+        basis: basis functions of the path. "legendre", "bernstein", "chebyshev" and "monomial" span the same polynomials and
+            have the same optimum; "monomial" only up to about degree 14. "bspline" joins `pieces` with degree - 1 continuous
+            derivatives, "composite" with one; both suit paths around many corners.
+        pieces: number of pieces, of equal width in s, 1 to 32; more than 1 only with "bspline" and "composite". With
+            "composite", pieces times (degree - 1) is at most 200.
+        measure: m, a name from `available_measures()` or a Measure that is at least zero and better when larger. Default:
+            Yoshikawa's manipulability.
         metric: W in ‖q'‖_W² = q'ᵀ W q': weights (n,) > 0, or a symmetric positive definite matrix (n, n). Default: identity.
-        start_slope, goal_slope: q'(0) and q'(1), (n,), by s [rad or m]. Default: free.
-        start_bend, goal_bend: q''(0) and q''(1), (n,) [rad or m]. Default: free. Each slope or bend needs one degree more.
-        clearance: distance [m] to keep from obstacles and between the arm's own links; needs a scene. An optimised path keeps
+        start_slope, goal_slope: q'(0) and q'(1), (n,), with respect to s [rad or m]. Default: free.
+        start_bend, goal_bend: q''(0) and q''(1), (n,) [rad or m]. Default: free. Each slope or bend needs one more degree.
+        clearance: minimum distance [m] from obstacles and between the arm's own links; needs a scene. An optimised path keeps
             0.05 mm more, so that the proof succeeds.
-        seed: of the planner of the first path; without a scene, of the random first paths.
-        seeds: how many first paths are looked for to each goal. With a scene the planner makes them, with `seed`, `seed` + 1
-            and so on, and of those that a straight homotopy joins without touching anything only the best is optimised.
-            Without a scene they are the straight line and paths by way of random configurations.
-        time_limit: of the planner, for each first path [s].
-        executor: where first paths and solves run side by side; the result does not depend on it. Default: one by one, here.
-        compiled: True: objective, clearance rows and index in machine code. It is made once for a robot, task, measure and
-            metric, in some seconds, and kept in the user's cache folder. False: CasADi's virtual machine. "auto": machine
-            code where there is a compiler, except for measures whose Hessian takes long to compile (singular values, dynamic).
+        seed: random seed of the planner of the first path; without a scene, of the random first paths.
+        seeds: number of first paths per goal. With a scene the planner finds them, with `seed`, `seed` + 1 and so on, and of
+            those joined by a collision-free straight homotopy only the best is optimised. Without a scene they are the
+            straight line and paths through random configurations.
+        time_limit: time limit of the planner per first path [s].
+        executor: runs first paths and solves in parallel; the result does not depend on it. Default: in turn, in this process.
+        compiled: True: objective, clearance rows and measure in machine code. It is compiled in a few seconds, once per robot,
+            task, measure and metric, and kept in the user's cache folder. False: CasADi's virtual machine. "auto": machine
+            code if there is a compiler, except for measures whose Hessian takes long to compile (singular values, dynamic).
             The path is the same.
-        throw: raise PlanningError where no free path was found, or where the index vanishes on it, so that g is infinite.
-            False: return the result, whose status or g says so.
-        progress: called with the share done in [0, 1] and a text.
+        throw: raise PlanningError when no collision-free path is found, or m is zero on it, so that g is infinite. False:
+            return the result, whose status or g shows this.
+        progress: called with the completed share in [0, 1] and a text.
 
     Returns:
-        The path of least g. Its `rivals` are what came of other classes and goals. After an interrupt (Ctrl-C) the best
-        checked path so far, with Status.INTERRUPTED. KeyboardInterrupt is raised instead while first paths are looked for, in
-        the last moment, when the path is measured, and with an executor.
+        The path with the smallest g. Its `rivals` are the results of other homotopy classes and goals. After an interrupt
+        (Ctrl-C) the best checked path so far, with Status.INTERRUPTED. KeyboardInterrupt is raised instead during the search
+        for first paths, during the final measurement of the path, and with an executor.
 
     Raises:
-        InvalidInputError: an argument is not usable.
+        InvalidInputError: an argument is invalid.
         CompilerError: `compiled` is True and there is no compiler, or it fails.
-        PlanningError: with `throw`: no free path was found, or every one that was found meets a singularity.
+        PlanningError: with `throw`: no collision-free path was found, or every path that was found meets a singularity.
     """
     instance("robot", robot, Robot)
     if scene is not None:
@@ -133,14 +133,14 @@ def optimize_path(
     size = named_basis(basis, degree, pieces).size
     if size > MOST_COEFFICIENTS:
         wanted = (
-            f"fewer: with degree {degree} the basis {basis!r} has {size} coefficients per joint; allowed: {MOST_COEFFICIENTS}"
+            f"fewer: with degree {degree} the basis {basis!r} has {size} coefficients per joint, of at most {MOST_COEFFICIENTS}"
         )
         raise InvalidInputError("pieces", pieces, wanted)
     power = number("power", power, above=0.0, most=100.0)
     clearance = number("clearance", clearance, least=0.0)
     if clearance > 0 and scene is None:
         raise InvalidInputError(
-            "clearance", clearance, "0 without a scene, as then nothing is checked; scene=Scene() checks the arm against itself"
+            "clearance", clearance, "0 without a scene, since nothing is checked then; scene=Scene() checks for self-collision"
         )
     if shifts not in SHIFTS:
         raise UnknownNameError("shifts", str(shifts), SHIFTS)
@@ -187,7 +187,7 @@ def optimize_path(
         model.free_configuration("goal", q_goal, clearance)
     for each in goals:
         check_apart(q_start, each)
-    numbers = [seed if scene is not None else 0, *(seed + k for k in range(1, seeds))]  # without a scene 0 is the line
+    numbers = [seed if scene is not None else 0, *(seed + k for k in range(1, seeds))]  # without a scene, seed 0 is the line
     problem.ends.check_degree(lambda k: named_basis(basis, k, pieces), degree)
     pool = SolvePool(problem=problem, executor=executor, tell=tell)
     if recorded is not None:
@@ -205,7 +205,7 @@ def optimize_path(
     best = best_and_rivals(pool.solve_local(firsts))
     tell(1.0, "optimised")
     if throw and not np.isfinite(best.g) and best.status is not Status.INTERRUPTED:
-        raise PlanningError(f"the index vanishes on the path at s = {best.min_at:.3f}, so g is infinite", best)
+        raise PlanningError(f"the manipulability is zero on the path at s = {best.min_at:.3f}, so g is infinite", best)
     return best
 
 
@@ -223,7 +223,7 @@ def optimize_from(
     metric: ArrayLike | None,
     clearance: float,
 ) -> PathResult:
-    """As `optimize_path` with a first path that is known to be free, without starts from the optimum of a lower degree."""
+    """As `optimize_path`, with a first path known to be collision-free and no start from the optimum of a lower degree."""
     kinematics = robot.kinematics(task, measure=measure)
     problem = PathProblem(
         robot=robot,
@@ -248,7 +248,7 @@ def check_task(kinematics: Kinematics) -> None:
     task, n = kinematics.task, kinematics.robot.n
     if task.rows > n:
         raise InvalidInputError(
-            "task", task.name, f"at most {n} rows; with more rows than joints the index is identically zero"
+            "task", task.name, f"at most {n} rows; with more rows than joints the manipulability is identically zero"
         )
 
 
@@ -257,7 +257,7 @@ def check_measure(kinematics: Kinematics) -> None:
     measure = kinematics.measure
     if not measure.grows:
         usable = [name for name, kind in MEASURES.items() if kind.grows]
-        wanted = f"a measure that is at least zero and better when larger: {', '.join(usable)}, or one of your own"
+        wanted = f"a measure that is at least zero and better when larger: {', '.join(usable)}, or a custom one"
         raise InvalidInputError("measure", measure.name, wanted)
     measure.check(kinematics.task.rows, kinematics.robot.n)
 

@@ -42,9 +42,9 @@ class PathProblem:
     Attributes:
         robot, scene: the arm and its obstacles; None: nothing is checked for collision.
         task, measure, power, metric: of the objective.
-        basis, degree, pieces: a name of BASES, the degree of each piece, and the number of pieces.
-        clearance: demanded distance [m].
-        time_limit: of the planner [s].
+        basis, degree, pieces: a name from BASES, the degree of each piece, and the number of pieces.
+        clearance: required distance [m].
+        time_limit: time limit of the planner [s].
         ends: fixed derivatives at start and goal.
         compiled: as in `Robot.kinematics`.
         given: the caller gave the first path, so the search also descends from it as it is.
@@ -68,7 +68,7 @@ class PathProblem:
     climbs: bool = True
 
     def objective(self) -> PathObjective:
-        """The objective for this process' robot."""
+        """The objective for this process's robot."""
         kinematics = self.robot.kinematics(self.task, measure=self.measure, compiled=self.compiled)
         return PathObjective(kinematics=kinematics, power=self.power, metric=self.metric)
 
@@ -77,7 +77,7 @@ class PathProblem:
         return None if self.scene is None else self.scene.collision_model(self.robot)
 
     def lower(self) -> "PathProblem | None":
-        """The same in the polynomials of a lower degree whose optimum is a start for this one; None for low degrees."""
+        """The same problem in polynomials of a lower degree, whose optimum is a start for this one; None for low degrees."""
         if self.pieces > 1:
             degree = BEGINNING
         elif self.degree > BEGINNING:
@@ -90,7 +90,7 @@ class PathProblem:
 
 
 def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPath, *, straight: bool = True) -> PathResult:
-    """The best path near `first`, which is free and inside the limits, and with `straight` near the straight line."""
+    """The best path near `first`, which is free and inside the limits, and with `straight` also near the straight line."""
     objective, model, clearance = problem.objective(), problem.model(), problem.clearance
     first_cost = objective.cost(first)
     history: list[Step] = []
@@ -154,11 +154,11 @@ def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPat
 
 
 def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, straight: bool) -> list[Candidate]:
-    """The local optima that are reached from several first paths, in this order.
+    """The local optima reached from several first paths, in this order.
 
     1. The straight line, with `straight` or where `first` is straight.
-    2. The path `first`. A given path, or one in several pieces, is descended from as it is. Otherwise, and where that gives no
-       free path, a path of low energy near it comes first.
+    2. The path `first`. For a given path, or with several pieces, the descent starts at the path itself. Otherwise, or if that
+       gives no collision-free path, it starts at a path of low energy near it.
     3. The optimum of a lower degree.
     """
     is_line = len(first.control) == 1 and first.degree == 1
@@ -176,7 +176,7 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
 
 
 def _best(found: Sequence[Candidate]) -> Candidate | None:
-    """The candidate of least g; the earlier one of two that tie, so that rounding does not choose."""
+    """The candidate with the smallest g; of two that tie the earlier one, so that rounding does not decide."""
     best: Candidate | None = None
     for each in found:
         if best is None or each.cost.g < best.cost.g * (1 - TIE):
@@ -198,11 +198,11 @@ def _program(problem: PathProblem, objective: PathObjective) -> PathProgram:
 
 @once_per_owner
 def _programs(_robot: Robot) -> dict[tuple[object, ...], PathProgram]:
-    """The programs that were built for a robot."""
+    """The programs built for a robot so far."""
     return {}
 
 
-#: How a recorded motion is read, by the end of the file's name.
+#: Readers of recorded motions, by file extension.
 READERS = {
     ".csv": Trajectory.from_csv,
     ".json": Trajectory.from_json,
@@ -213,7 +213,7 @@ READERS = {
 
 
 def initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> JointPath:
-    """A first path in any form as a JointPath of this robot's joints."""
+    """A first path of any accepted type as a JointPath of this robot's joints."""
     if isinstance(initial, JointPath):
         path = initial
     else:
@@ -229,15 +229,15 @@ def initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> 
 
 def _recorded(file: str | Path) -> Trajectory:
     if not isinstance(file, str | Path):
-        raise InvalidInputError("initial", file, "a JointPath, a Trajectory, or the path of its file")
+        raise InvalidInputError("initial", file, "a JointPath, a Trajectory, or the path of a trajectory file")
     read = READERS.get(Path(file).suffix.lower())
     if read is None:
-        raise FileFormatError("initial", str(file), f"a file of a trajectory: {', '.join(READERS)}")
+        raise FileFormatError("initial", str(file), f"a trajectory file: {', '.join(READERS)}")
     return read(file)
 
 
 def check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: Array) -> None:
-    """Raise InvalidInputError for a first path that does not go from start to goal, inside the limits and free."""
+    """Raise InvalidInputError unless the first path goes from start to goal, inside the limits and collision-free."""
     robot, model = problem.robot, problem.model()
     for name, q, end in (("start", start, initial.start), ("goal", goal, initial.goal)):
         off = np.abs(end - q)
@@ -258,4 +258,4 @@ def check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: 
             "initial", f"a path with {first} and {second} {apart} at s = {proof.at:.4f}", f"a path {wanted}"
         )
     if not (proof.proven or model.path_is_free(initial, CHECK_STEP, problem.clearance)):
-        raise InvalidInputError("initial", "a path in collision", "a path that is free with the demanded clearance")
+        raise InvalidInputError("initial", "a path in collision", "a path that is free with the required clearance")

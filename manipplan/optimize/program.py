@@ -1,7 +1,7 @@
 """The program of a path in one basis: solves of the energy by IPOPT, and the program of g for the descent.
 
 Everything that changes from one solve of the energy to the next (ends, guess, rows) is a parameter, so IPOPT is set up once
-for an objective and a basis. Unknowns z: coefficients along the free directions, joint after joint for each direction, then
+per objective and basis. Unknowns z: coefficients along the free directions, joint after joint for each direction, then
 one slack [m] per clearance row. Parameters p: start, goal, 1 / size and g₀ of the objective, the coefficients that are kept,
 and the table of rows. First and second derivatives are exact.
 """
@@ -25,17 +25,17 @@ from manipplan.support.checks import Array
 from manipplan.support.interrupts import interruptible
 from manipplan.symbolic.batch_function import BatchFunction
 
-#: Cost of a slack of one metre, in units of the first energy: a path that can be clear is.
+#: Cost of a slack of one metre, in units of the first energy: large enough that a path meets the rows if it can.
 SLACK_COST = 1e3
 
 
-#: With clearance rows, which are made anew after each solve, it may take no more than this.
+#: Maximum number of IPOPT iterations with clearance rows, which are renewed after each solve.
 STEPS_WITH_ROWS = 60
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Integral:
-    """A density, the rule (m,), (m,) by which it is integrated over s, IPOPT's tolerance, and how many steps it may take."""
+    """A density, its quadrature points and weights over s, (m,) each, and IPOPT's tolerance and maximum number of steps."""
 
     density: Density
     s: Array
@@ -46,19 +46,19 @@ class Integral:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Hull:
-    """Points line (goal - start) + rows x above start whose joint limits are those of the curve: (r,) and (r, size)."""
+    """Points start + line (goal - start) + rows x, whose joint limits are those of the curve: (r,) and (r, size)."""
 
     line: Array
     rows: Array
 
     def none(self) -> "Hull":
-        """No points: no limits."""
+        """A hull without points, for no limits."""
         return Hull(line=self.line[:0], rows=self.rows[:0])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Curve:
-    """The curve start + s (goal - start) + Σ_j x_j φ_j(s) in symbols; x (n, size) depends on the unknowns by `free`."""
+    """The curve start + s (goal - start) + Σ_j x_j φ_j(s) in symbols; x (n, size) depends on the unknowns through `free`."""
 
     start: ca.MX
     goal: ca.MX
@@ -85,15 +85,15 @@ def ipopt_solver(
     n: int,
     power: float,
 ) -> ca.Function:
-    """IPOPT on the program of `n` joints.
+    """IPOPT solver for the program of `n` joints.
 
     Args:
         integral: what is minimised.
         basis, free: the functions φ_j, and directions (size, f) of their coefficients.
-        hull: whose points keep the joint limits.
-        rows: `row_functions`; not used without capacity.
-        capacity: columns of the table of clearance rows.
-        n, power: joints, and exponent of the index.
+        hull: points that have to keep the joint limits.
+        rows: `row_functions`; not used when `capacity` is 0.
+        capacity: number of columns in the table of clearance rows.
+        n, power: number of joints, and exponent of the measure.
     """
     size, height = n * free.shape[1], basis.size + 1 + column_height(n)
     z = ca.MX.sym("z", size + capacity)
@@ -126,7 +126,7 @@ def ipopt_solver(
         "error_on_fail": False,
         "calc_lam_p": False,
         "no_nlp_grad": True,
-        "show_eval_warnings": False,  # a step to where g is no number is halved
+        "show_eval_warnings": False,  # IPOPT halves a step to a point where g is not a number
         "ipopt": {
             "print_level": 0,
             "sb": "yes",
@@ -136,7 +136,7 @@ def ipopt_solver(
             "constr_viol_tol": 1e-9,
             "bound_relax_factor": 0.0,
             "acceptable_iter": 0,
-            # most of a small solve is the search for an order and a scaling that this matrix does not need
+            # most of the time of a small solve would go into an ordering and a scaling that this matrix does not need
             "mumps_permuting_scaling": 0,
             "mumps_scaling": 0,
         },
@@ -156,7 +156,7 @@ def _objective(integral: Integral, basis: Basis, curve: _Curve, scale: ca.MX, nu
     weights = scale * ca.DM(integral.weights).T
     weighed = gradient * ca.repmat(weights, 2 * n, 1)
     grad_x = weighed[:n, :] @ ca.DM(values @ curve.free) + weighed[n:, :] @ ca.DM(slopes @ curve.free)
-    # (q_i, v_i) is linear in the unknowns, by one block of rows a node
+    # (q_i, v_i) is linear in the unknowns, with one block of rows per node
     maps = [
         ca.vertcat(*(ca.kron(ca.DM((row @ curve.free)[None, :]), ca.DM.eye(n)) for row in (values[i], slopes[i])))
         for i in range(nodes)
@@ -175,7 +175,7 @@ def _limits(hull: Hull, curve: _Curve) -> tuple[ca.MX, ca.DM]:
 def _clearance(
     functions: tuple[ca.Function, ...], curve: _Curve, table: ca.MX, multipliers: ca.MX
 ) -> tuple[ca.MX, ca.MX, ca.MX]:
-    """Distances of the rows (c), their Jacobian, and the sum of their Hessians by multipliers (c)."""
+    """Distances of the rows (c), their Jacobian, and the sum of their Hessians times multipliers (c)."""
     size, capacity = curve.x.size2(), table.size2()
     values, columns = table[:size, :], table[size + 1 :, :]
     q = curve.at(table[size, :], values)
@@ -188,16 +188,16 @@ def _clearance(
     return distance.T, jacobian, chained.T @ ca.diagcat(*(m * h for m, h in weighed)) @ chained
 
 
-#: Gauss points of the energy on the whole path, and at least on each piece.
+#: Number of Gauss points of the energy on the whole path, and minimum number on each piece.
 NODES, PIECE_NODES = 40, 8
 #: Minimum number of parts the curve is cut into, for the energy and for g. Their control points obey the joint limits, and so
 #: does the whole curve. With more parts the curve can come nearer to the limits.
 LIMIT_PARTS, FINE_PARTS = 6, 32
-#: Unknowns where a solve or a descent begins are rounded to multiples of this [rad or m]. It is no power of two: results of
-#: rounded steps would often lie halfway between two of these.
+#: First unknowns of a solve or a descent are rounded to multiples of this [rad or m]. It is not a power of two, because then
+#: results of rounded steps would often lie halfway between two multiples.
 SPACING = 1.5e-8
 #: Solutions of the energy are rounded to multiples of this [rad or m]: far above IPOPT's own accuracy, so that processors
-#: hardly ever round to different ones.
+#: hardly ever round to different multiples.
 SOLVED_SPACING = 2.0**-16
 #: Bits of the factor by which IPOPT's objective is scaled.
 SCALE_BITS = 24
@@ -260,7 +260,7 @@ class PathProgram:
         return len(self.free.T) < self.basis.size
 
     def _rounded(self, kept: Array) -> Array:
-        """Coefficients (n, size) that no unknown changes, on the fine grid unless they fix derivatives."""
+        """Coefficients (n, size) that no unknown changes, rounded to the fine grid unless they fix derivatives."""
         return kept if self._fixes_derivatives else on_grid(kept, FINE)
 
     @cached_property
@@ -288,8 +288,8 @@ class PathProgram:
             coefficients: (n, size) of the path where the descent begins. g is integrated on quadrature panels that are narrow
                 where this path needs it.
             surroundings: distances of the true bodies; None: nothing is checked for collision.
-            limited: False: as if there were no joint limits.
-            edges: (k + 1,) of panels that earlier paths needed; they are kept and refined.
+            limited: False: without joint limits.
+            edges: panel edges (k + 1,) that earlier paths needed; they are kept and refined.
         """
         directions = self._directions
         z: Array = np.asarray(np.linalg.lstsq(directions, coefficients.T, rcond=None)[0], dtype=float)
@@ -325,13 +325,13 @@ class PathProgram:
     def solve(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
         """Minimise the energy from a guess (n, size), which has the fixed end derivatives.
 
-        Rows have slacks, so that there is a solution even where they contradict each other.
+        Rows have slacks, so there is a solution even when they contradict each other.
         """
         capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
         limits = self.kinematics.robot.limits
         limited = bool(np.isfinite([limits.lower, limits.upper]).any())
         solver = self._solver(capacity, limited)
-        # all that IPOPT gets is rounded: from inputs that differ in their last bits its iterations go apart
+        # all inputs of IPOPT are rounded: its iterations diverge for inputs that differ in their last bits
         unknowns = on_grid(guess @ self._along, SPACING)
         kept = self._rounded(guess - unknowns @ self.free.T)
         scale = with_bits(np.array([1 / self._energy_of(start, goal, guess)]), SCALE_BITS)
@@ -351,7 +351,7 @@ class PathProgram:
         return Solution(coefficients=kept + x.reshape(unknowns.shape, order="F") @ self.free.T, status=status)
 
     def _energy_of(self, start: Array, goal: Array, guess: Array) -> float:
-        """The energy of a guess (n, size), by the quadrature of the program; 1 where it is not a number above zero."""
+        """The energy of a guess (n, size), by the quadrature of the program; 1 when it is not finite and positive."""
         s = self._energy.s
         q = start[:, None] + np.outer(goal - start, s) + guess @ self.basis.values(s).T
         v = (goal - start)[:, None] + guess @ self.basis.values(s, 1).T

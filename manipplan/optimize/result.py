@@ -18,20 +18,20 @@ from manipplan.symbolic.task import Task
 
 @dataclass(frozen=True, kw_only=True)
 class PathResult:
-    """What `optimize_path` found.
+    """The result of `optimize_path`.
 
     Attributes:
         path: the JointPath; the seed when `status` says so, None when there is none (NO_PATH, with throw=False).
         g: ∫ ‖q'‖_W / m^power ds to ten digits: (6.6) in kth2012 with its exponent as a parameter.
-        length: of the path in joint space [rad].
-        min_manipulability: minimum manipulability on a dense grid [measure.unit(task)], and `min_at`, the s where it is.
-        power, task: the objective's exponent and the task whose index it holds.
+        length: length of the path in joint space [rad].
+        min_manipulability: minimum manipulability on a dense grid [measure.unit(task)]; `min_at` is the s where it occurs.
+        power, task: exponent of the objective, and task of its manipulability.
         seed, seed_cost: the collision-free first path (straight without a scene) and its cost, for comparison.
-        history: every solve, in order.
-        status: Status.
+        history: all solves, in order.
+        status: how the path came about.
         measure, metric: m, and W (n, n) or None for the identity.
-        rivals: what came of other seed classes and shifted goals, best first; each another path than those before it.
-        certificate: its figures, each measured on the path; None where there is no path.
+        rivals: results of other seed classes and shifted goals, best first; each path differs from those before it.
+        certificate: figures measured on the path; None when there is no path.
     """
 
     path: JointPath | None
@@ -97,7 +97,7 @@ def make_result(
 
 
 def no_path(objective: PathObjective) -> PathResult:
-    """The result when there is no free seed."""
+    """The result when there is no collision-free seed."""
     nothing = PathCost(g=np.inf, length=np.inf, min_manipulability=0.0, at=0.0)
     return PathResult(
         path=None,

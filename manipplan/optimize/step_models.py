@@ -1,4 +1,4 @@
-"""What one step of a descent sees: a quadratic model of g, and linear rows for the distances around the path."""
+"""Models for one step of a descent: a quadratic model of g, and linear rows for the distances around the path."""
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -42,7 +42,7 @@ class Curves:
         return np.asarray(self.kept + product(self.directions, z).T)
 
     def values(self, s: Array, order: int = 0) -> Array:
-        """Change of the curve, or of its derivative of an order, with z at s (m,): (m, f), the same for every joint."""
+        """Derivative by z of the curve, or of its derivative of an order, at s (m,): (m, f), the same for every joint."""
         return product(self.basis.values(s, order), self.directions)
 
     def line(self, s: Array, order: int = 0) -> Array:
@@ -78,7 +78,7 @@ class LengthModel:
         s, weights: (m,) Gauss points of all panels and their weights.
         g0: g of the path where the descent begins, so that the value there is about 1.
         power: exponent p.
-        pace: g₀ in the share of the energy, κ h² / g₀; inf: none, so that the value is that of g alone.
+        pace: g₀ in the share of the energy, κ h² / g₀; inf: no such share, so that the value is that of g alone.
     """
 
     density: BatchDensity
@@ -138,29 +138,29 @@ class LengthModel:
 INTERVALS, SPACING = 160, 4
 #: Between two such places a distance may change by this factor times its largest change from one to the next, plus this [m].
 FASTER, SLOWEST = 1.5, 0.02
-#: Distance kept beyond the demanded one, so that the proof, whose bounds are not exact, succeeds [m].
+#: Margin kept beyond the required distance, so that the proof, whose bounds are not exact, succeeds [m].
 MARGIN = 5e-5
-#: Only pairs that come this near to the target on a reference path are measured [m].
+#: Only pairs that come within this distance of the target on a reference path are measured [m].
 WATCHED = 0.25
-#: A path becomes the new reference where its joints are further than this from the old one, summed over the joints [rad or m].
+#: A path becomes the new reference when it is further than this from the old one, summed over the joints [rad or m].
 MOVED = 0.15
-#: Dips of a distance that may come this near to the target [m] are followed to their bottom, to this accuracy of s.
+#: Dips of a distance that may come within the first value of the target [m] are located to the second value in s.
 DEEP, BOTTOM = 1e-3, 1e-6
 #: Maximum number of steps to the bottom of a dip.
 BOTTOM_STEPS = 12
-#: Where a pair is nearer to the target than this [m], every place of the grid has a row.
+#: Every place of the grid where a pair is nearer than the target plus this [m] has a row.
 CLOSE = 2e-3
 #: A place of the grid has no row within this distance in s of the bottom of a dip of its pair.
 APART = 1e-2
 #: Maximum number of places with rows: bottoms of dips first, then the nearest.
 MOST_PLACES = 80
-#: Step of a joint by which second derivatives of a distance are taken [rad or m].
+#: Joint step of the finite differences for second derivatives of a distance [rad or m].
 JOINT_STEP = 1e-4
 
 
 @dataclass(frozen=True, kw_only=True)
 class Look:
-    """What was measured on one path.
+    """Distances measured on one path.
 
     Attributes:
         places: (s, pair), nearest first.
@@ -174,7 +174,7 @@ class Look:
 
     @property
     def least(self) -> float:
-        """The least distance [m]; inf where nothing is near."""
+        """The smallest distance [m]; inf where nothing is near."""
         return float(self.distances.min(initial=np.inf))
 
 
@@ -184,9 +184,9 @@ class Surroundings:
 
     Attributes:
         model: the arm among its obstacles.
-        clearance: demanded distance [m].
-        margin: distance kept beyond the demanded one [m]; larger at first, as corners are rounder at a distance.
-        always: places (s, pair) about which a dip is looked for on every path, such as those where a proof failed.
+        clearance: required distance [m].
+        margin: margin kept beyond the required distance [m]; larger at first, as corners are rounder at a distance.
+        always: places (s, pair) around which every path is searched for a dip, such as those where a proof failed.
     """
 
     model: CollisionModel
@@ -198,7 +198,7 @@ class Surroundings:
 
     @property
     def target(self) -> float:
-        """The distance that is kept [m]: the demanded one and a margin."""
+        """The distance to keep [m]: the required one plus the margin."""
         return self.clearance + self.margin
 
     def look(self, path: JointPath, band: float) -> Look:
@@ -250,7 +250,7 @@ class Surroundings:
         )
 
     def reverse_row(self, q: Array, s: float, pair: int) -> ClearanceRow:
-        """As `row`, with the plane on the first body: the better one where a corner of the second faces a side of the first."""
+        """As `row`, with the plane on the first body: better where a corner of the second faces a side of the first."""
         witness, normal = self.model.witness(q, pair)
         normal = -self.model.turned(q, normal, witness.second, witness.first)
         return ClearanceRow(
@@ -296,7 +296,7 @@ class Surroundings:
         """Distance [m], s, pair and True for the bottom of every dip of the grid (m, k) [m] that may be near the target."""
         before, after = (np.pad(grid, ((1, 1), (0, 0)), constant_values=np.inf)[k : k + len(s)] for k in (0, 2))
         sides = np.stack([before, after])
-        # a dip between two places is seldom deeper than its higher side
+        # a dip between places is rarely further below its middle than the higher side is above it
         rise = np.where(np.isfinite(sides), sides, -np.inf).max(axis=0) - grid
         k, c = np.nonzero((before >= grid) & (after > grid) & (grid - rise < self.target + DEEP))
         if not len(k):
@@ -348,5 +348,5 @@ class Surroundings:
         return np.array([self._distances(q, [pair])[0] for q, pair in zip(configurations(path, s), pairs, strict=True)])
 
     def _distances(self, q: Array, pairs: list[int]) -> Array:
-        """Distances [m] of pairs (k,) at q (n,), rounded: the place of a minimum hangs on the last bits."""
+        """Distances [m] of pairs (k,) at q (n,), rounded, since the place of a minimum depends on the last bits."""
         return on_grid(np.array(self.model.pair_distances(q, pairs)), FINE_DISTANCE)

@@ -1,5 +1,5 @@
-"""Geometry over a parameter and over time: joint paths, paths of the tool, trajectories.
+"""Curves over a parameter or over time: joint paths, tool paths, trajectories.
 
-In: control points, poses or recorded samples. Out: curves with derivatives, and files in the formats of others.
-Tolerance and Deviation say how far a motion may be, or is, from a path.
+In: control points, poses or recorded samples. Out: curves with derivatives, and files in common formats.
+Tolerance is how far a motion may leave a path, Deviation how far it does.
 """

@@ -22,14 +22,14 @@ from manipplan.support.checks import (
 )
 from manipplan.support.errors import FileFormatError, InvalidInputError
 
-#: Neighbouring poses are at least this far apart [m].
+#: Minimum distance between neighbouring poses [m].
 APART = 1e-9
 #: Columns of a CSV file of poses: position [m], then the quaternion.
 COLUMNS = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
 
 class CartesianPath(ABC):
-    """Poses T(s), (4, 4), of a tool for s in [0, 1]; build one by `line`, `circle`, `through` or `from_csv`."""
+    """Poses T(s), (4, 4), of a tool for s in [0, 1]; build one with `line`, `circle`, `through` or `from_csv`."""
 
     def __call__(self, s: ArrayLike) -> Array:
         """T(s), (..., 4, 4) for s (...); raises InvalidInputError for s outside [0, 1]."""
@@ -42,12 +42,12 @@ class CartesianPath(ABC):
         return np.asarray(poses.reshape(*s.shape, 4, 4))
 
     def sample(self, n: int) -> Array:
-        """Poses (n, 4, 4) at equally spaced s, the ends among them; n >= 2."""
+        """Poses (n, 4, 4) at equally spaced s, including both ends; n >= 2."""
         return self(np.linspace(0.0, 1.0, whole_number("n", n, least=2)))
 
     @property
     def length(self) -> float:
-        """Length of the tool's way [m]; of 2000 chords."""
+        """Length of the tool's path [m], from 2000 chords."""
         positions, _ = self._at(np.linspace(0.0, 1.0, 2001))
         return float(np.linalg.norm(np.diff(positions, axis=0), axis=1).sum())
 
@@ -57,7 +57,7 @@ class CartesianPath(ABC):
 
     @classmethod
     def line(cls, start: Any, end: Any) -> "CartesianPath":
-        """The straight way from pose `start` to `end`, each (4, 4) or pin.SE3, turning evenly about one axis."""
+        """The straight path from pose `start` to `end`, each (4, 4) or pin.SE3, turning at a constant rate about one axis."""
         return Line(start=pose_matrix("start", start), end=pose_matrix("end", end))
 
     @classmethod
@@ -68,9 +68,9 @@ class CartesianPath(ABC):
 
         Args:
             start: pose (4, 4) or pin.SE3.
-            centre: a point of the axis (3,) [m].
+            centre: a point on the axis (3,) [m].
             axis: its direction (3,).
-            angle: of the arc [rad], positive by the right hand.
+            angle: of the arc [rad], positive by the right-hand rule.
             turning: whether the tool turns with the arc; otherwise it keeps its rotation.
         """
         axis = finite_array("axis", axis, (3,))
@@ -85,9 +85,9 @@ class CartesianPath(ABC):
 
     @classmethod
     def through(cls, poses: Sequence[Any] | Array) -> "CartesianPath":
-        """A smooth way through poses, each (4, 4) or pin.SE3, at least two: cubic splines of position and rotation.
+        """A smooth path through poses, each (4, 4) or pin.SE3, at least two: cubic splines of position and rotation.
 
-        s grows by the distance between neighbours, for which a radian counts as a tenth of a metre.
+        s is proportional to the distance between neighbours, in which 1 rad counts as 0.1 m.
         """
         if not isinstance(poses, list | tuple | np.ndarray) or len(poses) < 2:
             raise InvalidInputError("poses", poses, "at least two poses")
@@ -104,9 +104,9 @@ class CartesianPath(ABC):
 
     @classmethod
     def from_csv(cls, file: str | Path) -> "CartesianPath":
-        """The smooth way through the poses of a CSV file with the columns x, y, z [m], qw, qx, qy, qz.
+        """The smooth path through the poses of a CSV file with the columns x, y, z [m], qw, qx, qy, qz.
 
-        Raises FileFormatError that names line and column.
+        Raises a FileFormatError that shows the faulty row.
         """
         path = existing_file("file", file)
         try:
@@ -137,7 +137,7 @@ class CartesianPath(ABC):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Line(CartesianPath):
-    """The straight way between two poses (4, 4)."""
+    """The straight path between two poses (4, 4)."""
 
     start: Array
     end: Array
@@ -184,5 +184,5 @@ class Spline(CartesianPath):
         return np.asarray(positions), np.asarray(turns.as_matrix()).reshape(-1, 3, 3)
 
 
-#: The kinds by the names of their classes.
+#: The subclasses by name.
 PATHS: dict[str, type[CartesianPath]] = {kind.__name__: kind for kind in (Line, Arc, Spline)}

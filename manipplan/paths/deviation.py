@@ -1,4 +1,4 @@
-"""Deviation: how far a motion's tool leaves a workspace path, judged without knowing how the motion was made."""
+"""Deviation: how far the tool leaves a workspace path, measured independently of how the motion was computed."""
 
 from dataclasses import dataclass
 
@@ -8,10 +8,10 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 
-#: Poses of the path that are compared, and how many metres a radian counts while the nearest is looked for.
+#: Number of poses on the path, and weight of an angle in the search for the nearest of them [m/rad].
 POSES = 2001
 RADIAN = 0.1
-#: Rows of poses that are compared at a time.
+#: Number of tool poses compared at a time.
 BLOCK = 256
 
 
@@ -20,8 +20,8 @@ class Deviation:
     """The largest distances of a tool from a path.
 
     Attributes:
-        position: [m], and `position_at`: the share of the samples where it is.
-        rotation: [rad], of the tool, or of its pointing axis; and `rotation_at`.
+        position: [m]; `position_at` is where it occurs, as a fraction of the samples.
+        rotation: [rad], of the tool or of its pointing axis; `rotation_at` is where it occurs.
     """
 
     position: float
@@ -30,18 +30,18 @@ class Deviation:
     rotation_at: float
 
     def __str__(self) -> str:
-        return f"{1e3 * self.position:.3g} mm and {np.rad2deg(self.rotation):.2g}° at most from the path"
+        return f"at most {1e3 * self.position:.3g} mm and {np.rad2deg(self.rotation):.2g}° from the path"
 
 
 def deviation_from(path: CartesianPath, poses: Array, axis: Array | None = None) -> Deviation:
-    """Of tool poses (k, 4, 4) from a path, whatever their times; `axis` (3,) of the tool: only its direction counts."""
+    """Deviation of tool poses (k, 4, 4) from a path, regardless of time; only the direction of `axis` (3,) counts if given."""
     return _largest(*deviations(path, poses, axis))
 
 
 def deviations(path: CartesianPath, poses: Array, axis: Array | None = None) -> tuple[Array, Array]:
     """Distances [m] and angles [rad], (k,) each, of tool poses (k, 4, 4) from a path, as in `deviation_from`.
 
-    Each pose is compared with the nearest piece of the path, cut into 2000.
+    Each pose is compared with the nearest of 2000 pieces of the path.
     """
     if not len(poses):
         raise InvalidInputError("poses", f"an array of shape {poses.shape}", "at least one pose (4, 4)")
@@ -60,7 +60,7 @@ def deviations(path: CartesianPath, poses: Array, axis: Array | None = None) -> 
 
 
 def deviation_at(path: CartesianPath, s: Array, poses: Array, axis: Array | None = None) -> Deviation:
-    """Of tool poses (k, 4, 4) from those of a path at s (k,): small only where the whole path is passed, in its order."""
+    """Deviation of tool poses (k, 4, 4) from those of a path at s (k,): small only if all of the path is followed, in order."""
     targets = path(s)
     position = np.linalg.norm(poses[:, :3, 3] - targets[:, :3, 3], axis=1)
     return _largest(position, angles_between(poses[:, :3, :3], targets[:, :3, :3], axis))
@@ -78,7 +78,7 @@ def _largest(position: Array, rotation: Array) -> Deviation:
 
 
 def _from_piece(poses: Array, begins: Array, ends: Array, axis: Array | None) -> tuple[Array, Array]:
-    """Distances (k,) and angles (k,) of poses from the straight pieces between two poses each."""
+    """Distances (k,) and angles (k,) of poses from straight pieces, each between two poses."""
     from scipy.spatial.transform import Rotation
 
     along = ends[:, :3, 3] - begins[:, :3, 3]
@@ -94,7 +94,7 @@ def _from_piece(poses: Array, begins: Array, ends: Array, axis: Array | None) ->
 
 
 def angles_between(first: Array, second: Array, axis: Array | None = None) -> Array:
-    """Angles between rotations (..., 3, 3), or between the directions that they give an axis."""
+    """Angles between rotations (..., 3, 3), or between the directions to which they turn `axis`."""
     if axis is not None:
         a, b = first @ axis, second @ axis
         return np.asarray(np.arctan2(np.linalg.norm(np.cross(a, b), axis=-1), (a * b).sum(axis=-1)))

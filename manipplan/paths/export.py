@@ -1,4 +1,4 @@
-"""Trajectories to files that robots and people read, and back: CSV, JSON, ROS JointTrajectory in YAML, NumPy."""
+"""Trajectories to files and back: CSV, JSON, ROS JointTrajectory in YAML, NumPy."""
 
 import csv
 import io
@@ -17,14 +17,14 @@ from manipplan.support.files import write_bytes, write_text
 
 FORMAT = "manipplan-trajectory"
 VERSION = 1
-#: ROS counts whole seconds in 32 bits; the first message of a bag is stamped 1 s.
+#: Maximum duration [s]: ROS counts seconds in 32 bits, and the first message of a bag is stamped 1 s.
 LONGEST = 2**31 - 2
-#: What a NumPy archive may hold [bytes].
+#: Maximum size of an unpacked NumPy archive [bytes].
 LARGEST = 2**30
 
 
 def to_csv(trajectory: Trajectory, file: str | Path) -> None:
-    """One row a sample: time [s], q_<joint> [rad or m], qd_<joint>, qdd_<joint>; all digits."""
+    """Write one row per sample: time [s], q_<joint> [rad or m], qd_<joint>, qdd_<joint>; all digits."""
     names = trajectory.joint_names
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
@@ -35,10 +35,10 @@ def to_csv(trajectory: Trajectory, file: str | Path) -> None:
 
 
 def from_csv(file: str | Path) -> Trajectory:
-    """Read `to_csv`'s file, or one of times and positions alone, as demonstrations are recorded: then velocities are those
-    of the cubic spline through them.
+    """Read `to_csv`'s file, or a recorded demonstration with times and positions alone. Its velocities come from the cubic
+    spline through the positions.
 
-    Raises FileFormatError for another header, a short row, or what is not a number.
+    Raises FileFormatError for another header, a short row, or a cell that is not a number.
     """
     path = existing_file("file", file)
     wanted = "a CSV with columns time, q_<joint>... (qd_<joint>... and qdd_<joint>... may follow)"
@@ -65,7 +65,7 @@ def from_csv(file: str | Path) -> Trajectory:
 
 
 def to_json(trajectory: Trajectory, file: str | Path) -> None:
-    """An object with format, version, joint_names, time, position and velocity."""
+    """Write an object with format, version, joint_names, time, position and velocity."""
     data = {
         "format": FORMAT,
         "version": VERSION,
@@ -92,9 +92,9 @@ def from_json(file: str | Path) -> Trajectory:
 
 
 def to_ros(trajectory: Trajectory, file: str | Path) -> None:
-    """A trajectory_msgs/JointTrajectory with positions, velocities, accelerations and time_from_start.
+    """Write a trajectory_msgs/JointTrajectory with positions, velocities, accelerations and time_from_start.
 
-    Its stamp is zero, which controllers take as "begin at once".
+    Its stamp is zero, which controllers take as "start immediately".
     """
     import yaml
 
@@ -117,16 +117,16 @@ def to_ros(trajectory: Trajectory, file: str | Path) -> None:
 
 
 def nanoseconds_of(trajectory: Trajectory) -> list[int]:
-    """The sample times as ROS writes them, in whole nanoseconds.
+    """The sample times in whole nanoseconds, as ROS stores them.
 
-    Raises InvalidInputError when two of them become one, or when they are too large for ROS.
+    Raises InvalidInputError when two of them become equal, or when they are too large for ROS.
     """
     if trajectory.duration > LONGEST:
         raise InvalidInputError("trajectory.t", trajectory.duration, f"times up to {LONGEST} s: ROS counts seconds in 32 bits")
     stamps = [round(t * 1e9) for t in trajectory.t.tolist()]
     for before, after, t in zip(stamps, stamps[1:], trajectory.t[1:].tolist(), strict=False):
         if after <= before:
-            raise InvalidInputError("trajectory.t", t, "times that differ by whole nanoseconds, in which ROS counts")
+            raise InvalidInputError("trajectory.t", t, "times that differ after ROS's rounding to whole nanoseconds")
     return stamps
 
 
@@ -164,7 +164,7 @@ def _seconds(stamp: Mapping[str, Any]) -> float:
 
 
 def to_npz(trajectory: Trajectory, file: str | Path) -> None:
-    """A NumPy archive with t, q, qd and joint_names."""
+    """Write a NumPy archive with t, q, qd and joint_names."""
     names = np.array(trajectory.joint_names)
     write_bytes(file, lambda stream: np.savez(stream, t=trajectory.t, q=trajectory.q, qd=trajectory.qd, joint_names=names))
 
@@ -188,7 +188,7 @@ def from_npz(file: str | Path) -> Trajectory:
 
 
 def _reading(path: Path, wanted: str, read: Callable[[], Trajectory]) -> Trajectory:
-    """What `read` returns; what the libraries raise at a file becomes a FileFormatError."""
+    """Return the result of `read`; an exception of the libraries becomes a FileFormatError."""
     import zipfile
     import zlib
 
@@ -205,8 +205,8 @@ def _reading(path: Path, wanted: str, read: Callable[[], Trajectory]) -> Traject
         LookupError,
         MemoryError,
         OSError,
-        RuntimeError,  # an encrypted archive, a compression that Python does not know, a depth that is too large
-        SyntaxError,  # the head of an array, or a zero byte in it
+        RuntimeError,  # an encrypted archive, an unknown compression, nesting that is too deep
+        SyntaxError,  # a damaged array header, or a zero byte in it
         TypeError,
         ValueError,
         csv.Error,

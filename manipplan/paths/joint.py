@@ -10,11 +10,11 @@ from numpy.typing import ArrayLike
 from manipplan.support.checks import Array, finite_array, number_array, whole_number
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 
-#: Shorter paths [rad or m] than this are no motion.
+#: Paths shorter than this count as no motion [rad or m].
 SHORTEST = 1e-6
-#: A closed path ends within this of full turns [rad or m].
+#: Tolerance on the full turns between start and end of a closed path [rad or m].
 TURNED = 1e-9
-#: Bases in which the coefficients of a polynomial path can be had.
+#: Bases available for the coefficients of a polynomial path.
 SERIES = ("monomial", "bernstein", "legendre", "chebyshev")
 
 
@@ -36,9 +36,9 @@ class JointPath:
         breaks = finite_array("breaks", self.breaks, (None,))
         control = finite_array("control", self.control, (None, None, None))
         if len(breaks) != len(control) + 1 or breaks[0] != 0 or breaks[-1] != 1 or not (np.diff(breaks) > 0).all():
-            raise InvalidInputError("breaks", breaks, f"{len(control) + 1} rising numbers from 0 to 1")
+            raise InvalidInputError("breaks", breaks, f"{len(control) + 1} increasing numbers from 0 to 1")
         if control.shape[1] < 2:
-            raise InvalidInputError("control", control.shape, "at least two control points a piece")
+            raise InvalidInputError("control", control.shape, "at least two control points per piece")
         if not np.allclose(control[:-1, -1], control[1:, 0], rtol=0, atol=1e-9):
             raise InvalidInputError("control", "pieces that do not join", "pieces whose ends meet")
         object.__setattr__(self, "breaks", breaks)
@@ -52,7 +52,7 @@ class JointPath:
 
     @classmethod
     def through(cls, waypoints: ArrayLike) -> "JointPath":
-        """Straight pieces through waypoints (k, n), k >= 2, each neighbour different; s goes with the arc length."""
+        """Straight pieces through waypoints (k, n), k >= 2, neighbours different; s is proportional to arc length."""
         points = finite_array("waypoints", waypoints, (None, None))
         steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
         if len(points) < 2 or not (steps > 0).all():
@@ -63,18 +63,18 @@ class JointPath:
 
     @classmethod
     def spline(cls, s: ArrayLike, q: ArrayLike, *, closed: bool = False) -> "JointPath":
-        """The cubic spline through q (k, n) at rising s (k,) from 0 to 1, twice continuously differentiable.
+        """The cubic spline through q (k, n) at increasing s (k,) from 0 to 1, twice continuously differentiable.
 
-        With `closed` also where the last configuration, which has to be the first or full turns from it, joins the first.
+        With `closed` also where the end joins the start; the last configuration must equal the first up to full turns.
         """
         from scipy.interpolate import CubicSpline
 
         places, points = finite_array("s", s, (None,)), finite_array("q", q, (None, None))
         if len(places) != len(points) or len(places) < 2 or not (np.diff(places) > 0).all():
-            raise InvalidInputError("s", places, "rising numbers, one for each row of q")
+            raise InvalidInputError("s", places, "increasing numbers, one per row of q")
         drift = points[-1] - points[0] if closed else np.zeros(points.shape[1])
         if np.abs(drift - 2 * np.pi * np.round(drift / (2 * np.pi))).max(initial=0.0) > TURNED:
-            raise InvalidInputError("q", points[-1].tolist(), "a last row that is the first, or full turns from it")
+            raise InvalidInputError("q", points[-1].tolist(), "a last row equal to the first up to full turns")
         even = points - places[:, None] * drift
         if closed:
             even[-1] = even[0]
@@ -124,7 +124,7 @@ class JointPath:
 
         Args:
             basis: "monomial": f_j = s^j, the a_ij of (6.14) and Table 6.3 in kth2012; "bernstein": the control points;
-                "legendre" and "chebyshev": P_j(2s - 1) and T_j(2s - 1), as NumPy's classes with domain=[0, 1].
+                "legendre" and "chebyshev": P_j(2s - 1) and T_j(2s - 1), as in NumPy's classes with domain=[0, 1].
 
         Raises:
             UnknownNameError: no such basis.
@@ -149,7 +149,7 @@ class JointPath:
         return float(weights @ np.linalg.norm(self(s, 1), axis=1))
 
     def quadrature(self, *, panels: int = 40, points: int = 10) -> tuple[Array, Array]:
-        """Gauss points and weights over [0, 1], (m,) each; every piece is cut into about its share of `panels`."""
+        """Gauss points and weights over [0, 1], (m,) each; every piece is divided into about its share of `panels`."""
         nodes, weights = np.polynomial.legendre.leggauss(points)
         counts = np.maximum(1, np.ceil(panels * np.diff(self.breaks)).astype(int))
         edges = np.concatenate(
@@ -160,7 +160,7 @@ class JointPath:
         return (middle + half * nodes).ravel(), (half * weights).ravel()
 
     def bounds(self) -> tuple[Array, Array]:
-        """Least and greatest value of each joint on the whole curve, (n,) and (n,), from the roots of q'."""
+        """Smallest and largest value of each joint on the whole curve, (n,) and (n,), from the roots of q'."""
         low, high = self.control[:, [0, -1]].min(axis=(0, 1)), self.control[:, [0, -1]].max(axis=(0, 1))
         k = self.degree
         for piece in self.control:
@@ -174,11 +174,11 @@ class JointPath:
         return low, high
 
     def fine_samples(self, step: float = 1e-3) -> Array:
-        """Parameters s (m,) from 0 to 1; from each to the next no joint comes more than `step` [rad or m] further."""
+        """Parameters s (m,) from 0 to 1; between neighbours no joint moves by more than `step` [rad or m]."""
         s = np.linspace(0.0, 1.0, 2001)
         speed = np.abs(self(s, 1)).max(axis=1)
         gained = np.concatenate([[0.0], np.cumsum((speed[1:] + speed[:-1]) / 2 * np.diff(s))])
-        gained += 1e-9 * gained[-1] * s  # rises strictly also where the path stands still
+        gained += 1e-9 * gained[-1] * s  # strictly increasing even where the path stands still
         count = int(np.ceil(1.05 * gained[-1] / step)) + 2
         samples = np.interp(np.linspace(0.0, gained[-1], count), gained, s)
         while True:
@@ -197,7 +197,7 @@ def bernstein(degree: int, u: ArrayLike) -> Array:
 
 
 def split(control: Array, u: float = 0.5) -> tuple[Array, Array]:
-    """Control points (..., k + 1, n) of the two parts of each curve, cut at u: de Casteljau."""
+    """Control points (..., k + 1, n) of the two parts of each curve, split at u by de Casteljau's algorithm."""
     left, right = [control[..., 0, :]], [control[..., -1, :]]
     while control.shape[-2] > 1:
         control = (1 - u) * control[..., :-1, :] + u * control[..., 1:, :]

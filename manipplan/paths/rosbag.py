@@ -1,4 +1,4 @@
-"""Trajectories to ROS bags and back: written for rviz and Foxglove to play, read as demonstrations. By the package rosbags."""
+"""Write trajectories to ROS bags, for rviz and Foxglove, and read demonstrations from them; uses the package rosbags."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -13,7 +13,7 @@ from manipplan.support.checks import Array, number
 from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError, UnknownNameError
 
 TRAJECTORY, STATE = "trajectory_msgs/msg/JointTrajectory", "sensor_msgs/msg/JointState"
-#: Topics that are written: where ros2_control's controller listens, and where joint states are looked for.
+#: Topics that are written: the one ros2_control's controller subscribes to, and the usual one of joint states.
 TRAJECTORY_TOPIC, STATE_TOPIC = "/joint_trajectory_controller/joint_trajectory", "/joint_states"
 STORAGES = ("mcap", "sqlite3")
 #: Time of the first message [ns]: a stamp of zero means "no time" in ROS.
@@ -21,12 +21,12 @@ BEGIN = 10**9
 
 
 def to_rosbag(trajectory: Trajectory, file: str | Path, *, storage: str = "mcap", rate: float = 100.0) -> None:
-    """A ROS 2 bag with the motion as one JointTrajectory and as a stream of JointStates; see `Trajectory.to_rosbag`."""
+    """Write a ROS 2 bag with the motion as one JointTrajectory and as a stream of JointStates; see `Trajectory.to_rosbag`."""
     path = _new_folder(file)
     if storage not in STORAGES:
         raise UnknownNameError("storage", str(storage), STORAGES)
     number("rate", rate, above=0.0, most=10_000.0)
-    nanoseconds_of(trajectory)  # raises where ROS cannot tell the samples' times
+    nanoseconds_of(trajectory)  # raises if ROS stamps cannot represent the sample times
     _rosbags()
     from rosbags.rosbag2 import StoragePlugin, Writer
     from rosbags.typesys import Stores, get_typestore
@@ -49,7 +49,7 @@ def to_rosbag(trajectory: Trajectory, file: str | Path, *, storage: str = "mcap"
 
 
 def from_rosbag(file: str | Path, topic: str | None = None, *, joints: Sequence[str] | None = None) -> Trajectory:
-    """The motion of one topic of a bag; see `Trajectory.from_rosbag`."""
+    """Read the motion from one topic of a bag; see `Trajectory.from_rosbag`."""
     if not isinstance(file, str | Path):
         raise InvalidInputError("file", file, "the folder of a ROS 2 bag, or a ROS 1 .bag file")
     path = Path(file).expanduser()
@@ -71,7 +71,7 @@ def from_rosbag(file: str | Path, topic: str | None = None, *, joints: Sequence[
             ]
     except ManipplanError:
         raise
-    except Exception as error:  # of a damaged bag rosbags decodes whatever is there, and raises whatever comes of it
+    except Exception as error:  # rosbags decodes damaged bags unchecked and can raise any exception
         known = isinstance(error, AnyReaderError | OSError)
         reason = " ".join((str(error) if known else f"{type(error).__name__}: {error}").split())
         raise FileFormatError("file", str(path), f"a ROS bag that can be read ({reason[:200]})") from error
@@ -81,7 +81,7 @@ def from_rosbag(file: str | Path, topic: str | None = None, *, joints: Sequence[
 
 
 def _topic(path: Path, topics: dict[str, str], topic: str | None) -> str:
-    """The topic asked for; else the only one with joint states, or the only one with trajectories."""
+    """The requested topic; by default the only one with JointStates, else the only one with a JointTrajectory."""
     fitting = {name: kind for name, kind in topics.items() if kind in (STATE, TRAJECTORY)}
     if topic is not None:
         if not isinstance(topic, str) or topic not in fitting:
@@ -92,9 +92,9 @@ def _topic(path: Path, topics: dict[str, str], topic: str | None) -> str:
         if len(found) == 1:
             return found[0]
         if found:
-            raise InvalidInputError("topic", None, f"one of {', '.join(found)}: {path} has several with {kind}")
+            raise InvalidInputError("topic", None, f"one of {', '.join(found)}: {path} has several topics of type {kind}")
     listed = ", ".join(f"{name} ({kind})" for name, kind in topics.items()) or "nothing"
-    raise FileFormatError("file", str(path), f"a bag with a topic of {STATE} or {TRAJECTORY}; this one has {listed}")
+    raise FileFormatError("file", str(path), f"a bag with a topic of type {STATE} or {TRAJECTORY}; this one has {listed}")
 
 
 def _recorded(
@@ -102,8 +102,8 @@ def _recorded(
 ) -> tuple[tuple[str, ...], Array, Array, Array | None]:
     """Names (n,), times (k,) [s], positions and, where every message has them, velocities (k, n) of JointStates.
 
-    Times are those of the headers, or where all of these are zero those of the bag. Messages without any of the joints, as of
-    a gripper that publishes on the same topic, are passed over.
+    Times come from the headers, or from the bag if all header stamps are zero. Messages without any of the joints, such as
+    those of a gripper that publishes on the same topic, are skipped.
     """
     names = tuple(joints) if joints is not None else tuple(messages[0][1].name) if messages else ()
     rows = []
@@ -114,12 +114,12 @@ def _recorded(
             raise FileFormatError("file", where, f"every joint once; message {k + 1} has {', '.join(message.name)}")
         if joints is None and set(place) != set(names):
             said = f"message {k + 1} has {', '.join(place) or 'no joint'}, the first {', '.join(names)}"
-            raise FileFormatError("file", where, f"the same joints in all messages, but {said}; name those wanted by joints=")
+            raise FileFormatError("file", where, f"the same joints in all messages, but {said}; select joints with joints=")
         if len(missing) == len(names):
             continue
         if missing:
             raise FileFormatError(
-                "file", where, f"all of {', '.join(names)} in one message; {k + 1} lacks {', '.join(missing)}"
+                "file", where, f"all of {', '.join(names)} in every message; message {k + 1} lacks {', '.join(missing)}"
             )
         order = [place[name] for name in names]
         if len(message.position) != len(message.name):
@@ -133,14 +133,14 @@ def _recorded(
             raise UnknownNameError("joints", names[0], known)
         raise FileFormatError("file", where, "at least two messages with positions")
     stamps = [row[0] for row in rows]
-    if not any(stamps):  # a simulation begins at zero; in ROS 2 that is "no time", too
+    if not any(stamps):  # "no time" in ROS 2; a single zero can be the start of a simulation
         stamps = [row[1] for row in rows]
     t = np.array([(stamp - stamps[0]) / 1e9 for stamp in stamps])
     late = np.flatnonzero(np.diff(t) <= 0)
     if len(late):
         k = int(late[0]) + 1
         said = f"message {k + 1} is stamped {t[k]:.9f} s after the first, the one before {t[k - 1]:.9f} s"
-        raise FileFormatError("file", where, f"stamps that rise, but {said}; sort the recording, or record one source a topic")
+        raise FileFormatError("file", where, f"increasing stamps, but {said}; sort the bag, or record one source per topic")
     known_speed = all(velocity is not None and np.isfinite(velocity).all() for *_, velocity in rows)
     qd = np.array([velocity for *_, velocity in rows]) if known_speed else None
     return names, t, np.array([position for _, _, position, _ in rows]), qd
@@ -149,7 +149,7 @@ def _recorded(
 def _commands(
     where: str, messages: list[tuple[int, Any]], joints: Sequence[str] | None
 ) -> tuple[tuple[str, ...], Array, Array, Array | None]:
-    """The same of the only JointTrajectory of a topic."""
+    """The same as `_recorded`, for the only JointTrajectory of a topic."""
     if len(messages) != 1:
         raise FileFormatError("file", where, f"one JointTrajectory; the topic has {len(messages)}")
     message = messages[0][1]
@@ -172,7 +172,7 @@ def _commands(
 
 
 def _motion(where: str, names: tuple[str, ...], t: Array, q: Array, qd: Array | None) -> Trajectory:
-    """The trajectory; velocities that were not recorded are those of the cubic spline through the positions."""
+    """The trajectory; velocities that were not recorded come from the cubic spline through the positions."""
     try:
         if qd is None:
             still = Trajectory(t=t, q=q, qd=np.zeros_like(q), joint_names=names)  # checks times and positions
@@ -204,7 +204,7 @@ def _trajectory_message(trajectory: Trajectory, store: Any) -> Any:
 
 
 def _state_messages(trajectory: Trajectory, store: Any, rate: float) -> Iterator[tuple[int, Any]]:
-    """Stamps [ns] and JointState messages, at `rate` [Hz] and at the samples, so that the cubics between stay the same."""
+    """Stamps [ns] and JointState messages, at `rate` [Hz] and at the samples, so that the cubics in between stay the same."""
     kinds = store.types
     even = np.arange(0.0, trajectory.duration, 1 / rate)
     stamps = np.unique(np.round(np.concatenate([even, trajectory.t]) * 1e9).astype(np.int64))
@@ -221,7 +221,7 @@ def _new_folder(file: str | Path) -> Path:
         raise InvalidInputError("file", file, "the path of a folder")
     path = Path(file).expanduser()
     if _exists(path):
-        raise InvalidInputError("file", str(path), "a path where nothing is yet: the folder of a bag is never overwritten")
+        raise InvalidInputError("file", str(path), "a path that does not exist yet: the folder of a bag is never overwritten")
     return path
 
 
@@ -234,6 +234,6 @@ def _exists(path: Path) -> bool:
 
 def _rosbags() -> None:
     try:
-        import rosbags.highlevel  # noqa: F401  # looks whether it is there
+        import rosbags.highlevel  # noqa: F401  # checks that it is installed
     except ImportError as error:
         raise MissingExtraError("rosbags", "ros") from error

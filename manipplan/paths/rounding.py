@@ -1,8 +1,8 @@
-"""Numbers with few bits, so that rounding errors of linear algebra do not decide where an iteration goes.
+"""Rounding to few bits, so that rounding errors of linear algebra do not change the course of an iteration.
 
 Processors add up in different orders, so results of a solver differ in their last digits. An iteration can amplify such
-differences from step to step, until they lead to another local optimum. Rounded steps are the same on every processor, but
-where a number lies just between two of the grid.
+differences from step to step, until they lead to another local optimum. Rounded steps are the same on every processor,
+except where a number lies halfway between two points of the grid.
 """
 
 import numpy as np
@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
 
-#: Configurations are rounded to multiples of this before bodies are measured: which points of two parallel faces are the
-#: nearest hangs on their last bits. No distance changes by more than its own accuracy [rad or m].
+#: Grid spacing of configurations before distances are computed [rad or m]: the nearest points of two parallel faces depend on
+#: the last bits. No distance changes by more than its own accuracy.
 FINE = 2.0**-36
-#: Distances are rounded to multiples of this [m].
+#: Grid spacing of distances [m].
 FINE_DISTANCE = 2.0**-40
-#: Numbers that are found once by linear algebra, and used in all that follows, are rounded to multiples of this.
+#: Grid spacing of numbers that linear algebra computes once and all later steps use.
 FIXED = 2.0**-42
 
 
@@ -31,17 +31,17 @@ def configurations(path: JointPath, s: ArrayLike) -> Array:
 
 
 def product(left: Array, right: Array) -> Array:
-    """The matrix product, with the same order of additions on every processor, which that of a BLAS has not."""
+    """The matrix product, with the same order of additions on every processor, which a BLAS does not guarantee."""
     return np.asarray(np.einsum("ij,jk->ik", left, right))
 
 
 def gauss_rule(count: int) -> tuple[Array, Array]:
-    """Gauss points on [-1, 1] and their weights, (count,) each, rounded: NumPy finds them as eigenvalues."""
+    """Gauss points on [-1, 1] and their weights, (count,) each, rounded: NumPy computes them as eigenvalues."""
     nodes, weights = np.polynomial.legendre.leggauss(count)
     return on_grid(nodes, FIXED), on_grid(weights, FIXED)
 
 
 def with_bits(values: Array, bits: int) -> Array:
-    """The values on a grid such that the largest absolute one has about this number of bits."""
+    """The values, rounded so that the largest absolute value has about `bits` bits."""
     largest = float(np.abs(values).max(initial=0.0))
     return on_grid(values, 2.0 ** (np.frexp(largest)[1] - bits)) if largest > 0 else values

@@ -1,4 +1,4 @@
-"""Corners of a path through waypoints, rounded without leaving what is free."""
+"""Rounding of the corners of a path through waypoints; the path stays collision-free."""
 
 from collections.abc import Callable
 
@@ -7,20 +7,20 @@ import numpy as np
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
 
-#: A corner is rounded over at most this share of the shorter of its two edges, and least this far [rad].
+#: Maximum reach of a rounded corner, as a share of the shorter of its two edges, and minimum reach [rad].
 WIDEST = 0.45
 LEAST = 1e-4
 
 
 def rounded(waypoints: Array, is_free: Callable[[JointPath], bool]) -> JointPath:
-    """A path through straight pieces and rounded corners, twice continuously differentiable in its arc length.
+    """A path of straight pieces and rounded corners, twice continuously differentiable in its arc length.
 
     Every corner starts as wide as its edges allow and is halved until `is_free` accepts it with its two edges. A corner
-    that cannot even be rounded over `LEAST` stays sharp: there the arm will stop.
+    that cannot even be rounded over `LEAST` stays sharp; the arm will stop there.
 
     Args:
         waypoints: (k, n), whose straight pieces `is_free` accepts.
-        is_free: tells whether a path may be used.
+        is_free: whether a path may be used.
     """
     if len(waypoints) == 2:
         return JointPath.through(waypoints)
@@ -37,7 +37,7 @@ def _path(waypoints: Array, reach: Array) -> JointPath:
     """Straight pieces and corners as quartic Bernstein pieces.
 
     A corner of reach b turns from direction u to v over the parameter length 2b: q' = u + (v - u)(3x² - 2x³), x in
-    [0, 1], so q'' vanishes at both ends; since the mean of 3x² - 2x³ is 1/2 it ends at distance b behind the corner.
+    [0, 1], so q'' vanishes at both ends; since the mean of 3x² - 2x³ is 1/2 it ends at distance b after the corner.
     """
     directions = np.diff(waypoints, axis=0)
     edges = np.linalg.norm(directions, axis=1)

@@ -1,4 +1,4 @@
-"""Relaxation: how stiff a controller holds its path, and how far it may leave it."""
+"""Relaxation: how stiffly a controller holds its path, and how far it may leave the path."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -12,14 +12,14 @@ from manipplan.symbolic.task import Task
 
 @dataclass(frozen=True, kw_only=True)
 class StiffnessProfile:
-    """f_e of Q_δ = f_e I in (3): high at both ends of a path, low between, by two polynomials (Fig. 1 in dufour2020).
+    """f_e of Q_δ = f_e I in (3): high at both ends of a path, low in between, by two polynomials (Fig. 1 in dufour2020).
 
-    f_e(u) = low + (high - low) abs(1 - 2u)^degree for u in [0, 1], the share of the time.
+    f_e(u) = low + (high - low) abs(1 - 2u)^degree for u in [0, 1], the fraction of the time.
 
     Attributes:
         high: Q_high at the ends; the paper uses 1e4 to 1e5.
         low: Q_low in the middle; the paper uses 1 to 10.
-        degree: of the polynomials; the higher, the shorter the arm is held.
+        degree: of the polynomials; the higher it is, the shorter the stiff phases.
     """
 
     high: float = 1e4
@@ -32,11 +32,11 @@ class StiffnessProfile:
         number("degree", self.degree, least=1.0)
 
     def __call__(self, u: float) -> float:
-        """The stiffness at the share u of the time."""
+        """The stiffness at the fraction u of the time."""
         return float(self.low + (self.high - self.low) * abs(1 - 2 * u) ** self.degree)
 
 
-#: A constant stiffness, or one of the share of the time.
+#: A constant stiffness, or a function of the fraction of the time.
 Stiffness = float | Callable[[float], float]
 
 
@@ -45,8 +45,8 @@ class Tolerance:
     """A tube around the path: how far the tool may leave its target.
 
     Attributes:
-        position: [m] > 0; None: any distance.
-        rotation: [rad] > 0; None: any angle.
+        position: maximum distance [m] > 0; None: no limit.
+        rotation: maximum angle [rad] > 0; None: no limit.
     """
 
     position: float | None = None
@@ -66,9 +66,9 @@ class Tolerance:
 
 
 def row_shares(task: Task) -> tuple[list[float], list[float]]:
-    """What a tolerance of 1 m and one of 1 rad leave to each row of `task`, in the row's unit; 0: not of that kind.
+    """Bounds on each row of `task` for tolerances of 1 m and of 1 rad, in the row's unit; 0: a row of the other kind.
 
-    The rows' bounds make a box. Where rows are orthogonal it lies inside the ball of the tolerance.
+    The bounds form a box. If the rows are orthogonal, it lies inside the ball of the tolerance.
 
     Raises InvalidInputError for a row that mixes translation and rotation.
     """

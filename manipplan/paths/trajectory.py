@@ -14,10 +14,10 @@ from manipplan.support.errors import InvalidInputError
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Trajectory:
-    """The cubic Hermite spline of samples: what a joint trajectory controller makes of positions and velocities.
+    """The cubic Hermite spline through samples, as joint trajectory controllers interpolate positions and velocities.
 
     Attributes:
-        t: (k,) sample times [s], rising from 0, k >= 2.
+        t: (k,) sample times [s], increasing from 0, k >= 2.
         q: (k, n) positions [rad or m].
         qd: (k, n) velocities [rad/s or m/s].
         joint_names: (n,) names in the order of the columns.
@@ -32,7 +32,7 @@ class Trajectory:
         t = finite_array("t", self.t, (None,))
         names = distinct_names("joint_names", self.joint_names, np.shape(self.q)[-1] if np.ndim(self.q) else 0)
         if len(t) < 2 or t[0] != 0 or not (np.diff(t) > 0).all():
-            raise InvalidInputError("t", t, "at least two times, rising from 0")
+            raise InvalidInputError("t", t, "at least two times, increasing from 0")
         shape = (len(t), len(names))
         object.__setattr__(self, "t", t)
         object.__setattr__(self, "q", finite_array("q", self.q, shape))
@@ -61,7 +61,7 @@ class Trajectory:
     def __call__(self, t: ArrayLike, order: int = 0) -> Array:
         """q(t), or its derivative of the given order; t (...) in [0, duration] gives (..., n).
 
-        The second derivative jumps at samples: there it is the one to the right.
+        The second derivative jumps at samples; there the value is that of the segment to the right.
         """
         t = number_array("t", t)
         if not ((t >= 0) & (t <= self.duration)).all():
@@ -122,9 +122,9 @@ class Trajectory:
         """Write a ROS 2 bag for `ros2 bag play`, rviz and Foxglove: the motion as a JointTrajectory and as JointStates.
 
         Args:
-            file: its folder; nothing may be there yet.
+            file: folder of the bag; it must not exist yet.
             storage: "mcap" or "sqlite3".
-            rate: of the JointStates [Hz]; there is one at each sample, too.
+            rate: of the JointStates [Hz]; each sample gets one as well.
 
         Raises:
             InvalidInputError: the folder exists or cannot be written, or another argument is not usable.
@@ -138,15 +138,15 @@ class Trajectory:
     def from_rosbag(cls, file: str | Path, topic: str | None = None, *, joints: Sequence[str] | None = None) -> "Trajectory":
         """Read a recorded motion from a ROS bag: JointStates, or one JointTrajectory.
 
-        Velocities that were not recorded are those of the cubic spline through the positions.
+        Velocities that were not recorded come from the cubic spline through the positions.
 
         Args:
             file: the folder of a ROS 2 bag, or a ROS 1 .bag file.
-            topic: default, the only one with JointStates, else the only one with a JointTrajectory.
-            joints: those wanted, in this order, such as `robot.joint_names`. Default: all of the first message, in its order.
+            topic: its name; default: the only one with JointStates, else the only one with a JointTrajectory.
+            joints: names to read, in this order, such as `robot.joint_names`. Default: all of the first message, in its order.
 
         Raises:
-            FileFormatError: not a bag, stamps that do not rise, a joint without a position.
+            FileFormatError: not a bag, stamps that do not increase, a joint without a position.
             InvalidInputError: no such topic or joint; several topics fit.
             MissingExtraError: rosbags is not installed.
         """
@@ -184,7 +184,7 @@ class Trajectory:
 
 
 def joined(parts: Sequence[Trajectory]) -> Trajectory:
-    """Trajectories one after another, each beginning where the one before ends."""
+    """Concatenate trajectories, each of which begins where the previous one ends."""
     t, q, qd = [parts[0].t], [parts[0].q], [parts[0].qd]
     for part in parts[1:]:
         t.append(part.t[1:] + t[-1][-1])

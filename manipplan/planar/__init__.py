@@ -1,9 +1,9 @@
-"""The planar n-link arm in closed form: the analytic end of the toolkit [kth2012].
+"""The planar n-link arm in closed form: the analytic part of the toolkit [kth2012].
 
-    PlanarArm -> positions, Jacobian -> μ, ‖J‖_F, κ and their derivatives -> stationary postures, all of them, with proof
-              -> workspaces, free and under angle limits; inverse kinematics; ellipses; theorems that run
+    PlanarArm -> positions, Jacobian -> μ and its derivatives, ‖J‖_F, κ -> all stationary postures, with proof
+              -> workspaces with and without joint limits; inverse kinematics; ellipses; executable theorems
 
-``PlanarArm(lengths).robot()`` is the same arm for everything else in manipplan.
+``PlanarArm(lengths).robot()`` is the same arm as a robot for the rest of manipplan.
 """
 
 from manipplan.planar.arcs import Arc, critical_arcs, reachable_radii, workspace_boundary

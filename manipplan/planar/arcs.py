@@ -1,4 +1,4 @@
-"""The boundary of the workspace under angle limits: circular arcs."""
+"""The boundary of the workspace within joint limits: circular arcs."""
 
 import itertools
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from manipplan.planar.orientations import Interval, check_few_links, is_reachabl
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 
-#: How far beside an arc it is asked whether a place is reachable, as a share of the arm's length.
+#: Distance to each side of an arc at which reachability is tested, as a share of the arm's length.
 BESIDE = 1e-6
 
 
@@ -39,21 +39,21 @@ class Arc:
 
 
 def critical_arcs(arm: PlanarArm, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> tuple[Arc, ...]:
-    """The images of all postures at which the tool can be at the edge of what it reaches; any number of links.
+    """The images of all postures in which the tool can be on the boundary of its workspace; any number of links.
 
-    Some joints rest on a limit; the others are so that they and the tool lie on one line, the first of them turning through
-    its range: that is an arc around this joint. The boundary of the workspace is a part of these arcs. Raises
-    InvalidInputError for limits of a wrong shape or order.
+    Some joints are on a limit; the others lie on one line with the tool. While the first of them moves through its range,
+    the tool traces an arc around it. The boundary of the workspace is part of these arcs. Raises InvalidInputError for
+    limits of a wrong shape or order.
     """
     limits = AngleLimits.of(lower, upper, arm.n)
     return tuple(arc for _, arc in _critical(arm, limits))
 
 
 def reachable_radii(arm: PlanarArm, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> Interval:
-    """Least and largest distance [m] of the tool from the base under angle limits; all between can be reached, too.
+    """Smallest and largest distance [m] of the tool from the base within joint limits; all between are reachable.
 
-    The extremes lie on the critical arcs around the base. Raises InvalidInputError as `critical_arcs`, and for limits on the
-    bent joints of an arm of more than three links.
+    The extremes lie on the critical arcs around the base. Raises InvalidInputError like `critical_arcs`, and for limits on
+    joints 2 to n of an arm with more than three links.
     """
     limits = AngleLimits.of(lower, upper, arm.n)
     free_base = AngleLimits(lower=np.r_[-np.inf, limits.lower[1:]], upper=np.r_[np.inf, limits.upper[1:]])
@@ -64,10 +64,10 @@ def reachable_radii(arm: PlanarArm, lower: ArrayLike | None = None, upper: Array
 
 
 def workspace_boundary(arm: PlanarArm, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> tuple[Arc, ...]:
-    """The boundary of the reachable workspace under angle limits, in arcs; two or three links.
+    """The boundary of the reachable workspace within joint limits, as arcs; two or three links.
 
-    The critical arcs are cut where they cross each other; a piece belongs to the boundary when one of the places `BESIDE` it
-    cannot be reached. Pieces shorter than 4 `BESIDE` are left out or joined to their neighbours. Raises InvalidInputError for
+    The critical arcs are split where they cross each other; a piece belongs to the boundary when a point `BESIDE` to one side
+    of it is unreachable. Pieces shorter than 4 `BESIDE` are dropped or joined to their neighbours. Raises InvalidInputError for
     more links, or limits of a wrong shape or order.
     """
     check_few_links(arm)
@@ -88,7 +88,7 @@ def workspace_boundary(arm: PlanarArm, lower: ArrayLike | None = None, upper: Ar
 
 
 def _critical(arm: PlanarArm, limits: AngleLimits) -> list[tuple[int, Arc]]:
-    """The critical arcs, each with the joint, from 0, about which it goes."""
+    """The critical arcs, each with the index of the joint at its centre."""
     n, result = arm.n, []
     for free in itertools.product((False, True), repeat=n):
         joints = [i for i in range(n) if free[i]]
@@ -104,7 +104,7 @@ def _critical(arm: PlanarArm, limits: AngleLimits) -> list[tuple[int, Arc]]:
 
 
 def _arc(arm: PlanarArm, limits: AngleLimits, held: Array, joints: list[int], straight: tuple[float, ...]) -> Arc | None:
-    """The arc with joints[1:] put so that each rigid part between free joints points along the first one, or back."""
+    """The arc with joints[1:] set so that each rigid part between free joints points along the first one or opposite to it."""
     q, first = held.copy(), joints[0]
     for joint, turn in zip(joints[1:], straight, strict=True):
         before = arm.joint_positions(q)
@@ -112,7 +112,7 @@ def _arc(arm: PlanarArm, limits: AngleLimits, held: Array, joints: list[int], st
         last = joints[joints.index(joint) + 1] if joint != joints[-1] else arm.n
         part = before[last] - before[joint]
         if min(np.hypot(*line), np.hypot(*part)) <= 1e-12 * arm.lengths.sum():
-            return None  # two joints at one place move the tool as one: arcs with either of them on a limit say it all
+            return None  # coincident joints move the tool like one: arcs with either of them on a limit cover this
         q[joint] += np.arctan2(line[1], line[0]) + turn - np.arctan2(part[1], part[0])
         placed = AngleLimits(lower=limits.lower[joint : joint + 1], upper=limits.upper[joint : joint + 1]).placed(q[[joint]])[0]
         if np.isnan(placed):
@@ -130,17 +130,17 @@ def _arc(arm: PlanarArm, limits: AngleLimits, held: Array, joints: list[int], st
 
 
 def _closes(arm: PlanarArm, limits: AngleLimits) -> bool:
-    """Whether the tool can come to the base."""
+    """Whether the tool can reach the base."""
     if arm.n <= 3:
         return is_reachable(arm, (0.0, 0.0), limits.lower, limits.upper)
     if limits.bounded[1:].any():
-        raise InvalidInputError("arm", arm, "two or three links, where angles are limited")
+        raise InvalidInputError("arm", arm, "two or three links when joints 2 to n have limits")
     lengths = arm.lengths
     return bool(2 * lengths.max() <= lengths.sum())
 
 
 def _crossings(arc: Arc, other: Arc) -> list[float]:
-    """Angles inside `arc` at which the other's circle crosses it; of one circle, the other's ends."""
+    """Angles inside `arc` at which the other's circle crosses it; on the same circle, the other's ends."""
     offset = other.centre - arc.centre
     distance = float(np.hypot(*offset))
     if distance <= 1e-12 * (arc.radius + other.radius):
@@ -167,7 +167,7 @@ def _different(arcs: tuple[Arc, ...], size: float) -> list[Arc]:
 
 
 def _merged(pieces: list[Arc], gap: float) -> tuple[Arc, ...]:
-    """Pieces of one circle that are less than `gap` [m] apart made one, those that are there twice once."""
+    """Joins pieces of one circle that are less than `gap` [m] apart, and drops duplicates."""
     kept: list[Arc] = []
     for piece in sorted(pieces, key=lambda arc: (round(arc.radius, 6), *np.round(arc.centre, 6), arc.begin)):
         share = gap / piece.radius

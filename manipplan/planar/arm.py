@@ -1,4 +1,4 @@
-"""The planar n-link arm: where its joints and its tool are, and its Jacobian, in closed form."""
+"""The planar n-link arm: joint positions, tool position and Jacobian in closed form."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -17,13 +17,13 @@ if TYPE_CHECKING:
 class PlanarArm:
     """n revolute joints about z and n links in the plane [kth2012, ch. 2], in closed form.
 
-    Symbols: θ_i = q[i-1] is the angle of link i against link i-1 [rad], φ_p = θ_1 + ... + θ_p its angle against x,
-    l_p its length [m].
+    Symbols: θ_i = q[i-1] is the angle of link i relative to link i-1 [rad], φ_p = θ_1 + ... + θ_p the angle of link p
+    to the x axis, l_p its length [m].
 
     Args:
         lengths: (n,) link lengths l_i [m], each above zero, n >= 2.
 
-    Raises InvalidInputError for lengths that are not positive and finite, or fewer than two.
+    Raises InvalidInputError for lengths that are not positive and finite, or for fewer than two.
     """
 
     lengths: Array
@@ -44,7 +44,7 @@ class PlanarArm:
         return len(self.lengths)
 
     def joint_positions(self, q: ArrayLike) -> Array:
-        """Base, joints 2 to n and tool, (..., n + 1, 2) [m], at q (..., n) [rad]."""
+        """Positions of the base, joints 2 to n and the tool, (..., n + 1, 2) [m], at q (..., n) [rad]."""
         steps = self._links(q)
         base = np.zeros((*steps.shape[:-2], 1, 2))
         return np.concatenate([base, np.cumsum(steps, axis=-2)], axis=-2)
@@ -69,15 +69,15 @@ class PlanarArm:
     def jacobian(self, q: ArrayLike) -> Array:
         """The Jacobian of the position, (..., 2, n) [m], at q (..., n) [rad]; (2.11) in kth2012."""
         r = self.levers(q)
-        return np.stack([-r[..., 1], r[..., 0]], axis=-2)  # column i is r_i, turned by a quarter
+        return np.stack([-r[..., 1], r[..., 0]], axis=-2)  # column i is r_i rotated by 90 degrees
 
     def pose_jacobian(self, q: ArrayLike) -> Array:
-        """Rows of position [m], then the row of orientation [1], (..., 3, n), at q (..., n); (2.9) in kth2012."""
+        """Position rows [m], then the orientation row [1], (..., 3, n), at q (..., n); (2.9) in kth2012."""
         linear = self.jacobian(q)
         return np.concatenate([linear, np.ones((*linear.shape[:-2], 1, self.n))], axis=-2)
 
     def robot(self) -> "Robot":
-        """The same arm for the general machinery, `manipplan.planar_arm(lengths)`."""
+        """The same arm as a general robot, `manipplan.planar_arm(lengths)`."""
         from manipplan.robots.catalog import planar_arm
 
         return planar_arm(self.lengths)

@@ -17,7 +17,7 @@ def velocity_ellipse(arm: PlanarArm, q: ArrayLike) -> Ellipsoid:
 def force_ellipse(arm: PlanarArm, q: ArrayLike) -> Ellipsoid:
     """Tool forces for joint torques of norm 1 at one posture q (n,); (2.25) in kth2012.
 
-    Its axes are those of the velocity ellipse, its radii their inverses: fast directions are weak ones.
+    It has the axes of the velocity ellipse and the inverse radii: fast directions are weak ones.
     """
     return force_ellipsoid(arm.jacobian(_posture(arm, q)))
 
@@ -30,13 +30,13 @@ def matrix_ellipsoid(matrix: ArrayLike) -> Ellipsoid:
     Args:
         matrix: A (m, m), symmetric and positive semidefinite.
 
-    Raises InvalidInputError for another matrix.
+    Raises InvalidInputError for any other matrix.
     """
     a = finite_array("matrix", matrix, (None, None))
     size = float(np.abs(a).max(initial=0.0))
     if not size or a.shape[0] != a.shape[1] or np.abs(a - a.T).max() > 1e-12 * size:
         raise InvalidInputError("matrix", a.tolist(), "a symmetric matrix that is not zero")
-    values, axes = np.linalg.eigh(a)  # (A.3); rising, so that the radii fall
+    values, axes = np.linalg.eigh(a)  # (A.3); ascending, so that the radii descend
     floor = len(a) * np.finfo(float).eps * size
     if values[0] < -floor:
         raise InvalidInputError("matrix", a.tolist(), f"no negative eigenvalue, not {values[0]:.3g}")

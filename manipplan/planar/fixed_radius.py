@@ -6,10 +6,10 @@ triangles: 4 M_12² = H_1 = 4 l_1² u - (l_1² + u - R²)², 4 M_23² = H_2 = 4 
 
     16 u² μ² = E + 2 s A B sqrt(H),   E = 4 u² (H_1 + H_2) + A² H_2 + B² H_1,
 
-and dμ²/du = 0 reads N_1 sqrt(H) + s N_2 = 0 with N_1 = u E' - 2 E and N_2 = 2 u (A B)' H + u A B H' - 4 A B H. Its
-square N_1² H - N_2² is a polynomial of degree 12 in u with rational coefficients. Where the curve of postures turns back
-in u, H = 0, the same polynomial vanishes just where μ is stationary along the curve. Hence its real roots, counted by Sturm's
-theorem, are all there is; only u = 0, where l_2 = l_3 fold the tool onto the second joint and θ_2 is free, stands alone.
+and dμ²/du = 0 reads N_1 sqrt(H) + s N_2 = 0 with N_1 = u E' - 2 E and N_2 = 2 u (A B)' H + u A B H' - 4 A B H. Squaring
+it gives N_1² H - N_2², a polynomial of degree 12 in u with rational coefficients. Where the curve of postures turns back in u
+(H = 0), this polynomial vanishes exactly where μ is stationary along the curve. Hence its real roots, counted by Sturm's
+theorem, are all solutions except u = 0, a special case: l_2 = l_3 fold the tool onto the second joint and θ_2 is free.
 """
 
 import math
@@ -22,17 +22,17 @@ from manipplan.planar.inverse import wrapped
 from manipplan.planar.sturm import Polynomial, add, derivative, evaluate, multiply, real_roots, scale
 from manipplan.support.checks import Array
 
-#: A radius this near to one at which links can be collinear is that one: it is where rounding would decide.
+#: A radius this close (share of the arm's length) to one with collinear links is set to it: rounding must not decide.
 SNAP = Fraction(1, 10**14)
-#: Share of its terms below which N_2 is zero; roots are known to 2⁻¹²⁰, about 1e-36.
+#: N_2 counts as zero below this share of its terms; roots are known to 2⁻¹²⁰, about 1e-36.
 _ZERO = Fraction(1, 10**24)
 
 
 def fixed_radius_postures(arm: PlanarArm, radius: float) -> Array:
-    """All (θ_2, θ_3), (k, 2) in (-π, π] [rad], with the tool at `radius` [m] at which μ is stationary along the curve ‖f‖ = R.
+    """All (θ_2, θ_3), (k, 2) in (-π, π] [rad], with the tool at `radius` [m] and μ stationary along the curve ‖f‖ = R.
 
     Points where the curve crosses itself or is a single point count as stationary. Lengths and radius are read as the
-    decimal numbers that they print as, so that 0.5 = 0.3 + 0.2. None out of reach.
+    decimal numbers that they print as, so that 0.5 = 0.3 + 0.2. The result is empty for a radius out of reach.
     """
     l1, l2, l3 = lengths = [exact(length) for length in arm.lengths]
     root = snapped(lengths, exact(radius))
@@ -64,7 +64,7 @@ def exact(number: float) -> Fraction:
 
 
 def snapped(lengths: list[Fraction], radius: Fraction) -> Fraction:
-    """The radius, or the nearest |l_1 ± l_2 ± l_3| when that is within `SNAP` of the arm's length."""
+    """The radius, or the nearest |l_1 ± l_2 ± l_3| when that differs by at most `SNAP` times the arm's length."""
     l1, l2, l3 = lengths
     critical = [abs(l1 + a * l2 + b * l3) for a in (1, -1) for b in (1, -1)]
     nearest = min(critical, key=lambda each: abs(each - radius))
@@ -91,7 +91,7 @@ def _mirrored(
     l1, l2, l3 = lengths
     first, second = areas[0], sign * areas[1]
     third = float(np.arctan2(second, float(u - l2**2 - l3**2)))
-    # The tool, seen from joint 2, lies at α = θ_2 + ψ to link 1: M_12 = l_1 d sin α and R² = l_1² + u + 2 l_1 d cos α.
+    # Seen from joint 2, the tool is at angle α = θ_2 + ψ to link 1: M_12 = l_1 d sin α and R² = l_1² + u + 2 l_1 d cos α.
     alpha = float(np.arctan2(first, float(v - l1**2 - u)))
     psi = float(np.arctan2(second, float(u + l2**2 - l3**2)))  # likewise 2 l_2 d (sin ψ, cos ψ)
     return [(alpha - psi, third), (psi - alpha, -third)]

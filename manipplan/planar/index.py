@@ -1,6 +1,6 @@
-"""Manipulability in closed form: μ² as a sum of squared minors of J, its gradient and Hessian, norm and condition.
+"""Manipulability in closed form: μ² as a sum of squared minors of J; gradient and Hessian; norm and condition.
 
-None of them depends on the first angle (theorems 4.1, 4.2, 4.4 in kth2012): turning θ_1 turns the whole arm.
+None of them depends on the first angle (theorems 4.1, 4.2, 4.4 in kth2012): θ_1 rotates the whole arm.
 """
 
 import numpy as np
@@ -14,27 +14,27 @@ from manipplan.support.errors import InvalidInputError
 def minors(arm: PlanarArm, q: ArrayLike) -> Array:
     """The 2x2 minors of the Jacobian, M_ij = r_i × r_j, (..., n, n) [m²], skew-symmetric, at q (..., n).
 
-    In relative angles M_ij = Σ_(i<=p<j) Σ_(m>=j) l_p l_m sin(θ_(p+1) + ... + θ_m) for i < j: θ_1 is not among them.
+    In relative angles M_ij = Σ_(i<=p<j) Σ_(m>=j) l_p l_m sin(θ_(p+1) + ... + θ_m) for i < j: θ_1 does not appear.
     """
     return _cross(arm.levers(q))
 
 
 def squared_manipulability(arm: PlanarArm, q: ArrayLike) -> Array:
-    """μ² = det(J Jᵀ) = Σ_(i<j) M_ij², (...,) [m⁴], at q (..., n), by the formula of Cauchy and Binet.
+    """μ² = det(J Jᵀ) = Σ_(i<j) M_ij², (...,) [m⁴], at q (..., n), by the Cauchy-Binet formula.
 
-    (5.2) in kth2012 has this for unit links, with two misprints: its constant is 5/2, and the term of 2θ_3 is -cos 2θ_3.
+    (5.2) in kth2012 is this for unit links, with two misprints: the constant must be 5/2 and the 2θ_3 term -cos 2θ_3.
     """
     return np.asarray((minors(arm, q) ** 2).sum(axis=(-2, -1)) / 2)
 
 
 def squared_manipulability_gradient(arm: PlanarArm, q: ArrayLike) -> Array:
-    """∇μ² by the angles, (..., n) [m⁴], at q (..., n); its first entry is zero."""
+    """∇μ² with respect to the angles, (..., n) [m⁴], at q (..., n); its first entry is zero."""
     minor, first = _slopes(arm.levers(q))
     return np.asarray(np.einsum("...ij,...ijk->...k", minor, first))
 
 
 def squared_manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
-    """∇²μ² by the angles, (..., n, n) [m⁴], at q (..., n); its first row and column are zero."""
+    """∇²μ² with respect to the angles, (..., n, n) [m⁴], at q (..., n); its first row and column are zero."""
     r = arm.levers(q)
     minor, first = _slopes(r)
     second = _bends(minor, arm.n)
@@ -50,13 +50,13 @@ def manipulability(arm: PlanarArm, q: ArrayLike) -> Array:
 def manipulability_gradient(arm: PlanarArm, q: ArrayLike) -> Array:
     """∇μ = ∇μ² / (2 μ), (..., n) [m²], at q (..., n).
 
-    Raises InvalidInputError at a singular posture: μ has a kink there. `squared_manipulability_gradient` exists everywhere.
+    Raises InvalidInputError at a singular posture, where μ has a kink. `squared_manipulability_gradient` exists everywhere.
     """
     return np.asarray(squared_manipulability_gradient(arm, q) / (2 * _regular(arm, q)[..., None]))
 
 
 def manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
-    """∇²μ = (∇²μ² / 2 - ∇μ ∇μᵀ) / μ, (..., n, n) [m²], at q (..., n). Raises as `manipulability_gradient` does."""
+    """∇²μ = (∇²μ² / 2 - ∇μ ∇μᵀ) / μ, (..., n, n) [m²], at q (..., n). Raises like `manipulability_gradient`."""
     index = _regular(arm, q)
     slope = manipulability_gradient(arm, q)
     bend = squared_manipulability_hessian(arm, q) / 2 - slope[..., :, None] * slope[..., None, :]
@@ -66,8 +66,8 @@ def manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
 def frobenius_norm(arm: PlanarArm, q: ArrayLike) -> Array:
     """The weighted Frobenius norm sqrt(tr(J Jᵀ)/2), (...,) [m], at q (..., n).
 
-    (4.2) in kth2012, whose innermost sum has to begin at m = p + 1, not at i + 1. As its terms do not depend on i, each
-    comes p times: tr(J Jᵀ)/2 = Σ_p p l_p²/2 + Σ_(p<m) p l_p l_m cos(θ_(p+1) + ... + θ_m).
+    (4.2) in kth2012, whose innermost sum must start at m = p + 1, not at i + 1. The terms do not depend on i, so each
+    appears p times: tr(J Jᵀ)/2 = Σ_p p l_p²/2 + Σ_(p<m) p l_p l_m cos(θ_(p+1) + ... + θ_m).
     """
     return np.asarray(np.sqrt(np.maximum(_half_trace(arm, q), 0.0)))
 
@@ -75,8 +75,8 @@ def frobenius_norm(arm: PlanarArm, q: ArrayLike) -> Array:
 def inverse_condition(arm: PlanarArm, q: ArrayLike) -> Array:
     """κ = σ_min/σ_max of J, from 0 (singular) to 1 (isotropic), (...,), at q (..., n).
 
-    What kth2012 calls the condition number (2.23). From trace and determinant as in (4.38), the smaller eigenvalue as
-    det/λ_max, since the difference in (4.38) loses digits beside a singularity.
+    kth2012 calls it the condition number (2.23). Computed from trace and determinant as in (4.38), but the smaller
+    eigenvalue is det/λ_max, since the difference in (4.38) loses digits near a singularity.
     """
     half = _half_trace(arm, q)
     square = squared_manipulability(arm, q)
@@ -95,7 +95,7 @@ def _half_trace(arm: PlanarArm, q: ArrayLike) -> Array:
 def _regular(arm: PlanarArm, q: ArrayLike) -> Array:
     index = manipulability(arm, q)
     if (index <= 1e-12 * arm.lengths.sum() ** 2).any():
-        raise InvalidInputError("q", q, "postures that are not singular: there μ has no derivative, but μ² has")
+        raise InvalidInputError("q", q, "postures that are not singular: at a singular one μ has no derivative, but μ² does")
     return index
 
 

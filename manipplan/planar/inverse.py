@@ -1,4 +1,4 @@
-"""Inverse kinematics of planar arms with two and three links in closed form."""
+"""Inverse kinematics of planar arms with two or three links in closed form."""
 
 from dataclasses import dataclass
 
@@ -9,15 +9,15 @@ from manipplan.planar.arm import PlanarArm
 from manipplan.support.checks import Array, finite_array, number
 from manipplan.support.errors import InvalidInputError
 
-#: A position that misses the reach by less than this share of the arm's length counts as on its border.
+#: A position outside the workspace by less than this share of the arm's length counts as on its boundary.
 GRAZE = 1e-12
 
 
 def two_link_postures(arm: PlanarArm, position: ArrayLike) -> Array:
     """Postures (k, 2) [rad] of a two-link arm that bring the tool to `position` (2,) [m]; k is 0, 1 or 2.
 
-    θ_1 in (-π, π], θ_2 in [0, π] in the first row and -θ_2 in the second. Where l_1 = l_2 and the position is the base, θ_1
-    is free and the one row has θ_1 = 0. Raises InvalidInputError for an arm with another number of links.
+    θ_1 is in (-π, π]; θ_2 is in [0, π] in the first row and negated in the second. Where l_1 = l_2 and the position is the
+    base, θ_1 is free and the only row has θ_1 = 0. Raises InvalidInputError for an arm that does not have two links.
     """
     _links("arm", arm, 2)
     target = finite_array("position", position, (2,))
@@ -25,11 +25,11 @@ def two_link_postures(arm: PlanarArm, position: ArrayLike) -> Array:
 
 
 def pose_postures(arm: PlanarArm, position: ArrayLike, orientation: float) -> Array:
-    """Postures (k, 3) [rad] of a three-link arm with the tool at `position` (2,) [m] under the angle `orientation` [rad].
+    """Postures (k, 3) [rad] of a three-link arm with the tool at `position` (2,) [m] and at the angle `orientation` [rad].
 
-    Both elbows: θ_2 >= 0 in the first row, θ_2 <= 0 in the second; one row where they are the same, none out of reach. All
-    angles are in (-π, π]. Where the third joint falls on the base, θ_1 is free and the one row has θ_1 = 0. Raises
-    InvalidInputError for an arm with another number of links.
+    Both elbow solutions: θ_2 >= 0 in the first row, θ_2 <= 0 in the second; one row where they coincide, none out of reach.
+    All angles are in (-π, π]. Where the third joint is at the base, θ_1 is free and the only row has θ_1 = 0. Raises
+    InvalidInputError for an arm that does not have three links.
     """
     _links("arm", arm, 3)
     target = finite_array("position", position, (2,))
@@ -38,13 +38,13 @@ def pose_postures(arm: PlanarArm, position: ArrayLike, orientation: float) -> Ar
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PostureFamily:
-    """All postures of a three-link arm for one position: one parameter, the tool's angle φ, and two elbows.
+    """All postures of a three-link arm for one position: one parameter, the tool's angle φ, and two elbow solutions.
 
     Attributes:
         arm: three links.
         position: (2,) of the tool [m].
-        orientations: intervals (begin, end) of φ [rad] that can be reached, none, one or two of them. An interval of
-            length 2π is the whole circle.
+        orientations: none, one or two reachable intervals (begin, end) of φ [rad]. An interval of length 2π is the whole
+            circle.
     """
 
     arm: PlanarArm
@@ -52,17 +52,17 @@ class PostureFamily:
     orientations: tuple[tuple[float, float], ...]
 
     def __call__(self, orientation: float) -> Array:
-        """The postures (k, 3) [rad] with this φ, as `pose_postures`."""
+        """The postures (k, 3) [rad] with this φ, as in `pose_postures`."""
         return _with_orientation(self.arm, self.position, number("orientation", orientation))
 
 
 def position_family(arm: PlanarArm, position: ArrayLike) -> PostureFamily:
     """The one-parameter family of postures of a three-link arm that bring the tool to `position` (2,) [m].
 
-    The third joint is at distance d from the base with d² = R² + l_3² - 2 R l_3 cos(φ - α), α being the direction of the
+    The third joint is at distance d from the base with d² = R² + l_3² - 2 R l_3 cos(φ - α), where α is the direction of the
     position; the first two links reach it where d is between the difference and the sum of their lengths.
 
-    Raises InvalidInputError for an arm with another number of links.
+    Raises InvalidInputError for an arm that does not have three links.
     """
     _links("arm", arm, 3)
     target = finite_array("position", position, (2,))
@@ -70,14 +70,14 @@ def position_family(arm: PlanarArm, position: ArrayLike) -> PostureFamily:
 
 
 def two_links(first: float, second: float, target: Array) -> Array:
-    """`two_link_postures` for lengths that are already checked; also for links that are several rigid ones."""
+    """`two_link_postures` for lengths already checked; a link may also be several links held rigidly."""
     distance = float(np.hypot(*target))
     total = first + second
     if abs(first - second) > distance + GRAZE * total or distance > total * (1 + GRAZE):
         return np.zeros((0, 2))
     if distance <= GRAZE * total:  # folded back onto the base
         return np.array([[0.0, np.pi]])
-    # Half-angle form of the law of cosines: exact also where the arm is nearly stretched or folded.
+    # Half-angle form of the law of cosines: accurate even where the arm is nearly stretched or folded.
     near = max((distance - (first - second)) * (distance + (first - second)), 0.0)
     far = max((total - distance) * (total + distance), 0.0)
     elbow = 2 * np.arctan2(np.sqrt(far), np.sqrt(near))
@@ -114,7 +114,7 @@ def _orientations(arm: PlanarArm, target: Array) -> tuple[tuple[float, float], .
         cosine = (radius**2 + l3**2 - distance**2) / (2 * radius * l3)
         return float(np.arccos(np.clip(cosine, -1.0, 1.0)))
 
-    begin, end = angle(max(near, least)), angle(min(far, most))  # of |φ - α|
+    begin, end = angle(max(near, least)), angle(min(far, most))  # range of |φ - α|
     if near >= least and far <= most:
         return ((alpha - np.pi, alpha + np.pi),)
     if near >= least:

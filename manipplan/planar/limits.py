@@ -1,4 +1,4 @@
-"""Joint ranges on the torus: an angle is inside when it is so after some full turns."""
+"""Joint limits on the torus: an angle is inside when it is inside after some number of full turns."""
 
 from dataclasses import dataclass
 
@@ -8,13 +8,13 @@ from numpy.typing import ArrayLike
 from manipplan.support.checks import Array, number_array
 from manipplan.support.errors import InvalidInputError
 
-#: An angle that exceeds a limit by less is on it [rad].
+#: An angle that exceeds a limit by less than this is on the limit [rad].
 ON_LIMIT = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class AngleLimits:
-    """lower <= θ <= upper for each joint; a range of 2π or more is none.
+    """lower <= θ <= upper for each joint; a range of 2π or more is no limit.
 
     Attributes:
         lower: (n,) [rad], -inf where there is none.
@@ -39,13 +39,13 @@ class AngleLimits:
 
     @property
     def bounded(self) -> Array:
-        """(n,) whether a joint's range is less than a full turn."""
+        """(n,) whether each joint's range is less than a full turn."""
         return np.asarray(self.upper - self.lower < 2 * np.pi)
 
     def placed(self, q: ArrayLike) -> Array:
-        """q (..., n), each angle turned by full turns into its range, nearest to zero; NaN where there is no such turn.
+        """q (..., n), each angle shifted by full turns into its range, as near to zero as possible; NaN where none fits.
 
-        What exceeds a limit by less than `ON_LIMIT` is set onto it.
+        An angle that exceeds a limit by less than `ON_LIMIT` is set to it.
         """
         angles = np.asarray(q, dtype=np.float64)
         turn = 2 * np.pi
@@ -57,7 +57,7 @@ class AngleLimits:
         return np.where(least <= most, placed, np.nan)
 
     def contain(self, q: ArrayLike) -> Array:
-        """(...,) whether all angles of q (..., n) are inside, after full turns."""
+        """(...,) whether all angles of q (..., n) are inside, up to full turns."""
         return np.asarray(np.isfinite(self.placed(q)).all(axis=-1))
 
 
@@ -66,5 +66,5 @@ def _one_side(name: str, value: ArrayLike | None, n: int) -> Array:
         return np.full(n, -np.inf if name == "lower" else np.inf)
     array = number_array(name, value)
     if array.shape not in ((), (n,)) or np.isnan(array).any():
-        raise InvalidInputError(name, value, f"one angle or {n} of them [rad], no NaN")
+        raise InvalidInputError(name, value, f"one angle or {n} angles [rad], without NaN")
     return np.broadcast_to(array, (n,)).copy()

@@ -1,4 +1,4 @@
-"""What a two- or three-link arm reaches under angle limits, and with which orientations: exact, place by place."""
+"""Positions and orientations that a two- or three-link arm reaches within joint limits, exact at each position."""
 
 import itertools
 
@@ -17,11 +17,11 @@ Interval = tuple[float, float]
 def reachable_orientations(
     arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = None, upper: ArrayLike | None = None
 ) -> tuple[Interval, ...]:
-    """The angles φ [rad] that a three-link arm's tool can have at `position` (2,) [m] under angle limits.
+    """Tool angles φ [rad] that a three-link arm can reach at `position` (2,) [m] within joint limits.
 
-    Disjoint closed intervals, their begins in [-π, π), that do not overlap on the circle; ((-π, π),) is every orientation.
-    For each elbow the set of φ changes only where a joint meets a limit or the elbow is straight: angles in closed form.
-    Raises InvalidInputError for an arm without three links, or limits of a wrong shape or order.
+    Disjoint closed intervals that start in [-π, π) and do not overlap on the circle; ((-π, π),) is every orientation. For
+    each elbow the set of φ changes only where a joint reaches a limit or the elbow is straight; these φ have a closed form.
+    Raises InvalidInputError for an arm that does not have three links, or limits of a wrong shape or order.
     """
     limits = AngleLimits.of(lower, upper, arm.n)
     family = position_family(arm, position)
@@ -39,7 +39,7 @@ def reachable_orientations(
 
 
 def is_reachable(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> bool:
-    """Whether the tool can come to `position` (2,) [m] under angle limits; two or three links.
+    """Whether the tool can reach `position` (2,) [m] within joint limits; two or three links.
 
     Raises InvalidInputError for more links, or limits of a wrong shape or order.
     """
@@ -53,7 +53,7 @@ def is_reachable(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = 
 
 
 def is_dexterous(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> bool:
-    """Whether a three-link arm's tool can have every orientation at `position` (2,) [m] under angle limits."""
+    """Whether a three-link arm can reach every tool orientation at `position` (2,) [m] within joint limits."""
     return any(end - begin >= 2 * np.pi for begin, end in reachable_orientations(arm, position, lower, upper))
 
 
@@ -64,12 +64,12 @@ def check_few_links(arm: PlanarArm) -> None:
 
 
 def _folded(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[Interval]:
-    """The one orientation at which equal links 1 and 2 lie on each other: θ_1 is free, θ_3 goes with it."""
+    """The one orientation at which equal links 1 and 2 fold onto each other: θ_1 is free and θ_3 follows from it."""
     slack = GRAZE * arm.lengths.sum()
     if abs(arm.lengths[0] - arm.lengths[1]) > slack or abs(np.hypot(*target) - arm.lengths[2]) > slack:
         return []
     phi = float(np.arctan2(target[1], target[0]))
-    # θ_1 in its own range, and in that which θ_3 = φ - π - θ_1 leaves to it
+    # θ_1 in its own range and in the one that θ_3 = φ - π - θ_1 leaves it
     low, high = phi - np.pi - limits.upper[2], phi - np.pi - limits.lower[2]
     free = not (limits.bounded[0] and limits.bounded[2])
     turns = 0.0 if free else np.ceil((limits.lower[0] - ON_LIMIT - high) / (2 * np.pi)) * 2 * np.pi
@@ -78,7 +78,7 @@ def _folded(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[Interval
 
 
 def _marks(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[float]:
-    """Orientations at which a joint is on a limit, or the third joint is at or opposite the base."""
+    """Orientations at which a joint is on a limit, or the third joint is in line with the base and the tool."""
     l1, l2, l3 = (float(length) for length in arm.lengths)
     direction = float(np.arctan2(target[1], target[0]))
     marks = [direction, direction + np.pi]
@@ -99,7 +99,7 @@ def _marks(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[float]:
 
 
 def _joined(pieces: list[Interval]) -> tuple[Interval, ...]:
-    """The union on the circle, of intervals that touch."""
+    """The union on the circle; intervals that touch become one."""
     turn = 2 * np.pi
     rows: list[list[float]] = []
     shifted = sorted((float(wrapped(low)), float(wrapped(low)) + high - low) for low, high in pieces)

@@ -1,7 +1,7 @@
-"""Optimal postures: where μ is stationary, free, at a fixed distance, and under angle limits; chapter 5 of kth2012.
+"""Optimal postures: where μ is stationary, unconstrained, at a fixed distance and within joint limits; chapter 5 of kth2012.
 
-All stationary postures are found, with proof: free ones by subdivision with Krawczyk's test (`zeros`), those at a fixed
-distance by Sturm's theorem on a polynomial of degree 12 (`fixed_radius`). The maximum is one of them.
+All stationary postures are found, with proof: unconstrained ones by subdivision with Krawczyk's test (`zeros`), those at a
+fixed distance by Sturm's theorem on a polynomial of degree 12 (`fixed_radius`). The maximum is one of them.
 """
 
 import itertools
@@ -20,24 +20,24 @@ from manipplan.planar.zeros import torus_zeros
 from manipplan.support.checks import Array, configurations, number
 from manipplan.support.errors import InvalidInputError
 
-#: Links up to which all stationary postures are looked for: each more costs a hundred times the time.
+#: Maximum number of links for finding all stationary postures: each further link takes a hundred times as long.
 MOST_LINKS = 4
-#: Postures whose μ is below the best by a smaller share are best, too.
+#: Relative tolerance on μ within which a posture counts as best, too.
 TIE = 1e-12
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PostureSet:
-    """Postures of one arm with their measures, rows in falling order of μ.
+    """Postures of one arm with their measures, rows in descending order of μ.
 
     Attributes:
-        q: (k, n) [rad]; θ_1, which is free, is 0 or the limit next to it. Inside the limits.
+        q: (k, n) [rad], within the limits; θ_1, which is free, is 0 or the limit nearest to 0.
         manipulability: (k,) μ [m²].
         radius: (k,) distance of the tool from the base [m].
         inverse_condition: (k,) κ.
-        on_limit: (k, n) whether a joint was held on a limit.
-        complete: whether these are proven to be all.
-        bound: what μ cannot exceed anywhere among the allowed postures [m²]: the best μ when complete.
+        on_limit: (k, n) whether each joint was held on a limit.
+        complete: whether these are proven to be all stationary postures.
+        bound: upper bound on μ over all allowed postures [m²]: the best μ when complete.
     """
 
     q: Array
@@ -53,7 +53,7 @@ class PostureSet:
 
     @property
     def best(self) -> "PostureSet":
-        """The rows with the largest μ: the optimal posture, its mirror image, and others that are as good."""
+        """The rows with the largest μ: the optimal posture, its mirror image, and others that are equally good."""
         rows = self.manipulability >= self.manipulability[0] * (1 - TIE)
         return PostureSet(
             q=self.q[rows],
@@ -73,19 +73,19 @@ def stationary_postures(
     lower: ArrayLike | None = None,
     upper: ArrayLike | None = None,
 ) -> PostureSet:
-    """All postures at which μ is stationary among those allowed; the optimal ones are `.best`.
+    """All allowed postures at which μ is stationary; the optimal ones are `.best`.
 
-    With neither radius nor limits: problem (5.4) in kth2012; `radius`: (5.5); limits: (5.6); both: (5.7), whose print
-    "-θ_i <= -π/2" is "-θ_i <= π/2". Singular postures (μ = 0) are among them, since μ² is stationary there.
+    With neither radius nor limits: problem (5.4) in kth2012; `radius`: (5.5); limits: (5.6); both: (5.7), where
+    "-θ_i <= -π/2" should read "-θ_i <= π/2". Singular postures (μ = 0) are included, since μ² is stationary there.
 
-    With limits, a posture counts when μ is stationary while the joints that are on a limit stay on it: candidates for
-    the maximum, not only those that no multiplier speaks against.
+    With limits, a posture counts when μ is stationary while the joints on a limit stay on it: these are candidates for
+    the maximum, whatever the signs of their multipliers.
 
     Args:
         arm: two to four links; with `radius`, two or three.
         radius: the tool's distance from the base [m].
-        lower: angle limits, one number or (n,) [rad]. Those of θ_1 do not change μ.
-        upper: likewise.
+        lower: lower joint limits, one number or (n,) [rad]. The limits of θ_1 do not change μ.
+        upper: upper joint limits, likewise.
 
     Raises:
         InvalidInputError: too many links; a radius that is negative or cannot be reached within the limits; limits of a wrong
@@ -106,7 +106,7 @@ def stationary_postures(
     q, on_limit = q[allowed], on_limit[allowed]
     if radius is not None and not len(q):
         least, most = reachable_radii(arm, lower, upper)
-        raise InvalidInputError("radius", radius, f"{least:.9g} to {most:.9g} m, what the arm reaches within its limits")
+        raise InvalidInputError("radius", radius, f"{least:.9g} to {most:.9g} m, the reach of the arm within its limits")
     mu = manipulability(arm, q)
     order = np.argsort(-mu, kind="stable")
     return PostureSet(
@@ -121,12 +121,12 @@ def stationary_postures(
 
 
 def optimal_radius(arm: PlanarArm, *, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> float:
-    """The distance from the base [m] at which μ can be largest; section 5.3 in kth2012. Raises as `stationary_postures`."""
+    """The distance from the base [m] at which μ is largest; section 5.3 in kth2012. Raises like `stationary_postures`."""
     return float(stationary_postures(arm, lower=lower, upper=upper).best.radius[0])
 
 
 def stationary_kind(arm: PlanarArm, q: ArrayLike) -> str:
-    """What a stationary posture q (n,) without limits is: "maximum", "minimum", "saddle" or "degenerate", by ∇²μ²."""
+    """Kind of a stationary posture q (n,) without limits, by ∇²μ²: "maximum", "minimum", "saddle" or "degenerate"."""
     _check(arm, None)
     posture = configurations("q", q, arm.n)
     if posture.ndim != 1:
@@ -138,9 +138,9 @@ def stationary_kind(arm: PlanarArm, q: ArrayLike) -> str:
 
 
 def _free(arm: PlanarArm, limits: AngleLimits) -> tuple[Array, NDArray[np.bool_], bool, float]:
-    """(θ_2, ..., θ_n) of all stationary postures, in the inside and on each face of the limits; which joints are held there.
+    """(θ_2, ..., θ_n) of all stationary postures inside and on each face of the limits, and which joints are held there.
 
-    Also whether they are all, and a bound of μ where that is open.
+    Also whether these are all of them, and a bound on μ where that is unresolved.
     """
     series, d = squared_manipulability_series(arm), arm.n - 1
     rows, held_rows, complete, bound = [], [], True, 0.0
@@ -170,13 +170,13 @@ def _zeros_of_gradient(form: TrigonometricPolynomial) -> tuple[Array, Array, flo
 
 
 def _bound(form: TrigonometricPolynomial, centres: Array, half: float) -> float:
-    """What sqrt(f) cannot exceed in the boxes: |∂_i f| <= Σ_k |c_k k_i|."""
+    """Upper bound on sqrt(f) in the boxes, by |∂_i f| <= Σ_k |c_k k_i|."""
     steep = float(np.hypot(form.cosine, form.sine) @ np.abs(form.frequencies).sum(axis=1))
     return float(np.sqrt(max(float(form(centres).max()) + steep * half, 0.0)))
 
 
 def _at_radius(arm: PlanarArm, limits: AngleLimits, radius: float) -> tuple[Array, NDArray[np.bool_]]:
-    """The same on the curve ‖f‖ = R: stationary along it, and where it meets a limit."""
+    """The same on the curve ‖f‖ = R: where μ is stationary along it, and where it meets a limit."""
     if arm.n == 2:
         elbow = _bends(float(arm.lengths[0]), float(arm.lengths[1]), radius)
         bent = np.array([[angle] for angle in elbow]).reshape(-1, 1)
@@ -188,7 +188,7 @@ def _at_radius(arm: PlanarArm, limits: AngleLimits, radius: float) -> tuple[Arra
         part, offset = _rigid(l1, l2, second)
         found = [(second, bend + offset - second) for bend in _bends(part, l3, radius)]
         rows, held = rows + [np.array(row) for row in found], held + [(True, False)] * len(found)
-    for third in _ends(limits, 2):  # links 2 and 3 are
+    for third in _ends(limits, 2):  # links 2 and 3 are one rigid part
         part, offset = _rigid(l2, l3, third)
         found = [(bend - offset, third) for bend in _bends(l1, part, radius)]
         rows, held = rows + [np.array(row) for row in found], held + [(False, True)] * len(found)
@@ -202,7 +202,7 @@ def _ends(limits: AngleLimits, joint: int) -> tuple[float, ...]:
 
 
 def _rigid(first: float, second: float, angle: float) -> tuple[float, float]:
-    """Length of two links held at an angle, and its direction against the first."""
+    """Length of two links held at an angle, and its direction relative to the first."""
     x, y = first + second * np.cos(angle), second * np.sin(angle)
     return float(np.hypot(x, y)), float(np.arctan2(y, x))
 

@@ -1,4 +1,4 @@
-"""The best proportions of a planar arm: how link lengths share a given total so that the optimal posture has the largest μ."""
+"""The best proportions of a planar arm: link lengths of a given total whose optimal posture has the largest μ."""
 
 import math
 from dataclasses import dataclass
@@ -13,13 +13,13 @@ from manipplan.support.errors import InvalidInputError
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Proportions:
-    """Link lengths, and the posture in which they have the largest μ.
+    """Link lengths and the posture with their largest μ.
 
     Attributes:
         lengths: (n,) [m].
         q: (n,) [rad], with θ_1 = 0.
-        manipulability: μ there [m²].
-        bound: what no arm of this total length exceeds, in any posture [m²].
+        manipulability: μ at q [m²].
+        bound: upper bound on μ of any arm of this total length in any posture [m²].
     """
 
     lengths: Array
@@ -31,13 +31,13 @@ class Proportions:
 def manipulability_bound(n: int, total: float = 1.0) -> float:
     """sup μ over all planar arms of n links and total length L, in all postures [m²]: L²/4 sqrt(⌊n/2⌋ ⌈n/2⌉).
 
-    It is approached, and for n >= 3 not reached, by ⌈n/2⌉ joints together at the base, the others together half way, and an
-    elbow of 90 degrees: link lengths L/2 and L/2 at the ends of the two groups, and all others going to zero.
+    It is approached, but for n >= 3 not reached, with ⌈n/2⌉ joints together at the base, the others together halfway, and an
+    elbow of 90 degrees: the last link of each of the two groups has length L/2, and all other lengths tend to zero.
 
-    Why: the tool is joined to joint i by links of total length a_i, so for i < j the minor M_ij = (r_i - r_j) × r_j is at most
+    Reason: links of total length a_i connect joint i to the tool, so for i < j the minor M_ij = (r_i - r_j) × r_j is at most
     a_j (a_i - a_j) in size, and μ² <= Σ_(i<j) a_j² (a_i - a_j)² with L >= a_1 >= ... >= a_n >= 0. That sum is largest where the
     a_i take the two values L and L/2, which leaves ⌊n/2⌋ ⌈n/2⌉ pairs of (L/2)⁴. The last step is proven by the tests for n = 3;
-    for n = 4 a grid confirms it to 4 %, and up to n = 8 random search found nothing above it.
+    for n = 4 a grid confirms it to 4 %, and up to n = 8 random search found nothing larger.
 
     Args:
         n: number of links, at least 2.
@@ -48,19 +48,19 @@ def manipulability_bound(n: int, total: float = 1.0) -> float:
 
 
 def optimal_lengths(n: int, *, total: float = 1.0, least: float = 0.1, starts: int = 30, seed: int = 0) -> Proportions:
-    """Link lengths l_i >= `least` of sum `total` with the largest μ in their optimal posture.
+    """Link lengths l_i >= `least` with sum `total` whose optimal posture has the largest μ.
 
-    By minimisation of -μ² over lengths and angles together from random starts; the best of them is not proven to be the
-    global one, but `bound` says how much any could be above it.
+    Minimises -μ² over lengths and angles together from random starts. The best result is not proven to be the global
+    optimum, but `bound` limits how far any arm could exceed it.
 
     Args:
         n: number of links, 2 to 8.
         total: sum of the lengths [m].
-        least: shortest link that can be built [m], above zero: without it links vanish, see `manipulability_bound`.
-        starts: how many random starts.
-        seed: of the random starts.
+        least: minimum link length [m], above zero: without it links vanish, see `manipulability_bound`.
+        starts: number of random starts.
+        seed: seed of the random starts.
 
-    Raises InvalidInputError when n links of `least` are longer than `total`.
+    Raises InvalidInputError when n links of length `least` are longer than `total`.
     """
     from scipy.optimize import minimize
 
@@ -71,7 +71,7 @@ def optimal_lengths(n: int, *, total: float = 1.0, least: float = 0.1, starts: i
     spare, rng = total - n * least, np.random.default_rng(random_seed("seed", seed))
 
     def unpacked(x: Array) -> tuple[Array, Array]:
-        return least + spare * x[:n] ** 2 / (x[:n] @ x[:n]), np.r_[0.0, x[n:]]  # squares share what is spare
+        return least + spare * x[:n] ** 2 / (x[:n] @ x[:n]), np.r_[0.0, x[n:]]  # squares divide the spare length
 
     def cost(x: Array) -> float:
         lengths, q = unpacked(x)

@@ -1,23 +1,23 @@
-"""Real roots of a polynomial with rational coefficients: counted by Sturm's theorem, in exact arithmetic, so none is missed."""
+"""Real roots of a polynomial with rational coefficients, counted by Sturm's theorem in exact arithmetic, so none is missed."""
 
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
 from math import gcd
 
-#: Roots are enclosed this narrowly: narrow enough for a square root to keep 64-bit accuracy.
+#: Width of the interval that encloses a root: a square root of it keeps 64-bit accuracy.
 WIDTH = Fraction(1, 2**120)
 
 Polynomial = list[Fraction]
 
 
 def real_roots(coefficients: Sequence[Fraction], lower: Fraction, upper: Fraction) -> list[Fraction]:
-    """All real roots in [lower, upper], rising, each to within 2⁻¹²⁰ and once, whatever its multiplicity.
+    """All real roots in [lower, upper], ascending, each to within 2⁻¹²⁰ and listed once whatever its multiplicity.
 
     Args:
         coefficients: from the constant term up; not all zero.
-        lower: begin of the interval.
-        upper: its end, at least `lower`.
+        lower: start of the interval.
+        upper: end of the interval, at least `lower`.
     """
     p = _primitive(coefficients)
     if len(p) < 2 or lower > upper:
@@ -73,7 +73,7 @@ def evaluate(p: Sequence[Fraction], x: Fraction) -> Fraction:
 
 
 def _primitive(p: Sequence[Fraction]) -> list[int]:
-    """A positive multiple with whole coefficients that share no factor, without leading zeros."""
+    """A positive multiple with integer coefficients that have no common factor, without leading zeros."""
     kept = list(p)
     while kept and not kept[-1]:
         kept.pop()
@@ -86,7 +86,7 @@ def _primitive(p: Sequence[Fraction]) -> list[int]:
 
 
 def _remainder(p: list[int], d: list[int]) -> list[int]:
-    """A positive multiple of the remainder of p by d."""
+    """A positive multiple of the remainder of p divided by d."""
     rest = [Fraction(a) for a in p]
     while len(rest) >= len(d):
         factor = rest[-1] / d[-1]
@@ -98,7 +98,7 @@ def _remainder(p: list[int], d: list[int]) -> list[int]:
 
 
 def _square_free(p: list[int]) -> list[int]:
-    """p divided by its common factor with p': the same roots, each simple."""
+    """p divided by its greatest common divisor with p': the same roots, each simple."""
     a, b = p, _primitive([Fraction(i * c) for i, c in enumerate(p)][1:])
     while b:
         a, b = b, _remainder(a, b)
@@ -148,7 +148,7 @@ def _refined(p: list[int], a: Fraction, b: Fraction) -> Fraction:
 
 
 def _rounded(x: Fraction, width: Fraction) -> Fraction:
-    """A short number within an eighth of `width` of x."""
+    """A fraction with a small denominator within an eighth of `width` of x."""
     digits = 8 * (width.denominator // width.numerator + 1)
     digits = 1 << digits.bit_length()
     return Fraction(round(x * digits), digits)

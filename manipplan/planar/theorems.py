@@ -1,9 +1,9 @@
-"""Theorems 4.1, 4.2, 4.4 and proposition 4.3 of kth2012 as checks that run: identities of polynomials, by CasADi.
+"""Theorems 4.1, 4.2, 4.4 and proposition 4.3 of kth2012 as executable checks: polynomial identities, with CasADi.
 
-With c_p = cos φ_p, s_p = sin φ_p as free symbols everything here is a polynomial, and ∂/∂θ_1 is the derivation that sends every
+With c_p = cos φ_p, s_p = sin φ_p as free symbols everything here is a polynomial, and ∂/∂θ_1 is the derivation that maps every
 c_p to -s_p and s_p to c_p. A polynomial is zero when all its derivatives vanish at the origin. CasADi differentiates exactly,
-and the coefficients are small whole numbers, so that this decides the identity for all link lengths and all angles: no
-sampling, no tolerance. Steps are stated in the symbols of `index`; J Jᵀ = ((a, b), (b, d)).
+and the coefficients are small integers, so this decides the identity for all link lengths and all angles without sampling
+or tolerance. The steps use the symbols of `index`; J Jᵀ = ((a, b), (b, d)).
 """
 
 from dataclasses import dataclass
@@ -18,12 +18,12 @@ from manipplan.support.checks import Array, instance, whole_number
 
 @dataclass(frozen=True, kw_only=True)
 class Theorem:
-    """What was shown for arms of n links, whatever their lengths and posture.
+    """A result proven for arms with n links of any lengths and in any posture.
 
     Attributes:
-        name: as in kth2012.
+        name: name in kth2012.
         n: number of links.
-        steps: the identities, each with whether it holds.
+        steps: (identity, whether it holds) per step.
     """
 
     name: str
@@ -32,7 +32,7 @@ class Theorem:
 
     @property
     def holds(self) -> bool:
-        """Whether every step does."""
+        """Whether every step holds."""
         return all(shown for _, shown in self.steps)
 
 
@@ -52,14 +52,14 @@ class Counterexample:
 
     @property
     def holds(self) -> bool:
-        """Whether convexity is violated at the middle."""
+        """Whether convexity is violated at the midpoint."""
         return bool(self.manipulability[1] > self.manipulability[[0, 2]].mean())
 
 
 def frobenius_theorem(n: int) -> Theorem:
-    """Theorem 4.1 in kth2012: ‖J‖_F does not depend on θ_1, and (4.2) for it, its last sum from m = p + 1.
+    """Theorem 4.1 in kth2012: ‖J‖_F does not depend on θ_1 and equals (4.2), with the last sum from m = p + 1.
 
-    The print lets m begin at i + 1, which would add terms with m <= p; its own proof says m >= p + 1.
+    The printed sum starts at m = i + 1, which would add terms with m <= p; its proof has m >= p + 1.
     """
     arm = _Symbols.of(n)
     trace = ca.sumsqr(arm.x) + ca.sumsqr(arm.y)
@@ -78,7 +78,7 @@ def frobenius_theorem(n: int) -> Theorem:
 def manipulability_theorem(n: int) -> Theorem:
     """Theorem 4.2 in kth2012: μ does not depend on θ_1.
 
-    Turning by θ_1 turns columns of J, so a' = -2b, b' = a - d, d' = 2b, and (a d - b²)' = a' d + a d' - 2 b b' = 0.
+    Rotating by θ_1 rotates the columns of J, so a' = -2b, b' = a - d, d' = 2b, and (a d - b²)' = a' d + a d' - 2 b b' = 0.
     """
     arm = _Symbols.of(n)
     a, b, d = ca.sumsqr(arm.x), ca.dot(arm.x, arm.y), ca.sumsqr(arm.y)
@@ -108,7 +108,7 @@ def condition_theorem(n: int) -> Theorem:
 
 
 def convexity_counterexample(arm: PlanarArm) -> Counterexample:
-    """Proposition 4.3 in kth2012: μ is not convex, shown by θ_a = 0, θ_c = (0, π, 0, ..., 0) and their middle θ_b."""
+    """Proposition 4.3 in kth2012: μ is not convex, shown by θ_a = 0, θ_c = (0, π, 0, ..., 0) and their midpoint θ_b."""
     instance("arm", arm, PlanarArm)
     q = np.zeros((3, arm.n))
     q[1, 1], q[2, 1] = np.pi / 2, np.pi
@@ -118,9 +118,9 @@ def convexity_counterexample(arm: PlanarArm) -> Counterexample:
 
 
 def vanishes(polynomial: ca.SX, symbols: ca.SX) -> bool:
-    """Whether a polynomial is zero for all values of its symbols: all derivatives vanish at the origin.
+    """Whether a polynomial is zero for all values of its symbols, i.e. all its derivatives vanish at the origin.
 
-    Differentiates until nothing is left, which also proves that the expression is a polynomial of low degree (at most 12).
+    Differentiates until no term is left, which also proves that the expression is a polynomial of low degree (at most 12).
     """
     terms = ca.SX(polynomial)
     for _ in range(13):
@@ -130,13 +130,13 @@ def vanishes(polynomial: ca.SX, symbols: ca.SX) -> bool:
         terms = ca.sparsify(ca.vec(ca.jacobian(terms, symbols)))
         if not terms.nnz():
             return True
-        terms = ca.vertcat(*{each.element_hash(): each for each in terms.nonzeros()}.values())  # each once
+        terms = ca.vertcat(*{each.element_hash(): each for each in terms.nonzeros()}.values())  # without duplicates
     return False
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Symbols:
-    """An arm of n links in free symbols l, c, s, with rows x, y of its Jacobian (4.4)."""
+    """An arm with n links in free symbols l, c, s, and the rows x, y of its Jacobian (4.4)."""
 
     n: int
     lengths: list[ca.SX]
@@ -158,7 +158,7 @@ class _Symbols:
         return self.c[p] * self.c[m] + self.s[p] * self.s[m]
 
     def turn(self, expression: ca.SX) -> ca.SX:
-        """∂/∂θ_1: every link turns."""
+        """∂/∂θ_1, which rotates every link."""
         c, s = ca.vertcat(*self.c), ca.vertcat(*self.s)
         return ca.dot(ca.gradient(expression, s), c) - ca.dot(ca.gradient(expression, c), s)
 

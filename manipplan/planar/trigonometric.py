@@ -1,4 +1,4 @@
-"""Trigonometric polynomials on a torus, and μ² and the squared radius of the planar arm as such."""
+"""Trigonometric polynomials on a torus; μ² and the squared radius of the planar arm in this form."""
 
 from collections import defaultdict
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ class TrigonometricPolynomial:
     """f(x) = Σ_k cosine_k cos(k · x) + sine_k sin(k · x) for x in R^d.
 
     Attributes:
-        frequencies: (m, d) the vectors k, whole numbers.
+        frequencies: (m, d) integer vectors k.
         cosine: (m,) coefficients.
         sine: (m,) coefficients.
     """
@@ -26,7 +26,7 @@ class TrigonometricPolynomial:
 
     @property
     def dimension(self) -> int:
-        """The number d of angles."""
+        """Number d of angles."""
         return int(self.frequencies.shape[1])
 
     def __call__(self, x: ArrayLike) -> Array:
@@ -40,7 +40,7 @@ class TrigonometricPolynomial:
         return TrigonometricPolynomial(frequencies=self.frequencies, cosine=k * self.sine, sine=-k * self.cosine)
 
     def restricted(self, variable: int, value: float) -> "TrigonometricPolynomial":
-        """f with x_variable held at `value` [rad], a polynomial of the others."""
+        """f with x_variable held at `value` [rad], a polynomial in the others."""
         phase = self.frequencies[:, variable] * value
         c, s = np.cos(phase), np.sin(phase)
         return TrigonometricPolynomial(
@@ -51,11 +51,11 @@ class TrigonometricPolynomial:
 
 
 def squared_manipulability_series(arm: PlanarArm) -> TrigonometricPolynomial:
-    """μ² as a cosine polynomial of (θ_2, ..., θ_n), for any link lengths [m⁴].
+    """μ² as a cosine polynomial in (θ_2, ..., θ_n), for any link lengths [m⁴].
 
-    From the squared minors by sin a sin b = (cos(a - b) - cos(a + b))/2. For unit links it is (5.2) in kth2012, corrected:
-    5/2 + cos θ_2 - cos 2θ_2/2 + cos θ_3 - cos 2θ_3 - cos(2θ_2 + 2θ_3) - cos(2θ_2 + θ_3) - cos(θ_2 + 2θ_3). The print has
-    3/2 and -cos 2θ_3/2.
+    From the squared minors with sin a sin b = (cos(a - b) - cos(a + b))/2. For unit links this is (5.2) in kth2012, corrected:
+    5/2 + cos θ_2 - cos 2θ_2/2 + cos θ_3 - cos 2θ_3 - cos(2θ_2 + 2θ_3) - cos(2θ_2 + θ_3) - cos(θ_2 + 2θ_3). The printed version
+    has 3/2 and -cos 2θ_3/2.
     """
     n, lengths = arm.n, arm.lengths
     terms: defaultdict[tuple[int, ...], float] = defaultdict(float)
@@ -70,7 +70,7 @@ def squared_manipulability_series(arm: PlanarArm) -> TrigonometricPolynomial:
 
 
 def squared_radius_series(arm: PlanarArm) -> TrigonometricPolynomial:
-    """R² = Σ_i l_i² + 2 Σ_(p<m) l_p l_m cos(θ_(p+1) + ... + θ_m) as a cosine polynomial of (θ_2, ..., θ_n) [m²]."""
+    """R² = Σ_i l_i² + 2 Σ_(p<m) l_p l_m cos(θ_(p+1) + ... + θ_m) as a cosine polynomial in (θ_2, ..., θ_n) [m²]."""
     n, lengths = arm.n, arm.lengths
     terms: defaultdict[tuple[int, ...], float] = defaultdict(float)
     terms[(0,) * (n - 1)] = float(lengths @ lengths)
@@ -88,7 +88,7 @@ def _sum(n: int, p: int, m: int) -> Array:
 
 
 def _upward(k: Array) -> tuple[int, ...]:
-    """That of k and -k whose first entry that is not zero is positive: their cosines are the same."""
+    """k or -k, whichever has a positive first nonzero entry: their cosines are the same."""
     lead = k[np.flatnonzero(k)[:1]]
     return tuple(int(x) for x in (-k if lead.size and lead[0] < 0 else k))
 

@@ -1,4 +1,4 @@
-"""Reachable and dexterous workspace of the planar arm whose joints turn freely: rings around the base."""
+"""Reachable and dexterous workspace of the planar arm without joint limits: rings around the base."""
 
 import math
 from dataclasses import dataclass
@@ -43,9 +43,9 @@ def reachable_annulus(arm: PlanarArm) -> Annulus:
 def dexterous_annuli(arm: PlanarArm) -> tuple[Annulus, ...]:
     """The dexterous workspace W_D (2.6) in kth2012: positions that can be reached with every orientation.
 
-    As φ goes round, the last joint comes as near to the base as the difference of R and l_n, and as far as R + l_n; all of
-    that has to be in the ring [a, b] of the first n - 1 links. It leaves R <= b - l_n together with R <= l_n - a or
-    R >= l_n + a: nothing, one ring, or a disc and a ring.
+    As φ makes a full turn, the last joint's distance from the base ranges from |R - l_n| to R + l_n; this range must lie in
+    the ring [a, b] of the first n - 1 links. Hence R <= b - l_n together with R <= l_n - a or R >= l_n + a: an empty set,
+    one ring, or a disc and a ring.
     """
     last, *others = arm.lengths[::-1].tolist()
     total = math.fsum(others)

@@ -1,8 +1,8 @@
-"""All zeros of a square system of trigonometric polynomials on the torus, by subdivision with proof.
+"""All zeros of a square system of trigonometric polynomials on the torus, found with proof by subdivision.
 
-A box is dropped when bounds prove that one equation has no zero in it; it is done when Krawczyk's operator proves that it
-holds exactly one [krawczyk1969]; else it is cut in half along every angle. Nothing is left out: a box for which neither can be
-proven down to `SMALLEST` is handed back.
+A box is discarded when bounds prove that one equation has no zero in it; it is done when Krawczyk's operator proves that it
+contains exactly one [krawczyk1969]; otherwise it is halved along every angle. No zero is lost: a box for which neither can
+be proven down to `SMALLEST` is returned as unresolved.
 """
 
 from collections.abc import Sequence
@@ -13,15 +13,15 @@ import numpy as np
 from manipplan.planar.trigonometric import TrigonometricPolynomial
 from manipplan.support.checks import Array
 
-#: Half width of boxes that are not cut any more [rad].
+#: Half width at which boxes are no longer split [rad].
 SMALLEST = 1e-8
-#: Boxes that are looked at before the rest is handed back, too.
+#: Maximum number of boxes examined; the rest is returned as unresolved.
 MOST = 4_000_000
-#: A box is judged with neighbours' ground around it, so that a zero on an edge does not escape proof.
+#: Factor by which a box is enlarged for Krawczyk's test, so that a zero on an edge can be proven.
 MARGIN = 1.25
-#: Proven zeros that are nearer are one, found by neighbours: two of them would lie in one widened box [rad].
+#: Proven zeros closer than this are one, found by neighbouring boxes: two would lie in one enlarged box [rad].
 SAME = 1e-9
-#: Boxes at work at a time.
+#: Maximum number of boxes per batch.
 _BATCH = 60_000
 
 
@@ -30,11 +30,11 @@ class Zeros:
     """All zeros of a system on the torus.
 
     Attributes:
-        points: (k, d) in (-π, π] [rad], each in a box that holds no other.
-        unresolved: (u, d) middles of boxes of half width `half_width` that may hold any number of zeros; there are none
-            elsewhere.
-        half_width: largest of the unresolved boxes [rad], 0 when there are none.
-        boxes: how many were looked at.
+        points: (k, d) in (-π, π] [rad], each in a box that contains no other.
+        unresolved: (u, d) centres of boxes of half width at most `half_width` that may contain any number of zeros; there
+            are no zeros elsewhere.
+        half_width: largest half width of the unresolved boxes [rad], 0 when there are none.
+        boxes: number of boxes examined.
     """
 
     points: Array
@@ -44,7 +44,7 @@ class Zeros:
 
     @property
     def complete(self) -> bool:
-        """Whether `points` is proven to be all."""
+        """Whether `points` is proven to contain all zeros."""
         return not len(self.unresolved)
 
 
@@ -83,14 +83,14 @@ def torus_zeros(system: Sequence[TrigonometricPolynomial]) -> Zeros:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _System:
-    """f_i with common frequencies, and bounds of what they can do in a box.
+    """f_i with common frequencies, and bounds on their second derivatives and rounding errors.
 
     Attributes:
         frequencies: (m, d) vectors k.
-        cosine: (m, d) coefficients, a column an equation.
+        cosine: (m, d) coefficients, one column per equation.
         sine: (m, d) coefficients.
-        bends: (d, d, d) bounds of |∂_j ∂_l f_i|.
-        rounding: (d,) of a value; (d, d) of a slope.
+        bends: (d, d, d) bounds on |∂_j ∂_l f_i|.
+        rounding: bounds on the rounding error, (d,) of a value and (d, d) of a slope.
     """
 
     frequencies: Array
@@ -111,7 +111,7 @@ class _System:
         merge = np.equal.outer(np.arange(len(frequencies)), same.ravel()).astype(np.float64)
         cosine, sine = merge @ cosine, merge @ sine
         size, k = np.hypot(cosine, sine), np.abs(frequencies)
-        # Rounding of a term: its share in a sum of m terms, its coefficient's own digits, and the error of k · x, |x| <= 4.
+        # Relative rounding error of a term: sum of m terms, its coefficient, and the error of k · x with |x| <= 4.
         share = np.finfo(float).eps * (len(k) + 8 * (1 + k.sum(axis=1)))
         return cls(
             frequencies=frequencies,
@@ -138,7 +138,7 @@ class _System:
         return c @ self.cosine + s @ self.sine, slopes
 
     def judge(self, centres: Array, half: float) -> tuple[list[Array], Array]:
-        """Zeros (d,) of boxes that are proven to hold just one near, and the middles of boxes that stay open."""
+        """Zeros (d,) of boxes proven to contain just one when enlarged, and the centres of boxes that stay open."""
         value, slope = self.values(centres)
         # |f_i(x) - f_i(c)| <= Σ_j |∂_j f_i(c)| h + Σ_jl bends_ijl h²/2 in the box
         steepness = np.abs(slope) + self.rounding[1]
@@ -150,15 +150,15 @@ class _System:
         inverse = np.zeros_like(slope)
         inverse[regular] = np.linalg.inv(slope[regular])
         step, reach = self._krawczyk(value, slope, inverse, half * MARGIN)
-        empty = regular & (np.abs(step) > reach + half).any(axis=1)  # every zero of the wide box is outside the box itself
+        empty = regular & (np.abs(step) > reach + half).any(axis=1)  # all zeros of the enlarged box are outside the box
         single = regular & ~empty & (np.abs(step) + reach < half * MARGIN).all(axis=1)
         points = [self._refined(c - s) for c, s in zip(centres[single], step[single], strict=True)]
         return points, centres[~empty & ~single]
 
     def _krawczyk(self, value: Array, slope: Array, inverse: Array, half: float) -> tuple[Array, Array]:
-        """Y f(c) and the radius of (I - Y J(box)) (box - c): zeros of the box are in c - Y f(c) ± the radius.
+        """Y f(c) and the radius of (I - Y J(box)) (box - c): zeros in the box are in c - Y f(c) ± the radius.
 
-        If that is inside the box, it holds exactly one. The radius is widened by what rounding can do.
+        If that is inside the box, the box contains exactly one. The radius includes a bound on rounding.
         """
         y = np.abs(inverse)
         step = np.einsum("bij,bj->bi", inverse, value)
@@ -173,7 +173,7 @@ class _System:
         return x
 
     def distinct(self, found: list[Array]) -> Array:
-        """The zeros, those that several boxes have proven once, in (-π, π]."""
+        """The zeros in (-π, π], without duplicates from neighbouring boxes."""
         kept: list[Array] = []
         for x in found:
             turned = np.pi - np.mod(np.pi - x + 1e-9, 2 * np.pi) + 1e-9

@@ -1,6 +1,6 @@
-"""A robot description becomes a Robot.
+"""Robots read from robot descriptions.
 
-In: a name of the catalogue, or a URDF or MJCF file with its SRDF. Out: a frozen Robot with its model, limits,
-tool and collision geometry.
-A file that cannot be read whole is refused by name.
+In: a catalogue name, or a URDF or MJCF file with its SRDF. Out: a frozen Robot with its model, limits, tool and collision
+geometry.
+A file that cannot be read completely is rejected; the error names it.
 """

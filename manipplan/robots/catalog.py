@@ -32,7 +32,7 @@ class Entry:
     data_sheet: str = ""
 
 
-# Accelerations and jerks stand only where the maker publishes them; elsewhere the default of JointLimits applies.
+# Accelerations and jerks are given only where the manufacturer publishes them; otherwise the default of JointLimits applies.
 _PANDA = Entry(
     folder="panda_description",
     urdf="urdf/panda.urdf",
@@ -158,7 +158,7 @@ def load_robot(name: str | Path, **options: object) -> Robot:
         "neutral": entry.neutral,
     }
     if "joints" in options or "tool" in options:
-        chosen["neutral"] = None  # the catalogue's posture is that of the whole arm
+        chosen["neutral"] = None  # the catalogue's posture is for the whole arm
     robot_options = {**chosen, **options}
     if entry.first is not None and robot_options["joints"] is None:
         robot_options["joints"] = _chain_from(folder / entry.urdf, str(robot_options["tool"]), entry.first)
@@ -177,9 +177,9 @@ def planar_arm(lengths: ArrayLike, *, radius: float | None = None) -> Robot:
 
     Args:
         lengths: (n,) link lengths [m], n >= 2.
-        radius: of the links [m], for obstacles and pictures. Default 3 % of the shortest link.
+        radius: radius of the links [m], for obstacles and pictures. Default 3 % of the shortest link.
 
-    Raises InvalidInputError when a length is not positive or there are fewer than two.
+    Raises InvalidInputError when a length is not positive or there are fewer than two lengths.
     """
     size = number_array("lengths", lengths)
     if size.ndim != 1 or len(size) < 2 or not (np.isfinite(size).all() and (size > 0).all()):
@@ -234,7 +234,7 @@ def _descriptions() -> Path:
 
 
 def _chain_from(urdf: Path, tool: str, first: str) -> Sequence[str] | None:
-    """Joints from `first` to the tool; None, which lets `from_urdf` judge the tool, where `first` does not move it."""
+    """Joints from `first` to the tool; None if `first` does not move it, so that `from_urdf` checks the tool."""
     model = pin.buildModelFromUrdf(str(urdf))
     if not model.existFrame(tool):
         return None

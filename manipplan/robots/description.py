@@ -1,4 +1,4 @@
-"""Robot descriptions: URDF, MJCF and SRDF files into Pinocchio models whose every configuration is a plain angle."""
+"""Robot descriptions: read URDF, MJCF and SRDF files into Pinocchio models with one plain number per joint."""
 
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Mapping, Sequence
@@ -17,16 +17,16 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError
 
 T = TypeVar("T")
-#: How deep elements of a file, or links of a robot, may follow one another: Pinocchio reads both by calls within calls.
+#: Maximum depth of nested XML elements and maximum number of links in a chain: Pinocchio reads both recursively.
 DEEPEST = 500
-#: What Pinocchio calls the world, as a joint and as a frame.
+#: Pinocchio's name for the world, as a joint and as a frame.
 WORLD = "universe"
 _LINK = " (link)"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Description:
-    """What a file says: the whole robot, its collision geometry, and which joint mimics which."""
+    """Contents of a robot file: the whole robot, its collision geometry, and which joint mimics which."""
 
     file: Path
     source: str
@@ -46,7 +46,7 @@ class Mimic:
 
 @dataclass(frozen=True, kw_only=True)
 class Semantics:
-    """What an SRDF says: the end effector, pairs not to check, and named states.
+    """Contents of an SRDF: the end effector, pairs that are not checked, and named states.
 
     `states` holds name and joint values in the order of the file; groups of one robot may use the same name.
     """
@@ -110,7 +110,7 @@ def read_srdf(file: Path) -> Semantics:
     disabled = {frozenset((str(pair.get("link1")), str(pair.get("link2")))) for pair in root.findall("disable_collisions")}
     states = []
     for state in root.findall("group_state"):
-        # a floating base has several values: it is no joint of an arm
+        # a floating base has several values: it is not a joint of an arm
         single = [j for j in state.findall("joint") if len(str(j.get("value")).split()) == 1]
         try:
             values = {str(j.get("name")): float(str(j.get("value"))) for j in single}
@@ -152,7 +152,7 @@ def axis_of(joint: pin.JointModel) -> Array:
 
 
 def plain_angles(model: pin.Model) -> pin.Model:
-    """The same tree with unbounded revolute joints as plain angles, so that they count as one number each.
+    """The same tree with unbounded revolute joints as plain angles, so that each is one number.
 
     Pinocchio stores a continuous joint as cosine and sine; planning variables must be free.
     """
@@ -189,7 +189,7 @@ def reduce(
         joint = model.joints[model.getJointId(name)]
         if joint.nq == 1:
             q[joint.idx_q] = value
-    # Pinocchio looks a locked joint up by name alone, so a link of the same name stands aside meanwhile.
+    # Pinocchio looks up a locked joint by name alone, so a link of the same name is renamed meanwhile.
     model = model.copy()
     joints = set(model.names)
     for frame in model.frames:
@@ -204,7 +204,7 @@ def reduce(
 
 
 def frame_index(model: pin.Model, name: str) -> int:
-    """Index of the frame called `name`; a link comes before a joint of the same name."""
+    """Index of the frame called `name`; a link takes precedence over a joint of the same name."""
     found = [i for i, frame in enumerate(model.frames) if frame.name == name]
     return min(found, key=lambda i: model.frames[i].type != pin.FrameType.BODY)
 
@@ -232,7 +232,7 @@ def leaf_bodies(model: pin.Model) -> list[str]:
 
 
 def _xml(argument: str, file: Path, root_tag: str) -> ET.Element:
-    """The root of an XML file in UTF-8, which is what Pinocchio takes every file for."""
+    """The root of an XML file in UTF-8, the encoding that Pinocchio assumes for every file."""
     try:
         file.read_text(encoding="utf-8")
         root = _bounded(argument, file)
@@ -240,7 +240,7 @@ def _xml(argument: str, file: Path, root_tag: str) -> ET.Element:
         raise
     except ET.ParseError as error:
         raise FileFormatError(argument, str(file), f"well-formed XML ({error})") from error
-    except (ValueError, LookupError) as error:  # other bytes, or an encoding that nobody knows
+    except (ValueError, LookupError) as error:  # bytes that are not UTF-8, or an unknown encoding
         raise FileFormatError(argument, str(file), f"XML in UTF-8 ({error})") from error
     except OSError as error:
         raise FileFormatError(argument, str(file), f"a file that can be read ({error.strerror})") from error
@@ -257,7 +257,7 @@ def _bounded(argument: str, file: Path) -> ET.Element:
         depth += 1 if event == "start" else -1
         root = element if root is None else root
         if depth > DEEPEST:
-            raise FileFormatError(argument, str(file), f"XML with at most {DEEPEST} elements inside one another")
+            raise FileFormatError(argument, str(file), f"XML with elements nested at most {DEEPEST} deep")
     if root is None:
         raise ET.ParseError("no element found")
     return root
@@ -265,11 +265,11 @@ def _bounded(argument: str, file: Path) -> ET.Element:
 
 def _check_names(file: Path, root: ET.Element) -> None:
     if any(joint.get("name") == WORLD for joint in root.iter("joint")):
-        raise FileFormatError("file", str(file), f"joints with other names than {WORLD!r}, which is Pinocchio's for the world")
+        raise FileFormatError("file", str(file), f"joints with other names than {WORLD!r}, Pinocchio's name for the world")
 
 
 def _check_chain(file: Path, root: ET.Element) -> None:
-    """Raise FileFormatError where links follow one another in longer chains than `DEEPEST`, or in a ring."""
+    """Raise FileFormatError when a chain has more than `DEEPEST` links, or links form a closed loop."""
     parents = {}
     for joint in root.findall("joint"):
         parent, child = joint.find("parent"), joint.find("child")
@@ -280,12 +280,12 @@ def _check_chain(file: Path, root: ET.Element) -> None:
         while link in parents:
             link, above = parents[link], above + 1
             if above > DEEPEST:
-                wanted = f"a URDF with at most {DEEPEST} links in one chain, and no ring"
+                wanted = f"a URDF with at most {DEEPEST} links in one chain, and no closed loop"
                 raise FileFormatError("file", str(file), wanted)
 
 
 def _check_ply(file: Path, root: ET.Element, folders: Sequence[str]) -> None:
-    """Raise FileFormatError for a PLY mesh that the mesh loader would crash at."""
+    """Raise FileFormatError for a PLY mesh on which the mesh loader would crash."""
     for mesh in root.iter("mesh"):
         name = mesh.get("filename") or mesh.get("file") or ""
         if not name.lower().endswith(".ply"):
@@ -298,7 +298,7 @@ def _check_ply(file: Path, root: ET.Element, folders: Sequence[str]) -> None:
 
 
 def _check_meshes(file: Path, geometry: pin.GeometryModel) -> None:
-    """Raise FileFormatError for a mesh with a vertex that is not finite, or further away than any robot."""
+    """Raise FileFormatError for a mesh with a vertex that is not finite, or farther away than `FARTHEST`."""
     for item in geometry.geometryObjects:
         if isinstance(item.geometry, coal.BVHModelBase) and not (np.abs(np.array(item.geometry.vertices())) <= FARTHEST).all():
             wanted = (

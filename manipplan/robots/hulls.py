@@ -1,4 +1,4 @@
-"""Convex hulls of mesh corners, judged before coal sees them: it crashes where they are as good as flat, or very far away."""
+"""Convex hulls of mesh corners, checked before coal builds them: it crashes when they are nearly flat or very far away."""
 
 import coal
 import numpy as np
@@ -7,12 +7,12 @@ from manipplan.support.checks import Array
 
 #: A body is flat when it is thinner than this share of its longest side.
 FLAT = 1e-6
-#: How far from its frame a corner of a mesh may be [m].
+#: Maximum distance of a mesh corner from its frame, along each axis [m].
 FARTHEST = 1e6
 
 
 def has_hull(corners: Array) -> bool:
-    """Whether corners (k, 3) [m] span a volume, and are near enough for rounding to leave it."""
+    """Whether corners (k, 3) [m] span a volume, and are near enough to their frame that rounding preserves it."""
     from scipy.spatial import ConvexHull, QhullError
 
     if len(corners) < 4 or not np.abs(corners).max() <= FARTHEST:

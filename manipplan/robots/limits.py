@@ -1,4 +1,4 @@
-"""JointLimits: what each joint may do, and where each number comes from."""
+"""JointLimits: the limits of each joint, and the source of each number."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from manipplan.support.checks import Array, number_array, positive_array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 
-#: Where neither the user nor the catalogue names an acceleration limit: full speed is reached in this time [s].
+#: Time to full speed [s], which sets the acceleration limit where neither the user nor the catalogue gives one.
 DEFAULT_RAMP_TIME = 0.2
 
 
@@ -17,7 +17,7 @@ DEFAULT_RAMP_TIME = 0.2
 class JointLimits:
     """Limits of n joints, each (n,), in SI units (rad or m, s, N m or N); inf where there is none.
 
-    `sources` tells for each kind where its numbers come from: the robot's file, a data sheet, the user, or the default.
+    `sources` gives the source of the numbers of each kind: the robot's file, a data sheet, the user, or the default.
     Raises InvalidInputError when a limit is NaN, not above zero, or a lower bound is not below its upper bound.
     """
 
@@ -48,7 +48,7 @@ class JointLimits:
         return len(self.lower)
 
     def with_changes(self, changes: Mapping[str, ArrayLike], *, source: str = "given") -> "JointLimits":
-        """A copy with other limits, e.g. ``{"acceleration": 5.0}``; one number serves all joints."""
+        """A copy with other limits, e.g. ``{"acceleration": 5.0}``; one number applies to all joints."""
         known = {f.name for f in fields(self)} - {"sources"}
         for name in changes:
             if name not in known:

@@ -1,5 +1,5 @@
-"""What an MJCF file says of its bodies, read by ourselves: Pinocchio leaves out elements that it does not know, and takes
-numbers that are missing from memory that nobody has set.
+"""Checks on the bodies of an MJCF file: Pinocchio leaves out elements that it does not know, and reads missing numbers from
+uninitialised memory.
 """
 
 import xml.etree.ElementTree as ET
@@ -14,7 +14,7 @@ from manipplan.support.errors import FileFormatError
 
 #: Elements with bodies or geoms in them that Pinocchio leaves out.
 LEFT_OUT = ("include", "frame", "replicate", "composite", "flexcomp", "attach")
-#: How many numbers an attribute has, in the elements that place bodies.
+#: Number of values of each attribute, in the elements of `PLACED`.
 COUNTS = {
     "pos": 3,
     "quat": 4,
@@ -31,7 +31,7 @@ COUNTS = {
     "scale": 3,
 }
 PLACED = ("body", "geom", "joint", "inertial", "mesh")
-#: How many sizes a shape needs; one where `fromto` gives its length.
+#: Number of sizes that each shape needs; one where `fromto` gives its length.
 SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "box": 3, "ellipsoid": 3}
 
 Attributes = Mapping[str, str]
@@ -41,7 +41,7 @@ def check_bodies(file: Path, root: ET.Element) -> None:
     """Raise FileFormatError for the first element that would be left out or misread; the message names it."""
     for element in root.iter():
         if element.tag in LEFT_OUT:
-            raise _error(file, f"<{element.tag}> is not supported, what it adds would be left out: write it out, with MuJoCo")
+            raise _error(file, f"<{element.tag}> is not supported, its contents would be left out: expand it with MuJoCo")
         for attribute, count in COUNTS.items() if element.tag in PLACED else ():
             value = element.get(attribute)
             if value is not None and numbers(value, count) is None:
@@ -57,14 +57,14 @@ def check_bodies(file: Path, root: ET.Element) -> None:
 
 
 def check_loaded(file: Path, root: ET.Element, model: pin.Model, geometry: pin.GeometryModel) -> None:
-    """Raise FileFormatError where a body has another number of collision shapes than colliding geoms in the file."""
+    """Raise FileFormatError when a body does not have as many collision shapes as colliding geoms in the file."""
     loaded = Counter(model.frames[item.parentFrame].name for item in geometry.geometryObjects)
     described = Counter(body for body, _, attributes in _geoms(root) if _collides(attributes))
     for body in described | loaded:
         if loaded[body] != described[body]:
             hint = "" if body else "; give the body a name"
             fault = f"{described[body]} in the file, {loaded[body]} loaded{hint}"
-            raise _error(file, f"the geoms for collision of body {body!r}: {fault}")
+            raise _error(file, f"the collision geoms of body {body!r}: {fault}")
 
 
 def _error(file: Path, fault: str) -> FileFormatError:
@@ -76,7 +76,7 @@ def _called(element: ET.Element) -> str:
 
 
 def _geoms(root: ET.Element) -> Iterator[tuple[str, ET.Element, Attributes]]:
-    """Name of the body, element, and attributes with defaults, of every geom."""
+    """Body name, element, and attributes with defaults of every geom."""
     defaults = _geom_defaults(root)
     bodies = [("universe", world, "") for world in root.findall("worldbody")]
     while bodies:
@@ -88,7 +88,7 @@ def _geoms(root: ET.Element) -> Iterator[tuple[str, ET.Element, Attributes]]:
 
 
 def _geom_defaults(root: ET.Element) -> dict[str, Attributes]:
-    """The attributes that geoms of each class have by default; "" is that of geoms without a class."""
+    """Default attributes of the geoms of each class; "" is the class of geoms without one."""
     classes: dict[str, Attributes] = {}
     waiting: list[tuple[ET.Element, Attributes, str]] = [(each, {}, "") for each in root.findall("default")]
     while waiting:

@@ -1,4 +1,4 @@
-"""PLY files, judged before a mesh loader sees them: it does not check the indices of the faces, and crashes."""
+"""PLY files, checked before a mesh loader reads them: it does not check the indices of the faces, and crashes."""
 
 import struct
 from collections.abc import Generator
@@ -8,12 +8,12 @@ TYPES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "ui
 SIZED = {"int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I", "float32": "f", "float64": "d"}
 CODES = {**TYPES, **SIZED}
 
-#: An element's name, how many there are, and for each property its code and, of a list, that of the number of its values.
+#: An element's name, its count and, for each property, its code and, for a list, the code of the list's length.
 Element = tuple[str, int, list[tuple[str, str | None]]]
 
 
 def fault_of(file: Path) -> str | None:
-    """What is wrong with the faces of a PLY file; None where nothing is."""
+    """The fault in the faces of a PLY file; None if there is none."""
     data = file.read_bytes()
     head, mark, body = data.partition(b"end_header")
     try:
@@ -53,14 +53,14 @@ def _header(text: str) -> tuple[str, list[Element]]:
 
 
 def _text(body: bytes) -> Generator[float, str, None]:
-    """The numbers of a text, one for each code that is sent."""
+    """The numbers of an ASCII file, one per code that is sent."""
     yield 0.0
     for word in body.split():
         yield float(word)
 
 
 def _binary(body: bytes, order: str) -> Generator[float, str, None]:
-    """The numbers of a binary file, each of the code that is sent."""
+    """The numbers of a binary file, each of the type of the code that is sent."""
     code, at = (yield 0.0), 0
     while True:
         [value] = struct.unpack_from(order + code, body, at)

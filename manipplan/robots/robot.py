@@ -31,23 +31,23 @@ log = logging.getLogger("manipplan")
 class Robot:
     """An arm: n active joints from base to tool; every other joint of the description is locked.
 
-    Configurations are plain angles [rad] or lengths [m], (n,), also for continuous joints. Build one by
+    Configurations are plain angles [rad] or lengths [m], (n,), also for continuous joints. Build a Robot with
     `load_robot`, `Robot.from_urdf`, `Robot.from_mjcf` or `planar_arm`. A robot holds working data of Pinocchio and IPOPT:
-    give every thread or process its own, by `copy.deepcopy` or pickle.
+    give every thread or process its own copy, by `copy.deepcopy` or pickle.
 
     Attributes:
         name: what the arm is called.
         model: the Pinocchio model of the active joints alone; its nq = nv = n.
-        geometry: the collision geometry as described (meshes and shapes), placed on `model`.
+        geometry: the collision geometry of the description (meshes and shapes), placed on `model`.
         tool: name of the tool frame.
         limits: JointLimits.
         neutral: (n,) a usual posture inside the limits.
-        locked: joints of the description that are held, with the value they are held at.
-        disabled_pairs: pairs of bodies that need no self-collision check (from an SRDF); None without one.
-        adjacent_pairs: pairs of geometry objects (by name) that one joint of the whole description connects, or none.
-        planar: True when the arm moves in the x-y plane alone.
-        named_states: of an SRDF's named postures those that give every active joint a value: (n,) by name [rad or m].
-        source: what the arm was read from, which builds it again; None for one that was put together by hand.
+        locked: the locked joints of the description, with their values [rad or m].
+        disabled_pairs: pairs of bodies that need no self-collision check (from an SRDF); None without an SRDF.
+        adjacent_pairs: pairs of geometry objects (by name) on one link, or on two that one joint of the description connects.
+        planar: True when the arm moves only in the x-y plane.
+        named_states: the SRDF's named postures that give every active joint a value: (n,) by name [rad or m].
+        source: what the arm was read from, to build it again; None for an arm that was built by hand.
     """
 
     name: str
@@ -82,10 +82,10 @@ class Robot:
         Args:
             file: the URDF.
             tool: frame (link or joint) whose motion counts. Default: the end effector of the SRDF, or the only leaf.
-            joints: those kept active, from base to tool. Default: all that move the tool.
-            srdf: MoveIt's semantic description: pairs not to check, named postures.
-            name: default, the robot's name in the file.
-            locked: values [rad or m] at which other joints are held. Default: the SRDF's first posture, or 0 (or the
+            joints: the active joints, from base to tool. Default: all that move the tool.
+            srdf: MoveIt's semantic description: pairs that are not checked, named postures.
+            name: name of the arm. Default: the robot's name in the file.
+            locked: values [rad or m] at which other joints are locked. Default: the SRDF's first posture, or 0 (or the
                 nearest limit).
             neutral: (n,) usual posture. Default: the SRDF's first posture, or the middle of the limits.
             package_dirs: where `package://` paths start; the folders above `file` are searched as well.
@@ -94,7 +94,7 @@ class Robot:
         Raises:
             FileFormatError: a file is missing, not XML, or Pinocchio cannot read it.
             UnknownNameError: a frame or joint does not exist (the nearest names are listed).
-            UnsupportedJointError: an active joint is mimic, floating, planar or of another kind.
+            UnsupportedJointError: an active joint is a mimic, floating or planar joint, or of another kind.
             InvalidInputError: joints out of order, or limits that are not positive.
         """
         read = description.read_urdf(existing_file("file", file), package_dirs)
@@ -189,7 +189,7 @@ class Robot:
 
     @property
     def endless(self) -> NDArray[np.bool_]:
-        """Joints (n,) that turn without end: revolute, and without limits on either side."""
+        """Mask (n,) of the revolute joints without a limit on either side."""
         unlimited = np.isinf(self.limits.lower) & np.isinf(self.limits.upper)
         return np.asarray(unlimited & np.array([kind != "prismatic" for kind in self.joint_types]))
 
@@ -220,8 +220,8 @@ class Robot:
                 otherwise the chain. All agree to 1e-12.
             compiled: True: machine code, made by the C compiler at the first call of each quantity (0.1 to 4 s) and kept in
                 the user's cache folder. False: CasADi's virtual machine. "auto": machine code where there is a compiler.
-            measure: one of `available_measures()`, or a Measure with its options. Default Yoshikawa's index.
-            threads: how many threads share a large batch. Default: all cores this process may use.
+            measure: one of `available_measures()`, or a Measure with its options. Default: Yoshikawa's manipulability.
+            threads: number of threads that share a large batch. Default: all cores this process may use.
 
         Raises:
             UnknownNameError: no such backend or measure; the nearest names are listed.
@@ -237,7 +237,7 @@ class Robot:
             raise InvalidInputError("compiled", compiled, "'auto', True or False")
         threads = all_cores() if threads is None else whole_number("threads", threads, least=1)
         if not isinstance(backend, str):
-            raise InvalidInputError("backend", backend, "the name of one")
+            raise InvalidInputError("backend", backend, "the name of a backend")
         return self._kinematics(task, chosen, backend, compiled, threads)
 
     @once_per_owner
@@ -269,7 +269,7 @@ class Robot:
         return q
 
     def _unit_hint(self, joint: int, value: float) -> str:
-        """The joint's unit, and what a value beyond a full turn would be if it was meant in degrees."""
+        """The joint's unit and, for a value beyond a full turn that may be in degrees, its value in radians."""
         if self.joint_types[joint] == "prismatic":
             return "m"
         turned = np.deg2rad(value)
@@ -292,11 +292,11 @@ class Robot:
         """Write MoveIt's semantic description: the arm as one group, its tool, named states, pairs that need no check.
 
         Args:
-            file: what is written, whole or not at all.
+            file: the file to write, completely or not at all.
             states: configurations (n,) [rad or m] by name; default `named_states`.
             group: name of the group.
 
-        Raises InvalidInputError when a state is no configuration, or the file cannot be written.
+        Raises InvalidInputError when a state is not a configuration, or the file cannot be written.
         """
         from manipplan.robots.srdf import to_srdf
 

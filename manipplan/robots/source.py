@@ -23,9 +23,9 @@ class RobotSource:
 
     Attributes:
         kind: "catalogue", "urdf", "mjcf" or "planar".
-        name: the catalogue's, else "".
-        file: the URDF or MJCF that was read, absolute; None for the planar arm.
-        options: what was given beside it, as plain numbers, texts, tuples and paths: tool, joints, srdf, name, locked, neutral,
+        name: the catalogue name, else "".
+        file: absolute path of the URDF or MJCF that was read; None for the planar arm.
+        options: other given options, as plain numbers, strings, tuples and paths: tool, joints, srdf, name, locked, neutral,
             package_dirs and limits of `Robot.from_urdf`; lengths and radius of `planar_arm`.
     """
 
@@ -40,7 +40,7 @@ class RobotSource:
 
     @classmethod
     def of(cls, kind: str, file: str | Path | None, options: Mapping[str, Any], *, name: str = "") -> "RobotSource":
-        """The source for options as the user gave them; those that are None or empty are left out."""
+        """The source for the user's options; those that are None or empty are left out."""
         plain = {key: _plain(key, value) for key, value in options.items() if value is not None}
         kept = {key: value for key, value in plain.items() if value not in ((), {})}
         path = Path(file).expanduser().resolve() if file is not None else None
@@ -48,13 +48,13 @@ class RobotSource:
 
     @property
     def package_dirs(self) -> tuple[Path, ...]:
-        """Folders in which packages were to be looked for, as given; those above `file` are searched as well."""
+        """The given folders in which packages are searched; the folders above `file` are searched as well."""
         return tuple(self.options.get("package_dirs", ()))
 
     def load(self) -> "Robot":
-        """The arm again, with the limits and the neutral posture with which it was read.
+        """Build the arm again, with the limits and the neutral posture with which it was read.
 
-        Raises FileFormatError or another InvalidInputError when a file is no longer there, or no longer fits the options.
+        Raises FileFormatError or another InvalidInputError when a file no longer exists, or no longer fits the options.
         """
         from manipplan.robots.catalog import load_robot, planar_arm
         from manipplan.robots.robot import Robot
@@ -67,7 +67,7 @@ class RobotSource:
 
 
 def _plain(key: str, value: Any) -> Any:
-    """The value of an option as one that nobody changes afterwards."""
+    """The value of an option as plain numbers, strings, tuples and paths, independent of the caller's objects."""
     if key in FILES:
         return Path(value).expanduser().resolve()
     if key in FOLDERS:

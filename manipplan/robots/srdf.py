@@ -1,4 +1,4 @@
-"""Robots to MoveIt's semantic description (SRDF): the group of joints, its tool, named states, pairs that need no check."""
+"""Write a robot as MoveIt's semantic description (SRDF): joint group, tool, named states, pairs that need no check."""
 
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping

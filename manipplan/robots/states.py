@@ -1,4 +1,4 @@
-"""NamedStates: the postures that a robot's SRDF gives names, such as "ready" and "home"."""
+"""NamedStates: the named postures of a robot's SRDF, such as "ready" and "home"."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -9,11 +9,11 @@ from manipplan.support.errors import UnknownNameError
 
 
 class NamedStates(dict[str, Array]):
-    """Configurations (n,) [rad or m] by name; a name that is not there raises UnknownNameError with the nearest."""
+    """Configurations (n,) [rad or m] by name; an unknown name raises UnknownNameError with the nearest names."""
 
     @classmethod
     def of(cls, states: Iterable[tuple[str, Mapping[str, float]]], joints: Sequence[str]) -> "NamedStates":
-        """Those of an SRDF's states that give each of `joints` a value; of several with one name the first."""
+        """The states of an SRDF that give each of `joints` a value; of several with the same name, the first."""
         found = cls()
         for name, values in states:
             if name not in found and all(joint in values for joint in joints):

@@ -1,4 +1,4 @@
-"""The part of a description that is the arm: its tool, its active joints, the values of the others, limits, usual posture."""
+"""The part of a description that is the arm: its tool, active joints, values of the locked joints, limits, usual posture."""
 
 from collections.abc import Mapping, Sequence
 
@@ -13,7 +13,7 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError, Unsupp
 
 
 def choose_tool(model: pin.Model, tool: str | None, semantic: description.Semantics | None) -> str:
-    """The tool frame: the one asked for, the SRDF's end effector, or the only leaf."""
+    """The tool frame: the given one, the SRDF's end effector, or the only leaf."""
     bodies = [frame.name for frame in model.frames if frame.name != "universe"]
     if tool is None and semantic is not None and semantic.end_effector is not None:
         tool = semantic.end_effector
@@ -30,7 +30,7 @@ def choose_tool(model: pin.Model, tool: str | None, semantic: description.Semant
 def choose_joints(
     model: pin.Model, tool: str, chain: list[str], joints: Sequence[str] | None, mimics: Mapping[str, description.Mimic]
 ) -> list[str]:
-    """Names of the active joints: those asked for, or all that move the tool."""
+    """Names of the active joints: the given ones, or all that move the tool."""
     if isinstance(joints, str):
         raise InvalidInputError("joints", joints, "a list of names")
     active = list(chain) if joints is None else list(joints)
@@ -43,7 +43,7 @@ def choose_joints(
             raise UnsupportedJointError("joints", joint, f"independent joints; this one mimics {mimics[joint].leader}")
         followers = [follower for follower, mimic in mimics.items() if mimic.leader == joint]
         if followers:
-            raise UnsupportedJointError("joints", joint, f"joints that no other follows; {followers[0]} mimics it")
+            raise UnsupportedJointError("joints", joint, f"joints that no other joint mimics; {followers[0]} mimics it")
         kind = model.joints[model.getJointId(joint)]
         if kind.nv != 1 or not (description.is_prismatic(kind) or description.is_revolute(kind)):
             raise UnsupportedJointError(
@@ -64,7 +64,7 @@ def locked_values(
     semantic: description.Semantics | None,
     mimics: Mapping[str, description.Mimic],
 ) -> dict[str, float]:
-    """Every other joint of the description with the value at which it is held [rad or m]."""
+    """Every other joint of the description with its locked value [rad or m]."""
     others = [name for name in list(model.names)[1:] if name not in active]
     for name, value in given.items():
         if name not in others:
@@ -92,7 +92,7 @@ def locked_values(
 
 
 def limits_of(model: pin.Model, source: str, given: Mapping[str, ArrayLike]) -> JointLimits:
-    """The limits of the description, with those that were given in their place."""
+    """The limits of the description, replaced by the given ones where there are any."""
     inf = np.full(model.nv, np.inf)
     lower, upper, velocity = model.lowerPositionLimit, model.upperPositionLimit, model.velocityLimit
     for i, name in enumerate(list(model.names)[1:]):
@@ -115,7 +115,7 @@ def limits_of(model: pin.Model, source: str, given: Mapping[str, ArrayLike]) -> 
 
 
 def usual_posture(limits: JointLimits, given: ArrayLike | None) -> Array:
-    """The posture asked for, or the middle of the limits, (n,)."""
+    """The given posture, or the middle of the limits, (n,)."""
     lower = np.where(np.isfinite(limits.lower), limits.lower, -np.pi)
     upper = np.where(np.isfinite(limits.upper), limits.upper, np.pi)
     neutral = (lower + upper) / 2 if given is None else configurations("neutral", given, limits.n)

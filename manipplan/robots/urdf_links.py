@@ -1,5 +1,5 @@
-"""What a URDF says of its links, read by ourselves: urdfdom drops a link's bodies, with no more than a line on the terminal,
-where it cannot read one of them.
+"""Checks on the links of a URDF: when urdfdom cannot read one body of a link it drops all of them, and only prints a line on
+the terminal.
 """
 
 import xml.etree.ElementTree as ET
@@ -11,15 +11,15 @@ import pinocchio as pin
 from manipplan.robots.xml_numbers import numbers
 from manipplan.support.errors import FileFormatError
 
-#: Attributes of each shape, with how many numbers each has.
+#: Attributes of each shape, with the number of values of each.
 SHAPES = {"box": {"size": 3}, "sphere": {"radius": 1}, "cylinder": {"radius": 1, "length": 1}, "mesh": {}}
 INERTIA = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
 def check_links(file: Path, root: ET.Element) -> None:
-    """Raise FileFormatError for the first collision or inertial element that cannot be read as what it should be.
+    """Raise FileFormatError for the first collision or inertial element that is not valid.
 
-    The message names the link, the element and what is wrong with it.
+    The message names the link, the element and its fault.
     """
     for link in root.findall("link"):
         name = link.get("name")
@@ -30,7 +30,7 @@ def check_links(file: Path, root: ET.Element) -> None:
 
 
 def check_loaded(file: Path, root: ET.Element, model: pin.Model, geometry: pin.GeometryModel) -> None:
-    """Raise FileFormatError where a link has another number of collision bodies than collision elements in the file."""
+    """Raise FileFormatError when a link does not have as many collision bodies as collision elements in the file."""
     loaded = Counter(model.frames[item.parentFrame].name for item in geometry.geometryObjects)
     for link in root.findall("link"):
         name, described = str(link.get("name")), len(link.findall("collision"))

@@ -4,7 +4,7 @@ import math
 
 
 def numbers(text: str | None, count: int) -> tuple[float, ...] | None:
-    """The `count` finite numbers that stand in `text`, separated by spaces; None where they do not."""
+    """The `count` finite numbers in `text`, separated by spaces; None if `text` is anything else."""
     words = text.split() if text is not None else []
     try:
         values = tuple(float(word) for word in words)

@@ -1,5 +1,5 @@
-"""The global search along a path of the tool [guilamo2006].
+"""The global search along a tool path [guilamo2006].
 
-In: a path of the tool. Out: the joint path whose minimum manipulability is the largest among all sampled configurations.
-`sampling` makes layers, `max_min` searches them, `refine` leaves the grid.
+In: a tool path. Out: the joint path with the largest minimum manipulability among all sampled configurations.
+`sampling` makes layers, `max_min` searches them, `refine` improves the result beyond the grid.
 """

@@ -1,4 +1,4 @@
-"""Grid: cells over up to three joints, so wide that continuous neighbours lie in the same or in adjoining cells."""
+"""Grid: cells over up to three joints, wide enough that neighbours within ε lie in the same or in adjacent cells."""
 
 from dataclasses import dataclass
 
@@ -8,29 +8,29 @@ from numpy.typing import NDArray
 from manipplan.search.steps import TAU
 from manipplan.support.checks import Array
 
-#: Joints that are hashed at most.
+#: Maximum number of joints that are hashed.
 AXES = 3
-#: A joint with fewer cells is not hashed: three of them are looked at anyhow.
+#: Minimum number of cells of a hashed joint: three of them are searched anyway.
 FEWEST = 4
-#: Share by which cells are wider than a step may be, so that rounding never puts neighbours two cells apart.
+#: Relative margin of the cell width over the largest step, so that rounding never puts neighbours two cells apart.
 HAIR = 1e-6
-#: Configurations from which the joints to hash are chosen.
+#: Number of configurations from which the joints to hash are chosen.
 SAMPLE = 4096
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Grid:
-    """Cells of equal width over three joints; one with a single cell is not hashed.
+    """Cells of equal width over three joints; a joint with a single cell is not hashed.
 
     Attributes:
         joints: (3,) joints that are hashed.
-        low: (3,) where the first cell begins [rad or m].
-        per: (3,) cells for each rad or m.
+        low: (3,) lower edge of the first cell [rad or m].
+        per: (3,) cells per rad or m.
         count: (3,) number of cells.
-        wraps: (3,) whether the last cell adjoins the first.
-        order: (n,) in which joints are compared: those that are not hashed tell more.
-        reach: (n,) in that order, a step must be below it.
-        turns: (n,) in that order, whether the joint turns without end.
+        wraps: (3,) whether the last cell is adjacent to the first.
+        order: (n,) order in which joints are compared: joints that are not hashed come first, as they reject more pairs.
+        reach: (n,) upper bound on a step, exclusive, in that order.
+        turns: (n,) whether the joint is continuous, in that order.
     """
 
     joints: NDArray[np.int64]
@@ -49,10 +49,10 @@ class Grid:
 
 
 def choose_grid(sample: Array, extent: Array, reach: Array, continuous: NDArray[np.bool_], most: int) -> Grid:
-    """The grid of at most `most` cells that keeps apart the most pairs of `sample` (S, n).
+    """The grid of at most `most` cells that separates the most pairs of `sample` (S, n).
 
-    extent (2, n) holds least and largest value of all configurations, reach (n,) what a step must be below. Joints are
-    taken one by one; another one is worth its threefold cells only if it leaves less than a third of the pairs together.
+    extent (2, n): smallest and largest joint values of all configurations; reach (n,): bound on a step, exclusive. Joints are
+    added one by one; a joint triples the cells to search, so it has to leave less than a third of the pairs in a common cell.
     """
     n = sample.shape[1]
     low, high = extent
@@ -88,7 +88,7 @@ def choose_grid(sample: Array, extent: Array, reach: Array, continuous: NDArray[
     wraps = continuous[hashed] & (count > 1)
     with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
         even = count / span[hashed]
-    # an unhashed axis has one cell; cells that share out the span are never narrower than `width`
+    # an unhashed axis has one cell; cells that divide the span evenly are never narrower than `width`
     per = np.where(count == 1, 0.0, np.where(wraps, count / TAU, np.minimum(1 / width[hashed], even)))
     order = np.argsort([(j in joints) * 1e18 - min(full[j], 1e17) for j in range(n)], kind="stable")
     return Grid(

@@ -1,13 +1,13 @@
-"""The search of guilamo2006, section IV: paths grown by back-tracking from one start after the other.
+"""The search of guilamo2006, section IV: paths extended by backtracking from one start after the other.
 
-The first start is the best candidate of the layer whose best is the least: no path can have a higher minimum. From it a path
-grows to the last layer, then from it to the first, each time to the continuous candidate with the highest index that is
-not below the index of the start; where there is none, it goes back. If a start fails, the candidate with the next lower
-index of any layer is the next one. The first path that is complete is optimal, for each start is searched in full.
+The first start is the best candidate of the layer whose best is the smallest: no path can have a larger minimum. From it a path
+is extended to the last layer, then from it to the first, each time to the continuous candidate with the largest manipulability
+that is not below that of the start; where there is none, the search backtracks. If a start fails, the candidate with the next
+lower manipulability of any layer is the next start. The first complete path is optimal, as each start is searched in full.
 
-The paper does not say how the two halves share back-tracking: here they share the start and nothing else, which is enough, as
-either half is possible or not whatever the other one is. Without memory the search takes time that grows exponentially with
-the number of layers; `memoised` remembers, for one start, the candidates that led nowhere.
+The paper does not say how the two halves share backtracking: here they share only the start, which is enough, as the two halves
+are independent. Without memoisation the time of the search grows exponentially with the number of layers; `memoised` remembers,
+for one start, the candidates that were dead ends.
 """
 
 from dataclasses import dataclass
@@ -21,15 +21,15 @@ from manipplan.search.steps import check_epsilon, exclusive, without_jumps
 from manipplan.support.checks import Array, instance, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
 
-#: Comparisons between two moments at which the search can be interrupted.
+#: Number of comparisons between two points at which the search can be interrupted.
 BUDGET = 20_000_000
 
 
 class GuilamoStatus(Enum):
-    """How the search ended. The value is the text for people; `ok` tells whether the optimum was found."""
+    """Return status of the search. The value is its text; `ok` tells whether the optimum was found."""
 
     FOUND = "found: the first complete path; none has a larger minimum manipulability"
-    GAVE_UP = "failed: most_branches were made without a complete path; take max_min_search, or memoised=True"
+    GAVE_UP = "failed: most_branches was reached without a complete path; use max_min_search, or memoised=True"
     NOT_CONNECTED = "failed: every start failed, no continuous path leads through the layers; raise epsilon"
 
     @property
@@ -43,15 +43,15 @@ class GuilamoResult:
     """The path that the restart search found, with the paper's counts; where there is none, arrays are empty.
 
     Attributes:
-        q: configurations (L, n) [rad or m]; joints that turn without end go on beyond ±π.
+        q: configurations (L, n) [rad or m]; continuous joints are unwrapped beyond ±π.
         indices: the chosen candidate of each layer (L,).
-        manipulability: index at each position (L,).
-        minimum: the least of them; -inf where there is no path.
+        manipulability: manipulability at each position (L,).
+        minimum: the smallest of these values; -inf where there is no path.
         start: layer and candidate of the last start.
-        new_starts: starts that were tried.
-        branches: candidates that were put into a growing path.
-        comparisons: pairs of configurations that were compared.
-        status: how the search ended.
+        new_starts: number of starts tried.
+        branches: number of candidates appended to a partial path.
+        comparisons: number of pairs of configurations compared.
+        status: return status.
     """
 
     q: Array
@@ -77,21 +77,21 @@ def guilamo_search(
     """Search by restarts as guilamo2006 does, section IV: exact, but slow where the optimum is well below the bound.
 
     Args:
-        layers: candidates with their index, not closed.
-        epsilon: what each joint's step between neighbouring layers has to be below [rad or m]: one number, or (n,).
-        memoised: within one start, pass over candidates that were in the path before: each start takes at most one visit
-            to each candidate.
-        strict: with False, a step of exactly epsilon is allowed, too.
-        most_branches: give up after so many; None never does.
+        layers: candidates with their manipulability, not closed.
+        epsilon: bound below which each joint's step between neighbouring layers has to be [rad or m]: one number, or (n,).
+        memoised: within one start, skip candidates that were in the path before: each start visits each candidate at most
+            once.
+        strict: with False, a step of exactly epsilon is allowed as well.
+        most_branches: maximum number of branches before the search gives up; None: no limit.
         throw: raise PlanningError, which holds the result, if there is no path.
 
-    Raises InvalidInputError for bad arguments, closed layers among them.
+    Raises InvalidInputError for bad arguments, including closed layers.
     """
     from manipplan.search.kernels import EXHAUSTED, FOUND, STATE, UNFINISHED, search_restarts
 
     instance("layers", layers, Layers)
     if layers.closed:
-        raise InvalidInputError("layers", "closed layers", "open ones: the paper's search knows no cycles; take max_min_search")
+        raise InvalidInputError("layers", "closed layers", "open layers; for cycles use max_min_search")
     steps = check_epsilon(epsilon, layers.continuous)
     for name, value in {"memoised": memoised, "strict": strict, "throw": throw}.items():
         if not isinstance(value, bool | np.bool_):
@@ -104,7 +104,7 @@ def guilamo_search(
     layer_of = np.repeat(np.arange(len(orders)), layers.sizes)
     first = offset[int(np.argmin([value.max() for value in layers.m]))]
     lower = np.argsort(-m, kind="stable")
-    # a path's minimum manipulability is at most that of the first start; others of the same index can still be the start of one
+    # a path's minimum manipulability is at most that of the first start; others of equal manipulability can be its start, too
     starts = np.concatenate([[first], lower[(m[lower] <= m[first]) & (lower != first)]])
     state = np.zeros(STATE, dtype=np.int64)
     path, pointer = np.zeros(len(orders), dtype=np.int64), np.zeros(len(orders), dtype=np.int64)

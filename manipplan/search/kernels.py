@@ -1,9 +1,9 @@
-"""Compiled kernels of the searches: cells, one step of the dynamic programme, and the paper's restarts.
+"""Compiled kernels of the searches: cells, one step of the dynamic program, and the paper's restarts.
 
-A step goes from the candidates of one layer to those of the next. All values are maximised. Candidates are in the order of
-their cells (`sort_into_cells`). `previous` is -inf where a candidate is not reached, `top` is the largest value of each cell.
-Threads share a layer: each works on cells first_cell to last_cell - 1. Results go into value, source (the index in the
-previous layer, -1 where there is none) and new_top.
+A step goes from the candidates of one layer to those of the next. All values are maximised. Candidates are sorted by cell
+(`sort_into_cells`). `previous` is -inf where a candidate is not reached, `top` is the largest value of each cell. Threads share
+a layer: each works on cells first_cell to last_cell - 1. Results are written to value, source (the index in the previous layer,
+-1 where there is none) and new_top.
 """
 
 import numpy as np
@@ -32,7 +32,7 @@ def cell_of(q: Array, i: int, joints: Whole, low: Array, per: Array, count: Whol
             place = (x - np.floor(x)) * size
         else:
             place = (x - low[axis]) * per[axis]
-        # compared as numbers with a point: a huge one would not fit an integer
+        # compared as floats: a very large value would overflow an integer
         place = min(max(place, 0.0), size - 1.0)
         cell = cell * size + int(place)
     return cell
@@ -40,14 +40,14 @@ def cell_of(q: Array, i: int, joints: Whole, low: Array, per: Array, count: Whol
 
 @kernel
 def taking_part(m: Array, threshold: float, share: float) -> Numbers:
-    """Numbers of the candidates with m >= threshold; with a share below 1, of about that share of them.
+    """Indices of the candidates with m >= threshold; with a share below 1, of about that share of them.
 
-    The choice is random in effect but always the same, and a smaller share is part of a larger one.
+    The choice is pseudo-random but reproducible, and a smaller share is a subset of a larger one.
     """
     taken = np.empty(len(m) + 1, dtype=np.int32)
     count = 0
     if share >= 1.0:
-        for i in range(len(m)):  # written in any case: a branch would be guessed wrong too often
+        for i in range(len(m)):  # always written: a branch would be mispredicted too often
             taken[count] = i
             count += m[i] >= threshold
     else:
@@ -64,10 +64,10 @@ def sort_into_cells(
     q: Array, m: Array, threshold: float, share: float, cap: float,
     joints: Whole, low: Array, per: Array, count: Whole, wraps: Truth, order: Whole,
 ) -> tuple[Numbers, Array, Array, Numbers]:  # fmt: skip
-    """The candidates of a layer that take part, in the order of their cells.
+    """The candidates of a layer that take part, sorted by cell.
 
-    Returns their numbers (k,), configurations (k, n) with joints in the given order, indices (k,) of `cap` at most, and where
-    each cell begins (cells + 1,). Takes time in proportion to candidates and cells.
+    Returns their indices (k,), configurations (k, n) with joints in the given order, manipulability (k,) limited to `cap`, and
+    the start of each cell (cells + 1,). Runs in time linear in candidates and cells.
     """
     n = q.shape[1]
     cells = count[0] * count[1] * count[2]
@@ -97,7 +97,7 @@ def sort_into_cells(
 
 @kernel
 def largest_of_each(start: Numbers, value: Array) -> Array:
-    """The largest value of each cell (cells,), -inf of an empty one."""
+    """The largest value of each cell (cells,), -inf for an empty one."""
     top = np.full(len(start) - 1, -np.inf)
     for cell in range(len(top)):
         for b in range(start[cell], start[cell + 1]):
@@ -105,15 +105,15 @@ def largest_of_each(start: Numbers, value: Array) -> Array:
     return top
 
 
-#: Cells that adjoin a cell at most, itself among them.
+#: Maximum number of cells around a cell, including itself.
 ADJOINING = 27
 
 
 @kernel
 def cells_around(cell: int, count: Whole, wraps: Truth, top: Array, near: Whole) -> int:
-    """The cells that adjoin `cell`, itself among them, and hold a value above -inf: the one with the largest value first.
+    """The cells around `cell`, including itself, that hold a value above -inf, in descending order of their largest value.
 
-    Fills near (ADJOINING,) and returns how many there are. `top` (cells,) holds the largest value of each cell.
+    Fills near (ADJOINING,) and returns their number. `top` (cells,) holds the largest value of each cell.
     """
     size0, size1, size2 = count[0], count[1], count[2]
     c2 = cell % size2
@@ -121,7 +121,7 @@ def cells_around(cell: int, count: Whole, wraps: Truth, top: Array, near: Whole)
     c0 = cell // (size2 * size1)
     found = 0
     for k0 in range(3 if size0 > 1 else 1):
-        a = c0 + (0, -1, 1)[k0]  # of equal values the own cell comes first: its candidates are the most likely neighbours
+        a = c0 + (0, -1, 1)[k0]  # on ties the cell itself comes first: its candidates are the most likely neighbours
         if a < 0 or a >= size0:
             if not wraps[0]:
                 continue
@@ -152,7 +152,7 @@ def cells_around(cell: int, count: Whole, wraps: Truth, top: Array, near: Whole)
 
 @kernel
 def step(a: float, b: float, turns: bool) -> float:
-    """How far a joint turns or moves from a to b; one that turns without end by the shorter way."""
+    """Displacement of a joint from a to b; the shorter way for a continuous joint."""
     d = b - a
     if turns:
         d -= TAU * np.floor(d / TAU + 0.5)
@@ -161,7 +161,7 @@ def step(a: float, b: float, turns: bool) -> float:
 
 @kernel
 def is_near(rows: Array, i: int, others: Array, k: int, reach: Array, turns: Truth) -> bool:
-    """Whether each joint's step from rows[i] to others[k] is below its reach."""
+    """Whether each joint's step from rows[i] to others[k] is below its limit `reach`."""
     for j in range(rows.shape[1]):
         d = others[k, j] - rows[i, j]
         if not abs(d) < reach[j] and (not turns[j] or not abs(step(rows[i, j], others[k, j], True)) < reach[j]):
@@ -208,7 +208,7 @@ def shortest_step(
     first_cell: int, last_cell: int, reach: Array, turns: Truth, count: Whole, wraps: Truth,
     value: Array, source: Numbers, new_top: Array,
 ) -> None:  # fmt: skip
-    """V(b) = max over neighbours a of V(a) - ‖step‖: minus the least length; of a higher `rank` (a) first, if ranked."""
+    """V(b) = max over neighbours a of V(a) - ‖step‖: the negative minimum length; if ranked, a higher `rank` (a) goes first."""
     n = rows.shape[1]
     near = np.empty(ADJOINING, np.int64)
     for cell in range(first_cell, last_cell):
@@ -254,7 +254,7 @@ def closest_step(
     first_cell: int, last_cell: int, reach: Array, turns: Truth, count: Whole, wraps: Truth,
     value: Array, source: Numbers, new_top: Array,
 ) -> None:  # fmt: skip
-    """V(b) = max over neighbours a of min(V(a), -max_j |step_j| / ε_j): minus the least factor of ε that connects."""
+    """V(b) = max over neighbours a of min(V(a), -max_j |step_j| / ε_j): the negative smallest factor of ε that connects."""
     n = rows.shape[1]
     near = np.empty(ADJOINING, np.int64)
     for cell in range(first_cell, last_cell):
@@ -284,11 +284,11 @@ def closest_step(
         new_top[cell] = highest
 
 
-#: Places of the state that goes in and out of `search_restarts`.
+#: Entries of the state array of `search_restarts`.
 PHASE, LEVEL, STARTS, BRANCHES, COMPARISONS, STATE = 0, 1, 2, 3, 4, 5
-#: How a call ended.
+#: Return status of a call.
 UNFINISHED, FOUND, EXHAUSTED, TOO_MANY = 0, 1, 2, 3
-#: Phases: the next start is to be taken, the path grows to the last layer, the path grows to the first one.
+#: Phases: take the next start, extend the path to the last layer, extend the path to the first layer.
 NEXT, UP, DOWN = 0, 1, 2
 
 
@@ -297,11 +297,11 @@ def search_restarts(
     q: Array, m: Array, offset: Whole, starts: Whole, layer_of: Whole, reach: Array, turns: Truth, memoised: bool,
     most_branches: int, budget: int, state: Whole, path: Whole, pointer: Whole, seen: Whole,
 ) -> int:  # fmt: skip
-    """Go on with the search for about `budget` comparisons of configurations.
+    """Continue the search for about `budget` comparisons of configurations.
 
-    q (N, n), m (N,): candidates of all layers, each layer in descending order of its index; offset (L + 1,) where each
-    begins. starts (N,): candidates in the order in which they start a path; layer_of (N,) their layers. state (STATE,),
-    path (L,), pointer (L,) and seen (N,) are changed: where the search stands.
+    q (N, n), m (N,): candidates of all layers, each layer in descending order of manipulability; offset (L + 1,): start of each
+    layer. starts (N,): candidates in the order in which they start a path; layer_of (N,): their layers. state (STATE,),
+    path (L,), pointer (L,) and seen (N,) hold the state of the search and are updated.
     """
     layers = len(offset) - 1
     stop = state[COMPARISONS] + budget

@@ -1,4 +1,4 @@
-"""Layers: for each position of a workspace path the configurations that reach it, each with its index."""
+"""Layers: the configurations that reach each position of a workspace path, with their manipulability."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,30 +14,30 @@ from manipplan.support.errors import InvalidInputError
 if TYPE_CHECKING:
     from manipplan.search.sampler import CandidateSampler
 
-#: So many rows are looked at as one long row when extremes are taken: NumPy is fast along long rows only.
+#: Number of rows that are folded into one when extremes are taken: NumPy is fast along long rows only.
 FOLD = 64
-#: Candidates of one layer are numbered with 32 bits.
+#: Maximum number of candidates per layer: they have 32-bit indices.
 MOST = 2**31 - 1
-#: No configuration is larger [rad or m]: differences and squares stay finite.
+#: Maximum joint value [rad or m], so that differences and squares stay finite.
 LARGEST = 1e100
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Layers:
-    """Candidates q[i] (k_i, n) at each of L positions, with their index m[i] (k_i,).
+    """Candidates q[i] (k_i, n) at each of L positions, with their manipulability m[i] (k_i,).
 
     A path takes one candidate of each layer. It is continuous when every joint's step between neighbouring layers is
-    below an ε; the step of a joint that turns without end is taken modulo 2π, to (-π, π].
+    below an ε; the step of a continuous joint is wrapped to (-π, π].
 
     Attributes:
-        q: configurations of each layer, (k_i, n) float64 [rad or m], contiguous; never copied, never changed.
-        m: index of each candidate, (k_i,) float64.
-        continuous: (n,) joints that turn without end.
+        q: configurations of each layer, (k_i, n) float64 [rad or m], contiguous; never copied or changed.
+        m: manipulability of each candidate, (k_i,) float64.
+        continuous: (n,) which joints are continuous, without position limits.
         closed: whether the last layer neighbours the first, so that a path is a cycle.
         s: (L,) path parameter of each position, or None.
-        poses: (L, 4, 4) what is reached at each position, or None.
-        considered: candidates looked at in all, those that were dropped included.
-        sampler: what sampled them, or None.
+        poses: (L, 4, 4) pose reached at each position, or None.
+        considered: total number of candidates, including those that were dropped.
+        sampler: the sampler that made them, or None.
     """
 
     q: tuple[Array, ...]
@@ -53,13 +53,13 @@ class Layers:
     def from_arrays(
         cls, q: Sequence[ArrayLike], m: Sequence[ArrayLike], *, continuous: ArrayLike | None = None, closed: bool = False
     ) -> Self:
-        """Layers of given configurations q[i] (k_i, n) [rad or m] and indices m[i] (k_i,), at least two layers.
+        """Layers of given configurations q[i] (k_i, n) [rad or m] and their manipulability m[i] (k_i,), at least two layers.
 
-        Contiguous float64 arrays are taken as they are, without a copy: do not change them afterwards. `continuous`
-        (n,) bool names the joints that turn without end, by default none.
+        Contiguous float64 arrays are used without a copy: do not change them afterwards. `continuous` (n,) bool marks
+        the continuous joints, by default none.
 
-        Raises InvalidInputError, which names the layer, for fewer than two layers, an empty one, shapes that do not
-        fit, or values that are not finite.
+        Raises InvalidInputError, which names the layer, for fewer than two layers, an empty layer, shapes that do not
+        match, or values that are not finite.
         """
         if not isinstance(closed, bool | np.bool_):
             raise InvalidInputError("closed", closed, "True or False")
@@ -67,12 +67,12 @@ class Layers:
         if len(sets) < 2:
             raise InvalidInputError("q", f"{len(sets)} layers", "at least two layers, each an array (k_i, n)")
         if len(indices) != len(sets):
-            raise InvalidInputError("m", f"{len(indices)} layers", f"as many as of q: {len(sets)}")
+            raise InvalidInputError("m", f"{len(indices)} layers", f"as many layers as q: {len(sets)}")
         configurations = tuple(_contiguous(f"q[{i}]", each, 2) for i, each in enumerate(sets))
         n = configurations[0].shape[1]
         for i, layer in enumerate(configurations):
             if layer.shape[1] != n or n == 0:
-                wanted = f"(k, {n}), as q[0] has it" if n else "(k, n) with n at least 1"
+                wanted = f"(k, {n}), the width of q[0]" if n else "(k, n) with n at least 1"
                 raise InvalidInputError(f"q[{i}]", f"an array of shape {layer.shape}", wanted)
             if len(layer) == 0:
                 raise InvalidInputError(f"q[{i}]", "no candidate", "at least one: a path has to pass each layer")
@@ -81,12 +81,12 @@ class Layers:
         values = tuple(_contiguous(f"m[{i}]", each, 1) for i, each in enumerate(indices))
         for i, (layer, value) in enumerate(zip(configurations, values, strict=True)):
             if len(layer) != len(value):
-                raise InvalidInputError(f"m[{i}]", f"{len(value)} values", f"one for each candidate of q[{i}]: {len(layer)}")
+                raise InvalidInputError(f"m[{i}]", f"{len(value)} values", f"one per candidate of q[{i}]: {len(layer)}")
         turning = np.zeros(n, dtype=np.bool_)
         if continuous is not None:
             given = np.asarray(continuous)
             if given.dtype != np.bool_ or given.shape != (n,):
-                raise InvalidInputError("continuous", continuous, f"{n} truth values, one per joint")
+                raise InvalidInputError("continuous", continuous, f"{n} booleans, one per joint")
             turning[:] = given
         turning.flags.writeable = False
         count = sum(len(layer) for layer in configurations)
@@ -101,17 +101,17 @@ class Layers:
 
     @property
     def count(self) -> int:
-        """Number of candidates in all layers."""
+        """Total number of candidates."""
         return sum(len(layer) for layer in self.q)
 
     @property
     def sizes(self) -> NDArray[np.int64]:
-        """Number of candidates of each layer (L,)."""
+        """Number of candidates per layer (L,)."""
         return np.array([len(layer) for layer in self.q], dtype=np.int64)
 
     @cached_property
     def bound(self) -> float:
-        """Least over the layers of the largest index: no path's minimum manipulability is above it, whatever ε is."""
+        """Smallest over the layers of the largest manipulability: no path's minimum manipulability exceeds it, for any ε."""
         return float(min(value.max() for value in self.m))
 
     @property
@@ -121,13 +121,13 @@ class Layers:
 
     @cached_property
     def extent(self) -> Array:
-        """Least and largest value of each joint over all layers, (2, n); the grids of a search span it."""
+        """Smallest and largest value of each joint over all layers, (2, n); the grids of a search span it."""
         lower = np.min([_extreme(layer, np.minimum) for layer in self.q], axis=0)
         upper = np.max([_extreme(layer, np.maximum) for layer in self.q], axis=0)
         return np.array([lower, upper])
 
     def _check_finite(self) -> None:
-        # extremes carry NaN and inf: no array of truth values is needed
+        # minimum and maximum propagate NaN and inf: no boolean array is needed
         if not (np.abs(self.extent) <= LARGEST).all():
             i = next(i for i, layer in enumerate(self.q) if not (np.abs(layer) <= LARGEST).all())
             raise InvalidInputError(f"q[{i}]", "NaN, inf or a number too large", f"finite numbers up to {LARGEST:g}")
@@ -139,7 +139,7 @@ class Layers:
 def _each(argument: str, value: Any) -> list[Any]:
     if isinstance(value, list | tuple) or (isinstance(value, np.ndarray) and value.ndim > 0):
         return list(value)
-    raise InvalidInputError(argument, value, "a list of arrays, one for each layer")
+    raise InvalidInputError(argument, value, "a list of arrays, one per layer")
 
 
 def _contiguous(argument: str, value: Any, axes: int) -> Array:
@@ -151,7 +151,7 @@ def _contiguous(argument: str, value: Any, axes: int) -> Array:
     except (TypeError, ValueError) as error:
         raise InvalidInputError(argument, value, "real numbers") from error
     if raw.ndim != axes:
-        wanted = "configurations of shape (k, n)" if axes == 2 else "one number for each candidate, shape (k,)"
+        wanted = "configurations of shape (k, n)" if axes == 2 else "one number per candidate, shape (k,)"
         raise InvalidInputError(argument, f"an array of shape {raw.shape}", wanted)
     return array
 

@@ -1,10 +1,10 @@
-"""Exact max-min search: the continuous path through the layers whose minimum manipulability is the largest.
+"""Exact max-min search: the continuous path through the layers with the largest minimum manipulability.
 
 The value of a candidate b of layer i is W_i(b) = min(m(b), max over its neighbours a in layer i - 1 of W_{i-1}(a)), and the
 optimum is the largest value in the last layer. This is a bottleneck path, found in one pass over the layers; guilamo2006
 searches for the same optimum by restarts. Two things make it fast. Neighbours are looked up in a grid whose cells are as wide
-as the largest step. And rounds go from high thresholds to low ones: a round in which only candidates with m >= t take part
-either finds the optimum, or proves that it is below t.
+as the largest step. Rounds proceed from high thresholds to low ones: a round over only the candidates with m >= t either finds
+the optimum, or proves that it is below t.
 """
 
 from collections.abc import Iterator, Sequence
@@ -25,7 +25,7 @@ from manipplan.support.progress import Progress, teller
 
 
 class SearchStatus(Enum):
-    """How a search ended. The value is the text for people; `ok` tells whether the optimum was found."""
+    """Return status of a search. The value is its text; `ok` tells whether the optimum was found."""
 
     OPTIMAL = "optimal: no continuous path through these candidates has a larger minimum manipulability"
     IMPROVING = "improving: the search goes on; certified_gap tells how far the optimum can still be above the minimum"
@@ -45,23 +45,23 @@ class SearchResult:
     """The path that a search chose; where there is none, its arrays are empty and its minimum is -inf.
 
     Attributes:
-        q: configurations (L, n) [rad or m]; joints that turn without end go on beyond ±π, so that their steps are small.
+        q: configurations (L, n) [rad or m]; continuous joints are unwrapped beyond ±π, so that their steps are small.
         indices: the chosen candidate of each layer (L,).
-        manipulability: index at each position (L,).
-        minimum: the least of them.
-        bound: least over the layers of the largest index: no path, whatever its steps, has a higher minimum.
-        certified_bound: no continuous path through these candidates has a higher minimum; equal to it once it is optimal.
+        manipulability: manipulability at each position (L,).
+        minimum: the smallest of these values.
+        bound: smallest over the layers of the largest manipulability: no path has a larger minimum, whatever its steps.
+        certified_bound: no continuous path through these candidates has a larger minimum; equals minimum for an optimal path.
         connected: whether there is a path.
-        status: how the search ended.
-        length: Σ ‖Δq‖ along the path, of a cycle the step back to its begin included; inf where there is no path.
-        epsilon, strict, closed: what was asked for; epsilon (n,) [rad or m].
-        rounds: passes over the layers.
-        nodes: candidates that took part in the last of them.
+        status: return status.
+        length: Σ ‖Δq‖ along the path, including the closing step of a cycle; inf where there is no path.
+        epsilon, strict, closed: the arguments of the search; epsilon (n,) [rad or m].
+        rounds: number of passes over the layers.
+        nodes: number of candidates in the last pass.
         breaks_at: the first position, counted from 0, that no continuous path from the first one reaches; 0 when all are
             reached but no cycle closes; None when there is a path.
-        smallest_epsilon: (n,) the least multiple of epsilon that connects the layers: with strict=False it does, with
-            strict=True it does not, but anything above does. None when there is a path.
-        message: what the status says, with the figures of this search.
+        smallest_epsilon: (n,) the smallest multiple of epsilon that connects the layers: with strict=False it connects them,
+            with strict=True only larger values do. None when there is a path.
+        message: text of the status, with the numbers of this search.
     """
 
     q: Array
@@ -93,25 +93,25 @@ class SearchResult:
         return self.certified_bound - self.minimum
 
 
-#: Candidates of the first round, at least: fewer take hardly less time.
+#: Minimum number of candidates in the first round: fewer hardly save time.
 FIRST = 20_000
 GROWTH = 4
-#: From this share on, all take part.
+#: Share from which on all candidates take part.
 MOST = 0.5
-#: Rounds go down from high indices until so large a share takes part; then they take samples.
+#: Share of candidates up to which rounds lower the threshold; beyond it they take samples.
 TOP = 1 / 64
-#: Indices from which quantiles are taken.
+#: Number of candidates from which quantiles are estimated.
 SAMPLE = 100_000
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Quantiles:
-    """Quantiles of the index over all layers, estimated on a sample in descending order.
+    """Quantiles of the manipulability over all layers, estimated on a sample.
 
     Attributes:
-        sample: indices, descending.
-        count: number of candidates in all.
-        bound: least over the layers of the largest index.
+        sample: manipulability values, descending.
+        count: total number of candidates.
+        bound: smallest over the layers of the largest manipulability.
     """
 
     sample: Array
@@ -120,7 +120,7 @@ class Quantiles:
 
     @classmethod
     def of(cls, m: Sequence[Array], bound: float) -> "Quantiles":
-        """Of layers m[i] (k_i,)."""
+        """Quantiles of layers m[i] (k_i,)."""
         count = sum(map(len, m))
         stride = max(1, count // SAMPLE)
         sample = np.sort(np.concatenate([each[::stride] for each in m]))[::-1]
@@ -132,17 +132,17 @@ class Quantiles:
         return -np.inf if share >= MOST else min(self.bound, self._quantile(share))
 
     def next(self, before: float) -> float:
-        """The threshold after `before`: about GROWTH times as many candidates reach it; -inf for the last."""
+        """The threshold after `before`, which about GROWTH times as many candidates reach; -inf for the last."""
         share = GROWTH * self.share(before)
         lower = self.sample[self.sample < before]
         return -np.inf if share >= MOST or len(lower) == 0 else min(float(lower[0]), self._quantile(share))
 
     def share(self, threshold: float) -> float:
-        """The share of candidates with an index of at least the threshold."""
+        """The share of candidates with a manipulability of at least the threshold."""
         return float(np.searchsorted(-self.sample, -threshold, side="right") / len(self.sample))
 
     def sampled(self, nodes: float, threshold: float) -> float:
-        """The share of the candidates with an index of at least the threshold that makes about so many `nodes`; 1 for all."""
+        """Share of the candidates at or above the threshold that gives about `nodes` candidates; 1 for all."""
         share = nodes / max(self.share(threshold) * self.count, 1)
         return 1.0 if share >= MOST else share
 
@@ -150,7 +150,7 @@ class Quantiles:
         return float(self.sample[int(share * len(self.sample))])
 
 
-#: Fewer candidates are not worth threads.
+#: Minimum number of candidates for threads.
 THREADED = 50_000
 
 
@@ -197,24 +197,24 @@ def max_min_search(
     progress: Progress | None = None,
     threads: int | None = None,
 ) -> SearchResult | Iterator[SearchResult]:
-    """The continuous path through the layers whose minimum manipulability is the highest. Exact, in float64.
+    """The continuous path through the layers with the largest minimum manipulability. Exact, in float64.
 
     Args:
-        layers: candidates with their index; if they are closed, the path is a cycle.
-        epsilon: what each joint's step between neighbouring layers has to be below [rad or m]: one number, or (n,).
-        strict: with False, a step of exactly epsilon is allowed, too.
-        prefer: of the paths with that minimum manipulability "first" takes any; "shortest" the one with the least Σ ‖Δq‖;
-            "lexicographic" the one whose second smallest index is the highest, then the third, and so on, of equal ones the
-            shortest. The last one sorts all vectors of indices, layer by layer: it takes the most time and memory.
-        anytime: return an iterator instead of a result. Its results come as the search goes on, with a minimum that rises
-            or a certified_bound that falls; the last one is the optimum, as without it.
+        layers: candidates with their manipulability; if the layers are closed, the path is a cycle.
+        epsilon: bound below which each joint's step between neighbouring layers has to be [rad or m]: one number, or (n,).
+        strict: with False, a step of exactly epsilon is allowed as well.
+        prefer: choice among the paths with that minimum manipulability: "first" takes any; "shortest" the one with the
+            smallest Σ ‖Δq‖; "lexicographic" the one with the largest second smallest manipulability, then the third, and so on;
+            on ties the shortest. "lexicographic" sorts the vectors of values at each layer: it takes the most time and memory.
+        anytime: return an iterator instead of a result. It yields results during the search, with a rising minimum or a
+            falling certified_bound; the last one is the optimum, the same as with False.
         throw: raise PlanningError, which holds the result, if no path is continuous. With False, that result is returned;
-            it tells where the layers break apart and the smallest epsilon that connects them.
-        progress: called with the share done in [0, 1], which never falls, and what is being done, some times a second. The
-            share is that of the work in the worst case: an early end jumps to 1.
-        threads: how many share the work; by default one for each core.
+            it tells where the layers are disconnected and the smallest epsilon that connects them.
+        progress: called several times per second with the share done in [0, 1], which never falls, and a text. The share
+            refers to the worst-case work: if the search ends early, it jumps to 1.
+        threads: number of threads; by default one per core.
 
-    A cycle is found exactly, by branch and bound over its first candidate. For the largest minimum manipulability that takes a
+    A cycle is found exactly, by branch and bound over its first candidate. For the largest minimum manipulability this takes a
     few more passes than an open path, for the shortest cycle it can take hundreds.
 
     Raises InvalidInputError for bad arguments, PlanningError where no path is continuous.
@@ -244,9 +244,9 @@ def max_min_search(
 def _results(
     layers: Layers, epsilon: Array, strict: bool, prefer: Prefer, tell: Progress, threads: int
 ) -> Iterator[SearchResult]:
-    """Results as they come."""
+    """Yields results during the search."""
     reach = exclusive(epsilon, strict=strict)
-    # samples and rounds grow fourfold up to all candidates; the wish for a certain path takes one pass more
+    # samples and rounds grow fourfold up to all candidates; a preference other than "first" takes one more pass
     with ThreadPool(threads) as pool:
         search = Search(layers, pool, tell, work=layers.count * (4 / 3 + (prefer is not Prefer.FIRST)))
         search.tell(0.0, "searching")
@@ -267,7 +267,7 @@ def _results(
 
 
 def _rounds(search: Search, reach: Array) -> Iterator[tuple[CandidatePath | None, float, bool]]:
-    """Rounds up to the exact one: each yields the best path so far, what no path exceeds, and whether that is the optimum."""
+    """Rounds up to the exact one: each yields the best path so far, the certified bound, and whether the path is optimal."""
     layers = search.layers
     quantiles = Quantiles.of(layers.m, layers.bound)
     path: CandidatePath | None = None
@@ -275,7 +275,7 @@ def _rounds(search: Search, reach: Array) -> Iterator[tuple[CandidatePath | None
     threshold = quantiles.first()
     # from the top: either the optimum is found, or it is below the threshold
     while threshold > -np.inf and quantiles.share(threshold) < max(TOP, 2 * FIRST / layers.count):
-        path = search.best(Widest(), Part(threshold=threshold, cap=certified), reach, f"index from {threshold:.6g} on")
+        path = search.best(Widest(), Part(threshold=threshold, cap=certified), reach, f"candidates with m >= {threshold:.6g}")
         if path is not None:
             yield path, search.minimum_manipulability(path), True
             return
@@ -283,12 +283,12 @@ def _rounds(search: Search, reach: Array) -> Iterator[tuple[CandidatePath | None
         yield None, certified, False
         nodes = max(nodes, search.nodes)
         threshold = quantiles.next(threshold)
-    # samples of the candidates: each finds a path with a larger minimum manipulability, below which the next ones need not look
+    # samples of the candidates: each may raise the minimum manipulability, below which later ones need no candidates
     while True:
         share = quantiles.sampled(GROWTH * nodes, least)
         part = Part(threshold=least, share=share, cap=certified)
         text = "all candidates" if share == 1 else f"a sample of {share:.1%} of the candidates"
-        found = search.best(Widest(), part, reach, text if path is None else f"{text} with an index from {least:.6g} on")
+        found = search.best(Widest(), part, reach, text if path is None else f"{text} with m >= {least:.6g}")
         path = found or path
         nodes = GROWTH * nodes
         if path is not None:
@@ -338,15 +338,15 @@ def _result(
 def _not_connected(search: Search, epsilon: Array, reach: Array, strict: bool) -> SearchResult:
     result = _result(search, None, SearchStatus.NOT_CONNECTED, epsilon, strict, -np.inf)
     count = len(search.layers.q)
-    place = search.reached(reach) % count  # all reached, but no cycle closes: 0
+    place = search.reached(reach) % count  # 0: all reached, but no cycle closes
     smallest = search.least_epsilon(epsilon)
     if place:
         where = f"no candidate of position {place} can be reached from position {place - 1}"
     else:
-        where = f"no path closes: none ends at position {count - 1} next to where it begins at position 0"
+        where = f"no path closes: none ends at position {count - 1} within epsilon of its start at position 0"
     factor = float((smallest / epsilon).max())
     least = ", ".join(f"{each:.6g}" for each in smallest)
-    told = f"above {factor:.6g} times epsilon" if strict else f"from {factor:.6g} times epsilon on"
+    told = f"above {factor:.6g} times epsilon" if strict else f"at {factor:.6g} times epsilon or more"
     message = f"{where}; connected {told} ({least}); {SearchStatus.NOT_CONNECTED.value}"
     search.tell(1.0, "done")
     return replace(result, breaks_at=place, smallest_epsilon=smallest, message=message)

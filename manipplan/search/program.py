@@ -1,8 +1,8 @@
-"""The nonlinear program that moves a whole path within the tolerance of given poses, and the joint path through its result.
+"""The nonlinear program that improves a whole path within the tolerance of given poses, and the joint path through its result.
 
 The program raises the minimum manipulability, or shortens the path at that minimum. Unknowns: configurations X (n, L) and the
-level t. Constraints: m(x_i) >= t, pose rows within the tolerance, steps within ε, and linear rows that keep distances. It is
-solved inside a trust region around the present path, where the linear rows hold.
+level t. Constraints: m(x_i) >= t, pose rows within the tolerance, steps within ε, and linearised distance constraints. It is
+solved inside a trust region around the current path, where the linearisation holds.
 """
 
 import casadi as ca
@@ -17,9 +17,9 @@ from manipplan.search.steps import full_turns
 from manipplan.support.checks import Array
 from manipplan.symbolic.chain import Placement
 
-#: Linear rows for distances at each position.
+#: Number of linear distance rows per position.
 ROWS = 4
-#: Pose rows hold to this [m or rad] where there is no tolerance.
+#: Bound on the pose rows [m or rad] where there is no tolerance.
 EXACT = 1e-11
 
 
@@ -27,7 +27,7 @@ class LevelProgram:
     """The program for L positions of one arm and task; built once, solved for many paths.
 
     Args:
-        kinematics: whose index is raised, for a pose or pointing task.
+        kinematics: defines the manipulability that is raised, for a pose or pointing task.
         positions: L.
         closed: whether the last position neighbours the first.
     """
@@ -82,16 +82,16 @@ class LevelProgram:
         slack: Array,
         level: float | None = None,
     ) -> tuple[Array, float]:
-        """A path (L, n) of a higher level, and its level [the index's unit]; with `level`, a shorter one at that level.
+        """A path (L, n) with a higher level, and its level [the measure's unit]; with `level`, a shorter path at that level.
 
         Args:
-            q: (L, n) the path at hand.
+            q: (L, n) the current path.
             poses: (L, 4, 4).
-            epsilon: (n,) the longest steps [rad or m].
-            tolerance: (rows,) half the box of each pose row; 0: met exactly.
-            trust: how far each joint may leave the path at hand.
+            epsilon: (n,) largest steps [rad or m].
+            tolerance: (rows,) half width of the box of each pose row; 0: met exactly.
+            trust: largest change of each joint from the current path.
             slopes: (L, ROWS, n) gradients of distances [m per rad or m]; zeros where there is none.
-            slack: (L, ROWS) how much each distance may shrink [m], at least 0.
+            slack: (L, ROWS) amount by which each distance may shrink [m], at least 0.
             level: see above.
         """
         limits, positions = self.kinematics.robot.limits, self.positions
@@ -117,9 +117,9 @@ class LevelProgram:
 
 
 def pose_error(kinematics: Kinematics) -> ca.Function:
-    """How far the tool at q (n,) is from a pose (16,), column by column: position [m], then sines of angles; smooth.
+    """Error of the tool at q (n,) to a pose (16,), column by column: position [m], then sines of angles; smooth.
 
-    Three angles about the pose's axes, or two across the tool axis about which it may turn; one for an arm in a plane.
+    Three angles about the pose's axes, or two perpendicular to the tool axis about which it may turn; one for a planar arm.
     """
     chain, task = kinematics.symbolic.chain, kinematics.task
     pose = ca.SX.sym("pose", 16)
@@ -140,7 +140,7 @@ def pose_error(kinematics: Kinematics) -> ca.Function:
 
 
 class PoseRows:
-    """How far the tool is from poses, row by row; see `pose_error`."""
+    """Errors of the tool to poses, row by row; see `pose_error`."""
 
     def __init__(self, kinematics: Kinematics) -> None:
         self.error = pose_error(kinematics)
@@ -148,7 +148,7 @@ class PoseRows:
         self._planar = kinematics.robot.planar
 
     def box(self, tolerance: Tolerance | None) -> Array:
-        """Half the box (rows,) inside the ball of a tolerance [m, or sine of an angle]; zeros without one."""
+        """Half widths (rows,) of the box inside the ball of a tolerance [m, or sine of an angle]; zeros without a tolerance."""
         rows = np.zeros(self.count)
         if tolerance is not None:
             moves = 2 if self._planar else 3
@@ -164,7 +164,7 @@ class PoseRows:
         return np.asarray(columns).T
 
 
-#: Places between two knots at which the deviation is looked at, and how often knots are doubled.
+#: Number of points between two knots at which the deviation is checked, and maximum number of knot insertions.
 PLACES = 4
 DOUBLINGS = 6
 
@@ -180,10 +180,10 @@ def joint_path(
     allowed: Array,
     tube: Tolerance | None = None,
 ) -> JointPath:
-    """A smooth joint path through q (k, n) at s (k,), which meets `path` to `allowed` (rows,) between the positions, too.
+    """A smooth joint path through q (k, n) at s (k,), which follows `path` to `allowed` (rows,) also between the positions.
 
-    Where it does not, knots are added half-way, moved onto the workspace path by the shortest way, or into a `tube` around
-    it; after `DOUBLINGS` rounds the path is returned as it is, for the caller to judge.
+    Where it does not, knots are added half-way and projected onto the workspace path, or into a `tube` around it; after
+    `DOUBLINGS` rounds the path is returned as it is, and the caller has to check it.
     """
     for _ in range(DOUBLINGS):
         joints = JointPath.spline(s, q, closed=closed)
@@ -203,7 +203,7 @@ def joint_path(
 
 
 def _into(tube: Tolerance, targets: Array, poses: Array) -> Array:
-    """Poses (k, 4, 4) moved towards targets until they are inside the tube; onto them in what it leaves out."""
+    """Poses (k, 4, 4) moved towards targets until they are inside the tube; onto the target where it gives no tolerance."""
     from scipy.spatial.transform import Rotation
 
     moved = targets.copy()
@@ -215,6 +215,6 @@ def _into(tube: Tolerance, targets: Array, poses: Array) -> Array:
 
 
 def _shortened(vectors: Array, longest: float | None) -> Array:
-    """Vectors (k, 3) none of which is longer than that; zeros for None."""
+    """Vectors (k, 3) shortened to at most `longest`; zeros for None."""
     lengths = np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-300)
     return np.asarray(vectors * np.minimum((longest or 0.0) / lengths, 1.0))

@@ -1,4 +1,4 @@
-"""refine: from the best path through samples to the best path that samples cannot hold."""
+"""refine: improve the best path through the samples beyond the sampling grid."""
 
 from dataclasses import dataclass
 from itertools import product
@@ -18,39 +18,39 @@ from manipplan.support.progress import Progress, teller
 if TYPE_CHECKING:
     from manipplan.search.sampler import CandidateSampler
 
-#: Values of each parameter around the path at hand, and how much nearer they lie in the next round.
+#: Number of values per parameter around the current path, and the factor on their spread from round to round.
 AROUND, CLOSER = 5, 0.4
-#: Largest and smallest trust region of the program [rad or m], and how it changes.
+#: Largest and smallest trust region of the program [rad or m], and the factors by which it changes.
 TRUST, LEAST_TRUST = 0.3, 1e-4
 SHRINK, GROW = 0.35, 2.0
-#: Solves of the program at most, and the relative gain in the minimum manipulability that is worth another.
+#: Maximum number of solves of the program, and minimum relative gain in the minimum manipulability for another solve.
 SOLVES, GAIN = 30, 1e-7
-#: Steps stay this much below ε, relative: rounding.
+#: Relative margin of steps and tolerances, for rounding.
 SPARE = 1e-9
-#: The share of the minimum manipulability that is given up for a shorter path: at the maximum itself there is no room to move.
+#: Share of the minimum manipulability that is given up for a shorter path: at the maximum itself the path has no freedom.
 GIVEN = 1e-4
-#: Distances below this are watched [m].
+#: Margin above the clearance below which a distance gets a constraint [m].
 NEAR = 0.05
-#: A pose counts as met within this, in position [m] and rotation [rad].
+#: Tolerance on a pose, in position [m] and rotation [rad].
 MET = 1e-9
-#: A candidate is the one of the layers within this [rad or m]: full turns round.
+#: Tolerance within which a configuration equals a candidate of the layers [rad or m]: full turns cause rounding.
 SAME = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Refinement:
-    """A path through all positions, refined; each figure is of a path that was checked again.
+    """A refined path through all positions; each value belongs to a path that was checked again.
 
     Attributes:
         q: (L, n) configurations [rad or m].
-        manipulability: (L,) index.
+        manipulability: (L,) manipulability.
         discrete: minimum manipulability of the path that was found among the samples.
         resampled: the same, after finer samples around that path.
-        refined: the minimum manipulability of q, never below the other two.
-        bound: least over the positions of the largest index among all samples, raised by ascent from them: an estimate of
-            what no path can exceed; it is certain only for the samples.
+        refined: minimum manipulability of q, at least as large as the other two.
+        bound: smallest over the positions of the largest manipulability among all samples, raised by ascent from them: an
+            estimate of the upper bound on every path; it is certain only for the samples.
         length: Σ ‖Δq‖ of q [rad or m].
-        history: minimum manipulability after each step that was accepted.
+        history: minimum manipulability after each accepted step.
     """
 
     q: Array
@@ -85,15 +85,15 @@ def refine(
 ) -> Refinement:
     """Raise the minimum manipulability of a searched path beyond what its samples allow, within all constraints of the search.
 
-    Finer samples around the path are searched first. Then a nonlinear program over all positions at once raises the least
-    index, and in the end shortens the path, for which it gives up to 1e-4 of the index. A step is accepted only when an
-    independent check of poses, limits, ε and collisions passes: the result is never worse than the path given.
+    Finer samples around the path are searched first. Then a nonlinear program over all positions at once raises the minimum
+    manipulability, and finally shortens the path, for which it gives up at most 1e-4 of that minimum. A step is accepted only
+    when an independent check of poses, limits, ε and collisions passes: the result is never worse than the given path.
 
     Args:
         layers: made by `sample_layers`.
-        found: what `max_min_search` found in them.
-        tolerance: how far the tool may leave each pose, in a box inside this ball; None: not at all.
-        resample: rounds of finer samples.
+        found: result of `max_min_search` in these layers.
+        tolerance: deviation of the tool allowed at each pose, in a box inside this ball; None: no deviation.
+        resample: number of rounds of finer samples.
         progress: called with the share done in [0, 1] and a text.
 
     Raises InvalidInputError for layers without robot and poses, or a search that found no path.
@@ -101,7 +101,7 @@ def refine(
     instance("layers", layers, Layers)
     instance("found", found, SearchResult)
     if layers.sampler is None or layers.poses is None:
-        raise InvalidInputError("layers", "layers of given arrays", "layers of sample_layers, which know their robot and poses")
+        raise InvalidInputError("layers", "layers of given arrays", "layers of sample_layers, which hold their robot and poses")
     if not found.connected or len(found.q) != len(layers.q):
         raise InvalidInputError(
             "found", found.status.name, f"the result of a search through these {len(layers.q)} layers that found a path"
@@ -118,7 +118,7 @@ def refine(
 
 
 class _Refiner:
-    """What the steps of a refinement share."""
+    """State shared by the steps of a refinement."""
 
     def __init__(
         self, layers: Layers, found: SearchResult, sampler: "CandidateSampler", poses: Array, tolerance: Tolerance | None
@@ -157,7 +157,7 @@ class _Refiner:
         return float(self.kinematics.manipulability(q).min())
 
     def _resampled(self, q: Array, width: Array) -> Array:
-        """The best path through samples around `q` (L, n), and through `q` itself."""
+        """The best path through samples around `q` (L, n) and the configurations of `q` itself."""
         values = self.sampler.solver.parameters_of(q, self.poses)
         if values.shape[1] == 0:
             return q
@@ -175,7 +175,7 @@ class _Refiner:
         return self._better(q, found.q) if found.connected else q
 
     def _better(self, q: Array, new: Array) -> Array:
-        """The new path where it is sound and its minimum manipulability is higher, else q."""
+        """The new path if it is valid and has a larger minimum manipulability, else q."""
         if self.least(new) <= self.least(q) or not self.sound(new):
             return q
         self.history.append(self.least(new))
@@ -189,7 +189,7 @@ class _Refiner:
             new, _ = self._solve(q, trust, None)
             new = self._on_poses(new)
             if before < self.least(new) < before + GAIN * abs(before):
-                break  # not worth the way
+                break  # the gain is negligible
             new = self._better(q, new)
             if new is q:
                 trust *= SHRINK
@@ -233,7 +233,7 @@ class _Refiner:
         )
 
     def _near_pairs(self, q: Array, trust: float) -> tuple[Array, Array]:
-        """Gradients (L, ROWS, n) of the distances of the nearest pairs, and how much each may shrink (L, ROWS) [m]."""
+        """Gradients (L, ROWS, n) of the distances of the nearest pairs, and by how much each may shrink (L, ROWS) [m]."""
         from manipplan.search.program import ROWS
 
         slopes, slack = np.zeros((len(q), ROWS, self.robot.n)), np.ones((len(q), ROWS))
@@ -248,13 +248,13 @@ class _Refiner:
         return slopes, slack
 
     def _on_poses(self, q: Array) -> Array:
-        """Each configuration moved onto its pose by the shortest way, where no tolerance is left to it."""
+        """Each configuration projected onto its pose by the smallest correction, unless there is a tolerance."""
         if self.tolerance.any():
             return q
         return self.sampler.solver.onto(q, self.poses)
 
     def sound(self, q: Array) -> bool:
-        """Whether poses, limits, ε and distances are kept; independent of the program."""
+        """Whether poses, limits, ε and clearance hold; independent of the program."""
         if (self.robot.limits.outside(q) > 0).any() or not np.isfinite(q).all():
             return False
         if not within(q, self.found.epsilon, self.layers.continuous, strict=self.found.strict, closed=self.layers.closed):
@@ -265,7 +265,7 @@ class _Refiner:
         return self.model is None or not any(self.model.in_collision(each, clearance=self.clearance) for each in q)
 
     def _bound(self) -> float:
-        """The bound of the samples, raised by ascent at those positions that set it."""
+        """The bound of the samples, raised by ascent at the positions that determine it."""
         from manipplan.search.program import ROWS, LevelProgram
 
         single = LevelProgram(self.kinematics, 1, closed=False)

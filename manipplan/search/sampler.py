@@ -1,4 +1,4 @@
-"""CandidateSampler: the candidates of one position, in this process or another."""
+"""CandidateSampler: the candidates of one position, in this process or another one."""
 
 import pickle
 import threading
@@ -14,14 +14,14 @@ from manipplan.paths.deviation import angles_between
 from manipplan.search.sampling import SamplingSpec
 from manipplan.support.checks import Array
 
-#: Random starts and steps of each that tell how near to a pose an arm comes.
+#: Number of random starts, and of steps per start, for the nearest miss of a pose.
 STARTS, STEPS = 60, 200
-#: A joint this near to a limit is at it [rad or m].
+#: Distance within which a joint counts as being at its limit [rad or m].
 AT_LIMIT = 1e-6
 
 
 class CandidateSampler:
-    """Samples positions for one spec; safe to share between threads, and sent to another process as its spec."""
+    """Samples positions for one spec; thread-safe, and pickled as its spec."""
 
     def __init__(self, spec: SamplingSpec) -> None:
         self.spec = spec
@@ -32,14 +32,14 @@ class CandidateSampler:
         self._screening = Screening.of(self.collision) if self.collision is not None else None
         self._own = threading.local()
         few = robot.random_configuration(np.random.default_rng(0), size=2)
-        self.kinematics.manipulability(few)  # compiled before threads ask for it
+        self.kinematics.manipulability(few)  # compiled before threads use it
         self.solver.kinematics.pose(few)
 
     def __reduce__(self) -> tuple[object, ...]:
         return _sampler_of, (pickle.dumps(self.spec),)
 
     def sample(self, pose: Array, values: Array) -> tuple[Array, Array, int]:
-        """Candidates q (k, n) that reach `pose` for parameters (s, r), their index (k,), and how many were reached at all."""
+        """Candidates q (k, n) that reach `pose` for parameters (s, r), manipulability (k,), and the number before checks."""
         blocks, reached = [np.zeros((0, self.spec.robot.n))], 0
         for begin in range(0, len(values), CHUNK):
             some = values[begin : begin + CHUNK]
@@ -57,7 +57,7 @@ class CandidateSampler:
         return free_rows(self._screening, self._own.model, q, self.spec.clearance)
 
     def nearest_miss(self, pose: Array) -> tuple[float, float, list[str]]:
-        """How far the arm stays from a pose at best, over random starts [m, rad], and which joints are at a limit then."""
+        """Smallest error to a pose over random starts [m, rad], and the joints that are at a limit there."""
         solver, robot = self.solver, self.spec.robot
         rng = np.random.default_rng(0)
         q = robot.random_configuration(rng, size=STARTS)
@@ -91,5 +91,5 @@ class CandidateSampler:
 
 @lru_cache(maxsize=2)
 def _sampler_of(spec: bytes) -> CandidateSampler:
-    """The sampler of a spec, built once in each process."""
+    """The sampler of a spec, built once per process."""
     return CandidateSampler(pickle.loads(spec))

@@ -1,4 +1,4 @@
-"""sample_layers: all configurations that reach each position of a workspace path, judged and filtered."""
+"""sample_layers: the configurations that reach each position of a workspace path, filtered by collision and rated."""
 
 import math
 import os
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SamplingSpec:
-    """The arguments of `sample_layers` that say what a candidate is."""
+    """The arguments of `sample_layers` that define a candidate."""
 
     robot: Robot
     task: Task | None
@@ -41,19 +41,19 @@ class SamplingSpec:
     seed: int
 
     def collision_model(self) -> CollisionModel | None:
-        """What candidates are checked with; None where they are not."""
+        """The model that candidates are checked with; None where they are not checked."""
         return self.scene.collision_model(self.robot) if self.collisions else None
 
 
-#: Samples of each parameter where the caller names no number, for one, two, three, ... parameters.
+#: Default number of samples per parameter, for one, two, three, ... parameters.
 SAMPLES = (720, 96, 36, 16, 9, 6)
-#: The share of the machine's memory that candidates may take.
+#: Share of the machine's memory that candidates may take.
 MEMORY = 0.5
-#: Samples of a few positions tell how many candidates there will be.
+#: Number of positions, and of samples at each, from which the number of candidates is estimated.
 PROBES, PROBE = 3, 2000
-#: What one point of the grid takes while it is made [bytes].
+#: Memory per grid point while the grid is built [bytes].
 GRID = 200
-#: A path returns to its start within this, and a pose is within reach [m, rad].
+#: Tolerances within which a path returns to its start, and a pose is within reach [m, rad].
 RETURNS = 1e-9
 REACHES = (1e-6, 1e-6)
 
@@ -77,30 +77,30 @@ def sample_layers(
     seed: int = 0,
     progress: Progress | None = None,
 ) -> Layers:
-    """All configurations that reach n positions of a path, on a grid of what the arm has to spare.
+    """All configurations that reach n positions of a path, on a grid over the arm's redundant parameters.
 
     Args:
         robot: the arm.
         path: of the tool.
-        n: positions, equally spaced in s; with `closed` the last one is not the first again.
-        task: Task.pose(), the default, or Task.pointing(axis) whose rotation about the axis is sampled, too. Its index is
-            the candidates'.
+        n: number of positions, equally spaced in s; with `closed`, the last one does not repeat the first.
+        task: Task.pose(), the default, or Task.pointing(axis), whose rotation about the axis is sampled as well. The
+            manipulability of candidates is that of this task.
         measure: of manipulability; see `Robot.kinematics`.
-        samples: points of the grid, one number, or one for each parameter of `inverse_kinematics` (held joints, swivel,
-            tool rotation). Their steps have to be below the ε of the search.
+        samples: number of grid points, one number, or one per parameter of `inverse_kinematics` (held joints, swivel,
+            tool rotation). The grid steps have to be below the ε of the search.
         held, method, seed: as in `inverse_kinematics`.
-        scene: obstacles; None: none.
-        collisions: whether candidates that touch an obstacle or the arm itself are dropped.
-        clearance: distance [m] that candidates keep from obstacles and between the arm's own links.
+        scene: obstacles; default None.
+        collisions: whether candidates in collision with an obstacle or with the arm itself are dropped.
+        clearance: minimum distance [m] of candidates to obstacles and between the arm's own links.
         closed: whether the path returns to its start, so that the motion has to as well.
         executor: where positions are sampled: threads of this process by default; processes, or a Dask client's
             `get_executor()`.
-        memory: bytes that candidates may take; default half of the machine's memory.
+        memory: maximum memory of the candidates [bytes]; default: half of the machine's memory.
         progress: called with the share done in [0, 1] and a text.
 
     Raises:
-        InvalidInputError: an argument is not usable; a position that no candidate reaches, with how far off the arm stays;
-            more candidates than memory allows, estimated before the work starts.
+        InvalidInputError: an argument is not usable; no candidate reaches a position (the message gives the remaining
+            error); the candidates would exceed the memory, as estimated before the work starts.
     """
     from manipplan.ik.verify import are_poses
     from manipplan.search.sampler import CandidateSampler
@@ -164,20 +164,20 @@ def sample_layers(
 
 
 def _remedy(sampler: "CandidateSampler", pose: Array, reached: int) -> str:
-    """Why a position has no candidate, and what would help."""
+    """Why a position has no candidate, and the remedy."""
     if reached:
         clearance = sampler.spec.clearance
         fault = f"comes nearer than {clearance:g} m to something" if clearance else "touches an obstacle or the arm itself"
-        return f"a pose with a free configuration; each of the {reached:,} that reach it {fault}"
+        return f"a pose with a collision-free configuration; each of the {reached:,} that reach it {fault}"
     far, angle, stopped = sampler.nearest_miss(pose)
     if far < REACHES[0] and angle < REACHES[1]:
-        return "a pose that some sample reaches: it is within reach, but of no value on the grid; take more samples"
+        return "a pose that some sample reaches: it is within reach, but no value on the grid reaches it; take more samples"
     limits = f", with {' and '.join(stopped)} at the limit" if stopped else ""
     return f"a pose within reach and joint limits; the arm stays {1e3 * far:.4g} mm and {np.rad2deg(angle):.3g}° away{limits}"
 
 
 def _check_grid(sampler: "CandidateSampler", n: int, samples: int | Sequence[int] | None, allowed: float) -> None:
-    """Raises InvalidInputError where the poses, or the grid of parameters itself, would not fit into memory."""
+    """Raises InvalidInputError where the poses or the grid of parameters would not fit into memory."""
     from manipplan.ik.solver import sample_counts
 
     counts = sample_counts(samples, sampler.solver.names, SAMPLES)
@@ -188,7 +188,7 @@ def _check_grid(sampler: "CandidateSampler", n: int, samples: int | Sequence[int
 
 
 def _check_memory(sampler: "CandidateSampler", poses: Array, values: Array, allowed: float) -> None:
-    """Raises InvalidInputError where so many samples would give more candidates than fit into memory."""
+    """Raises InvalidInputError where the samples would give more candidates than fit into memory."""
     rng = np.random.default_rng(0)
     some = values[rng.choice(len(values), min(PROBE, len(values)), replace=False)]
     few = np.unique(np.linspace(0, len(poses) - 1, PROBES).astype(int))
@@ -196,7 +196,7 @@ def _check_memory(sampler: "CandidateSampler", poses: Array, values: Array, allo
     candidates = share * len(values) * len(poses)
     needed = candidates * 8 * (sampler.spec.robot.n + 1)
     if needed > allowed:
-        wanted = f"fewer: some {candidates:.2g} candidates need {needed / 1e9:.2g} GB, and memory allows {allowed / 1e9:.2g} GB"
+        wanted = f"fewer: about {candidates:.2g} candidates need {needed / 1e9:.2g} GB; memory allows {allowed / 1e9:.2g} GB"
         raise InvalidInputError("samples", f"{len(values):,} at each of {len(poses)} positions", wanted)
 
 

@@ -1,4 +1,4 @@
-"""One search: grids, sweeps over open and closed layers, and a count of the work."""
+"""One search: grids, sweeps over open and closed layers, and a work counter."""
 
 import heapq
 import time
@@ -17,20 +17,20 @@ from manipplan.search.sweep import Cells, Closest, Objective, Part, Stage, Threa
 from manipplan.support.checks import Array
 from manipplan.support.progress import Progress
 
-#: Relaxes the cycle for a set of begins: the key of the best path from the set back to the set (smaller is better), and
-#: the first and last candidate of it; None when there is none.
+#: Relaxation of the cycle for a set of first candidates: the key of the best path from the set back to the set (smaller is
+#: better), its first and last candidate, and the path; None when there is none.
 Relax = Callable[[NDArray[np.int64]], tuple[Any, int, int, Any] | None]
 
 
 def best_cycle(q: Array, begins: NDArray[np.int64], relax: Relax) -> Any | None:
     """The best cycle through one of `begins`, candidates of the layer q (k, n); None when there is none. Exact.
 
-    A path that begins and ends somewhere in a set is at least as good as each cycle through a member of the set. So the best
-    such path, if it ends where it begins, is the best cycle of the set; else the set is cut between its two ends. Sets are
-    taken best first, and the first one whose path closes is the answer. Each set takes one sweep: for n begins at most
-    2 n - 1, usually some tens when only the minimum manipulability counts, more for the shortest cycle, whose bound is weaker.
+    The best path that begins and ends anywhere in a set is at least as good as each cycle through a member of the set. If it
+    ends where it begins, it is the best cycle of the set; else the set is split between its two ends. Sets are taken best
+    first, and the first one whose path closes is the optimum. Each set takes one sweep: for n begins at most 2 n - 1 sweeps,
+    typically a few tens for the minimum manipulability alone, more for the shortest cycle, whose bound is weaker.
     """
-    order = count()  # sets of equal keys: the latest first, which is the smallest
+    order = count()  # among sets of equal keys the latest comes first, which is the smallest
     waiting: list[tuple[Any, int, NDArray[np.int64], int, int, Any]] = []
 
     def enter(members: NDArray[np.int64]) -> None:
@@ -50,10 +50,10 @@ def best_cycle(q: Array, begins: NDArray[np.int64], relax: Relax) -> Any | None:
 
 
 def _cut(q: Array, members: NDArray[np.int64], first: int, last: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Two parts of the set, `first` in one and `last` in the other, as equal in size as may be."""
+    """Two parts of the set, as equal in size as possible, with `first` in one and `last` in the other."""
     apart = np.abs(q[last] - q[first])
     j = int(apart.argmax())
-    if apart[j] == 0:  # the same configuration twice
+    if apart[j] == 0:  # two candidates with the same configuration
         below = members <= min(first, last)
         return members[below], members[~below]
     low, high = sorted((float(q[first, j]), float(q[last, j])))
@@ -62,13 +62,13 @@ def _cut(q: Array, members: NDArray[np.int64], first: int, last: int) -> tuple[N
     return members[values <= edge], members[values > edge]
 
 
-#: Called at most so often [s].
+#: Minimum time between progress calls [s].
 RATE = 0.1
-#: Sorted layers of a cycle are kept for the next sweep up to this size [bytes].
+#: Maximum memory of the sorted layers of a cycle that are kept for the next sweep [bytes].
 KEPT = 256e6
-#: Cells for each candidate of a layer, and at least.
+#: Number of cells per candidate of a layer, and minimum number of cells.
 CELLS, FEWEST_CELLS = 2, 64
-#: The least factor of ε is found exactly once it is known up to this ratio.
+#: Ratio of the bounds on the smallest factor of ε at which the bisection stops and the exact search starts.
 CLOSE = 1.25
 
 
@@ -81,7 +81,7 @@ class CandidatePath:
 
 
 class Search:
-    """Searches of one set of layers. Counts its sweeps in `rounds`, and in `nodes` the candidates of the last one."""
+    """Searches of one set of layers. `rounds` counts its sweeps, `nodes` the candidates of the last sweep."""
 
     def __init__(self, layers: Layers, pool: ThreadPool, tell: Progress, *, work: float) -> None:
         self.layers = layers
@@ -89,12 +89,12 @@ class Search:
         self.rounds = 0
         self.nodes = 0
         self.tell = tell
-        self._work = work  # candidates that are passed in the worst case
+        self._work = work  # number of candidates visited in the worst case
         self._passed = 0
         self._told = -np.inf
 
     def best(self, objective: Objective, part: Part, reach: Array, text: str) -> CandidatePath | None:
-        """The path that the objective values most, of the candidates that take part, with steps below `reach` (n,)."""
+        """The best path for the objective through the candidates that take part, with steps below `reach` (n,)."""
         active = [int(np.count_nonzero(m >= part.threshold)) for m in self.layers.m]
         if min(active) == 0:
             return None
@@ -106,7 +106,7 @@ class Search:
         return CandidatePath(indices=trace.indices, value=trace.value) if len(trace.indices) else None
 
     def reached(self, reach: Array) -> int:
-        """The first position that no path from position 0 reaches; L when all are."""
+        """The first position that no path from position 0 reaches; L when all are reached."""
         stages = [Stage(q, np.zeros(len(q))) for q in self.layers.q]
         grid = self._grid(reach, self.layers.count)
         return self._sweep(self._sorted(stages, Part(), grid), grid, Widest(), "gaps").depth
@@ -116,29 +116,29 @@ class Search:
         return float(min(m[i] for m, i in zip(self.layers.m, path.indices, strict=True)))
 
     def least_epsilon(self, epsilon: Array) -> Array:
-        """The least multiple of `epsilon` (n,) that connects the layers, which epsilon itself does not. Exact."""
+        """The smallest multiple of `epsilon` (n,) that connects the layers, where epsilon itself does not. Exact."""
         low, high = 1.0, np.inf
-        alike = Part(cap=min(float(m.min()) for m in self.layers.m))  # any path will do
+        alike = Part(cap=min(float(m.min()) for m in self.layers.m))  # any path is enough
         while high > CLOSE * low:
             factor = 4 * low if np.isinf(high) else np.sqrt(low * high)
-            path = self.best(Widest(), alike, factor * epsilon * (1 + 1e-12), "least epsilon")
+            path = self.best(Widest(), alike, factor * epsilon * (1 + 1e-12), "smallest epsilon")
             if path is None:
                 low = factor
             else:
                 high = float((np.abs(self.steps(path)) / epsilon).max())
                 low = min(low, high)
-        path = self.best(Closest(epsilon=epsilon), Part(), high * epsilon * (1 + 1e-12), "least epsilon")
+        path = self.best(Closest(epsilon=epsilon), Part(), high * epsilon * (1 + 1e-12), "smallest epsilon")
         assert path is not None
-        # a step is a number; the product that stands for it may be rounded below it
+        # the product of factor and epsilon may be rounded below the actual step
         least: Array = np.maximum(-path.value * epsilon, np.abs(self.steps(path)).max(axis=0))
         return least
 
     def steps(self, path: CandidatePath) -> Array:
-        """Steps along the path: (L - 1, n), of a cycle (L, n)."""
+        """Steps along the path: (L - 1, n), or (L, n) for a cycle."""
         return path_steps(self.configurations(path), self.layers.continuous, closed=self.layers.closed)
 
     def configurations(self, path: CandidatePath) -> Array:
-        """Configurations of the path (L, n), as the layers hold them."""
+        """Configurations of the path (L, n), as stored in the layers."""
         return np.array([q[i] for q, i in zip(self.layers.q, path.indices, strict=True)])
 
     def _grid(self, reach: Array, active: float) -> Grid:
@@ -166,7 +166,7 @@ class Search:
 
     def _cycle(self, objective: Objective, part: Part, grid: Grid, text: str, active: list[int]) -> CandidatePath | None:
         layers, count = self.layers, len(self.layers.q)
-        begin = int(np.argmin(active))  # the fewest begins
+        begin = int(np.argmin(active))  # the layer with the fewest first candidates
         turned = [(begin + i) % count for i in range(count)]
         inner = [Stage(layers.q[i], layers.m[i]) for i in turned[1:]]
         begins = np.sort(sort_stage(Stage(layers.q[begin], layers.m[begin]), part, grid).ids).astype(np.int64)
@@ -179,7 +179,7 @@ class Search:
         def relax(members: NDArray[np.int64]) -> tuple[tuple[bytes, float], int, int, CandidatePath] | None:
             q = np.ascontiguousarray(layers.q[begin][members])
             first = sort_stage(Stage(q, layers.m[begin][members]), whole, grid)
-            # it is there twice, and must count once
+            # the layer is passed twice and must count once
             last = sort_stage(Stage(q, np.full(len(members), np.inf)), Part(), grid)
             between = kept if kept is not None else self._sorted(inner, part, grid)
             trace = self._sweep(chain([first], between, [last]), grid, objective, text)

@@ -10,13 +10,13 @@ TAU = 2 * np.pi
 
 
 def steps_between(a: Array, b: Array, continuous: NDArray[np.bool_]) -> Array:
-    """Steps from configurations a to b (..., n), those of joints that turn without end by the shorter way."""
+    """Steps from configurations a to b (..., n); continuous joints take the shorter way."""
     d = b - a
     return np.where(continuous, d - TAU * np.floor(d / TAU + 0.5), d)
 
 
 def path_steps(q: Array, continuous: NDArray[np.bool_], *, closed: bool) -> Array:
-    """Steps along the path q (L, n), of a cycle the one back to its begin included: (L - 1, n) or (L, n)."""
+    """Steps along the path q (L, n), including the closing step of a cycle: (L - 1, n) or (L, n)."""
     following = np.roll(q, -1, axis=0) if closed else q[1:]
     return steps_between(q if closed else q[:-1], following, continuous)
 
@@ -27,7 +27,7 @@ def path_length(q: Array, continuous: NDArray[np.bool_], *, closed: bool) -> flo
 
 
 def without_jumps(q: Array, continuous: NDArray[np.bool_]) -> Array:
-    """The path q (L, n) with joints that turn without end going on from their first value."""
+    """The path q (L, n) with continuous joints unwrapped, starting at their first value."""
     steps = steps_between(q[:-1], q[1:], continuous)
     turned = np.vstack([q[:1], q[0] + np.cumsum(steps, axis=0)])
     return np.where(continuous, turned, q)
@@ -40,12 +40,12 @@ def within(q: Array, epsilon: Array, continuous: NDArray[np.bool_], *, strict: b
 
 
 def full_turns(q: Array, continuous: NDArray[np.bool_]) -> Array:
-    """By how much each joint (n,) ends the cycle q (L, n) further on than it began: full turns of those without end."""
+    """Net rotation of each joint (n,) over the cycle q (L, n) [rad]: full turns of continuous joints, else 0."""
     return np.where(continuous, 2 * np.pi * np.round((q[-1] - q[0]) / (2 * np.pi)), 0.0)
 
 
 def check_epsilon(value: ArrayLike, continuous: NDArray[np.bool_]) -> Array:
-    """`value`, one number or n of them, as read-only (n,): finite, above zero, below π for joints that turn without end."""
+    """`value`, one number or n of them, as read-only (n,): finite, above zero, below π for continuous joints."""
     n = len(continuous)
     array = number_array("epsilon", value)
     if array.shape not in ((), (n,)):
@@ -54,11 +54,11 @@ def check_epsilon(value: ArrayLike, continuous: NDArray[np.bool_]) -> Array:
         raise InvalidInputError("epsilon", value, "finite numbers above zero [rad or m]")
     array = np.broadcast_to(array, (n,)).copy()
     if (array[continuous] >= np.pi).any():
-        raise InvalidInputError("epsilon", value, "below π for joints that turn without end")
+        raise InvalidInputError("epsilon", value, "below π for continuous joints")
     array.flags.writeable = False
     return array
 
 
 def exclusive(epsilon: Array, *, strict: bool) -> Array:
-    """What each step has to be below (n,): with strict=False the next larger number, so that ε itself is allowed."""
+    """Exclusive bound on each step (n,): with strict=False the next larger number, so that ε itself is allowed."""
     return epsilon if strict else np.nextafter(epsilon, np.inf)

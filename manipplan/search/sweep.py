@@ -1,4 +1,4 @@
-"""Sweeps of the dynamic programme over the layers, and what they maximise."""
+"""Sweeps of the dynamic program over the layers, and their objectives."""
 
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -13,23 +13,23 @@ from numpy.typing import NDArray
 from manipplan.search.grid import Grid
 from manipplan.support.checks import Array
 
-#: A layer with fewer candidates is not shared out.
+#: Minimum number of candidates of a layer that threads share.
 SHARED = 8192
-#: A share of a stage is not smaller.
+#: Minimum number of candidates that take part per stage.
 LEAST = 512
-#: Pieces of a layer for each thread: they take unequal time.
+#: Number of pieces of a layer per thread: pieces take unequal time.
 PIECES = 4
 
 
 class Stage(NamedTuple):
-    """Candidates that a sweep passes: q (k, n) [rad or m] and m (k,), contiguous."""
+    """Candidates of one step of a sweep: q (k, n) [rad or m] and m (k,), contiguous."""
 
     q: Array
     m: Array
 
 
 class Cells(NamedTuple):
-    """Candidates of a stage in the order of their cells: numbers, configurations, indices, where each cell begins."""
+    """Candidates of a stage sorted by cell: indices, configurations, manipulability, start of each cell."""
 
     ids: NDArray[np.int32]
     rows: Array
@@ -38,9 +38,9 @@ class Cells(NamedTuple):
 
 
 class Reached(NamedTuple):
-    """What a sweep knows of a stage: values (k,), the largest of each cell, and ranks (k,) with what they rank, or None.
+    """State of a sweep at a stage: values (k,), largest value per cell, and ranks (k,) with the vectors they rank, or None.
 
-    A value is -inf where no path leads. Larger is better; where there are ranks, they come first.
+    A value is -inf where no path leads. Larger is better; ranks, where there are any, are compared before values.
     """
 
     value: Array
@@ -49,16 +49,16 @@ class Reached(NamedTuple):
     vectors: NDArray[np.uint64] | None = None
 
 
-#: Works on cells [first, last) of a stage.
+#: Processes cells [first, last) of a stage.
 Piece = Callable[[int, int], None]
 
 
-#: Runs such a piece on all cells of a stage, which threads share out.
+#: Runs a piece on all cells of a stage, split among threads.
 Share = Callable[[Piece, Cells], None]
 
 
 class Objective(Protocol):
-    """What a sweep maximises: values of the first stage, and the step from one stage to the next."""
+    """Objective that a sweep maximises: values of the first stage, and the step from one stage to the next."""
 
     def first(self, cells: Cells) -> Reached:
         """Values of the first stage."""
@@ -66,7 +66,7 @@ class Objective(Protocol):
     def step(
         self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Callable[[Piece, Cells], None]
     ) -> tuple[Reached, NDArray[np.int32]]:
-        """Values of the next stage, and the place (k,) in the old stage that each comes from, -1 for none."""
+        """Values of the next stage, and the index (k,) of each predecessor in the old stage, -1 for none."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -75,10 +75,10 @@ class Trace:
 
     Attributes:
         indices: candidate of each stage on the best path, (stages,); empty when the last stage is not reached.
-        value: of the best path; -inf when there is none.
-        vector: what ranks it, (stages,) ascending codes, or None.
+        value: value of the best path; -inf when there is none.
+        vector: the vector that ranks the best path, (stages,) ascending codes, or None.
         depth: number of stages that were reached.
-        nodes: candidates that took part.
+        nodes: number of candidates that took part.
     """
 
     indices: NDArray[np.int64]
@@ -89,7 +89,7 @@ class Trace:
 
 
 class ThreadPool:
-    """Threads that share the work; one thread means none besides the caller."""
+    """Threads that share the work; with one thread, the caller does it."""
 
     def __init__(self, threads: int) -> None:
         self.threads = threads
@@ -114,7 +114,7 @@ class ThreadPool:
             done.result()
 
     def ahead(self, work: Callable[[Any], Cells], items: Sequence[Any]) -> Iterator[Cells]:
-        """Results of `work` in order, begun a few items ahead."""
+        """Results of `work` in order, computed a few items ahead."""
         if self._pool is None:
             yield from map(work, items)
             return
@@ -134,9 +134,9 @@ class ThreadPool:
 
 @dataclass(frozen=True, kw_only=True)
 class Part:
-    """Who takes part in a sweep: candidates with m >= threshold, or a `share` of them; m counts up to `cap`.
+    """The candidates that take part in a sweep: those with m >= threshold, or a `share` of them; m is limited to `cap`.
 
-    Of each stage at least LEAST take part, whatever the share is.
+    At least LEAST candidates of each stage take part, whatever the share is.
     """
 
     threshold: float = -np.inf
@@ -145,11 +145,11 @@ class Part:
 
 
 def sort_stage(stage: Stage, part: Part, grid: Grid) -> Cells:
-    """The candidates of a stage that take part, by cells."""
+    """The candidates of a stage that take part, sorted by cell."""
     from manipplan.search.kernels import sort_into_cells
 
     q, m = stage.q.view(), stage.m.view()
-    q.flags.writeable = m.flags.writeable = False  # one type for the compiler, whatever the caller's arrays are
+    q.flags.writeable = m.flags.writeable = False  # the kernel compiles for one array type only
     share = min(1.0, max(part.share, LEAST / len(m)))
     return Cells(
         *sort_into_cells(
@@ -231,7 +231,7 @@ class Widest:
 
 @dataclass(frozen=True, kw_only=True)
 class Shortest:
-    """Minus the length Σ ‖Δq‖ of a path."""
+    """The negative length Σ ‖Δq‖ of a path."""
 
     def first(self, cells: Cells) -> Reached:
         return _reached(cells, np.zeros(len(cells.ids)))
@@ -243,10 +243,10 @@ class Shortest:
 
 @dataclass(frozen=True, kw_only=True)
 class Lexicographic:
-    """The indices of a path in ascending order, compared as words are; of equal ones the shorter path.
+    """The manipulability values of a path in ascending order, compared lexicographically; on ties the shorter path.
 
-    An index that is added to two such vectors leaves their order as it is, so the best path to a candidate begins with the
-    best path to one of its neighbours. Vectors are kept as whole numbers that are ordered as the indices are.
+    Adding one value to two such vectors does not change their order, so the best path to a candidate extends the best path
+    to one of its neighbours. Vectors are stored as integers in the order of the values.
     """
 
     def first(self, cells: Cells) -> Reached:
@@ -264,7 +264,7 @@ class Lexicographic:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Closest:
-    """Minus the factor by which `epsilon` (n,) has to be multiplied so that a path is continuous."""
+    """The negative factor by which `epsilon` (n,) has to be multiplied so that a path is continuous."""
 
     epsilon: Array
 
@@ -316,17 +316,17 @@ def _shortest(
 
 
 def _codes(m: Array) -> NDArray[np.uint64]:
-    """Whole numbers (k,) in the order of the indices; equal ones, 0 and -0 too, get equal numbers."""
+    """Integers (k,) in the order of the values m; equal values, also 0 and -0, get equal integers."""
     bits = (m + 0.0).view(np.uint64)
     sign = np.uint64(1 << 63)
     return np.where(bits & sign, ~bits, bits | sign)
 
 
 def _ranks(vectors: NDArray[np.uint64], value: Array) -> NDArray[np.int64]:
-    """Ranks (k,) of vectors (k, i), equal for equal ones; of those that are not reached -1."""
+    """Ranks (k,) of vectors (k, i), equal for equal vectors; -1 for candidates that are not reached."""
     rank = np.full(len(value), -1, dtype=np.int64)
     found = np.flatnonzero(value > -np.inf)
-    # big-endian bytes compare as the numbers do, and one comparison of bytes is far quicker than i sorts of columns
+    # big-endian bytes compare as the integers do, and one byte-wise sort is far faster than i sorts of columns
     words = np.ascontiguousarray(vectors[found].astype(">u8")).view(f"S{8 * vectors.shape[1]}")[:, 0]
     rank[found] = np.unique(words, return_inverse=True)[1]
     return rank

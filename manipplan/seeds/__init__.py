@@ -1,5 +1,5 @@
-"""First paths that are free of collision.
+"""Collision-free seed paths.
 
-In: a robot, a scene, start and goal. Out: a joint path by one of OMPL's planners.
-A seed is proven free before it is returned.
+In: a robot, a scene, start and goal. Out: a joint path found by one of OMPL's planners.
+A seed is proven free, or checked at every milliradian, before it is returned.
 """

@@ -1,7 +1,7 @@
 """Aspects: the parts into which singularities divide the configurations of an arm with as many joints as task rows.
 
 Within an aspect det J keeps its sign [borrel1986], so a path on which it changes crosses a singularity, where g is infinite for
-powers of 1 and more. The sign is necessary and cheap; two aspects may share it.
+powers of at least 1. The sign is a cheap necessary condition; two aspects can have the same sign.
 """
 
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
 
-#: No joint moves more than this between two looks at the sign along a path [rad or m].
+#: Maximum joint motion between two checks of the sign along a path [rad or m].
 STEP = 5e-3
 
 
@@ -25,18 +25,18 @@ class Aspect:
 
     @classmethod
     def shared(cls, kinematics: Kinematics, start: Array, goal: Array) -> "Aspect | None":
-        """That of start and goal; None where they have none in common, or the Jacobian is not square."""
+        """The aspect of start and goal; None if their signs differ or are zero, or if the Jacobian is not square."""
         if kinematics.task.rows != kinematics.robot.n:
             return None
         signs = _signs(kinematics, np.stack([start, goal]))
         return cls(kinematics=kinematics, sign=float(signs[0])) if signs[0] == signs[1] != 0 else None
 
     def has(self, q: Array) -> bool:
-        """Whether det J has the sign at all configurations q (n,) or (k, n)."""
+        """Whether det J has this sign at all configurations q (n,) or (k, n)."""
         return bool((_signs(self.kinematics, np.atleast_2d(q)) == self.sign).all())
 
     def holds(self, path: JointPath) -> bool:
-        """Whether it has on a whole path, looked at every `STEP`."""
+        """Whether det J has this sign on a whole path, checked every `STEP`."""
         return self.has(path(path.fine_samples(STEP)))
 
 

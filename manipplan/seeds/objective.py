@@ -5,10 +5,10 @@ import numpy as np
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.support.checks import Array
 
-#: A motion is integrated in panels no longer than this [rad or m], by so many Gauss points each.
+#: Maximum length of the panels in which a motion is integrated [rad or m], and number of Gauss points per panel.
 PANEL = 0.2
 POINTS = 5
-#: An index below this counts as this much: a motion through a singularity is dear, but its cost stays a number.
+#: Lower bound on the manipulability in the cost: a motion through a singularity is expensive, but its cost is finite.
 LEAST = 1e-12
 
 
@@ -25,15 +25,15 @@ def motion_cost(kinematics: Kinematics, power: float, first: Array, second: Arra
 def index_objective(information: object, kinematics: Kinematics, power: float) -> object:
     """An OptimizationObjective of OMPL whose cost of a motion is `motion_cost`.
 
-    It offers no lower bound of the cost to the goal, for which OMPL then takes zero: the greatest index of an arm is not known,
-    and a planner that trusts a wrong bound throws away what it looks for.
+    It has no lower bound on the cost to the goal, so OMPL uses zero: the maximum manipulability of an arm is not known, and a
+    planner that relies on a wrong bound discards the best paths.
     """
     from ompl import base
 
     n = kinematics.robot.n
 
     class IndexObjective(base.OptimizationObjective):  # type: ignore[misc]  # ompl has no stubs
-        """A subclass of StateCostIntegralObjective would never be called: the bindings override nothing of it."""
+        """Not a subclass of StateCostIntegralObjective, whose overridden methods the bindings never call."""
 
         def stateCost(self, state: object) -> object:  # noqa: N802  # OMPL's name
             index = float(kinematics.manipulability(_configuration(state, n)))

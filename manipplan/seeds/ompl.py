@@ -1,7 +1,7 @@
-"""Seed paths among obstacles by OMPL: found, simplified, rounded, and proven to be free.
+"""Seed paths among obstacles: found by OMPL, simplified, rounded, and proven collision-free.
 
-OMPL is used for feasibility: its own check of a motion is coarse, so what it returns is only believed after the whole curve
-was proven free, or, where it comes too near to something for that, checked at every milliradian.
+OMPL only searches: its own motion check is coarse, so its path is accepted only after the whole curve is proven
+collision-free or, where it comes too close to contact for a proof, checked at every milliradian.
 """
 
 import logging
@@ -30,22 +30,22 @@ from manipplan.symbolic.task import Task
 
 log = logging.getLogger("manipplan")
 
-#: They stop at the first path they find. PRM and PRM* are not among them: they look for paths in a thread of their own, which
-#: waits for Python's lock while the search waits for it; and no two runs would be alike.
+#: Planners that stop at the first path. PRM and PRM* are excluded: they search in a thread of their own, which waits for
+#: Python's lock while the search waits for that thread, and their runs are not repeatable.
 FEASIBLE = ("RRTConnect", "RRT", "KPIECE1", "BKPIECE1", "LBKPIECE1")
-#: They go on to lower the cost until `checks` or `time_limit` is used up.
+#: Planners that continue to lower the cost until `checks` or `time_limit` is used up.
 OPTIMISING = ("RRTstar", "InformedRRTstar", "SORRTstar", "BITstar")
 PLANNERS = FEASIBLE + OPTIMISING
 OBJECTIVES = ("length", "index")
-#: Simplifying and rounding a found path may take this much longer than the time limit [s].
+#: Maximum time beyond the time limit for simplifying and rounding a path [s].
 GRACE = 0.3
-#: No joint moves more than this between two checks of a finished path [rad or m].
+#: Maximum joint motion between two checks of a finished path [rad or m].
 CHECK_STEP = 1e-3
-#: With an end nearer to something than this beyond the clearance [m] no proof is tried: its own tolerances take as much.
+#: Minimum distance of the ends beyond the clearance for a proof [m]; the proof's own tolerances take as much.
 PROVABLE = 1e-4
-#: OMPL's own motion checks and what they ask for beyond the clearance, tried in turn until a path is proven [rad or m, m].
+#: Steps of OMPL's motion checks [rad or m] and their margins beyond the clearance [m], tried in turn until a path is proven.
 MOTION_STEPS = ((0.02, 0.0), (0.008, 0.002), (0.003, 0.005))
-#: OMPL's random numbers come from one seed a process, so that searches of several threads would not repeat.
+#: OMPL has one random seed per process, so searches in several threads would not be repeatable.
 _ONE_AT_A_TIME = threading.Lock()
 
 
@@ -65,32 +65,32 @@ def seed_path(
     clearance: float = 0.0,
     time_limit: float = 10.0,
 ) -> JointPath:
-    """Find a collision-free path: the straight line where that is free, else one by OMPL, simplified and rounded.
+    """Find a collision-free path: the straight line if that is free, else a path from OMPL, simplified and rounded.
 
     Args:
         robot: the arm.
         start, goal: (n,) [rad or m].
-        scene: obstacles; None: the arm is only checked against itself.
+        scene: obstacles; None: only self-collision is checked.
         planner: one of PLANNERS.
-        seed: the same seed gives the same path, on any machine, unless `time_limit` is what ends the search.
-        objective: what the optimising planners (RRTstar, InformedRRTstar, SORRTstar, BITstar) lower: "length", or "index",
-            which is g = ∫ ‖q'‖ / m^power ds as in `optimize_path`. With "index" the straight line is returned only when no
-            lower g was found, and the path is made simpler only where that lowers g.
-        task, power: of the index and g with objective "index"; default task: `robot.default_task`.
-        same_aspect: only take a path on which det J keeps its sign, so that it crosses no singularity of `task`. For arms with
-            as many joints as the task has rows, and between configurations of the same sign.
-        checks: the optimising planners end after so many checked configurations, of about 60 µs each.
-        clearance: distance [m] to keep from every obstacle and between the arm's own links.
-        time_limit: for everything [s].
+        seed: the same seed gives the same path, on any machine, unless `time_limit` ends the search.
+        objective: the cost of the optimising planners (RRTstar, InformedRRTstar, SORRTstar, BITstar): "length", or "index",
+            which is g = ∫ ‖q'‖ / m^power ds as in `optimize_path`. With "index" the straight line is returned only if no
+            lower g is found, and the path is simplified only where that does not raise g.
+        task, power: task of m and exponent in g, for objective "index"; default task: `robot.default_task`.
+        same_aspect: only accept a path on which det J keeps its sign, so that it crosses no singularity of `task`. Requires an
+            arm with as many joints as the task has rows, and the same sign at start and goal.
+        checks: maximum number of configurations that an optimising planner checks, about 60 µs each.
+        clearance: minimum distance [m] to every obstacle and between the arm's own links.
+        time_limit: limit on the total time [s].
 
     Returns:
-        A JointPath that is proven free on the whole curve. Where no such path was found, for instance because the start nearly
-        touches something, one that is free at every milliradian. `scene.path_clearance` tells which.
+        A JointPath that is proven collision-free on the whole curve. If no such path is found, for instance because the start
+        nearly touches something, one that is free at every milliradian. `scene.path_clearance` tells which.
 
     Raises:
         InvalidInputError: start or goal has a wrong length, is outside the limits, or in collision; objective "index" with a
-            planner that does not optimise; `same_aspect` where det J does not have one sign at start and goal.
-        PlanningError: no free path was found in time, or with so many checks.
+            planner that does not optimise; `same_aspect` if det J does not have the same sign at start and goal.
+        PlanningError: no collision-free path was found within `time_limit` or `checks`.
     """
     if planner not in PLANNERS:
         raise UnknownNameError("planner", str(planner), PLANNERS)
@@ -149,14 +149,14 @@ def seed_path(
     if line_is_free:
         return line
     if checked is not None:
-        log.info("no path was proven free in time: this one is free at every milliradian")
+        log.info("no path was proven collision-free in time; this one is free at every milliradian")
         return checked
     spent, remedy = f"in {time_limit:g} s", "allow more time (time_limit)"
     if time.monotonic() < search.deadline and search.checks is not None:
         spent, remedy = f"with {checks} checks", "allow more of them (checks)"
     raise PlanningError(
         f"no path from start to goal was found by {planner} {spent}; "
-        f"{remedy}, less clearance, or check that the goal can be reached"
+        f"{remedy}, reduce the clearance, or check that the goal can be reached"
     )
 
 
@@ -166,7 +166,7 @@ def _finished(
     proven: Callable[[JointPath], bool],
     cost: Callable[[JointPath], float],
 ) -> JointPath | None:
-    """The path through waypoints, made simpler and rounded where that is accepted and costs no more; None when not `proven`."""
+    """The path through waypoints, simplified and rounded where that is accepted and costs no more; None if not `proven`."""
     simple = _shortened(waypoints, accept, cost)
     sharp = JointPath.through(simple)
     if not proven(sharp):
@@ -176,16 +176,16 @@ def _finished(
 
 
 def _acceptance(model: CollisionModel, ends: tuple[Array, Array], clearance: float) -> Callable[[JointPath], bool]:
-    """What a seed has to be: proven free; free at every milliradian where an end is so near to something that none can be."""
+    """The acceptance test of a seed: proven free, or free at every milliradian if an end is too near contact for a proof."""
     for q in ends:
         if model.distances(q).min(initial=np.inf) <= clearance + PROVABLE:
-            log.info("start or goal is too near to something for a proof: the seed is checked at every milliradian")
+            log.info("start or goal is too close to contact for a proof; the seed is checked at every milliradian")
             return lambda path: _is_free(model, path, clearance)
     return lambda path: path_clearance(model, path, clearance=clearance, tolerance=None).proven
 
 
 def _is_free(model: CollisionModel, path: JointPath, clearance: float) -> bool:
-    """Whether the path is free at every milliradian, and was not met touching something in between."""
+    """Whether the path is free at every milliradian, and the proof found no contact in between."""
     return (
         model.path_is_free(path, CHECK_STEP, clearance)
         and not path_clearance(model, path, clearance=clearance, tolerance=None).refuted
@@ -193,20 +193,20 @@ def _is_free(model: CollisionModel, path: JointPath, clearance: float) -> bool:
 
 
 def check_apart(start: Array, goal: Array) -> None:
-    """Raise InvalidInputError when there is no way to go between start and goal."""
+    """Raise InvalidInputError if start and goal coincide."""
     if np.abs(goal - start).max() < SHORTEST:
         raise InvalidInputError("goal", goal.tolist(), f"a configuration that differs from start by {SHORTEST:g} or more")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Search:
-    """What OMPL is asked.
+    """A search with OMPL.
 
     Attributes:
-        kinematics: whose index counts; None: length counts.
-        aspect: that is not to be left; None: free.
-        checks: of configurations, after which an optimising planner ends; None: the first path ends the search.
-        deadline: of the search, by time.monotonic() [s].
+        kinematics: provides the manipulability in the cost; None: the cost is the length.
+        aspect: the aspect to stay in; None: any.
+        checks: maximum number of checks of an optimising planner; None: the first path ends the search.
+        deadline: of the search, in time.monotonic() [s].
     """
 
     model: CollisionModel
@@ -222,11 +222,11 @@ class _Search:
     deadline: float
 
     def cost(self, path: JointPath) -> float:
-        """What the search lowers, of a path of any form."""
+        """The cost that the search lowers, for any path."""
         return path.length if self.kinematics is None else path_cost(path, self.kinematics, self.power).g
 
     def in_time(self, accept: Callable[[JointPath], bool]) -> Callable[[JointPath], bool]:
-        """The same but for paths that come too late: these are refused."""
+        """The same test, but paths that come too late are rejected."""
         return lambda path: time.monotonic() < self.deadline + GRACE and accept(path)
 
     def run(self, step: float, margin: float) -> Array | None:
@@ -246,7 +246,7 @@ class _Search:
         space = base.RealVectorStateSpace(n)
         bounds = base.RealVectorBounds(n)
         limits = self.model.robot.limits
-        # a continuous joint is searched within a turn around start and goal
+        # a continuous joint is searched up to half a turn beyond start and goal
         low = np.where(np.isfinite(limits.lower), limits.lower, np.minimum(self.start, self.goal) - np.pi)
         high = np.where(np.isfinite(limits.upper), limits.upper, np.maximum(self.start, self.goal) + np.pi)
         for joint in range(n):
@@ -261,7 +261,7 @@ class _Search:
             nonlocal done
             done += 1
             q = np.array(state[0:n])
-            # past the deadline nothing is valid: a motion of many checks ends at once
+            # past the deadline nothing is valid, so that a motion with many checks ends at once
             if time.monotonic() >= late or self.model.in_collision(q, clearance=clearance):
                 return False
             return self.aspect is None or self.aspect.has(q)
@@ -302,7 +302,7 @@ def _state(space: object, q: Array) -> object:
 
 
 def _shortened(waypoints: Array, accept: Callable[[JointPath], bool], cost: Callable[[JointPath], float]) -> Array:
-    """The waypoints without those that an accepted straight motion, which costs no more, can skip."""
+    """The waypoints without those that an accepted straight motion of no higher cost can skip."""
     points = list(waypoints)
     k = 0
     while k + 2 < len(points):

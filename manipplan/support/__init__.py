@@ -1,5 +1,5 @@
-"""What every room needs and no room owns: errors, checks of arguments, status, files, caches, compiling.
+"""What all packages share: errors, checks of arguments, status, files, caches, compiling.
 
-Checks take what a caller gave under the argument's name and return it in one form, or raise one of the errors here.
-Nothing in this room knows of robots.
+A check takes a caller's value and the argument's name and returns the value in one form, or raises one of the errors here.
+Nothing in this package depends on robots.
 """

@@ -1,4 +1,4 @@
-"""The user's cache folder, and which files in it may be loaded: machine code of another user would run as this user."""
+"""The user's cache folder, and which files in it are safe to load: another user's machine code would run as this user."""
 
 import errno
 import os
@@ -13,10 +13,10 @@ def cache_folder() -> Path:
 
 
 def private_folder() -> Path:
-    """The folder for this user's machine code, made if it does not exist.
+    """The folder for this user's machine code, created if it does not exist.
 
-    That is the cache folder, or a folder of this user inside it where others can write to the cache folder, too. Raises
-    OSError when it cannot be made, or when others can write to that one as well.
+    This is the cache folder or, where others can write to that one, a folder of this user inside it. Raises OSError when
+    the folder cannot be created, or when others can write to it as well.
     """
     folder = cache_folder()
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -30,7 +30,7 @@ def private_folder() -> Path:
 
 
 def is_private(path: Path) -> bool:
-    """Whether only this user or root can have written to `path`; Windows' permissions are not looked at."""
+    """Whether only this user or root can have written to `path`; Windows permissions are not checked."""
     if os.name != "posix":
         return True
     status = path.stat()

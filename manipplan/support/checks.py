@@ -11,9 +11,9 @@ from manipplan.support.errors import FileFormatError, InvalidInputError
 Array = NDArray[np.float64]
 T = TypeVar("T")
 
-#: How far a rotation matrix may be from one.
+#: Tolerance on the entries of RᵀR - I for a rotation matrix R, and on the last row of a pose.
 ROTATION = 1e-6
-#: The largest seed of random numbers, which OMPL counts in 32 bits.
+#: Largest random seed; OMPL stores it in 32 bits.
 LARGEST_SEED = 2**31 - 1
 
 
@@ -87,12 +87,12 @@ def whole_number(argument: str, value: Any, *, least: int, most: int | None = No
 
 
 def random_seed(argument: str, value: Any) -> int:
-    """`value` as a seed of random numbers: a whole number from 0 to `LARGEST_SEED`."""
+    """`value` as a random seed: a whole number from 0 to `LARGEST_SEED`."""
     return whole_number(argument, value, least=0, most=LARGEST_SEED)
 
 
 def instance(argument: str, value: Any, kind: type[T]) -> T:
-    """`value`, which has to be a `kind`."""
+    """`value`, checked to be a `kind`."""
     if not isinstance(value, kind):
         raise InvalidInputError(argument, value, f"a {kind.__name__}")
     return value
@@ -111,7 +111,7 @@ def distinct_names(argument: str, value: Any, n: int) -> tuple[str, ...]:
 
 
 def existing_file(argument: str, path: str | Path) -> Path:
-    """`path` as an existing file; when it does not exist, names the files beside it that come nearest."""
+    """`path` as an existing file; the error for a missing one lists similar names in the same folder."""
     if not isinstance(path, str | Path):
         raise InvalidInputError(argument, path, "the path of a file")
     path = Path(path).expanduser()
@@ -132,7 +132,7 @@ def existing_file(argument: str, path: str | Path) -> Path:
 
 
 def number_array(argument: str, value: ArrayLike) -> Array:
-    """`value` as a new float array; anything that is not numbers is an error."""
+    """`value` as a new float array; raises InvalidInputError for anything but real numbers."""
     try:
         raw = np.asarray(value)
         if raw.dtype.kind not in "iuf":

@@ -1,9 +1,8 @@
-"""Source code to a shared library by the machine's own compiler, kept in the user's cache folder.
+"""Compile source code to a shared library with the machine's own compiler and keep it in the user's cache folder.
 
-A library is named by a hash of all that it is made of: source, compiler, options and, where it is built for this processor
-alone, the processor. It is built in a temporary folder and renamed, so several processes may build at once. It is built again
-when the checksum beside it does not fit, when another user can have written it, or when it cannot be loaded. The folder may
-be deleted at any time.
+The name of a library is a hash of its source, compiler, options and, if it is built only for this processor, the processor.
+It is built in a temporary folder and renamed, so several processes may build at once. It is rebuilt when its checksum file
+does not match, when another user can have written it, or when it cannot be loaded. The folder may be deleted at any time.
 """
 
 import hashlib
@@ -31,19 +30,19 @@ from manipplan.support.untrusted import terminal_text
 log = logging.getLogger("manipplan")
 Loaded = TypeVar("Loaded")
 
-#: For functions that only this machine runs. Products and sums are not fused, as in CasADi's virtual machine.
+#: Options for functions that only this machine runs. Products and sums are not fused, as in CasADi's virtual machine.
 NATIVE = ("-O2", "-fno-fast-math", "-ffp-contract=off", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 
 #: Time limit of `--version` [s]: a compiler answers within milliseconds, one on a network drive within a second.
 VERSION_LIMIT = 10.0
 
-#: Time limit of one build [s]: the longest one, of Pinocchio's headers, takes two minutes, on a small computer ten.
+#: Time limit of one build [s]: the longest build, of Pinocchio's headers, takes two minutes, or ten on a small computer.
 BUILD_LIMIT = 1200.0
 
 
 @dataclass(frozen=True, kw_only=True)
 class Compiler:
-    """A C or C++ compiler: the command that calls it and the first line of what it says about its version."""
+    """A C or C++ compiler: the command that calls it and the first line of its `--version` output."""
 
     command: tuple[str, ...]
     version: str
@@ -51,9 +50,9 @@ class Compiler:
 
 @cache
 def find_compiler(language: str = "c") -> Compiler | None:
-    """The compiler that $CC or $CXX names, with options, otherwise the first of the usual ones on the PATH; None without.
+    """The compiler that $CC or $CXX names, with options, otherwise the first usual one on the PATH; None if there is none.
 
-    An empty $CC or $CXX means none.
+    An empty $CC or $CXX means no compiler.
     """
     variable, usual = {"c": ("CC", ("cc", "gcc", "clang")), "c++": ("CXX", ("c++", "g++", "clang++"))}[language]
     try:
@@ -79,7 +78,7 @@ def find_compiler(language: str = "c") -> Compiler | None:
 
 
 def _version(command: Sequence[str]) -> str:
-    """The first line of what a compiler says about itself; raises CompilerError for what does not run."""
+    """The first line of a compiler's `--version` output; raises CompilerError when it does not run."""
     question = [*command, "--version"]
     try:
         answer = run(question, limit=VERSION_LIMIT)
@@ -93,7 +92,7 @@ def _version(command: Sequence[str]) -> str:
 
 
 def install_line(language: str = "c") -> str:
-    """How to get a compiler on systems with apt, and on macOS."""
+    """The command that installs a compiler, on systems with apt and on macOS."""
     package = "gcc" if language == "c" else "g++"
     return "xcode-select --install" if platform.system() == "Darwin" else f"apt install {package}"
 
@@ -107,18 +106,18 @@ def load_library(
     subject: str,
     announce: bool = False,
 ) -> Loaded:
-    """What `load` makes of the library of `source`, from the cache or built now.
+    """Build the library of `source`, or find it in the cache, and return what `load` returns for it.
 
     Args:
         source: one file of C or C++.
         load: takes the library's file; raises OSError, RuntimeError or AttributeError when it is unusable.
-        flags: options of the compiler, libraries included.
+        flags: compiler options, including libraries.
         language: "c" or "c++".
         subject: what is built, for messages.
-        announce: show a line of progress on stderr while it is built.
+        announce: show a progress line on stderr during the build.
 
     Raises:
-        CompilerError: there is no compiler, it fails or hangs, or what it has built cannot be loaded; its message is kept.
+        CompilerError: there is no compiler, it fails or hangs, or its library cannot be loaded; the error holds its message.
     """
     compiler = find_compiler(language)
     if compiler is None:
@@ -135,7 +134,7 @@ def load_library(
         try:
             return load(file)
         except _UNLOADABLE as error:
-            log.debug("%s cannot be loaded and is built again: %s", file, error)
+            log.debug("%s cannot be loaded and is rebuilt: %s", file, error)
     with _announced(subject) if announce else nullcontext():
         _build(file, source, compiler, flags, language, subject)
     try:
@@ -144,7 +143,7 @@ def load_library(
         raise _give_up(compiler, folder, subject, f"{file} cannot be loaded: {error}") from error
 
 
-#: What loading a library raises: ctypes without the file or a function in it, and CasADi.
+#: What ctypes raises when the file or a function in it is missing, and what CasADi raises.
 _UNLOADABLE = (OSError, RuntimeError, AttributeError)
 
 
@@ -157,7 +156,7 @@ def _why_none(language: str) -> str:
 
 @cache
 def _given_up(_compiler: Compiler, _folder: Path) -> list[CompilerError]:
-    """Why this process builds nothing more with this compiler in this folder: each further try would fail as slowly."""
+    """Errors after which this process does not use this compiler and folder again: each attempt would fail as slowly."""
     return []
 
 
@@ -173,7 +172,7 @@ def _build(file: Path, source: str, compiler: Compiler, flags: Sequence[str], la
         log.debug("compiling %s", subject)
         options = [flag for flag in flags if not (flag.startswith(("-l", "-L", "-Wl,")) or flag.endswith(".a"))]
         libraries = [flag for flag in flags if flag not in options]
-        named = ["-x", language, str(code), "-x", "none"]  # a C++ compiler takes C for C, too
+        named = ["-x", language, str(code), "-x", "none"]  # so that a C++ compiler also treats C as C
         command = [*compiler.command, *options, "-shared", "-fPIC", *named, "-o", str(library), *libraries]
         with _cache_errors(file.parent, subject):
             code.write_text(source, encoding="utf-8")
@@ -187,11 +186,11 @@ def _build(file: Path, source: str, compiler: Compiler, flags: Sequence[str], la
         if answer.returncode != 0 or not library.is_file():
             raise CompilerError(subject, f"{shlex.join(command)}\n{answer.stderr.strip()}")
         checksum = place / "checksum"
-        # Each rename is one step. Between the two, and after two builds that crossed, the checksum does not fit, and the
-        # next one who asks builds again.
+        # Each rename is atomic. Between the two, and after two concurrent builds, the checksum may not match; then the next
+        # caller rebuilds.
         with _cache_errors(file.parent, subject):
             checksum.write_text(_digest(library))
-            library.chmod(0o755)  # whatever the umask: what a group can write is not loaded
+            library.chmod(0o755)  # whatever the umask: a file that a group can write is not loaded
             checksum.chmod(0o644)
             library.replace(file)
             checksum.replace(file.with_suffix(".sha256"))
@@ -199,7 +198,7 @@ def _build(file: Path, source: str, compiler: Compiler, flags: Sequence[str], la
 
 @contextmanager
 def _cache_errors(folder: Path, subject: str) -> Iterator[None]:
-    """What the file system refuses, as a CompilerError."""
+    """Raise errors of the file system as CompilerError."""
     try:
         yield
     except OSError as error:
@@ -208,7 +207,7 @@ def _cache_errors(folder: Path, subject: str) -> Iterator[None]:
 
 @contextmanager
 def _place_to_build(folder: Path, subject: str) -> Iterator[Path]:
-    """A temporary folder inside the cache folder; removes those that killed builds left there more than a day ago."""
+    """A temporary folder inside the cache folder; removes folders that killed builds left more than a day ago."""
     with _cache_errors(folder, subject):
         for left in folder.glob("building-*"):
             with suppress(FileNotFoundError):  # another process may have removed it
@@ -231,7 +230,7 @@ def _announced(subject: str) -> Iterator[None]:
 
 
 def _sound(file: Path) -> bool:
-    """Whether a library is there, whole, and written by nobody else."""
+    """Whether a library exists, is complete, and cannot have been written by another user."""
     checksum = file.with_suffix(".sha256")
     try:
         if file.is_symlink() or not (is_private(file) and is_private(checksum)):
@@ -242,13 +241,13 @@ def _sound(file: Path) -> bool:
 
 
 def _digest(file: Path) -> str:
-    """Of the library and of its name, so that no library passes for another."""
+    """Hash of a library and its name, so that no library is mistaken for another."""
     return hashlib.sha256(file.name.encode() + file.read_bytes()).hexdigest()
 
 
 @cache
 def _processor() -> str:
-    """What -march=native depends on."""
+    """The processor's description, on which -march=native depends."""
     listing = Path("/proc/cpuinfo")
     if not listing.is_file():
         return f"{platform.machine()} {platform.processor()}"

@@ -1,7 +1,7 @@
-"""Every error that manipplan raises on purpose. One root, children that carry what went wrong.
+"""Every error that manipplan raises on purpose: one root, and children that carry the details.
 
-A wrong argument raises at once (`InvalidInputError` and its children), before any work starts. Mathematics that did not
-work out raises `PlanningError`, which holds the result and its status; ``throw=False`` returns that result instead.
+An invalid argument raises at once (`InvalidInputError` and its children), before any work starts. A computation without a
+solution raises `PlanningError`, which holds the result and its status; ``throw=False`` returns that result instead.
 """
 
 import difflib
@@ -15,7 +15,7 @@ class ManipplanError(Exception):
 
 
 class InvalidInputError(ManipplanError, ValueError):
-    """An argument is not usable: names the argument, its value and what is allowed."""
+    """An argument is invalid; the message names the argument, its value and what is allowed."""
 
     def __init__(self, argument: str, value: object, allowed: str) -> None:
         self.argument = argument
@@ -48,11 +48,11 @@ class FileFormatError(InvalidInputError):
 
 
 class UnsupportedJointError(InvalidInputError):
-    """A joint of a kind that a serial chain of revolute and prismatic joints cannot hold."""
+    """A joint of a kind that a serial chain of revolute and prismatic joints cannot contain."""
 
 
 class MissingExtraError(ManipplanError, ImportError):
-    """An optional package is not installed; the message is the line that installs it."""
+    """An optional package is not installed; the message holds the command that installs it."""
 
     def __init__(self, package: str, extra: str) -> None:
         self.package = package
@@ -64,12 +64,12 @@ class MissingExtraError(ManipplanError, ImportError):
 
 
 class MissingSourcesError(ManipplanError, ImportError):
-    """What is part of the sources alone, and not of the installed package."""
+    """Something is part of the sources only, not of the installed package."""
 
     def __init__(self, subject: str) -> None:
         self.subject = subject
         super().__init__(
-            f"{subject} are part of the sources, not of the installed package; in a clone of the repository: "
+            f"{subject} are part of the sources, not of the installed package; in a clone of the repository, run "
             "make demo, then .venv/bin/manipplan study"
         )
 
@@ -78,7 +78,7 @@ class MissingSourcesError(ManipplanError, ImportError):
 
 
 class MissingProgramError(ManipplanError):
-    """A program that is no Python package is not installed; the message holds the line that installs it."""
+    """A program that is not a Python package is not installed; the message holds the command that installs it."""
 
     def __init__(self, program: str, install: str, otherwise: str) -> None:
         self.program = program
@@ -91,7 +91,7 @@ class MissingProgramError(ManipplanError):
 
 
 class CompilerError(ManipplanError):
-    """Machine code could not be made: there is no compiler, or it failed. `output` is what it said."""
+    """Compilation failed: there is no compiler, or it reported an error. `output` is its message."""
 
     def __init__(self, subject: str, output: str) -> None:
         self.subject = subject
@@ -107,7 +107,7 @@ class CompilerWarning(UserWarning):
 
 
 class PlanningError(ManipplanError):
-    """No answer was found. `result` is what there is, with its status; None when there is nothing."""
+    """No solution was found. `result` is what was computed, with its status; None when there is nothing."""
 
     def __init__(self, message: str, result: Any = None) -> None:
         self.result = result
@@ -122,7 +122,7 @@ def _short(value: object) -> str:
     return text if len(text) <= 160 else text[:157] + "..."
 
 
-#: Representations that stop early: a value may hold a million numbers.
+#: Truncated representations: a value may hold a million numbers.
 _SHORT = reprlib.Repr()
 _SHORT.maxlevel = 4
 _SHORT.maxlist = _SHORT.maxtuple = _SHORT.maxdict = _SHORT.maxset = _SHORT.maxfrozenset = 60

@@ -1,4 +1,4 @@
-"""Files that are written whole or not at all, and files that are found again when their folder has moved."""
+"""Files that are written completely or not at all, and files that are found again after their folder has moved."""
 
 import os
 import tempfile
@@ -10,7 +10,7 @@ from manipplan.support.errors import InvalidInputError
 
 
 def write_text(file: str | Path, text: str) -> None:
-    """Write `text` to `file` in one step: an interrupted call leaves what was there before."""
+    """Write `text` to `file` atomically: an interrupted call leaves the previous file."""
     write_bytes(file, lambda stream: stream.write(text.encode()))
 
 
@@ -44,20 +44,20 @@ def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
 
 
 def absolute_and_relative(path: Path, folder: Path) -> dict[str, str]:
-    """`path` as a file in `folder` remembers it: where it is, and where it is as seen from the folder."""
+    """`path` in the form that a file in `folder` stores: absolute, and relative to the folder."""
     whole = path.expanduser().resolve()
     return {"path": str(whole), "relative": os.path.relpath(whole, folder)}
 
 
 def found_again(remembered: Mapping[str, str], folder: Path) -> Path:
-    """The path that `absolute_and_relative` remembered: where it was, or if nothing is there, as seen from `folder`."""
+    """The path that `absolute_and_relative` stored: the absolute one or, if only that exists, the one relative to `folder`."""
     whole = Path(remembered["path"])
     beside = folder / remembered["relative"]
     return beside if not whole.exists() and beside.exists() else whole
 
 
 def place_for(argument: str, folder: str | Path) -> Path:
-    """`folder`, which need not be there yet; raises InvalidInputError when it could not be made and written."""
+    """`folder`, which need not exist yet; raises InvalidInputError when it cannot be created and written."""
     path = Path(folder).expanduser()
     try:
         there = next(each for each in (path, *path.absolute().parents) if each.exists())
@@ -68,7 +68,7 @@ def place_for(argument: str, folder: str | Path) -> Path:
 
 
 def writable_folder(argument: str, folder: str | Path) -> Path:
-    """`folder`, made if it is not there; raises InvalidInputError when it cannot be written."""
+    """`folder`, created if it does not exist; raises InvalidInputError when it cannot be written."""
     if not isinstance(folder, str | Path):
         raise InvalidInputError(argument, folder, "the path of a folder")
     path = Path(folder).expanduser()

@@ -1,4 +1,4 @@
-"""Which files of this package a module is made of, read from its imports without running it."""
+"""The files of this package on which a module depends, read from its imports without running it."""
 
 import ast
 from collections.abc import Collection, Iterator
@@ -6,10 +6,10 @@ from pathlib import Path
 
 
 def import_closure(file: Path, root: Path, *, leaves: Collection[Path] = ()) -> frozenset[Path]:
-    """`file` and all files of the package in folder `root` that it needs while it is imported.
+    """`file` and all files of the package in folder `root` that are needed to import it.
 
-    Imports inside of functions and for type checkers alone do not count: they set no value of the module. `leaves` belong to
-    the closure, but what they import does not.
+    Imports inside functions or only for type checkers do not count: they set no value of the module. `leaves` belong to the
+    closure, but their imports do not.
     """
     found: set[Path] = set()
     waiting = [file]

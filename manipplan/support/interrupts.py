@@ -1,7 +1,7 @@
-"""An interrupt that arrives while CasADi computes is not lost; one that would leave half an import waits.
+"""Interrupts: one that arrives while CasADi computes is not lost; one that would leave a half-finished import is delayed.
 
-CasADi turns it into a failed evaluation, a stopped solver, a SystemError or the complaint that an argument has the wrong
-type, as chance will have it; and tells of it on the standard error stream, which nobody wants to read.
+CasADi turns an interrupt, at random, into a failed evaluation, a stopped solver, a SystemError or an error about the type of
+an argument. It also reports the interrupt on standard error, where it is of no use.
 """
 
 import io
@@ -16,7 +16,7 @@ from typing import TextIO
 
 @contextmanager
 def interruptible() -> Iterator[None]:
-    """Raise KeyboardInterrupt at the latest when the block ends, if one came meanwhile; usable as a decorator, too."""
+    """Raise KeyboardInterrupt by the end of the block if an interrupt arrived in it; also usable as a decorator."""
     previous = signal.getsignal(signal.SIGINT)
     if threading.current_thread() is not threading.main_thread() or not callable(previous):
         yield
@@ -50,7 +50,7 @@ def interruptible() -> Iterator[None]:
 
 @contextmanager
 def uninterrupted() -> Iterator[None]:
-    """Hold an interrupt back until the block ends: for a second of imports, half of which would complain when removed."""
+    """Delay an interrupt until the block ends: for a second of imports, which report errors if left half-finished."""
     previous = signal.getsignal(signal.SIGINT)
     if threading.current_thread() is not threading.main_thread() or not callable(previous):
         yield
@@ -66,7 +66,7 @@ def uninterrupted() -> Iterator[None]:
 
 
 class _WithoutCasadi(io.TextIOBase):
-    """A stream that leaves out the lines in which CasADi tells of the interrupt; it writes them piece by piece."""
+    """A stream that drops the lines in which CasADi reports the interrupt; CasADi writes them piece by piece."""
 
     def __init__(self, stream: TextIO) -> None:
         self.stream = stream
@@ -80,6 +80,6 @@ class _WithoutCasadi(io.TextIOBase):
         return len(text)
 
     def finish(self) -> None:
-        """Write what has no end of line yet."""
+        """Write the last, unfinished line."""
         self.stream.write(self._begun)
         self._begun = ""

@@ -1,4 +1,4 @@
-"""Values of this package as JSON can say them."""
+"""Values of this package in a form that JSON can represent."""
 
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
@@ -9,7 +9,7 @@ import numpy as np
 
 
 def json_ready(value: Any) -> Any:
-    """The same as JSON can say it: a dataclass by its fields, an enum by its name, infinite numbers and nan as texts."""
+    """`value` for JSON: a dataclass becomes a mapping of its fields, an enum its name, infinite numbers and nan strings."""
     if isinstance(value, np.ndarray):
         value = value.tolist()
     if isinstance(value, Enum):

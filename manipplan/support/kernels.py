@@ -1,4 +1,4 @@
-"""Numba kernels: compiled once for each state of the files that they are made of, and kept in the user's cache folder."""
+"""Numba kernels: compiled once per state of the files they depend on, and kept in the user's cache folder."""
 
 import errno
 import hashlib
@@ -19,13 +19,13 @@ from manipplan.support.import_closure import import_closure
 log = logging.getLogger(__name__)
 Function = TypeVar("Function", bound=Callable[..., Any])
 
-#: Kernels of other packages are compiled in each process: what they are made of is not known.
+#: Kernels of other packages are compiled in each process: the files they depend on are not known.
 PACKAGE = Path(__file__).parents[1]
 
 
 def kernel(function: Function) -> Function:
-    """Machine code that runs without Python's lock. Only modules that a computation has asked for may import this one."""
-    # numba looks for changes in a kernel's own file only, not in the files of kernels and constants that it uses
+    """Machine code that runs without Python's lock. Only modules that are imported on demand may import this one."""
+    # numba checks only a kernel's own file for changes, not the files of the kernels and constants that it uses
     file = Path(function.__code__.co_filename)
     folder = _folder(state_of(file)) if file.is_relative_to(PACKAGE) else None
     if folder is None:
@@ -41,8 +41,8 @@ def kernel(function: Function) -> Function:
 
 @cache
 def state_of(file: Path, package: Path = PACKAGE) -> str:
-    """A name for the state of all files that the kernels in `file` are made of; `package` is the package's folder."""
-    # what this module imports sets where code is kept, not what it computes
+    """A hash of all files on which the kernels in `file` depend; `package` is the package's folder."""
+    # the imports of this module determine where code is kept, not what it computes
     files = import_closure(file, package, leaves=[package / "support" / Path(__file__).name])
     digest = hashlib.sha256()
     for each in sorted(files):
@@ -53,7 +53,7 @@ def state_of(file: Path, package: Path = PACKAGE) -> str:
 
 @cache
 def _folder(state: str) -> Path | None:
-    """Where machine code is kept; None, with a CompilerWarning, where nothing can be."""
+    """The folder for machine code; None, with a CompilerWarning, when none can be written."""
     folder = cache_folder()
     try:
         folder = private_folder() / f"numba-{state}"
@@ -64,10 +64,10 @@ def _folder(state: str) -> Path | None:
         if not is_private(folder):
             raise PermissionError(errno.EPERM, "another user can write to it")
     except OSError as error:
-        _warn_once(f"{folder} cannot be written ({error.strerror}): kernels are compiled in each process again")
+        _warn_once(f"{folder} cannot be written ({error.strerror}): each process compiles the kernels again")
         return None
     if new:
-        _tell_once("... compiling kernels, once for this version of manipplan: up to half a minute")
+        _tell_once("... compiling kernels, once per version of manipplan: up to half a minute")
     return folder
 
 

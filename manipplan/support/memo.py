@@ -1,4 +1,4 @@
-"""Results that are made once per owner, such as a robot, and kept on it as long as it lives."""
+"""Results that are computed once per owner, such as a robot, and stored on it."""
 
 from collections.abc import Callable
 from functools import wraps
@@ -8,15 +8,15 @@ Owner = TypeVar("Owner")
 Made = TypeVar("Made")
 Arguments = ParamSpec("Arguments")
 
-#: The attribute that holds what was made, by function and arguments.
+#: The attribute that holds the results, by function and arguments.
 MEMO = "_memo"
 
 
 def once_per_owner(make: Callable[Concatenate[Owner, Arguments], Made]) -> Callable[Concatenate[Owner, Arguments], Made]:
-    """Keep the results of `make(owner, *arguments)` on the owner, one for each set of arguments; these have to be hashable.
+    """Store the results of `make(owner, *arguments)` on the owner, one per set of arguments, which must be hashable.
 
-    A copy of the owner, by pickle or `dataclasses.replace`, begins without results; its class leaves them out of its state by
-    `state_without_memo`.
+    A copy of the owner, by pickle or `dataclasses.replace`, starts without results; its class leaves them out of its state
+    with `state_without_memo`.
     """
 
     @wraps(make)
@@ -31,5 +31,5 @@ def once_per_owner(make: Callable[Concatenate[Owner, Arguments], Made]) -> Calla
 
 
 def state_without_memo(owner: object) -> dict[str, Any]:
-    """What pickle takes of an owner. Results that are kept hold pointers into Pinocchio, which cannot be copied."""
+    """The state of an owner for pickle, without results: they hold pointers into Pinocchio, which cannot be copied."""
     return {name: value for name, value in vars(owner).items() if name != MEMO}

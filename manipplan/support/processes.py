@@ -1,4 +1,4 @@
-"""Programs that are run with a time limit, and stopped with all processes that they have started."""
+"""Run a program with a time limit, and stop it together with all processes that it has started."""
 
 import os
 import signal
@@ -11,8 +11,8 @@ from contextlib import suppress
 def run(command: Sequence[str], *, limit: float) -> subprocess.CompletedProcess[str]:
     """Run `command` without a shell and return its exit code and output.
 
-    Raises OSError when it cannot be started and subprocess.TimeoutExpired when it takes longer than `limit` [s]. It is
-    killed then, and when this call is interrupted, together with its children.
+    Raises OSError when it cannot be started and subprocess.TimeoutExpired when it takes longer than `limit` [s]. On a
+    timeout or an interrupt it is killed together with its children.
     """
     # files, not pipes: a child that outlives the command would keep a pipe open
     with tempfile.TemporaryFile() as output, tempfile.TemporaryFile() as errors:

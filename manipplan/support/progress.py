@@ -1,4 +1,4 @@
-"""How long work tells how far it is: a share done in [0, 1] and what is being done."""
+"""Progress of long computations: the share done, in [0, 1], and a text that names the current step."""
 
 from collections.abc import Callable
 
@@ -8,19 +8,19 @@ Progress = Callable[[float, str], None]
 
 
 def silent(_share: float, _text: str) -> None:
-    """Tell nobody."""
+    """Ignore progress."""
 
 
 def teller(progress: Progress | None) -> Progress:
-    """What to tell progress to; raises InvalidInputError for what cannot be called."""
+    """The progress callback, `silent` for None; raises InvalidInputError when it cannot be called."""
     if progress is not None and not callable(progress):
         raise InvalidInputError("progress", progress, "a function of (share, text), or None")
     return progress or silent
 
 
 def part(tell: Progress, begin: float, end: float) -> Progress:
-    """Tells a part of the work, whose own shares run from 0 to 1, as that from `begin` to `end` of the whole.
+    """The callback for a part of the work: its shares 0 to 1 are reported as `begin` to `end` of the whole.
 
-    That the part is done is not told: what comes next tells its own beginning.
+    The end of the part is not reported: the next part reports its own start.
     """
     return lambda share, text: tell(begin + share * (end - begin), text) if share < 1 else None

@@ -1,10 +1,10 @@
-"""Status of a result: what came out, and where something is left to do, the remedy."""
+"""Return status of a result: the outcome and, where something is left to do, the remedy."""
 
 from enum import Enum
 
 
 class Status(Enum):
-    """How a path came about. The value is the text for people; `ok` tells whether it is what was asked for."""
+    """Return status of a path. The value is the text for the user; `ok` tells whether the request was met."""
 
     OPTIMAL = "optimal: the first-order conditions of a local optimum hold, and every check passed"
     STOPPED_EARLY = (
@@ -20,18 +20,18 @@ class Status(Enum):
         "raise degree, lower clearance, or try another seed="
     )
     ENDS_NOT_MET = (
-        "seed: no path of this degree with the end slopes and bends asked for is inside the limits and free, so the "
-        "collision-free seed, which does not have them, is returned; raise degree, or ask for gentler ones"
+        "seed: no path of this degree with the given end slopes and bends is inside the limits and collision-free, so the "
+        "collision-free seed, which does not have them, is returned; raise degree, or give smaller ones"
     )
     SINGULAR = (
-        "singular: every check passed, but the index vanishes somewhere on the path, so g is infinite; "
+        "singular: every check passed, but the manipulability is zero somewhere on the path, so g is infinite; "
         "choose another start or goal if it is at an end. An arm with as many joints as task rows has to cross a singularity "
         "between configurations at which det J has different signs: choose another solution of inverse_kinematics as goal"
     )
     INTERRUPTED = "interrupted: the best checked path so far, optimised or the seed; run it again to get further"
-    IMPROVED = "improved: the recorded motion was followed with a higher least or mean index, and every check passed"
+    IMPROVED = "improved: the recorded motion was followed with a larger minimum or mean manipulability, and every check passed"
     NOT_BETTER = (
-        "recorded: following it raised neither its least nor its mean index, so the recording itself is returned; "
+        "recorded: following the motion raised neither its minimum nor its mean manipulability, so the recording is returned; "
         "allow more tolerance"
     )
     NOT_FOLLOWED = (
@@ -43,7 +43,7 @@ class Status(Enum):
     NOT_CONNECTED = (
         "failed: no continuous motion along the workspace path was found; take more positions, more samples or a larger epsilon"
     )
-    NO_PATH = "failed: no collision-free path was found; allow more time_limit, less clearance, or check the goal"
+    NO_PATH = "failed: no collision-free path was found; raise time_limit, lower clearance, or check the goal"
     NO_TIMING = "failed: no motion along the path obeys the limits; raise effort or acceleration, or choose another path"
     CHECK_FAILED = (
         "failed: the finished trajectory did not pass its own check of limits, collisions or goal; "
@@ -52,14 +52,14 @@ class Status(Enum):
 
     @property
     def ok(self) -> bool:
-        """Whether what was asked for is returned: a checked path that was optimised, improved or followed."""
+        """Whether the request was met: the result is a checked path that was optimised, improved or followed."""
         return self in (Status.OPTIMAL, Status.STOPPED_EARLY, Status.IMPROVED, Status.FOLLOWED)
 
     @property
     def has_path(self) -> bool:
-        """Whether there is a checked path that a robot could play."""
+        """Whether there is a checked path that a robot can execute."""
         return not self.value.startswith("failed")
 
 
-#: Of motions that `improve` returned: they began from a recording, not from a planner's seed.
+#: Statuses of motions that `improve` returns: they start from a recording, not from a planner's seed.
 RECORDED = (Status.IMPROVED, Status.NOT_BETTER)

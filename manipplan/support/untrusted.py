@@ -1,7 +1,7 @@
-"""Text that came from a file or a user, before it reaches generated source or a terminal.
+"""Text from a file or a user, made safe before it reaches generated source or a terminal.
 
-Names of robots, joints and frames may hold anything. Generated source takes a name only through `identifier`, a terminal
-only through `terminal_text`. Pages in HTML use `html.escape`.
+Names of robots, joints and frames may contain anything. A name enters generated source only through `identifier`, and a
+terminal only through `terminal_text`. HTML pages use `html.escape`.
 """
 
 import keyword
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rich.text import Text
 
-#: Characters of an identifier that every C99 compiler tells apart.
+#: Number of characters by which every C99 compiler distinguishes identifiers.
 LONGEST = 63
 
 _OF_C_AND_CXX = """
@@ -23,7 +23,7 @@ _OF_C_AND_CXX = """
     short signed sizeof static static_assert static_cast struct switch template this thread_local throw true try typedef
     typeid typename typeof typeof_unqual union unsigned using virtual void volatile wchar_t while xor xor_eq
 """
-#: Words that C, C++ and Python keep for themselves.
+#: Reserved words of C, C++ and Python.
 KEYWORDS = frozenset(_OF_C_AND_CXX.split()) | frozenset(keyword.kwlist)
 
 
@@ -46,7 +46,7 @@ def is_identifier(name: str) -> bool:
 
 
 def printable(text: str) -> str:
-    """`text` with control characters, but for line ends and tabs, written as escapes: a terminal obeys them."""
+    """`text` with control characters, which a terminal obeys, as escapes; line ends and tabs are kept."""
     return "".join(_shown(character) for character in text)
 
 

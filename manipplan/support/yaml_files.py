@@ -1,4 +1,4 @@
-"""YAML files that may come from anybody: no key twice, no value inside itself, bounds on depth and size."""
+"""YAML files from untrusted sources: no repeated key, no value that contains itself, bounds on depth and size."""
 
 from pathlib import Path
 from typing import Any
@@ -8,17 +8,17 @@ from yaml.composer import Composer
 
 from manipplan.support.errors import FileFormatError
 
-#: How deep values may stand inside one another, and how many there may be, those of every alias counted again.
+#: Maximum depth of nested values, and maximum number of values, with those of every alias counted again.
 DEEPEST, MOST = 100, 10_000_000
 
-_Base: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # in C where there is one
+_Base: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # in C where available
 
 
 def read_yaml(argument: str, path: Path) -> Any:
     """The value of a YAML file.
 
-    Raises FileFormatError where it is not YAML in UTF-8, a key stands twice in one mapping, a value holds itself, or it is too
-    deep or too large.
+    Raises FileFormatError when it is not YAML in UTF-8, a key is repeated in a mapping, a value contains itself, or it is
+    nested too deeply or too large.
     """
     try:
         return yaml.load(path.read_text(encoding="utf-8"), Loader=_Loader)
@@ -37,9 +37,9 @@ class _Bounded(Composer):
     """Composes nodes within the bounds.
 
     Attributes:
-        open: the anchor, if there is one, of every value that the next one stands in.
-        sizes: number of values that an anchor stands for.
-        count: of values so far.
+        open: anchor, or None, of every value that contains the next one.
+        sizes: number of values under each anchor.
+        count: number of values so far.
     """
 
     open: list[str | None]
@@ -47,16 +47,16 @@ class _Bounded(Composer):
     count: int
 
     def compose_node(self, parent: Any, index: Any) -> Any:
-        event = self.peek_event()  # type: ignore[attr-defined]  # the parser's
+        event = self.peek_event()  # type: ignore[attr-defined]  # a method of the parser
         if isinstance(event, yaml.AliasEvent):
             if event.anchor in self.open:
-                raise _error(f"the value of *{event.anchor} holds itself", event)
+                raise _error(f"the value of *{event.anchor} contains itself", event)
             self.count += self.sizes.get(event.anchor, 0)
         self.count += 1
         if self.count > MOST:
-            raise _error(f"more than {MOST:,} values, with those of aliases", event)
+            raise _error(f"more than {MOST:,} values, counting those of aliases", event)
         if len(self.open) >= DEEPEST:
-            raise _error(f"more than {DEEPEST} values inside one another", event)
+            raise _error(f"values nested more than {DEEPEST} deep", event)
         before = self.count
         self.open.append(None if isinstance(event, yaml.AliasEvent) else event.anchor)
         node = super().compose_node(parent, index)
@@ -72,12 +72,12 @@ class _Bounded(Composer):
             if isinstance(key, yaml.ScalarNode):
                 line = key.start_mark.line + 1
                 if (key.tag, key.value) in lines:
-                    raise _error(f"the key {key.value!r} of line {lines[key.tag, key.value]} stands once more", key)
+                    raise _error(f"the key {key.value!r} of line {lines[key.tag, key.value]} is repeated", key)
                 lines[key.tag, key.value] = line
         return node
 
 
-class _Loader(_Bounded, _Base):  # type: ignore[misc]  # a base that is chosen
+class _Loader(_Bounded, _Base):  # type: ignore[misc]  # the base is chosen at run time
     def __init__(self, stream: Any) -> None:
         _Base.__init__(self, stream)
         self.anchors: dict[str, Any] = {}

@@ -1,4 +1,4 @@
-"""Which symbolic kinematics a robot gets: our own chain, or Pinocchio's in CasADi's scalar."""
+"""Choice of a robot's symbolic kinematics: our own chain, or Pinocchio's algorithms with CasADi scalars."""
 
 from typing import TYPE_CHECKING, ClassVar
 
@@ -17,11 +17,11 @@ BACKENDS = ("auto", "chain", "bindings", "bridge")
 
 
 def chain_of(robot: "Robot", backend: str) -> SymbolicChain:
-    """The arm at symbolic q by one of `BACKENDS`, built once for each robot."""
+    """The arm at symbolic q from one of `BACKENDS`, built once per robot."""
     if backend not in BACKENDS:
         raise UnknownNameError("backend", str(backend), BACKENDS)
     if backend == "bindings" and not bindings_installed():
-        wanted = "'auto', 'chain' or 'bridge': this Pinocchio has no pinocchio.casadi (conda-forge's builds have)"
+        wanted = "'auto', 'chain' or 'bridge': this Pinocchio has no pinocchio.casadi (conda-forge builds have it)"
         raise InvalidInputError("backend", backend, wanted)
     if backend == "auto":
         backend = "bindings" if bindings_installed() else "chain"
@@ -34,13 +34,13 @@ def _chain(robot: "Robot", backend: str) -> SymbolicChain:
 
 
 class PinocchioChain(SymbolicChain):
-    """The same, with every expression made by Pinocchio."""
+    """A symbolic chain with every expression built by Pinocchio."""
 
     own: ClassVar[bool] = False
 
     @classmethod
     def by(cls, robot: "Robot", source: str) -> "PinocchioChain":
-        """Build the chain through "bindings" or "bridge"."""
+        """Build the chain with "bindings" or "bridge"."""
         functions = pinocchio_casadi(robot, source=source)
         q = ca.SX.sym("q", robot.n)
         matrices = ca.horzsplit(functions.joints(q), 4)

@@ -1,4 +1,4 @@
-"""A CasADi Function at many points at once, through buffers that are used again."""
+"""Evaluate a CasADi Function at many points at once, with reused buffers."""
 
 from typing import Any
 
@@ -15,7 +15,7 @@ class BatchFunction:
     """Evaluates a Function of several vectors at many points. Threads must not share it: it holds its buffers."""
 
     def __init__(self, function: ca.Function) -> None:
-        """`function` takes dense vectors and gives one dense matrix."""
+        """`function` takes dense vectors and returns one dense matrix."""
         mapped = function.map(CHUNK)
         self._shape = function.size1_out(0), function.size2_out(0)
         self._inputs = [np.zeros((CHUNK, function.nnz_in(i))) for i in range(function.n_in())]

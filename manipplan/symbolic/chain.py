@@ -42,13 +42,13 @@ class SymbolicChain:
     """The arm at symbolic q (n,): every joint's frame, the tool frame, the tool's Jacobian, the arm's inertia.
 
     Attributes:
-        model: the Pinocchio model it is of.
+        model: the Pinocchio model of the arm.
         frame: Pinocchio's description of the tool frame.
         q: (n, 1) symbols [rad or m].
         joints: n + 1 placements in the world; the first is the world itself, as in Pinocchio.
         tool: placement of the tool frame.
         jacobian: (6, n) LOCAL_WORLD_ALIGNED Jacobian of the tool, linear rows [m/rad] first.
-        own: whether the expressions are ours, which may be seen from other frames too.
+        own: whether the expressions are our own, so that they can also be built in other frames.
     """
 
     own: ClassVar[bool] = True
@@ -93,7 +93,7 @@ WORLD = Placement(rotation=ca.SX.eye(3), origin=ca.SX(3, 1))
 
 
 def step(model: pin.Model, i: int, q: ca.SX) -> Placement:
-    """Placement of joint i, moved by its q, on the joint before it."""
+    """Placement of joint i, moved by its q, relative to the joint before it."""
     return constant(model.jointPlacements[i]) @ _joint_motion(model.joints[i], q[i - 1])
 
 
@@ -129,7 +129,7 @@ def constant(placement: pin.SE3) -> Placement:
 
 
 def _sparse(array: Array) -> ca.SX:
-    """Constants as sparse SX; what rounding left within 1e-14 of 0, 1 or -1 becomes exactly that."""
+    """Constants as sparse SX; a value within 1e-14 of 0, 1 or -1 becomes exactly that, which removes rounding errors."""
     nearest = np.round(array)
     snapped = np.where((np.abs(array - nearest) < 1e-14) & (np.abs(nearest) <= 1), nearest, array)
     return ca.SX(ca.sparsify(ca.DM(snapped)))

@@ -1,7 +1,7 @@
-"""Gradient and Hessian of Yoshikawa's index from the kinematic Hessian and trace identities.
+"""Gradient and Hessian of Yoshikawa's manipulability m from the kinematic Hessian and trace identities.
 
-m_ρ = sqrt(det(J Jᵀ + ρ² I)) is the index with the regularisation ρ: it equals m to Σ ρ²/(2 σ_i²) in relative terms, with σ_i
-the singular values, and stays smooth where m = 0 has a kink.
+m_ρ = sqrt(det(J Jᵀ + ρ² I)) is m with the regularisation ρ: it equals m up to a relative error of Σ ρ²/(2 σ_i²), with σ_i the
+singular values, and stays smooth at m = 0, where m has a kink.
 Symbols: L Lᵀ = J Jᵀ + ρ² I, J = L Qᵀ; P = L⁻ᵀ Qᵀ, so that Pᵀ = J⁺ for ρ = 0; D_k = ∂J/∂q_k.
 """
 
@@ -21,7 +21,7 @@ class Factor:
 
     @classmethod
     def of(cls, jacobian: ca.SX, regularisation: float) -> "Factor":
-        """By Gram-Schmidt on the rows of [J, ρ I], so that no digits are lost to the square in J Jᵀ."""
+        """By Gram-Schmidt on the rows of [J, ρ I], so that no digits are lost by squaring in J Jᵀ."""
         m, n = jacobian.shape
         lower = ca.SX(m, m)
         rows: list[ca.SX] = []

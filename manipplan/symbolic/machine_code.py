@@ -1,4 +1,4 @@
-"""CasADi Functions as machine code, made by the machine's own compiler; without one CasADi's virtual machine runs them."""
+"""CasADi Functions compiled by the machine's own compiler; without a compiler, CasADi's virtual machine runs them."""
 
 import warnings
 from collections.abc import Iterator, Sequence
@@ -12,20 +12,20 @@ from manipplan.support.compiler import NATIVE, find_compiler, load_library
 from manipplan.support.errors import CompilerError, CompilerWarning, ManipplanError
 from manipplan.support.untrusted import is_identifier, printable
 
-#: Minimum number of characters at which -O1 is chosen: it compiles three times faster, and the code runs a tenth slower.
+#: Minimum number of characters of source for -O1, which compiles three times faster; the code runs a tenth slower.
 LONG = 200_000
 
-#: Maximum number of instructions that "auto" compiles, which takes a few seconds.
+#: Maximum number of instructions that "auto" compiles: these take a few seconds.
 SOON_DONE = 60_000
 
 
 def native_flags(source: str) -> tuple[str, ...]:
-    """Options for code that only this machine runs, by its length."""
+    """Compiler options for code that only this machine runs, chosen by the length of the source."""
     return NATIVE if len(source) < LONG else ("-O1", *NATIVE[1:])
 
 
 def compiled(function: ca.Function, subject: str) -> ca.Function:
-    """The same function as machine code; raises CompilerError as `shared_library`, or when it cannot be loaded."""
+    """The same function as machine code; raises CompilerError as `load_library`."""
     return compiled_together([function], subject)[0]
 
 
@@ -40,26 +40,26 @@ def compiled_together(functions: Sequence[ca.Function], subject: str) -> tuple[c
 
 
 def generated_source(functions: Sequence[ca.Function]) -> str:
-    """C source of CasADi Functions. All their names are identifiers: CasADi writes those of arguments as they are."""
+    """C source of CasADi Functions. All names must be identifiers: CasADi writes those of arguments unchanged."""
     generator = ca.CodeGenerator(functions[0].name(), {"casadi_real": "double"})
     for function in functions:
         for name in (function.name(), *function.name_in(), *function.name_out()):
             if not is_identifier(name):
-                raise ManipplanError(f"{name!r} cannot be written to C source: it is no identifier")
+                raise ManipplanError(f"{name!r} cannot be written to C source: it is not an identifier")
         generator.add(function)
     source: str = generator.dump()
     return source
 
 
 def wants_machine_code(compiled: bool | str) -> bool:
-    """Whether the option `compiled` (True, False or "auto") asks for a compiler on this machine."""
+    """Whether the option `compiled` (True, False or "auto") selects machine code on this machine."""
     return compiled is True or (compiled == "auto" and find_compiler("c") is not None)
 
 
 def as_asked(functions: Sequence[ca.Function], compiled: bool | str, subject: str) -> tuple[ca.Function, ...]:
-    """The functions as machine code where `compiled` (True, False or "auto") asks for it, else as they are.
+    """The functions as machine code where `compiled` (True, False or "auto") selects it, otherwise unchanged.
 
-    "auto" leaves those of more than SOON_DONE instructions as they are. Raises CompilerError when `compiled` is True and
+    "auto" leaves functions of more than SOON_DONE instructions unchanged. Raises CompilerError when `compiled` is True and
     there is no compiler, or it fails.
     """
     soon = sum(function.n_instructions() for function in functions) <= SOON_DONE
@@ -72,7 +72,7 @@ def as_asked(functions: Sequence[ca.Function], compiled: bool | str, subject: st
 
 
 def do_without(error: CompilerError, compiled: bool | str) -> None:
-    """Go on in CasADi's virtual machine, with a CompilerWarning the first time; raises `error` when compiled is True."""
+    """Continue with CasADi's virtual machine, with a CompilerWarning the first time; raises `error` when compiled is True."""
     if compiled is True:
         raise error
     if first_failure():
@@ -80,7 +80,7 @@ def do_without(error: CompilerError, compiled: bool | str) -> None:
 
 
 def first_failure() -> bool:
-    """Whether this is asked for the first time with this compiler and cache folder, so that a failure is told once."""
+    """Whether this is the first call for this compiler and cache folder, so that a failure is reported once."""
     return next(_once(find_compiler("c"), cache_folder()), False)
 
 

@@ -1,6 +1,6 @@
-"""How a Jacobian changes with q: the kinematic Hessian D_k = ∂J/∂q_k from the Jacobian's own columns.
+"""Derivatives of a Jacobian with respect to q: the kinematic Hessian D_k = ∂J/∂q_k from the Jacobian's own columns.
 
-S_j = (v_j, w_j) is the tool's velocity and rotation for unit speed of joint j. A joint carries what comes after it: with
+S_j = (v_j, w_j) is the tool's linear and angular velocity for unit speed of joint j. A joint moves all that follow it: with
 world axes ∂_k S_j = (w_k x v_j, w_k x w_j) for k <= j and (w_j x v_k, 0) for k > j; with tool axes
 ∂_k S_j = (w_j x v_k + v_j x w_k, w_j x w_k) for k > j and 0 for k <= j.
 """
@@ -57,7 +57,7 @@ class MatrixMotion(Motion):
 
 @dataclass(frozen=True, kw_only=True)
 class Columns:
-    """The Jacobian's columns, with the axes of the world or of the tool: lists of n vectors (3,)."""
+    """The Jacobian's columns, in world or tool axes: lists of n vectors (3,)."""
 
     v: list[ca.SX]
     w: list[ca.SX]
@@ -140,13 +140,13 @@ class Columns:
 
 @dataclass(frozen=True, kw_only=True)
 class TaskMotion(Motion):
-    """A task's Jacobian, by the rules of its columns: no finite differences, no graph differentiated."""
+    """A task's Jacobian, by the rules for its columns, without finite differences or automatic differentiation."""
 
     chain: SymbolicChain
     task: Task
 
     def _groups(self) -> list[tuple[ca.DM, Columns, bool, slice]]:
-        """Rows of the task with world axes, and those with tool axes: (matrix, columns, in_tool, where in the task)."""
+        """The task's rows in world axes, and those in tool axes: (matrix, columns, in_tool, position in the task)."""
         world, tool = self.task.matrices
         jacobian, rotation = self.chain.jacobian, self.chain.tool.rotation
         groups = []

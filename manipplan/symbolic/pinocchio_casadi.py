@@ -1,7 +1,7 @@
 """Pinocchio's algorithms as CasADi Functions, without conda: pose, Jacobian, mass matrix, inverse and forward dynamics.
 
-The wheel of Pinocchio has no module pinocchio.casadi, yet all headers. A small bridge in C++ is compiled from them once on
-this machine and kept in the user's cache folder; it hands serialised CasADi Functions over as text.
+Pinocchio's wheel lacks the module pinocchio.casadi but contains all headers. A small C++ bridge is compiled with them once
+on this machine and kept in the user's cache folder; it returns serialised CasADi Functions as text.
 """
 
 import ctypes
@@ -60,7 +60,7 @@ def pinocchio_casadi(robot: "Robot", *, source: str = "auto") -> PinocchioCasadi
             compiler (about two minutes, once), "auto" takes the bindings where they can be imported, otherwise the bridge.
 
     Raises:
-        CompilerError: the bridge is needed and there is no C++ compiler, or it fails; its message is kept.
+        CompilerError: the bridge is needed and there is no C++ compiler, or it fails; the error holds its message.
         UnknownNameError: no such source.
         InvalidInputError: source is "bindings" and pinocchio.casadi cannot be imported.
     """
@@ -89,7 +89,7 @@ def bindings_installed() -> bool:
 def _by_bindings(robot: "Robot") -> PinocchioCasadi:
     if not bindings_installed():
         raise InvalidInputError(
-            "source", "bindings", "'bridge' here: this Pinocchio has no pinocchio.casadi (the builds of conda-forge have)"
+            "source", "bindings", "'bridge' here: this Pinocchio has no pinocchio.casadi (conda-forge builds have it)"
         )
     import pinocchio.casadi as cpin
 
@@ -137,7 +137,7 @@ def _bridge() -> ctypes.CDLL:
     source = Path(__file__).with_name("pinocchio_bridge.cpp").read_text(encoding="utf-8")
     pinocchio = _prefix("libpinocchio", "include/pinocchio/autodiff/casadi.hpp")
     casadi = Path(ca.__file__).parent
-    # part of the cache's key: another version is another library
+    # part of the cache key: each version needs its own library
     packages = {"PINOCCHIO": "libpinocchio", "CASADI": "casadi", "BOOST": "cmeel-boost"}
     versions = [f"-DMANIPPLAN_{name}={_version(package)}" for name, package in packages.items()]
     flags = [
@@ -155,7 +155,7 @@ def _bridge() -> ctypes.CDLL:
         "-lboost_serialization",
         "-lcasadi",
     ]
-    subject = "Pinocchio's algorithms in CasADi's scalar, once for this machine, about two minutes"
+    subject = "Pinocchio's algorithms for CasADi, once per machine, about two minutes"
     return load_library(source, _loaded, flags=flags, language="c++", subject=subject, announce=True)
 
 
@@ -171,8 +171,8 @@ def _version(package: str) -> str:
     try:
         return importlib.metadata.version(package)
     except importlib.metadata.PackageNotFoundError as error:
-        wanted = f"the bridge needs the wheel {package}, which is not installed; pip install pin casadi"
-        raise CompilerError("Pinocchio's algorithms in CasADi's scalar", wanted) from error
+        wanted = f"the bridge needs the wheel {package}, which is not installed; install it with: pip install pin casadi"
+        raise CompilerError("Pinocchio's algorithms for CasADi", wanted) from error
 
 
 def _prefix(package: str, header: str) -> Path:
@@ -180,4 +180,4 @@ def _prefix(package: str, header: str) -> Path:
     for file in importlib.metadata.files(package) or ():
         if str(file).endswith(header):
             return Path(str(file.locate())).parents[len(Path(header).parts) - 1]
-    raise CompilerError(package, f"its wheel does not hold {header}; pip install --force-reinstall {package}")
+    raise CompilerError(package, f"its wheel does not contain {header}; run: pip install --force-reinstall {package}")

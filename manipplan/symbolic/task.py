@@ -1,4 +1,4 @@
-"""Task: which motions of the tool count, and what length makes radians comparable with metres."""
+"""Task: which motions of the tool count, and the length that makes radians comparable with metres."""
 
 from dataclasses import dataclass
 
@@ -14,16 +14,16 @@ Row = tuple[float, ...]
 
 @dataclass(frozen=True, kw_only=True)
 class Task:
-    """Rows of the tool's Jacobian; build one by `pose`, `position`, `orientation`, `planar`, `pointing`, `direction`,
+    """Rows of the tool's Jacobian; build one with `pose`, `position`, `orientation`, `planar`, `pointing`, `direction`,
     `rotation` or `custom`.
 
     A row is six numbers: a direction of the tool's origin, then an axis of rotation, which `length` multiplies.
 
     Attributes:
-        name: what it is called in reports.
-        world_rows: rows whose directions and axes are those of the world; they come first in the Jacobian.
+        name: name of the task in reports.
+        world_rows: rows with directions and axes in the world frame; they come first in the Jacobian.
         tool_rows: rows whose directions and axes turn with the tool.
-        length: characteristic length [m] that weighs rotation; 1.0 leaves the raw Jacobian.
+        length: characteristic length [m] that weights rotation; 1.0 leaves the raw Jacobian.
     """
 
     name: str
@@ -44,17 +44,17 @@ class Task:
 
     @classmethod
     def position(cls) -> "Task":
-        """Position alone, 3 rows."""
+        """Position only, 3 rows."""
         return cls(name="position", world_rows=_LINEAR)
 
     @classmethod
     def orientation(cls) -> "Task":
-        """Orientation alone, 3 rows."""
+        """Orientation only, 3 rows."""
         return cls(name="orientation", world_rows=_ANGULAR)
 
     @classmethod
     def planar(cls) -> "Task":
-        """Position in the x-y plane, 2 rows: the index of the planar arm in [kth2012]."""
+        """Position in the x-y plane, 2 rows: the task of the planar arm in [kth2012]."""
         return cls(name="planar", world_rows=_LINEAR[:2])
 
     @classmethod
@@ -76,20 +76,20 @@ class Task:
 
     @classmethod
     def custom(cls, rows: ArrayLike, frame: str = "world", length: float = 1.0, name: str = "custom") -> "Task":
-        """Any rows (m, 6), independent of each other: a direction of the tool's origin, then an axis of rotation.
+        """Any linearly independent rows (m, 6): a direction of the tool's origin, then an axis of rotation.
 
         Args:
             rows: directions and axes of `frame`; the last three columns are multiplied by `length`.
             frame: "world" or "tool".
             length: characteristic length [m] > 0.
-            name: what the task is called.
+            name: name of the task.
         """
         matrix = finite_array("rows", rows, (None, 6))
         length = number("length", length, above=0.0)
         if not len(matrix) or np.linalg.matrix_rank(matrix * np.array([1.0] * 3 + [length] * 3)) < len(matrix):
-            raise InvalidInputError("rows", matrix.tolist(), "1 to 6 rows of six numbers that do not depend on each other")
+            raise InvalidInputError("rows", matrix.tolist(), "1 to 6 linearly independent rows of six numbers")
         if not isinstance(name, str) or not name:
-            raise InvalidInputError("name", name, "a word")
+            raise InvalidInputError("name", name, "a name that is not empty")
         return cls._rows(name, matrix, frame, length)
 
     @classmethod
@@ -118,19 +118,19 @@ class Task:
 
     @property
     def metres(self) -> int:
-        """How many rows count metres; with length 1 radians are left uncounted."""
+        """Number of rows in metres; with length 1, angular rows count as dimensionless."""
         if self.length != 1.0:
             return self.rows
         return sum(any(row[:3]) for row in self.world_rows + self.tool_rows)
 
     @property
     def unit(self) -> str:
-        """Unit of Yoshikawa's index: every row counts metres; with length 1 radians are left uncounted."""
+        """Unit of Yoshikawa's manipulability: one metre per row; with length 1, angular rows count as dimensionless."""
         return {0: "1", 1: "m"}.get(self.metres, f"m^{self.metres}")
 
     @property
     def turns_freely(self) -> bool:
-        """Whether the index stays the same when base or tool frame are turned: linear and angular rows are all or none."""
+        """Whether turning the base or tool frame leaves m unchanged: the linear and the angular rows are each all or none."""
         world, tool = self.matrices
         full = not (world[:, :3].any(1) & world[:, 3:].any(1)).any()
         for part in (world[:, :3], world[:, 3:]):
@@ -139,7 +139,7 @@ class Task:
 
     @property
     def free_axis(self) -> Array | None:
-        """The tool's unit axis (3,) about which it may turn, where the only angular rows are two of the tool; else None."""
+        """The tool's unit axis (3,) about which it may turn, if the only angular rows are two tool rows; otherwise None."""
         if any(any(row[3:]) for row in self.world_rows):
             return None
         angular = np.array([row[3:] for row in self.tool_rows if any(row[3:])])

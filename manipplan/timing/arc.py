@@ -1,16 +1,16 @@
-"""A path between two stops by its arc length l: q(l), unit tangents, curvature, and a grid along it."""
+"""A path between two stops as a function of its arc length l: q(l), unit tangents, curvature, and a grid along it."""
 
 import numpy as np
 
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
 
-#: A grid point this near to a break, as a share of the mean distance of grid points, is left out in its favour.
+#: Grid points closer to a break than this share of the mean grid spacing are dropped.
 BESIDE = 0.1
 
 
 class ArcLength:
-    """The path from s = a to s = b as q(l), l its arc length: what toppra takes as a geometric path."""
+    """The path from s = a to s = b as q(l), where l is its arc length: a geometric path in toppra's terms."""
 
     def __init__(self, path: JointPath, a: float, b: float) -> None:
         from scipy.interpolate import CubicSpline
@@ -29,12 +29,12 @@ class ArcLength:
         self._at = length[rises]
         self._s = CubicSpline(self._at, s[rises])
         self.ends = (a, b)
-        # directions are taken a little inside, since q' may vanish at the ends
+        # derivatives are evaluated slightly inside, since q' may vanish at the ends
         margin = 1e-6 * (b - a)
         self._inside = (a + margin, b - margin)
 
     def s(self, length: Array) -> Array:
-        """Path parameter of lengths."""
+        """Path parameter at lengths."""
         return np.asarray(np.clip(self._s(length), *self.ends))
 
     def q(self, length: Array) -> Array:
@@ -42,7 +42,7 @@ class ArcLength:
         return self.path(self.s(length))
 
     def tangent(self, length: Array) -> Array:
-        """dq/dl, of length one."""
+        """dq/dl, a unit vector."""
         derivative = self.path(np.clip(self.s(length), *self._inside), 1)
         norm = np.linalg.norm(derivative, axis=-1, keepdims=True)
         return np.asarray(derivative / np.maximum(norm, 1e-300))
@@ -57,7 +57,7 @@ class ArcLength:
         return np.asarray((second - along * tangent) / norm**2)
 
     def lengths_of(self, s: Array) -> Array:
-        """Lengths at which the path parameter is s, for those strictly between the ends."""
+        """Lengths at which the path parameter is s, for each s strictly between the ends."""
         s = s[(s > self.ends[0]) & (s < self.ends[1])]
         even = np.linspace(0, self.length, 4001)
         length = np.interp(s, self.s(even), even)
@@ -67,14 +67,14 @@ class ArcLength:
         return np.asarray(length)
 
     def grid(self, count: int, edges: Array) -> Array:
-        """Lengths from 0 to the end, about `count` + 1: evenly spaced, twice as dense where the path turns on average.
+        """About `count` + 1 lengths from 0 to the end, evenly spaced, but twice as dense where the path turns at its mean rate.
 
-        Each end of a polynomial piece is one, where the curvature may jump, and each of `edges` (path parameters), where
+        They include the ends of the polynomial pieces, where the curvature may jump, and `edges` (path parameters), where
         limits change.
         """
         points = self._even(count)
         marks = self.lengths_of(np.union1d(self.path.breaks, edges))
-        if len(marks):  # points right beside one of these would be passed in less time than samples resolve
+        if len(marks):  # a motion would pass points very close to a mark in less time than samples resolve
             beside = np.abs(points[:, None] - marks).min(axis=1) < BESIDE * self.length / count
             beside[[0, -1]] = False
             points = np.union1d(points[~beside], marks)

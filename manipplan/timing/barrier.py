@@ -1,7 +1,7 @@
-"""The barrier method for limited jerk: from a motion within all limits to the fastest one it leads to.
+"""Barrier method for limited jerk: it descends from a motion within all limits to a locally fastest one.
 
-Newton steps on weight · time - Σ log of the slacks, whose jerk limits are linearised anew at each (the successive
-linearisation of Verscheure and of TOPP3, within one interior-point method); then again with a larger weight.
+Newton steps minimise weight · time - Σ log of the slacks. Each step linearises the jerk limits again (the successive
+linearisation of Verscheure and of TOPP3, within one interior-point method). This is repeated with larger weights.
 """
 
 import numpy as np
@@ -9,14 +9,15 @@ import numpy as np
 from manipplan.support.checks import Array
 from manipplan.timing.jerk import UNLIMITED, JerkProblem, Rows, Slacks, SquaredSpeed
 
-#: Linear programs in search of one where speeds are given at the ends.
+#: Maximum number of linear programs in the search for a motion within the limits when speeds are given at the ends.
 SEARCHES = 12
 
 
 def motion_inside(problem: JerkProblem, guess: Array | None) -> Array | None:
-    """Free coefficients within the limits; None where none were found.
+    """Free coefficients of a motion within the limits; None when none is found.
 
-    From stop to stop a guess made slower, where a slower motion always exceeds less; between given speeds a search.
+    From stop to stop the guess is slowed down, since a slower motion always exceeds limits by less. Between given speeds
+    linear programs search for the motion.
     """
     points = problem.demands.at[problem.inner]
     knots = np.concatenate([[points[0]], points, [points[-1]]])
@@ -41,7 +42,7 @@ def motion_inside(problem: JerkProblem, guess: Array | None) -> Array | None:
 
 
 def _nearer(problem: JerkProblem, z: Array) -> Array | None:
-    """Coefficients that exceed limits by the least share, with jerk limits linearised at z; None where that fails."""
+    """Coefficients with the smallest relative excess over limits, jerk limits linearised at z; None when the solver fails."""
     from scipy.optimize import linprog
     from scipy.sparse import csr_array, diags_array, hstack, vstack
 
@@ -89,9 +90,9 @@ def _nearer(problem: JerkProblem, z: Array) -> Array | None:
     return np.asarray(np.maximum(answer.x[1:-2], 1e-12 * c.max()), dtype=float)
 
 
-#: The motion is at most this share slower than the local optimum on its grid.
+#: Maximum share by which the motion is slower than the local optimum on its grid.
 GAP = 1e-3
-#: Factor of the weight of time from one round to the next.
+#: Factor by which the weight of time grows per round.
 HEAVIER = 8.0
 #: Maximum number of Newton steps per round.
 STEPS = 40
@@ -102,7 +103,7 @@ SUFFICIENT = 1e-2
 
 
 def fastest_motion(problem: JerkProblem, guess: Array | None = None) -> SquaredSpeed | None:
-    """The fastest motion found; None where none is within the limits. `guess`: a at the grid points."""
+    """The fastest motion found; None when none within the limits is found. `guess`: a at the grid points."""
     z = motion_inside(problem, guess)
     if z is None:
         return None
@@ -115,7 +116,7 @@ def fastest_motion(problem: JerkProblem, guess: Array | None = None) -> SquaredS
 
 
 def _centred(problem: JerkProblem, z: Array, weight: float) -> Array:
-    """The least of the merit, from z inside the limits."""
+    """Minimise the merit function from z inside the limits."""
     value = _merit(problem, z, weight)
     for _ in range(STEPS):
         step, decrement = problem.model(_inside(problem, z), weight).newton_step()

@@ -1,9 +1,9 @@
-"""What motion along a path asks of the joints, and how limits are tightened where a motion exceeds them.
+"""Demands of motion along a path on the joints, and tightening of limits where a motion exceeds them.
 
 At each grid point the demands are rows that are linear in x = (dl/dt)² and u = d²l/dt². Acceleration is t u + κ x with unit
 tangent t and curvature κ; torque is M t u + (M κ + C) x + g. Rows are divided by their limit, so each has to stay in [-1, 1].
-Lengths are shares of the piece's length and times are in units in which the largest row of acceleration is one: tiny and
-huge paths look alike to what solves for x.
+Lengths are shares of the piece's length, and the unit of time makes the largest row of acceleration one, so that tiny and
+huge paths give the solver the same problem.
 """
 
 from collections.abc import Mapping
@@ -16,24 +16,25 @@ from manipplan.support.checks import Array
 from manipplan.timing.arc import ArcLength
 from manipplan.timing.segment import Bounds, LimitsAlong, ToolSpeed
 
-#: A grid point this near to the end of a segment is at it.
+#: Distance in s by which segments are extended, so that grid points at their ends are inside.
 AT_EDGE = 1e-7
-#: Stands for an infinite effort, which leaves rows of zeros.
+#: Effort limit used in place of an infinite one; it makes the torque rows practically zero.
 NO_EFFORT = 1e12
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PathDynamics:
-    """Rows at k grid points of a piece of path.
+    """Demand rows at k grid points of a piece of path.
 
     Attributes:
-        curve: the piece by arc length.
+        curve: the piece as a function of its arc length.
         length: (k,) grid points [rad or m].
-        time_unit: [s]; the unit of length is the length of the piece.
+        time_unit: unit of time [s]; the unit of length is the length of the piece.
         tangent, curvature: (k, n) in these units.
         bounds: limits at the grid points.
-        fastest: (k,) greatest x by velocity and tool speed.
-        u, x, constant: (k, r) rows: |u row · u + x row · x + constant| <= 1; n of acceleration, then n of torque, if asked.
+        fastest: (k,) largest x within the limits of velocity and tool speed.
+        u, x, constant: (k, r) rows: |u row · u + x row · x + constant| <= 1; n of acceleration, then n of torque with a
+            torque model.
     """
 
     curve: ArcLength
@@ -58,9 +59,9 @@ class PathDynamics:
         return self.curve.length / self.time_unit
 
     def eased(self, velocity: Array, rows: Array) -> "PathDynamics":
-        """The same with stricter limits: each grid point's velocity and rows divided by factors (k,) >= 1."""
+        """A copy with tighter limits: velocity and rows are divided by factors (k,) >= 1 per grid point."""
         values = {name: getattr(self, name) for name in ("curve", "length", "time_unit", "tangent", "curvature", "bounds")}
-        # what is constant (gravity) is not scaled: the room beside it is
+        # the constant part (gravity) is not scaled, only the room that it leaves
         room = 1 / rows[:, None]
         left = np.maximum(room - np.abs(self.constant), 1e-3 * (1 - np.abs(self.constant)))
         share = np.where(self.constant == 0, rows[:, None], (1 - np.abs(self.constant)) / left)
@@ -72,7 +73,7 @@ class PathDynamics:
 def path_dynamics(
     curve: ArcLength, length: Array, limits: LimitsAlong, torque_model: pin.Model | None, tool: ToolSpeed | None
 ) -> PathDynamics:
-    """The rows at the grid points `length` (k,) of a piece."""
+    """The demand rows at the grid points `length` (k,) of a piece."""
     tangent, curvature = curve.tangent(length), curve.curvature(length)
     s = curve.s(length)
     bounds = limits.at(s, around=AT_EDGE)
@@ -115,9 +116,9 @@ Use = Mapping[str, Array]
 
 
 class LimitTightening:
-    """How much stricter limits are made at grid points (k,), and jerk's between them, over rounds of solving.
+    """Factors by which limits are tightened over rounds of solving: at grid points (k,), and for jerk between them.
 
-    Factors are 1 or more. Those of a speed that is given at an end stay 1.
+    Factors are at least 1. That of velocity at an end with a given speed stays 1.
     """
 
     def __init__(self, count: int, given: tuple[bool, bool]) -> None:
@@ -127,12 +128,12 @@ class LimitTightening:
         self._given = given
 
     def of(self, demands: PathDynamics) -> PathDynamics:
-        """The demands of limits this strict."""
+        """The demands with limits tightened by these factors."""
         return demands.eased(self._velocity, self._rows) if self.rounds else demands
 
     def tighten(self, use: Use) -> None:
-        """Make limits stricter where a motion used more than all of them; `use` of each of its pieces."""
-        margin = 1 + 1e-7 * 4.0 ** min(self.rounds, 7)  # neighbours answer to each other
+        """Tighten limits where a motion exceeds them; `use` holds demand over limit on each of its pieces."""
+        margin = 1 + 1e-7 * 4.0 ** min(self.rounds, 7)  # neighbouring intervals affect each other
         for factors, kinds in ((self._velocity, ("velocity", "tool speed")), (self._rows, ("acceleration", "torque"))):
             for kind in kinds:
                 if kind in use:
@@ -146,20 +147,20 @@ class LimitTightening:
         self.rounds += 1
 
     def _excess(self, use: Array, margin: float) -> Array:
-        """By what to divide the limits of each grid interval, on which there are one or two pieces."""
+        """Divisors of the limits on each grid interval, which holds one or two cubic pieces."""
         intervals = len(self.jerk)
         pieces, over = divmod(len(use), intervals)
-        # samples at the same nanosecond were left out: then nobody knows which
+        # samples at the same nanosecond were dropped, so pieces cannot be matched to intervals
         most = use.reshape(-1, pieces).max(axis=1) if pieces and not over else np.full(intervals, use.max())
         return np.where(most > 1, most * margin, 1.0)
 
 
 def slowdown(use: Use) -> float:
-    """How many times slower a motion has to be; 1 when every limit holds."""
+    """Factor by which a motion has to be slowed down; 1 when every limit holds."""
     factor = max(float(use["velocity"].max()), float(np.sqrt(use["acceleration"].max())), float(np.cbrt(use["jerk"].max())))
     if "tool speed" in use:
         factor = max(factor, float(use["tool speed"].max()))
     if "torque" in use and (excess := float(use["torque"].max()) - 1) > 0:
-        # gravity does not shrink with time, so torque gets a small step each round
+        # slowing down does not reduce the torque of gravity, so torque gets a small step per round
         factor = max(factor, 1 + 2 * excess)
     return max(factor, 1.0)

@@ -1,17 +1,17 @@
-"""The fastest speed along a piece of path when jerk is limited, too: unknowns, limits, and a model for Newton's method.
+"""The fastest speed along a piece of path when jerk is limited too: unknowns, limits, and a model for Newton's method.
 
-Unknown is a(l) = (dl/dt)², a quadratic spline with coefficients c; b = d²l/dt² = a'/2 is then continuous and piecewise
+The unknown is a(l) = (dl/dt)², a quadratic spline with coefficients c; b = d²l/dt² = a'/2 is then continuous and piecewise
 linear. With unit tangent t and curvature κ, acceleration t b + κ a at grid points is linear in c, and the jerk limit on
-the interval from one to the next,
+the interval between two of them,
 
     |Δ(t b + κ a)| <= J h,    h = 2 Δl / (√a_k + √a_k+1),
 
-has a right side that is convex in a: linearised it stays on the safe side, so a Newton step that keeps the linearised limits
+has a right side that is convex in a. Its linearisation is conservative, so a Newton step that keeps the linearised limits
 leads from one motion within all limits to a faster one. At a stop a piece begins with constant jerk j, l = j t³/6, so
 a = 1.5 l b at the first grid point.
 
-Sums of functions of neighbouring unknowns have a Hessian of five diagonals. Rows are linear functions of up to three
-neighbours, y_i = Σ_m rows[m][i] c_i+m: a tuple of their coefficients, (k,) each, or (k, r) for r rows at each place.
+A sum of functions of neighbouring unknowns has a Hessian of five diagonals. Rows are linear functions of up to three
+neighbours, y_i = Σ_m rows[m][i] c_i+m: a tuple of their coefficients, (k,) each, or (k, r) for r rows per place.
 """
 
 from dataclasses import dataclass
@@ -25,15 +25,15 @@ Rows = tuple[Array, ...]
 
 
 class BandedModel:
-    """Gradient and Hessian in unknowns c (count,), to which terms are added."""
+    """Gradient and banded Hessian in the unknowns c (count,), summed term by term."""
 
     def __init__(self, count: int) -> None:
         self.gradient = np.zeros(count)
-        #: the symmetric matrix from its diagonal on: [d, i] is entry (i, i + d)
+        #: diagonals of the symmetric matrix, the main one first: [d, i] is entry (i, i + d)
         self.hessian = np.zeros((3, count))
 
     def add(self, rows: Rows, slope: Array, bend: Array, *, at: int = 0) -> None:
-        """Add a function of each row by its first and second derivative there; the first row begins at c[at]."""
+        """Add a function of each row, given its first and second derivatives; the first row begins at c[at]."""
         count = len(rows[0])
         for m, row in enumerate(rows):
             self.gradient[at + m : at + m + count] += _product(slope, row)
@@ -41,7 +41,7 @@ class BandedModel:
                 self.hessian[m - j, at + j : at + j + count] += _product(bend * row, rows[j])
 
     def barrier(self, slope: Rows, slack: Array, *, at: int = 0) -> None:
-        """Add -log of slacks, linearised: their derivatives are the rows `slope`. An infinite slack adds nothing."""
+        """Add -log of linearised slacks, whose derivatives are the rows `slope`. An infinite slack adds nothing."""
         self.add(slope, -1 / slack, 1 / slack**2, at=at)
 
     def tie_ends(self, first: float, last: float) -> None:
@@ -56,7 +56,7 @@ class BandedModel:
         self.gradient, self.hessian = g[1:-1], H[:, 1:-1]
 
     def newton_step(self) -> tuple[Array, float]:
-        """The step to the model's least value, and the Newton decrement: twice the fall."""
+        """The step to the minimum of the model, and the Newton decrement: twice the predicted decrease."""
         from scipy.linalg import solveh_banded
 
         size = len(self.gradient)
@@ -77,17 +77,17 @@ def applied(rows: Rows, c: Array) -> Array:
 
 
 def _product(left: Array, right: Array) -> Array:
-    """left · right, summed over the rows at each place."""
+    """left · right, summed over the rows per place."""
     return left * right if left.ndim == 1 else np.asarray(np.einsum("kr,kr->k", left, right))
 
 
-#: Stands for an infinite jerk on a part of the path, in units in which accelerations are one.
+#: Jerk limit used where it is infinite on a part of the path, in units in which accelerations are one.
 UNLIMITED = 1e12
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SquaredSpeed:
-    """a = (dl/dt)² and b = d²l/dt² at all grid points (k,), in the units of the demands; the time of each interval."""
+    """a = (dl/dt)² and b = d²l/dt² at all grid points (k,), and the time of each interval, in the units of the demands."""
 
     a: Array
     b: Array
@@ -96,7 +96,7 @@ class SquaredSpeed:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SpeedTerms:
-    """√a at the inner grid points (k,), the time h of each interval (k - 1,), and its derivatives by both √a.
+    """√a at the inner grid points (k,), the time h of each interval (k - 1,), and its derivatives with respect to either √a.
 
     h = 2 Δl / u with u = √a_k + √a_k+1: h' = -h / u and h'' = 2 h / u². ∂u/∂c are rows of three coefficients.
     """
@@ -110,9 +110,9 @@ class SpeedTerms:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Slacks:
-    """What limits leave of a, and of c between grid points; of each row of the demands up to 1 and down to -1; of the rise and
-    the fall of each acceleration over an interval; of b at the first and the last point; and c itself, which is above zero.
-    With the pace of c.
+    """Distances to all limits: of a, and of c between grid points; of each demand row to 1 and to -1; of the rise and the
+    fall of each acceleration over an interval; of b at the first and the last point; and c itself, which is positive.
+    `pace` holds the speed terms of c.
     """
 
     fastest: Array
@@ -127,14 +127,14 @@ class Slacks:
 
     @property
     def every(self) -> tuple[Array, ...]:
-        """All of them; inf where there is no limit."""
+        """All slacks; inf where there is no limit."""
         return self.fastest, self.between, self.above, self.below, self.rise, self.fall, self.ends, self.c
 
 
 class JerkProblem:
-    """The fastest a(l) on the grid of `demands` with a jerk limit for each interval, (k - 1, n) [rad/s³].
+    """The problem of the fastest a(l) on the grid of `demands` with jerk limits (k - 1, n) per interval [rad/s³].
 
-    Its `..._rows` are linear in the spline's coefficients c, at each inner grid point or from each to the next.
+    Its `..._rows` are linear in the spline's coefficients c, per inner grid point or per interval between two of them.
     """
 
     def __init__(self, demands: PathDynamics, jerk: Array, start: float, end: float) -> None:
@@ -142,7 +142,7 @@ class JerkProblem:
         self.demands = demands
         self.fixed = (start, end)
         grid = demands.at
-        #: the grid points that are no stops
+        #: the grid points that are not stops
         self.inner = slice(int(start == 0), len(grid) - int(end == 0))
         points = grid[self.inner]
         self.h = np.diff(points)
@@ -156,9 +156,9 @@ class JerkProblem:
         self.tied = [0.0 if fixed else x / (1 + x) for fixed, x in zip(self.fixed, ratio, strict=True)]
         self.fastest = np.minimum(demands.fastest[self.inner], 1e12).copy()
         for k, fixed in ((0, start), (-1, end)):
-            if fixed:  # given, and checked before
+            if fixed:  # a given speed was checked before
                 self.fastest[k] = np.inf
-        # c between two points, too: a spline held at points alone swings about the limit, and b with it from one to the next
+        # c is limited between points too: with limits at points only, the spline and with it b oscillates about the limit
         self.most_c = np.concatenate([[np.inf], (self.fastest[:-1] + self.fastest[1:]) / 2, [np.inf]])
         self.constant = demands.constant[self.inner]
         self.demand_rows = self._combined(demands.u[self.inner], demands.x[self.inner])
@@ -181,15 +181,15 @@ class JerkProblem:
 
     @property
     def count(self) -> int:
-        """Number of slacks in a barrier."""
+        """Number of slacks in the barrier."""
         return 2 * self.constant.size + 2 * self.jerk.size + 3 * len(self.fastest) + 3
 
     def coefficients(self, z: Array) -> Array:
-        """All spline coefficients of the free ones."""
+        """All spline coefficients, from the free ones."""
         return np.concatenate([[self.tied[0] * z[0] + self.fixed[0]], z, [self.tied[1] * z[-1] + self.fixed[1]]])
 
     def pace(self, c: Array) -> SpeedTerms:
-        """How fast coefficients above zero are."""
+        """The speed terms of positive coefficients."""
         root = np.sqrt(applied(self.a_rows, c))
         u = root[:-1] + root[1:]
         step = 2 * self.h / u
@@ -206,12 +206,12 @@ class JerkProblem:
         return float(total)
 
     def _stops(self) -> list[tuple[int, float]]:
-        """Index of the inner grid point beside each stop, and its distance from there."""
+        """Index of the inner grid point next to each stop, and its distance from the stop."""
         return [(k, size) for k, size, fixed in zip((0, -1), self.outer, self.fixed, strict=True) if not fixed]
 
     def slacks(self, c: Array) -> Slacks | None:
-        """What each limit leaves; None where one is exceeded."""
-        if not (c > 0).all():  # then a > 0 everywhere, between grid points, too
+        """The slacks of all limits; None when a limit is exceeded."""
+        if not (c > 0).all():  # c > 0 means a > 0 everywhere, also between grid points
             return None
         pace = self.pace(c)
         demand = applied(self.demand_rows, c) + self.constant
@@ -231,10 +231,10 @@ class JerkProblem:
         return found if all((part > 0).all() for part in found.every) else None
 
     def model(self, slacks: Slacks, weight: float) -> BandedModel:
-        """weight · time - Σ log of the slacks, with the jerk limits linearised, to second order in the free coefficients."""
+        """Quadratic model of weight · time - Σ log of the slacks in the free coefficients, with linearised jerk limits."""
         c, pace = slacks.c, slacks.pace
         model = BandedModel(len(c))
-        # time: steps by u, ∂²√a/∂a² = -1 / 4 a^(3/2) at both points, and 3 l / √a at stops; then the slacks
+        # time: steps as functions of u, ∂²√a/∂a² = -1 / 4 a^(3/2) at both points, and 3 l / √a at stops; then the slacks
         model.add(pace.sum_rows, weight * pace.first, weight * pace.second)
         slope, bend = 1 / slacks.fastest, 1 / slacks.fastest**2
         bend[:-1] -= weight * pace.first / (4 * pace.root[:-1] ** 3)
@@ -256,7 +256,7 @@ class JerkProblem:
         return model
 
     def motion(self, z: Array) -> SquaredSpeed:
-        """The motion of free coefficients at all grid points, stops too."""
+        """The motion of free coefficients at all grid points, including stops."""
         c = self.coefficients(z)
         count = len(self.demands.at)
         a, b = np.zeros(count), np.zeros(count)

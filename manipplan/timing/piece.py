@@ -1,7 +1,7 @@
 """The verified motion along one piece of path, from a stop or a given speed to the next.
 
-It is solved, sampled as a cubic spline, and compared with the limits by the spline's exact extremes. Where it exceeds them, it
-is solved again with tighter limits; what is left over is removed by going slower.
+It is solved, sampled as a cubic spline, and compared with the limits at the spline's exact extremes. Where it exceeds them,
+it is solved again with tighter limits; what still exceeds them is removed by slowing down.
 """
 
 from collections.abc import Callable
@@ -23,12 +23,12 @@ from manipplan.timing.speeds import DIGITS, fastest_speeds
 from manipplan.timing.stops import MovingPath
 from manipplan.timing.verify import piece_use
 
-#: Grid points nearer to a mark than this share of their distance are left out in its favour.
+#: Grid points closer to a mark than this share of the grid spacing are dropped.
 BESIDE = 0.4
 
 
 def first_grid(curve: ArcLength, count: int, edges: Array, stops: tuple[bool, bool]) -> Array:
-    """A grid before anything is known of the speed: even, denser in turns, and like l ~ t³ at stops."""
+    """A grid for the first solve, when no speed is known: even, denser where the path turns, and with l ~ t³ at stops."""
     points = curve.grid(8 * count, np.empty(0))
     share = points / curve.length
     even = np.linspace(0.0, 1.0, len(points))
@@ -39,7 +39,7 @@ def first_grid(curve: ArcLength, count: int, edges: Array, stops: tuple[bool, bo
 
 
 def next_grid(curve: ArcLength, profile: Profile, count: int, edges: Array) -> Array:
-    """A grid even in the time of a motion found before, and denser in turns."""
+    """A grid that is even in the time of an earlier motion, and denser where the path turns."""
     fine = curve.grid(8 * count, np.empty(0))
     even = np.linspace(0.0, 1.0, len(fine))
     # l ~ t³ at stops: the cube root is interpolated there
@@ -51,14 +51,14 @@ def next_grid(curve: ArcLength, profile: Profile, count: int, edges: Array) -> A
             gone = np.abs(fine[inside] - lengths[i]) / abs(lengths[j] - lengths[i])
             at[inside] = times[i] + (times[j] - times[i]) * np.cbrt(gone)
     dense = np.union1d(fine, np.interp(np.linspace(0, 1, 8 * count), times, lengths))
-    # the first interval of the motion is passed with constant jerk
+    # at a stop the first or last interval has constant jerk
     begin, end = lengths[1] * np.linspace(0, 1, 9) ** 3, curve.length - (curve.length - lengths[-2]) * np.linspace(0, 1, 9) ** 3
     dense = np.union1d(dense, np.concatenate([begin, end]))
     return _thinned(curve, dense, 0.7 * np.interp(dense, fine, at) + 0.3 * np.interp(dense, fine, even), count, edges)
 
 
 def _thinned(curve: ArcLength, points: Array, share: Array, count: int, edges: Array) -> Array:
-    """About `count` + 1 lengths, evenly spaced in `share`, which rises along `points`; marks are among them."""
+    """About `count` + 1 lengths, evenly spaced in `share`, which increases along `points`; they include the marks."""
     rising = np.concatenate([[True], np.diff(share) > 0])
     points, share = points[rising], share[rising]
     share = (share - share[0]) / (share[-1] - share[0])
@@ -78,23 +78,23 @@ def _thinned(curve: ArcLength, points: Array, share: Array, count: int, edges: A
     return np.asarray(grid, dtype=float)
 
 
-#: What the verified trajectory stays below each limit by, relative.
+#: Relative margin to the limits that slowing down leaves.
 SPARE = 1e-9
-#: Limits are made stricter this often, without and with limited jerk, while the motion is off by more than `CLOSE`.
+#: Maximum number of rounds of tightening, without and with limited jerk, and the slowdown factor at which they end.
 ROUNDS, ROUNDS_SMOOTH, CLOSE = 8, 6, 1.002
-#: As often for a piece that begins or ends moving, which cannot be slowed as a whole.
+#: The same for a piece that begins or ends moving, which cannot be slowed down as a whole.
 ROUNDS_MOVING = 25
-#: Grid intervals of a piece with limited jerk, least.
+#: Minimum number of grid intervals of a piece with limited jerk.
 SMOOTH_LEAST = 40
-#: The time a grid interval takes on average [s], least: below it whole nanoseconds would show in the jerk.
+#: Minimum mean time per grid interval [s]: below it, rounding to nanoseconds would show in the jerk.
 SHORTEST_STEP = 2e-5
-#: A jerk limit of which no more than this share is used is too high for the grid: a finer one lets acceleration rise faster.
+#: When a motion uses less than this share of the jerk limit, a finer grid lets acceleration rise faster.
 COARSE = 0.7
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class TimingProblem:
-    """What every piece of a path shares."""
+    """Data shared by all pieces of a path."""
 
     course: MovingPath
     limits: LimitsAlong
@@ -103,18 +103,18 @@ class TimingProblem:
     tool: ToolSpeed | None
 
     def dynamics(self, curve: ArcLength, points: Array) -> PathDynamics:
-        """What motion asks of the joints at grid points of a piece."""
+        """The demand rows at grid points of a piece."""
         return path_dynamics(curve, points, self.limits, self.torque_model, self.tool)
 
     def use(self, trajectory: Trajectory, s: Array) -> Use:
-        """Largest demand over limit on each piece of the trajectory, whose samples are at s."""
+        """Largest ratio of demand to limit per piece of the trajectory, whose samples are at s."""
         bounds = self.limits.at((s[:-1] + s[1:]) / 2)
         return piece_use(trajectory, bounds, self.torque_model, self.tool)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Piece:
-    """The verified motion between two stops, and how long it would take had discretisation left nothing over [s]."""
+    """The verified motion between two stops, and its duration without losses from discretisation [s]."""
 
     trajectory: Trajectory
     ideal: float
@@ -133,7 +133,7 @@ def stepped_piece(problem: TimingProblem, a: float, b: float, grid: int, start: 
         except (InvalidInputError, PlanningError):
             if not tightening.rounds:
                 raise
-            return None  # limits were made too strict
+            return None  # the tightened limits allow no motion
         return SteppedProfile.of(curve, points, speed)
 
     def failure(use: Use, s: Array) -> Exception:
@@ -150,7 +150,7 @@ def stepped_piece(problem: TimingProblem, a: float, b: float, grid: int, start: 
 
 
 def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: float, end: float) -> Piece:
-    """The same with jerk limits: on two grids, the second made for the motion found on the first."""
+    """As `stepped_piece`, with jerk limits: solved on two grids, the second made for the motion found on the first."""
     curve = ArcLength(problem.course.path, a, b)
     edges = problem.limits.edges
     grid = max(grid, SMOOTH_LEAST)
@@ -165,11 +165,11 @@ def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: f
         if not moving:
             return PlanningError("no motion within the jerk limits was found")
         name, value = ("start_speed", start) if start > 0 else ("end_speed", end)
-        return InvalidInputError(name, value, "a lower speed: with this one no motion within the jerk limits was found")
+        return InvalidInputError(name, value, "a lower speed; no motion within the jerk limits was found with this one")
 
     points = first_grid(curve, grid, edges, (start == 0, end == 0))
     asked = problem.dynamics(curve, points)
-    fastest_speeds(asked, problem.names, problem.course.given, start, end)  # raises where nothing is within the limits
+    fastest_speeds(asked, problem.names, problem.course.given, start, end)  # raises when no motion is within the limits
     first = motion(asked, np.ones(len(points) - 1))
     if first is None:
         raise failure()
@@ -201,9 +201,9 @@ def _verified(
     moving: bool,
     failure: Callable[[Use, Array], Exception],
 ) -> Piece:
-    """The fastest motion of all rounds that keeps every limit; `failure` of the last one's use and s is raised for none.
+    """The fastest motion of all rounds that keeps every limit; without any, raises `failure` of the last use and s.
 
-    A piece that begins and ends at rest is made slower until it does; one that begins or ends moving has to as it is.
+    A piece that begins and ends at rest is slowed down until it keeps them; one that begins or ends moving is not slowed.
     """
     best: Piece | None = None
     use: Use = {}
@@ -232,7 +232,7 @@ def _verified(
 
 
 def _slowed(problem: TimingProblem, profile: Profile, factor: float, trajectory: Trajectory) -> Trajectory | None:
-    """The motion slowed until every limit holds; None where it does not get there."""
+    """The motion slowed down until every limit holds; None when that fails."""
     total = 1.0
     for _ in range(20):
         if factor <= 1:

@@ -1,7 +1,7 @@
-"""Speed along a piece of path as a function of time, in steps or as a cubic spline, and the trajectory it makes.
+"""Speed along a piece of path as a function of time, in steps or as a cubic spline, and the resulting trajectory.
 
-A cubic spline with continuous second derivative has a constant jerk on each piece, so its limits are checked exactly and a
-file needs positions and velocities only.
+A cubic spline with continuous second derivative has constant jerk on each piece, so its limits are checked exactly and a
+file needs only positions and velocities.
 """
 
 from abc import ABC, abstractmethod
@@ -22,9 +22,9 @@ class Profile(ABC):
     """Samples of a motion along a piece of path.
 
     Attributes:
-        curve: the piece by arc length.
-        time: (k,) from 0 [s].
-        length: (k,) way gone [rad or m].
+        curve: the piece as a function of its arc length.
+        time: (k,) sample times, from 0 [s].
+        length: (k,) arc length travelled [rad or m].
         speed: (k,) dl/dt.
     """
 
@@ -35,10 +35,10 @@ class Profile(ABC):
 
     @abstractmethod
     def joints(self, t: Array, s: Array, length: Array, pace: Array) -> tuple[Array, Array]:
-        """q and qd (k, n) of samples at times t, where the parameter is s and dl/dt is `pace`, (k,) each."""
+        """q and qd (k, n) at times t, where the path parameter is s and dl/dt is `pace`, (k,) each."""
 
     def sampled(self, names: Sequence[str], factor: float = 1.0) -> tuple[Trajectory, Array]:
-        """The cubic trajectory `factor` times slower, sample times in whole nanoseconds, and s of its samples (k,)."""
+        """The cubic trajectory, `factor` times slower and sampled at whole nanoseconds, and s at its samples (k,)."""
         time = self.time * factor
         t = np.round(time, 9)
         distinct = np.concatenate([[True], np.diff(t) > 0])
@@ -46,7 +46,7 @@ class Profile(ABC):
         if len(t) > 2 and not t[-1] > t[distinct][-2]:
             distinct[np.flatnonzero(distinct)[-2]] = False
         pace = self.speed / factor
-        # where the motion is at the rounded times
+        # position of the motion at the rounded times
         length = np.clip(self.length + pace * (t - time), 0.0, self.curve.length)
         length[0], length[-1] = 0.0, self.curve.length
         t, length, pace = t[distinct], length[distinct], pace[distinct]
@@ -60,11 +60,11 @@ class Profile(ABC):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SteppedProfile(Profile):
-    """A motion on whose grid intervals dl/dt changes at a constant rate: acceleration jumps."""
+    """A motion whose dl/dt changes at a constant rate on each grid interval: acceleration jumps between them."""
 
     @classmethod
     def of(cls, curve: ArcLength, points: Array, speed: Array) -> "SteppedProfile":
-        """From dl/dt at grid points (k,): two samples an interval."""
+        """From dl/dt at grid points (k,), with two samples per interval."""
         duration = 2 * np.diff(points) / (speed[:-1] + speed[1:])
         rate = np.diff(speed) / duration
         half = duration / 2
@@ -97,13 +97,13 @@ class SmoothProfile(Profile):
 
 
 def smooth_velocities(t: Array, q: Array, ends: Array, stops: tuple[bool, bool]) -> Array:
-    """Velocities (k, n) of the cubic spline with continuous acceleration through q (k, n), which is changed.
+    """Velocities (k, n) of the cubic spline with continuous acceleration through q (k, n), which is modified in place.
 
-    At an end that is a stop velocity and acceleration are zero; for this the sample beside it is moved, by far less than
-    it is away from the end. At the other ends velocity is that of `ends` (2, n).
+    At an end that is a stop, velocity and acceleration are zero; for this the sample next to it is moved, by much less than
+    its distance from the end. At other ends the velocity is that in `ends` (2, n).
 
-    Unknown are the accelerations M at the samples: h M_k-1 / 6 + (h + h') M_k / 3 + h' M_k+1 / 6 is the change of the mean
-    velocity from one piece to the next.
+    The unknowns are the accelerations M at the samples: h M_k-1 / 6 + (h + h') M_k / 3 + h' M_k+1 / 6 is the change of the
+    mean velocity from one piece to the next.
     """
     from scipy.linalg import solve_banded
 
@@ -125,7 +125,7 @@ def smooth_velocities(t: Array, q: Array, ends: Array, stops: tuple[bool, bool])
             band[(0 if k == 0 else 2), beside] = h[first] / 6
             right[end] = sign * (mean[first] - ends[k])
             continue
-        # the sample beside the stop is at q_end + h² M / 6, which keeps velocity and acceleration there at zero
+        # the sample next to the stop is at q_end + h² M / 6, which makes velocity and acceleration at the stop zero
         far = q[2 if k == 0 else -3]
         step = (far - q[end]) / h[second] * sign
         band[1, beside] += h[first] ** 2 / (6 * h[second]) + h[first] / 6

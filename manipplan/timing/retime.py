@@ -1,6 +1,6 @@
 """retime: the fastest motion along a joint path under velocity, acceleration, jerk and torque limits, verified.
 
-The path is cut where it stands still or turns a corner, since the arm has to stop there; `piece` times what is in between.
+The path is split where it stands still or turns a corner, since the arm has to stop there; `piece` times each part.
 """
 
 from collections.abc import Sequence
@@ -19,13 +19,13 @@ from manipplan.timing.piece import Piece, TimingProblem, smooth_piece, stepped_p
 from manipplan.timing.segment import LimitsAlong, Segment, ToolSpeed, check_segments
 from manipplan.timing.stops import STANDSTILL, MovingPath, stops
 
-#: Where a grid is too coarse for a bend as sharp as a corner, a stop where ‖q'‖ is below this share is tried.
+#: Where a grid is too coarse for a bend as sharp as a corner, a stop is tried where ‖q'‖ is below this share of its mean.
 NEAR_STANDSTILL = 0.02
-#: Grid points for each polynomial piece, least, up to four times the grid asked for; one alone has the whole grid.
+#: Minimum number of grid points per polynomial piece, up to 4 `grid` in total; a single piece gets the whole grid.
 EACH = 40
-#: A grid is refined while what it left over slows the whole motion by more than this.
+#: A grid is refined when discretisation makes the whole motion slower by more than this factor.
 CLOSE_TO_IDEAL = 1.02
-#: Limits that make sense lie far inside these [SI units].
+#: Smallest and largest accepted limits; realistic ones lie far inside [SI units].
 LEAST_LIMIT, MOST_LIMIT = 1e-9, 1e12
 
 
@@ -46,25 +46,25 @@ def retime(
     The arm stops where the path turns a corner or stands still.
 
     Args:
-        path: q(s), as a curve: its parameter is not time. `Trajectory.path` starts and ends so slowly that timing it again
-            gives a slower motion than need be.
-        limits: of velocity and acceleration. Where a jerk limit is finite, acceleration is continuous, and zero at stops.
-            Effort counts when `torque_model` is given.
-        joint_names: (n,); default q0, q1, ...
-        torque_model: Pinocchio model of the arm; its inverse dynamics then keep the motion within `limits.effort`.
-        grid: points along the path, 50 or more; more are taken where they make the motion faster.
-        start_speed, end_speed: ‖qd‖ at the ends [rad/s or m/s], along the path.
+        path: the curve q(s), whose parameter is not time. `Trajectory.path` starts and ends so slowly that timing it again
+            gives a slower motion than necessary.
+        limits: of velocity and acceleration. If a jerk limit is finite, acceleration is continuous, and zero at stops.
+            Effort limits apply when `torque_model` is given.
+        joint_names: names (n,); default q0, q1, ...
+        torque_model: Pinocchio model of the arm, whose inverse dynamics keep the motion within `limits.effort`.
+        grid: number of points along the path, at least 50; more are used where they make the motion faster.
+        start_speed, end_speed: ‖qd‖ along the path at its ends [rad/s or m/s].
         segments: parts of the path with tighter limits.
-        robot: whose tool is meant where a segment limits the tool's speed.
+        robot: the arm whose tool speed segments limit; required for such segments.
 
     Returns:
-        A Trajectory whose samples lie on the path and that exceeds no limit. Velocity, acceleration and jerk are compared by
-        their exact extremes, torque and the tool's speed on a dense grid.
+        A Trajectory whose samples lie on the path and that exceeds no limit. Velocity, acceleration and jerk are checked at
+        their exact extremes, torque and tool speed on a dense grid.
 
     Raises:
         InvalidInputError: the path has no length, the limits do not fit it, a velocity or acceleration limit is infinite, or
-            limits do not allow `start_speed` or `end_speed`; the message says what they allow where that is known.
-        PlanningError: no motion is within the limits; the message names joint, place and limit where they are known.
+            limits do not allow `start_speed` or `end_speed`; the message gives the allowed speed if it is known.
+        PlanningError: no motion is within the limits; the message names the joint, s and limit if they are known.
     """
     instance("path", path, JointPath)
     instance("limits", limits, JointLimits)
@@ -100,7 +100,7 @@ def retime(
 
 
 def _pieces(problem: TimingProblem, at: list[float], grid: int, speeds: tuple[float, float]) -> list[Piece]:
-    """The motion between all stops."""
+    """The motions between all stops."""
     pieces = []
     for k, (a, b) in enumerate(pairwise(at)):
         start = speeds[0] if k == 0 else 0.0
@@ -115,8 +115,8 @@ def _pieces(problem: TimingProblem, at: list[float], grid: int, speeds: tuple[fl
 
 
 def check_timing_limits(limits: JointLimits) -> None:
-    """Raise InvalidInputError when a velocity or acceleration limit is infinite, for there would be no fastest motion, or a
-    limit is so small or so large that its square is lost in rounding.
+    """Raise InvalidInputError for an infinite velocity or acceleration limit, as no motion is then the fastest, or a limit so
+    small or so large that its square is lost in rounding.
     """
     for kind in ("velocity", "acceleration"):
         values = getattr(limits, kind)
@@ -139,6 +139,6 @@ def _check_statics(path: JointPath, limits: JointLimits, model: pin.Model, names
         joint = int(np.argmax(ratio))
         if ratio[joint] >= 1:
             raise PlanningError(
-                f"gravity alone asks {names[joint]} for {ratio[joint]:.3g} times its effort limit at s = {s:.3f}; "
+                f"gravity alone loads {names[joint]} with {ratio[joint]:.3g} times its effort limit at s = {s:.3f}; "
                 "raise effort, or choose another path"
             )

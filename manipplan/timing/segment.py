@@ -1,4 +1,4 @@
-"""Limits that change along a path: tighter ones on named segments, and how fast the tool may go there."""
+"""Limits that change along a path: tighter ones on segments, and limits of the tool speed there."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,13 +15,13 @@ from manipplan.support.errors import InvalidInputError
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Segment:
-    """A part of a path on which tighter limits hold; where segments overlap, the tightest of each kind.
+    """A part of a path on which tighter limits hold; where segments overlap, the tightest limit of each kind applies.
 
     Attributes:
         begin, end: path parameter s where it begins and ends, 0 <= begin < end <= 1.
-        limits: of the joints there, instead of the whole path's where they are tighter; None: those of the whole path.
+        limits: joint limits there, which apply where they are tighter than the whole path's; None: those of the whole path.
         velocity, acceleration, jerk: shares in (0, 1] of these limits.
-        tool_speed: greatest speed of the tool's origin there [m/s]; inf: any. Needs the `robot` of `retime`.
+        tool_speed: maximum speed of the tool's origin there [m/s]; inf: no limit. A finite one needs the `robot` of `retime`.
     """
 
     begin: float
@@ -47,7 +47,7 @@ class Segment:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Bounds:
-    """Limits at k places of a path: each (k, n) but `tool_speed` (k,); inf where there is none."""
+    """Limits at k places of a path: (k, n) each, `tool_speed` (k,); inf where there is no limit."""
 
     velocity: Array
     acceleration: Array
@@ -57,9 +57,9 @@ class Bounds:
 
 
 class LimitsAlong:
-    """The limits of every place s of a path; segments are closed, so at their ends the tighter side counts.
+    """The limits at every s of a path; segments include their ends, so the tighter side applies there.
 
-    `places` are the parameters of segment ends on the path that is timed, which may differ from those of the path given.
+    `places` are the parameters of segment ends on the path that is timed, which may differ from those on the given path.
     """
 
     def __init__(self, limits: JointLimits, segments: Sequence[Segment], places: Array) -> None:
@@ -71,7 +71,7 @@ class LimitsAlong:
 
     @property
     def edges(self) -> Array:
-        """Where limits change, sorted."""
+        """Path parameters at which limits change, sorted."""
         return np.unique(self.places)
 
     @property
@@ -85,7 +85,7 @@ class LimitsAlong:
         return any(np.isfinite(segment.tool_speed) for segment in self.segments)
 
     def at(self, s: Array, *, around: float = 0.0) -> Bounds:
-        """Limits at the places s (k,); segments reach `around` further than they do."""
+        """Limits at s (k,); each segment is extended by `around` at both ends."""
         kinds = ("velocity", "acceleration", "jerk", "effort")
         values = {kind: np.repeat(getattr(self.limits, kind)[None], len(s), axis=0) for kind in kinds}
         tool = np.full(len(s), np.inf)
@@ -108,7 +108,7 @@ class LimitsAlong:
 
 
 def check_segments(segments: Any, limits: JointLimits, robot: Robot | None) -> tuple[Segment, ...]:
-    """The segments given to `retime`. Raises InvalidInputError when one does not fit."""
+    """The segments given to `retime` as a tuple. Raises InvalidInputError when one does not fit."""
     if segments is None:
         return ()
     if isinstance(segments, Segment):
@@ -122,12 +122,12 @@ def check_segments(segments: Any, limits: JointLimits, robot: Robot | None) -> t
                 f"segments[{k}].limits", f"limits of {segment.limits.n} joints", f"limits of the path's {limits.n} joints"
             )
         if np.isfinite(segment.tool_speed) and robot is None:
-            raise InvalidInputError(f"segments[{k}].tool_speed", segment.tool_speed, "inf, or give robot= whose tool is meant")
+            raise InvalidInputError(f"segments[{k}].tool_speed", segment.tool_speed, "inf; give robot= to limit the tool speed")
     return tuple(segments)
 
 
 class ToolSpeed:
-    """Speed of a robot's tool: ‖J(q) qd‖ of the rows of translation."""
+    """Speed of a robot's tool: ‖J(q) qd‖ with the translational rows of J."""
 
     def __init__(self, robot: Robot) -> None:
         self.model = robot.model

@@ -9,7 +9,7 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.timing.dynamics import PathDynamics
 
-#: A given speed may be this much, relative, above what limits allow: digits of the user's own arithmetic.
+#: Relative tolerance by which a given speed may exceed the limits, for rounding in the caller's arithmetic.
 DIGITS = 1e-9
 
 
@@ -18,8 +18,8 @@ def fastest_speeds(
 ) -> Array:
     """Speed dl/dt [rad/s] at each grid point (k,), from `start` to `end` [rad/s].
 
-    Raises InvalidInputError when these speeds are beyond what limits allow, PlanningError when no speed is within them;
-    `given` turns a parameter of the path into the user's, for the message.
+    Raises InvalidInputError when limits do not allow these speeds, PlanningError when no speed is within the limits;
+    `given` converts a path parameter into that of the given path, for the message.
     """
     unit = demands.speed_unit
     _check_end("start_speed", start, demands, names, given, 0)
@@ -34,7 +34,7 @@ def fastest_speeds(
     if (speed[1:-1] <= 0).any():
         k = int(np.flatnonzero(speed[1:-1] <= 0)[0]) + 1
         raise PlanningError(
-            f"the motion stands still inside the path, {_place(demands, k, given)}; {_binding(demands, names, k)}"
+            f"the motion comes to rest inside the path, {_place(demands, k, given)}; {_binding(demands, names, k)}"
         )
     return speed * unit
 
@@ -87,11 +87,11 @@ def _place(demands: PathDynamics, k: int, given: Callable[[float], float]) -> st
 
 
 def _binding(demands: PathDynamics, names: Sequence[str], k: int) -> str:
-    """Which joint leaves least room at grid point k, and by what."""
+    """The joint and kind of the tightest limit at grid point k, as a sentence."""
     n = len(names)
     row = int(np.argmax(np.abs(demands.constant[k]) + 1e-9 * np.abs(demands.x[k])))
     kind = "acceleration" if row < n else "effort"
-    return f"the {kind} limit of {names[row % n]} leaves no room"
+    return f"the {kind} limit of {names[row % n]} allows no motion"
 
 
 def _check_end(
@@ -103,21 +103,21 @@ def _check_end(
     ratio = np.abs(demands.tangent[k]) / demands.bounds.velocity[k]
     joint = int(np.argmax(ratio))
     by_joint = most * ratio[joint] / demands.curve.length > 1 - 1e-6
-    whose = f"the velocity limit of {names[joint]}" if by_joint else "the tool speed of a segment"
-    raise InvalidInputError(name, speed, f"0 to {most:.6g}: {whose} allows no more {_place(demands, k, given)}")
+    whose = f"the velocity limit of {names[joint]}" if by_joint else "the tool speed limit of a segment"
+    raise InvalidInputError(name, speed, f"0 to {most:.6g}: {whose} allows no higher speed {_place(demands, k, given)}")
 
 
 def _failure(
     demands: PathDynamics, names: Sequence[str], given: Callable[[float], float], start: float, end: float
 ) -> Exception:
-    """Why there is no motion, as the error to raise."""
+    """The error to raise, with the reason why there is no motion."""
     if end > 0 and (most := _most(demands, end, lambda speed: (start, speed))) is not None:
         return InvalidInputError(
-            "end_speed", end, f"0 to {most:.6g}: more cannot be reached from start_speed = {start:g} within the limits"
+            "end_speed", end, f"0 to {most:.6g}: a higher one cannot be reached from start_speed = {start:g} within the limits"
         )
     if start > 0 and (most := _most(demands, start, lambda speed: (speed, 0.0))) is not None:
         return InvalidInputError(
-            "start_speed", start, f"0 to {most:.6g}: from more the arm cannot slow down in time for what lies ahead"
+            "start_speed", start, f"0 to {most:.6g}: from a higher one the arm cannot slow down in time for the path ahead"
         )
     ahead = _algorithm(demands).compute_controllable_sets(0.0, 0.0)
     empty = np.flatnonzero(~np.isfinite(ahead).all(axis=1))
@@ -126,7 +126,7 @@ def _failure(
 
 
 def _most(demands: PathDynamics, given: float, ends: Callable[[float], tuple[float, float]]) -> float | None:
-    """The largest speed below the one given that allows a motion, rounded down; None when even 0 does not."""
+    """The largest speed below the given one that allows a motion, rounded down; None when even 0 does not."""
     algorithm = _algorithm(demands)
 
     def works(speed: float) -> bool:

@@ -1,4 +1,4 @@
-"""Where an arm has to stop on a path, and the path without pieces on which nothing moves."""
+"""Where an arm has to stop on a path, and the path without pieces on which no joint moves."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ CORNER = 1e-4
 
 
 class MovingPath:
-    """A path without standing pieces, and the way between its parameter and that of the path given."""
+    """A path without pieces that stand still, and the conversion between its parameter and that of the given path."""
 
     def __init__(self, path: JointPath) -> None:
         self._given = self._kept = np.array([0.0, 1.0])
@@ -28,11 +28,11 @@ class MovingPath:
         self.path = JointPath(breaks=breaks, control=path.control[moving])
 
     def here(self, s: Array) -> Array:
-        """The parameter on `path` of a place of the path given."""
+        """The parameter on `path` for s on the given path."""
         return np.asarray(np.interp(s, self._given, self._kept))
 
     def given(self, s: float) -> float:
-        """The parameter on the path given of a place of `path`."""
+        """The parameter on the given path for s on `path`."""
         return float(np.interp(s, self._kept, self._given))
 
 

@@ -1,4 +1,4 @@
-"""What a trajectory asks of each joint, against its limits: exact extremes of the cubic pieces, not samples."""
+"""Demands of a trajectory on each joint compared with its limits: exact extremes of the cubic pieces, not samples."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -12,19 +12,19 @@ from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError
 from manipplan.timing.segment import Bounds, ToolSpeed
 
-#: Acceleration jumps where it changes at once by more than this share of its limit.
+#: A sudden change of acceleration counts as a jump above this share of its limit.
 JUMP = 1e-5
 
 
 @dataclass(frozen=True, kw_only=True)
 class LimitUse:
-    """The worst use of one kind of limit.
+    """The largest use of one kind of limit.
 
     Attributes:
-        ratio: largest demand over limit; at most 1 when the limit holds. For position: largest excess [rad or m], at
+        ratio: largest ratio of demand to limit; at most 1 when the limit holds. For position: largest excess [rad or m], at
             most 0 when it holds.
-        joint: name of the joint where it is reached; "" where no joint has this limit.
-        time: when it is reached [s].
+        joint: name of the joint that reaches it; "" when no joint has this limit.
+        time: time at which it is reached [s].
     """
 
     ratio: float
@@ -33,7 +33,7 @@ class LimitUse:
 
 
 def limit_use(trajectory: Trajectory, limits: JointLimits) -> Mapping[str, LimitUse]:
-    """Worst use of position, velocity and acceleration over the whole trajectory, from closed forms.
+    """Largest use of the limits of position, velocity and acceleration over the whole trajectory, in closed form.
 
     On a cubic piece velocity is a parabola and acceleration a line, so each extreme is at an end of the piece, or at
     the vertex of the parabola. For jerk see `jerk_use`.
@@ -51,10 +51,10 @@ def limit_use(trajectory: Trajectory, limits: JointLimits) -> Mapping[str, Limit
 def piece_use(
     trajectory: Trajectory, bounds: Bounds, model: pin.Model | None, tool: ToolSpeed | None, *, inside: int = 6
 ) -> Mapping[str, Array]:
-    """Largest demand over limit on each cubic piece (k - 1,), by kind, where every piece has its own `bounds`.
+    """Largest ratio of demand to limit per cubic piece (k - 1,), by kind; each piece has its own `bounds`.
 
-    Velocity, acceleration and jerk are exact, the last but for what acceleration jumps between pieces. Torque and the
-    tool's speed are taken at both ends and `inside` between, and bounded between these by their second differences.
+    Velocity, acceleration and jerk are exact, but jerk leaves out jumps of acceleration between pieces. Torque and tool
+    speed are sampled at both ends and at `inside` points between, and bounded between samples by second differences.
     """
     _, velocity, acceleration = _extremes(trajectory)
     found = {
@@ -75,15 +75,15 @@ def piece_use(
 
 
 def _bent(values: Array) -> Array:
-    """The largest size of a function between evenly spaced samples (m, ...), by its second differences."""
+    """The largest magnitude of a function between evenly spaced samples (m, ...), by its second differences."""
     return np.asarray(np.abs(values).max(axis=0) + np.abs(np.diff(values, 2, axis=0)).max(axis=0) / 8)
 
 
 def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
-    """Worst use of jerk, constant on each cubic piece; ratio inf where acceleration jumps, as between pieces of most splines.
+    """Largest use of the jerk limits, by the constant jerk of each cubic piece; ratio inf where acceleration jumps.
 
-    Acceleration jumps where it changes at a sample by more than `JUMP` of its limit: less is the rounding of files and times.
-    Raises InvalidInputError for limits of another number of joints.
+    Acceleration jumps between pieces of most splines. A change at a sample counts as a jump above `JUMP` of the limit, since
+    smaller ones come from rounding of files and times. Raises InvalidInputError for limits of a different number of joints.
     """
     n = instance("trajectory", trajectory, Trajectory).n
     if instance("limits", limits, JointLimits).n != n:
@@ -100,7 +100,7 @@ def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
 
 
 def torque_use(trajectory: Trajectory, model: pin.Model, effort: Array, *, inside: int = 6) -> LimitUse:
-    """Worst use of the joints' effort, by Pinocchio's inverse dynamics at both ends of every piece and `inside` between."""
+    """Largest use of effort limits, by Pinocchio's inverse dynamics at both ends of each piece and `inside` times between."""
     worst = LimitUse(ratio=0.0, joint="", time=0.0)
     for u, *state in _within(trajectory, inside):
         ratio = np.abs(_torques(model, *state)) / effort
@@ -125,7 +125,7 @@ def _extremes(trajectory: Trajectory) -> tuple[list[Array], list[Array], list[Ar
 
 
 def _within(trajectory: Trajectory, inside: int) -> Iterator[tuple[Array, Array, Array, Array]]:
-    """Time in the piece (k - 1,), q, qd and qdd (k - 1, n) at both ends of every piece and `inside` between."""
+    """Time in the piece (k - 1,), q, qd and qdd (k - 1, n) at both ends of each piece and at `inside` points between."""
     widths, (c0, c1, c2, c3) = trajectory.segments()
     for fraction in np.linspace(0.0, 1.0, inside + 2):
         u = (widths * fraction)[:, None]
@@ -151,7 +151,7 @@ def _position_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
     h = widths[:, None]
     with np.errstate(divide="ignore", invalid="ignore"):
         root = np.sqrt(np.maximum(c2**2 - 3 * c1 * c3, 0.0))
-        # roots of c1 + 2 c2 u + 3 c3 u² without cancellation, also where c3 is all but zero
+        # roots of c1 + 2 c2 u + 3 c3 u² without cancellation, also where c3 is almost zero
         sum_ = -(c2 + np.copysign(root, c2))
         turning = [sum_ / (3 * c3), c1 / sum_]
     at = [np.zeros_like(c0), np.broadcast_to(h, c0.shape), *(np.clip(np.nan_to_num(u), 0.0, h) for u in turning)]

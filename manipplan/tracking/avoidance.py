@@ -16,27 +16,26 @@ from manipplan.symbolic.chain import Placement, SymbolicChain
 from manipplan.tracking.bodies import Bodies, Body
 from manipplan.tracking.distances import Box, Capsule, Nearest, Plane, nearest
 
-#: Numbers that give a moving obstacle: rotation (9, column by column), position (3), linear and angular velocity (3 each).
+#: Number of values per moving obstacle: rotation (9, column by column), position (3), linear and angular velocity (3 each).
 OBSTACLE_SIZE = 18
 
 
 @dataclass(frozen=True, kw_only=True)
 class Avoidance:
-    """What a controller keeps away from, and from which distance.
+    """Obstacles and links that a controller keeps apart, and its distances.
 
-    Within `influence` of each other two bodies may approach at no more than ξ (d - d_s)/(d_i - d_s). Links are taken as
-    capsules that contain them; those of a robot's own pairs that its capsules are too coarse for are left out
-    (`Controller.unguarded` names them). Every pair costs a tenth of a microsecond a step, and time to compile: name the links
-    that matter.
+    Two bodies closer than `influence` may approach at no more than ξ (d - d_s)/(d_i - d_s). Links are modelled as capsules
+    that contain them; pairs of the robot's own links for which capsules are too coarse are left out (`Controller.unguarded`
+    names them). Each pair costs 0.1 µs per step, and time to compile: name the links that matter.
 
     Attributes:
-        scene: obstacles; spheres, capsules, boxes, cylinders (as the capsule around them) and planes.
+        scene: obstacles; spheres, capsules, boxes, cylinders (as enclosing capsules) and planes.
         influence: d_i > d_s [m].
         security: d_s >= 0 [m].
         damping: ξ > 0 [m/s].
         moving: names of obstacles whose pose and velocity are given at every step.
-        links: names of the links that are kept away; None: all that move.
-        itself: whether the robot is kept away from itself.
+        links: names of the links that avoid collisions; None: all moving links.
+        itself: whether self-collisions are avoided.
     """
 
     scene: Scene = field(default_factory=Scene)
@@ -67,7 +66,7 @@ class Avoidance:
 
 @dataclass(frozen=True, kw_only=True)
 class AvoidanceRows:
-    """Rows a_k q̇ >= b_k: symbolic (k, n) and (k, 1), the distances d_k (k, 1) [m], and who they are between.
+    """Rows a_k q̇ >= b_k: symbolic (k, n) and (k, 1), the distances d_k (k, 1) [m], and their pairs of bodies.
 
     Attributes:
         matrix, bound, distance: as above; b is -inf beyond the distance of influence.
@@ -83,9 +82,9 @@ class AvoidanceRows:
 
 
 def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> AvoidanceRows:
-    """The rows of a robot at the symbolic posture of `chain`.
+    """The rows of a robot at the symbolic configuration of `chain`.
 
-    Raises InvalidInputError for a robot without collision geometry, UnknownNameError for a link that it has not.
+    Raises InvalidInputError for a robot without collision geometry, UnknownNameError for an unknown link.
     """
     bodies = Bodies.of(robot)
     guarded = _guarded(robot, bodies, avoidance)
@@ -112,7 +111,9 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
             rows.append(_row(avoidance, near, rate, ca.SX(0)))
             names.append((first.name, second.name))
     if not rows:
-        raise InvalidInputError("avoidance", repr(avoidance.scene), "at least one obstacle, or itself=True for an arm that can")
+        raise InvalidInputError(
+            "avoidance", repr(avoidance.scene), "at least one obstacle, or itself=True for an arm that can collide with itself"
+        )
     matrix, bound, distance = (ca.vertcat(*column) for column in zip(*rows, strict=True))
     return AvoidanceRows(matrix=matrix, bound=bound, distance=distance, obstacles=symbols, names=tuple(names))
 
@@ -167,7 +168,7 @@ def _shape(obstacle: Obstacle, placement: Placement) -> Capsule | Box | Plane:
         along = placement.rotation[:, 2] * (obstacle.length / 2)
         return Capsule(start=placement.origin - along, end=placement.origin + along, radius=obstacle.radius)
     raise InvalidInputError(
-        "scene", obstacle, "spheres, capsules, boxes, cylinders, planes: those with distances in closed form"
+        "scene", obstacle, "spheres, capsules, boxes, cylinders or planes, whose distances have closed forms"
     )
 
 

@@ -15,9 +15,9 @@ from manipplan.support.memo import once_per_owner
 
 log = logging.getLogger("manipplan")
 
-#: Random configurations that tell which pairs of links can meet.
+#: Number of random configurations that determine which pairs of links can collide.
 SAMPLES = 1000
-#: A pair whose capsules touch at more than this share of them is too coarse to be kept apart.
+#: Maximum share of them at which the capsules of a pair may touch; above it they are too coarse to be kept apart.
 COARSE = 0.1
 
 
@@ -26,7 +26,7 @@ class Body:
     """A capsule that contains a part of a link.
 
     Attributes:
-        name: of the geometry object, with a number where it has several parts.
+        name: of the geometry object, with a number if it has several parts.
         link: the link's name.
         joint: index of the joint that carries it, from 1; 0 is the world.
         start, end: (3,) ends of its axis in the joint's frame [m]; equal for a sphere.
@@ -47,7 +47,7 @@ class Bodies:
 
     Attributes:
         items: the bodies.
-        pairs: indices (first, second) of those that can meet.
+        pairs: indices (first, second) of those that can collide.
         dropped: pairs of names that are not kept apart, with the reason.
     """
 
@@ -67,7 +67,7 @@ class Bodies:
         origins: list[int] = []
         for origin, item in enumerate(robot.geometry.geometryObjects):
             if isinstance(item.geometry, coal.Halfspace | coal.Plane):  # such as the floor of an MJCF
-                log.warning("%s: a controller does not keep away from %s; add a Plane to the scene", robot.name, item.name)
+                log.warning("%s: a controller does not avoid %s; add a Plane to the scene", robot.name, item.name)
                 continue
             fitted = _capsules(item.geometry)
             for k, (start, end, radius) in enumerate(fitted):
@@ -113,7 +113,7 @@ def _as_coal(body: Body, frame: int) -> pin.GeometryObject:
 def _that_can_meet(
     robot: Robot, geometry: pin.GeometryModel, dropped: dict[tuple[str, str], str]
 ) -> tuple[tuple[int, int], ...]:
-    """Pairs apart in the usual posture that come nearer than their size at some of many random configurations."""
+    """Pairs apart in the neutral configuration that touch in some, but not too many, of the random configurations."""
     model = CollisionModel(robot, geometry, {})
     samples = [robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)]
     distances = np.array([model.distances(q) for q in samples]).reshape(len(samples), -1)
@@ -121,11 +121,11 @@ def _that_can_meet(
     for k, pair in enumerate(geometry.collisionPairs):
         touching = np.count_nonzero(distances[1:, k] <= 0)
         if distances[0, k] <= 0:
-            dropped[model.pair_names[k]] = "the capsules touch in the usual posture"
+            dropped[model.pair_names[k]] = "the capsules touch in the neutral configuration"
         elif touching > COARSE * SAMPLES:
-            dropped[model.pair_names[k]] = f"the capsules touch at {touching} of {SAMPLES} configurations"
+            dropped[model.pair_names[k]] = f"the capsules touch in {touching} of {SAMPLES} random configurations"
         elif touching == 0:
-            dropped[model.pair_names[k]] = f"never met at {SAMPLES} configurations"
+            dropped[model.pair_names[k]] = f"the capsules touch in none of {SAMPLES} random configurations"
         else:
             kept.append((int(pair.first), int(pair.second)))
     return tuple(kept)

@@ -1,7 +1,7 @@
-"""Bounds on a step's joint velocities that keep every limit for ever after: they are never empty.
+"""Bounds on a step's joint velocities that are recursively feasible: they keep every limit and are never empty.
 
 A step sets the velocity v⁺ for a time T, in which the joint moves by T v⁺. A state is viable when the joint can still stop
-inside its limits. Each bound keeps the next state viable, so the next interval holds at least the velocity of braking.
+inside its limits. Each bound keeps the next state viable, so the next interval contains at least the braking velocity.
 """
 
 import casadi as ca
@@ -15,8 +15,8 @@ def velocity_bounds(q: ca.SX, qd: ca.SX, qdd: ca.SX, limits: JointLimits, dt: fl
     """Lower and upper bounds (n,) of the next velocity at (q, qd), each (n,), where the last step accelerated by qdd.
 
     From a viable state all limits hold exactly. From a state that cannot stop in time, position and velocity limits come
-    first: the joint brakes harder than its acceleration limit, as little as that needs. Where a joint has a jerk limit,
-    that one is kept as well, as long as the state allows.
+    first: the joint exceeds its acceleration limit by as little as necessary. A jerk limit is kept as well, as long as the
+    state allows.
     """
     bounds = [_bounds_of(q[i], qd[i], qdd[i], limits, i, dt) for i in range(limits.n)]
     return ca.vertcat(*(low for low, _ in bounds)), ca.vertcat(*(high for _, high in bounds))
@@ -50,8 +50,8 @@ def _bounds_of(q: ca.SX, v: ca.SX, a: ca.SX, limits: JointLimits, i: int, dt: fl
 def _fastest(room: ca.SX, speed: float, acceleration: float, dt: float) -> ca.SX:
     """The largest velocity from which a joint can stop within `room` [rad or m], within ±speed.
 
-    Braking by c = A T a step from v = (K + r) c, 0 <= r < 1, takes T ((K + 1) v - c K (K + 1) / 2). Its inverse is exact.
-    Outside the limits (room < 0): the velocity that leads back in one step.
+    Braking by c = A T per step from v = (K + r) c, 0 <= r < 1, takes T ((K + 1) v - c K (K + 1) / 2). Its inverse is exact.
+    Outside the limits (room < 0): the velocity that returns in one step.
     """
     if np.isinf(acceleration):
         return _clip(room / dt, -speed, speed)
@@ -65,8 +65,8 @@ def _with_jerk(
 ) -> tuple[ca.SX, ca.SX]:
     """The bounds within which a joint can always stop by the policy v⁺ = p (v + w), with w = v - p v₋ of the last step.
 
-    Under it w decays by p a step and v_k = p^k (v + k w): where it ends, its largest speed, acceleration and jerk are
-    linear in the state, so that the states from which it keeps all limits are a polytope, which the policy does not leave.
+    Under it w decays by p per step and v_k = p^k (v + k w): its final position and its largest speed, acceleration and jerk
+    are linear in the state, so the states from which it keeps all limits are a polytope, which the policy does not leave.
     """
     low, high = bounds
     q, v, a = state
@@ -75,13 +75,13 @@ def _with_jerk(
     p = 1 - decay
     lower, upper = float(limits.lower[i]) - q, float(limits.upper[i]) - q
     intervals = [
-        # jerk of this step; w, and with it the speeds to come
+        # jerk of this step; w, and thereby the later speeds
         _interval(1.0, v + a * dt, -jerk * dt**2, jerk * dt**2),
         _interval(1.0, p * v, -decay * speed, decay * speed),
         # acceleration and jerk of the policy's next step
         _interval(p - decay, p**2 * v, -acceleration * dt, acceleration * dt),
         _interval(2 * decay, (1 - p**2) * v, -jerk * dt**2, jerk * dt**2),
-        # where it ends, and how far it may go before it turns
+        # final position, and farthest position before it reverses
         _interval(dt * (1 + (2 * p * decay + p**2) / decay**2), dt * p**2 / decay**2 * v, lower, upper),
         _interval(dt / decay, 0.0, lower, upper),
     ]

@@ -1,4 +1,4 @@
-"""Controller: joint velocities that follow a target and raise the manipulability index, one compiled QP a step."""
+"""Controller: joint velocities that follow a target and raise manipulability, from one compiled QP per step."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -22,21 +22,21 @@ from manipplan.tracking.formulations import Classical, Formulation
 from manipplan.tracking.machine import MachineCode, Sources
 from manipplan.tracking.step import HUGE, REPORT, StepSetup, StepStatus, step_of
 
-#: Generated code of so many characters is not compiled unless that is insisted on.
+#: Number of characters of generated code from which it is compiled only with compiled=True.
 TOO_LONG = 1_500_000
 
 
 class StepReport(NamedTuple):
-    """What a step found.
+    """Result of one step.
 
     Attributes:
-        status: what it did; anything but SOLVED means that the arm brakes.
-        manipulability: the index before the step.
+        status: outcome of the step; the arm brakes unless it is SOLVED.
+        manipulability: m before the step.
         position_deviation, rotation_deviation: from the target, after the step, to first order [m, rad].
-        tube_excess: how far this step had to leave the tube, or the way back into it, in the unit of the task's rows [m].
-        clearance: least distance before the step [m]; inf without avoidance, negative in contact.
-        avoidance_excess: how much faster than allowed something is approached [m/s].
-        convexified: the largest entry that was added to make the cost convex; 0: it was convex.
+        tube_excess: violation of the tube, or of the return into it, that this step needs, in the unit of the task's rows [m].
+        clearance: minimum distance before the step [m]; inf without avoidance, negative in contact.
+        avoidance_excess: amount by which an approach velocity exceeds its limit [m/s].
+        convexified: largest entry added to make the cost convex; 0 if it was convex.
     """
 
     status: StepStatus
@@ -51,7 +51,7 @@ class StepReport(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Rollout:
-    """Many steps: q and qd (N + 1, n), of which the first rows are the start, and the report of each step (N, 8)."""
+    """N steps: q and qd (N + 1, n) with the start in the first row, and the report of each step (N, 8)."""
 
     q: Array
     qd: Array
@@ -65,20 +65,20 @@ class Rollout:
 
 
 class Controller:
-    """A controller of `robot` for a time step `dt`; the equations are those of dufour2020.
+    """A controller of `robot` with time step `dt`; the equations are those of dufour2020.
 
-    Every step keeps position, velocity, acceleration and, where they are finite, jerk limits: from any state from which the
-    arm can stop in time, exactly. It never raises for what a sensor or planner may send: with a target that is not a
-    number it brakes, and `report` says so.
+    Every step keeps the position, velocity, acceleration and, where finite, jerk limits: exactly, from any state from which
+    the arm can stop in time. Values from sensors or planners never raise an error: if the target is NaN, the arm brakes, and
+    `report` says so.
 
-    Not for sharing between threads.
+    A controller is not thread-safe.
 
     Attributes:
-        robot, formulation, dt, task: what it is for.
+        robot, formulation, dt, task: the arguments, or the default task.
         stiffness: default of Q_δ.
-        tolerance: the default tube; None where it is made without one.
-        pairs: names of what is kept apart.
-        unguarded: pairs of the robot's own bodies that are not, with the reason.
+        tolerance: default tube; None if the controller was made without one.
+        pairs: names of the pairs of bodies that are kept apart.
+        unguarded: pairs of the robot's own bodies that are not kept apart, with the reason.
         compiled: whether steps run as machine code.
     """
 
@@ -102,19 +102,19 @@ class Controller:
             robot: the arm, with its limits.
             formulation: Classical, General, Objective, Equality or LogDrive.
             dt: time step T > 0 [s].
-            task: rows that are followed, and whose index counts; default `robot.default_task`.
+            task: task that is tracked, and whose manipulability counts; default `robot.default_task`.
             stiffness: default of Q_δ > 0, per row in metres.
             weights: diagonal of Q > 0, one number or n.
-            approach: acceleration a > 0 [m/s²] by which a deviation e can be braked: it is corrected no faster than
-                sqrt(2 a |e|), angles counting by the task's length. inf: within one step, as in the paper, which overshoots
-                where accelerations are bounded.
-            tolerance: default tube around the target; None: no tube at all.
-            avoidance: what is kept away from.
-            compiled: as in `Robot.kinematics`; "auto" leaves a step with several hundred pairs to keep apart uncompiled,
-                which would take minutes: name fewer links.
+            approach: deceleration a > 0 [m/s²] at which the correction of a deviation e can be braked: its speed is at most
+                sqrt(2 a |e|), with angles scaled by the task's length. inf: correction within one step, as in the paper,
+                which overshoots where accelerations are bounded.
+            tolerance: default tube around the target; None: no tube.
+            avoidance: collision avoidance; None: no avoidance.
+            compiled: as in `Robot.kinematics`; "auto" does not compile a step with several hundred pairs of bodies, which
+                would take minutes: name fewer links.
 
         Raises:
-            InvalidInputError: an argument is not usable; Classical with a tolerance or an avoidance.
+            InvalidInputError: an argument is invalid, or Classical has a tolerance or an avoidance.
             CompilerError: compiled is True and there is no compiler, or it fails.
         """
         instance("robot", robot, Robot)
@@ -125,7 +125,7 @@ class Controller:
             if value is not None:
                 instance(name, value, kind)
                 if isinstance(formulation, Classical):
-                    raise InvalidInputError(name, value, "None with Classical, which knows no inequalities")
+                    raise InvalidInputError(name, value, "None with Classical, which has no inequality constraints")
         if (
             np.isfinite(robot.limits.jerk).any()
             and not np.isfinite(robot.limits.velocity[np.isfinite(robot.limits.jerk)]).all()
@@ -185,24 +185,23 @@ class Controller:
         tolerance: Tolerance | None = None,
         obstacles: Mapping[str, tuple[Any, ArrayLike]] | None = None,
     ) -> Array:
-        """The joint velocities (n,) to command for the next `dt`: the arm then moves to q + dt times these.
+        """Joint velocities (n,) to command for the next `dt`, which move the arm to q + dt times these.
 
         Args:
             q: positions (n,) [rad or m].
-            qd: the velocities (n,) last commanded.
-            target: pose (4, 4) or pin.SE3 of the tool that is wanted after the step.
-            qdd: the last acceleration (n,), which only jerk limits use; default: what this controller did last.
+            qd: last commanded velocities (n,).
+            target: desired pose (4, 4) or pin.SE3 of the tool after the step.
+            qdd: last acceleration (n,), used only by jerk limits; default: that of this controller's last step.
             stiffness: Q_δ of this step.
-            drive: factor >= 0 on what the formulation adds, to fade it in or out.
-            tolerance: tube of this step, where the controller was made with one.
-            obstacles: name -> (pose, velocity (6,) of its origin, linear first) of the moving ones; default: where they
-                were last, at rest.
+            drive: factor >= 0 on the terms that the formulation adds, to fade them in or out.
+            tolerance: tube of this step, for a controller made with one.
+            obstacles: name -> (pose, velocity (6,) of its origin, linear first) of the moving obstacles; default: their
+                last pose, at rest.
 
-        What the step found is in `report`. Raises InvalidInputError for arguments of a wrong shape or name, for nothing
-        else.
+        `report` has the result of the step. Raises InvalidInputError only for arguments of a wrong shape or name.
         """
         try:
-            self._q[:] = q  # memoryviews take n doubles and nothing else
+            self._q[:] = q  # memoryviews accept exactly n doubles
             self._qd[:] = qd
             if target.shape != _POSE:
                 raise TypeError
@@ -225,22 +224,22 @@ class Controller:
         return velocity
 
     def brake(self, q: ArrayLike, qd: ArrayLike) -> Array:
-        """The joint velocities (n,) of the hardest braking within all limits."""
+        """Joint velocities (n,) that brake as hard as all limits allow."""
         return self.step(q, qd, np.full(_POSE, np.nan))
 
     @property
     def report(self) -> StepReport:
-        """What the last step found."""
+        """Result of the last step."""
         status, *figures = self._report.tolist()
         return StepReport(StepStatus(int(status)), *figures)
 
     @property
     def defaults(self) -> Mapping[str, Array]:
-        """The numbers that steps take for tolerance (2,) and moving obstacles where none are given."""
+        """Values that steps use for tolerance (2,) and moving obstacles if none are given."""
         return {"tolerance": self._tube.copy(), "obstacles": self._obstacles.copy()}
 
     def reset(self) -> None:
-        """Forget what steps have learned: the last acceleration, the Hessian of bfgs and sr1."""
+        """Clear the memory of past steps: last acceleration and target, quasi-Newton Hessian."""
         self._acceleration[:] = 0.0
         self._memory[:] = 0.0
 
@@ -254,11 +253,11 @@ class Controller:
         drive: ArrayLike = 1.0,
         tolerance: Tolerance | None = None,
     ) -> Rollout:
-        """N steps towards `targets` (N, 4, 4) from q and qd (n,), in C where the controller is compiled.
+        """Run N steps towards `targets` (N, 4, 4) from q and qd (n,), in C if the controller is compiled.
 
-        `stiffness` and `drive` are one number or (N,); moving obstacles rest where they were last.
+        `stiffness` and `drive` are one number or (N,); moving obstacles rest at their last pose.
 
-        Raises InvalidInputError for another shape, NaN or inf.
+        Raises InvalidInputError for a wrong shape, NaN or inf.
         """
         n = self.robot.n
         poses = finite_array("targets", targets, (None, 4, 4))
@@ -293,9 +292,9 @@ class Controller:
         return export_c(self, folder)
 
     def _connect(self, function: ca.Function, stiffness: float) -> None:
-        """Arrays that the Function reads and writes."""
+        """Connect the arrays that the Function reads and writes."""
         self.stiffness = stiffness
-        described = self._step.function  # machine code has lost the names
+        described = self._step.function  # machine code does not keep the names
         flat = {name: np.zeros(described.nnz_in(name)) for name in described.name_in()}
         self._buffer, self._run = function.buffer()
         for i, values in enumerate(flat.values()):
@@ -320,7 +319,7 @@ class Controller:
             self._set_obstacles({name: (scene[name].pose, np.zeros(6)) for name in self._avoidance.moving})
 
     def _take(self, q: ArrayLike, qd: ArrayLike, target: Any, stiffness: Any, drive: Any) -> None:
-        """The inputs of a step when they are not plain arrays of doubles."""
+        """Set the inputs of a step that are not plain arrays of doubles."""
         n = self.robot.n
         np.asarray(self._q)[:] = _numbers("q", q, (n,))
         np.asarray(self._qd)[:] = _numbers("qd", qd, (n,))
@@ -354,7 +353,7 @@ _POSE = (4, 4)
 
 
 def _numbers(argument: str, value: Any, shape: tuple[int, ...]) -> Array:
-    """Numbers of `shape`, NaN among them or not."""
+    """The value as an array of `shape`, which may contain NaN."""
     array = number_array(argument, value)
     if array.shape != shape:
         raise InvalidInputError(argument, value, f"numbers of shape {shape}, not {array.shape}")
@@ -362,7 +361,7 @@ def _numbers(argument: str, value: Any, shape: tuple[int, ...]) -> Array:
 
 
 def _each(argument: str, value: ArrayLike, count: int) -> Array:
-    """One finite number for each of `count` steps, given as one or as many."""
+    """One finite number per step (count,), from one number or `count` numbers."""
     array = number_array(argument, value)
     if array.shape not in ((), (count,)) or not np.isfinite(array).all():
         raise InvalidInputError(argument, value, f"one number or {count} of them, no NaN or inf")

@@ -1,13 +1,13 @@
-"""Symmetric matrices of the cost: products without double work, and the nearest convex problem."""
+"""Symmetric matrices of the cost: products that use symmetry, and convexification."""
 
 import casadi as ca
 
-#: Pivots below this share of the largest entry are raised to it.
+#: Minimum pivot, as a share of the largest entries; smaller ones are raised to it.
 PIVOT = 1e-8
 
 
 def gram(matrix: ca.SX) -> ca.SX:
-    """matrixᵀ matrix, each entry made once."""
+    """matrixᵀ matrix; entries that are equal by symmetry are computed once."""
     columns = ca.horzsplit(matrix)
     product = ca.SX(len(columns), len(columns))
     for i, first in enumerate(columns):
@@ -17,10 +17,10 @@ def gram(matrix: ca.SX) -> ca.SX:
 
 
 def convexified(matrix: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """`matrix` (n, n) plus a diagonal >= 0 that makes it positive definite, and how large that diagonal is at most.
+    """`matrix` (n, n) plus a diagonal >= 0 that makes it positive definite, and the largest entry of that diagonal.
 
-    The diagonal is zero where the matrix is positive definite already. L D Lᵀ with pivots raised so that
-    no entry of L D^½ grows beyond a bound [gill1981, section 4.4.2.2].
+    The diagonal is zero if the matrix is positive definite already. The method is L D Lᵀ with pivots raised so that no
+    entry of L D^½ exceeds a bound [gill1981, section 4.4.2.2].
     """
     n = matrix.shape[0]
     largest = _largest([ca.fabs(matrix[i, i]) for i in range(n)])

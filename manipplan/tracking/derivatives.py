@@ -1,4 +1,4 @@
-"""Gradient and Hessian of the index in a control step: exact, by differences, or from one step to the next."""
+"""Gradient and Hessian of the manipulability in a control step: exact, by differences, or quasi-Newton."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,30 +10,30 @@ from manipplan.measures.indices import REGULARISATION
 from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian
 
 GRADIENTS = ("exact", "central")
-#: How H_m may be made; the last three learn it from step to step.
+#: Methods for H_m; the last three are quasi-Newton updates.
 CURVATURES = ("exact", "central", "bfgs", "sr1", "bfgs-literal")
 
 #: δq of (17) and (19) [rad or m]; the paper names 1e-4 to 1e-3.
 DIFFERENCE = 1e-4
 
-#: The least cosine between step and secant that BFGS learns from.
+#: Minimum cosine between step and secant for a BFGS update.
 SLANTED = 0.01
-#: A secant below this share of what it is made of says nothing.
+#: Minimum |eᵀ s| / (‖e‖ ‖s‖) for an SR1 update with the error e = y - B s.
 NEGLIGIBLE = 1e-8
 
 
 @dataclass(frozen=True, kw_only=True)
 class Index:
-    """Yoshikawa's index at symbolic q with the derivatives that a formulation asks for.
+    """Yoshikawa's manipulability m at symbolic q, with the derivatives that a formulation needs.
 
     Attributes:
         q: (n, 1) symbols.
         value: m.
         gradient: ∇m, (n, 1).
-        hessian: H_m, (n, n); zero where nobody asks for it.
-        log_gradient: of a regularisation r: ∇ log sqrt(det(J Jᵀ + r² I)), (n, 1).
-        memory: symbols of what the last step left: H_m column by column, ∇m, q, and whether there was a step.
-        next_memory: what this step leaves.
+        hessian: H_m, (n, n); zero if it is not used.
+        log_gradient: function of a regularisation r: ∇ log sqrt(det(J Jᵀ + r² I)), (n, 1).
+        memory: symbols of the last step's H_m column by column, ∇m, q, and whether there was a step.
+        next_memory: the same of this step.
     """
 
     q: ca.SX
@@ -46,7 +46,7 @@ class Index:
 
     @classmethod
     def of(cls, symbolic: SymbolicKinematics, gradient: str, hessian: str | None) -> "Index":
-        """The index of `symbolic`; gradient and hessian by name, hessian None: not used."""
+        """The manipulability of `symbolic`; gradient and hessian by name, hessian None: not used."""
         q = symbolic.chain.q
         n = q.shape[0]
         jacobian, motion = symbolic.posture.smooth
@@ -107,9 +107,9 @@ def _learned(name: str, memory: ca.SX, q: ca.SX, slope: ca.SX) -> ca.SX:
 
 
 def _damped_bfgs(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
-    """The direct update of B = -H_m, which is what a minimiser sees, with the damping that keeps it positive [powell1978].
+    """The direct update of B = -H_m, the Hessian of -m, with damping that keeps it positive definite [powell1978].
 
-    From B = 0 it starts at ‖y‖/‖s‖ I.
+    If B = 0, it starts from ‖y‖/‖s‖ I.
     """
     n = s.shape[0]
     first = ca.sumsqr(ca.vec(before)) < 1e-300
@@ -121,14 +121,14 @@ def _damped_bfgs(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
     theta = ca.if_else(along >= 0.2 * curvature, 1, 0.8 * curvature / ca.fmax(curvature - along, 1e-300))
     damped = -theta * y + (1 - theta) * bs
     along = ca.dot(s, damped)
-    # a secant across the step would make B grow without bound
+    # a secant perpendicular to the step would make B grow without bound
     told = along > SLANTED * ca.sqrt(ca.sumsqr(s) * ca.sumsqr(damped))
     updated = b - bs @ bs.T / curvature + damped @ damped.T / ca.if_else(told, along, 1)
     return -ca.if_else(told, updated, b)
 
 
 def _sr1(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
-    """The symmetric update of rank one, left out where it is not defined [nocedal2006, (6.26)]."""
+    """The symmetric rank-one update, skipped where it is not defined [nocedal2006, (6.26)]."""
     error = y - before @ s
     along = ca.dot(error, s)
     defined = ca.fabs(along) >= NEGLIGIBLE * ca.sqrt(ca.sumsqr(s) * ca.sumsqr(error)) + 1e-300
@@ -136,7 +136,7 @@ def _sr1(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
 
 
 def _literal(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
-    """(20) in dufour2020 as printed, which is the update of an inverse Hessian; from the identity."""
+    """(20) in dufour2020 as printed, which is the update of an inverse Hessian; it starts from the identity."""
     n = s.shape[0]
     first = ca.sumsqr(ca.vec(before)) < 1e-300
     h = ca.if_else(first, ca.SX.eye(n), before)

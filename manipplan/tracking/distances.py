@@ -1,14 +1,14 @@
 """Signed distances between convex primitives in closed form, as CasADi expressions for a control step.
 
-Nothing branches: both sides of every choice are finite, and the expressions compile to plain C. A capsule's axis is a + s u
-with s in [0, 1]; u = 0 makes a sphere, and what is constant then folds away when the expression is built.
+The expressions have no branches: both sides of every choice are finite, and they compile to plain C. A capsule's axis is
+a + s u with s in [0, 1]; u = 0 makes a sphere, whose constant terms are folded when the expression is built.
 """
 
 from dataclasses import dataclass
 
 import casadi as ca
 
-#: Lengths below this give no direction, and a coordinate that changes less along an axis counts as constant [m].
+#: Lengths below this define no direction, and a coordinate that changes less along an axis counts as constant [m].
 _SMALL = 1e-9
 #: Squared sine of the angle below which two axes count as parallel and the middle of the first is preferred; where such
 #: axes touch, their distance is too large by up to 5e-8 of the first one's length.
@@ -67,9 +67,9 @@ class Nearest:
 
 
 def nearest(first: Capsule, second: Capsule | Box | Plane) -> Nearest:
-    """Signed distance and nearest points of a capsule or sphere from another body.
+    """Signed distance and nearest points of a capsule or sphere and another body.
 
-    Where they overlap, the distance is minus the length of the shortest translation that parts them. Its gradient under
+    If they overlap, the distance is minus the length of the shortest translation that separates them. Its gradient under
     translation of the first body is the normal. It is exact to 1e-9 m for a box, otherwise to rounding.
     """
     match second:
@@ -86,16 +86,16 @@ def _from_capsule(first: Capsule, second: Capsule) -> Nearest:
     u, v, offset = first.axis, second.axis, first.start - second.start
     uu, vv, uv, uo, vo = ca.sumsqr(u), ca.sumsqr(v), ca.dot(u, v), ca.dot(u, offset), ca.dot(v, offset)
     area, product = uu * vv - uv * uv, uu * vv
-    # the pull to s = 1/2 settles which of the solutions of parallel axes is taken, and keeps the divisor positive
+    # the pull to s = 1/2 selects one of the solutions of parallel axes, and keeps the divisor positive
     pull = _PARALLEL * product + _TINY
     s = _within((uv * vo - vv * uo + 0.5 * pull) / (area + pull))
     t = _within((uv * s + vo) / ca.fmax(vv, _TINY))
-    # no other s than this one where t had to be clipped
+    # the same s, unless t was clipped
     s = _within((uv * t - uo) / ca.fmax(uu, _TINY))
     point = first.start + s * u
     apart = point - (second.start + t * v)
     square = ca.sumsqr(apart)
-    # axes that meet are parted across both
+    # intersecting axes are separated perpendicular to both
     across = ca.if_else(area > _CROSSED * product + _TINY, ca.cross(u, v), _perpendicular(ca.if_else(vv > uu, v, u)))
     direction = ca.if_else(square > _SMALL**2, apart, across)
     normal = direction / ca.norm_2(direction)
@@ -103,14 +103,14 @@ def _from_capsule(first: Capsule, second: Capsule) -> Nearest:
 
 
 def _from_plane(first: Capsule, second: Plane) -> Nearest:
-    """The lower end is nearest; the middle where both are equally high."""
+    """The lower end is nearest; the middle if both are equally high."""
     slope = ca.dot(second.normal, first.axis)
     point = first.start + 0.5 * (1 - ca.sign(slope)) * first.axis
     return _parted(point, second.normal, ca.dot(second.normal, point) - second.offset, first.radius, 0.0)
 
 
 def _from_box(first: Capsule, second: Box) -> Nearest:
-    """The box's axes are the coordinates; an axis that enters the box is moved out first, and touches where it is nearest."""
+    """In the box's frame; an axis that enters the box is first moved out, and touches the box where it is nearest."""
     half = ca.SX(ca.DM(second.half))
     start, u = second.rotation.T @ (first.start - second.centre), second.rotation.T @ first.axis
     depth, out = _way_out(start, u, half)
@@ -125,10 +125,10 @@ def _from_box(first: Capsule, second: Box) -> Nearest:
 
 
 def _way_out(start: ca.SX, u: ca.SX, half: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """The shortest move (length, unit vector) that parts the segment from start to start + u from the box; negative if apart.
+    """Shortest move (length, unit vector) that separates the segment from start to start + u from the box; negative if apart.
 
-    It is along the normal of a face of the box, or at right angles to the segment and an edge: those are the faces of the sum
-    of the box and the reversed segment.
+    It is along the normal of a face of the box, or perpendicular to the segment and an edge: those are the faces of the
+    Minkowski sum of the box and the reversed segment.
     """
     middle = start + 0.5 * u
     best, out = ca.SX(_HUGE), ca.SX.zeros(3)
@@ -149,7 +149,7 @@ def _way_out(start: ca.SX, u: ca.SX, half: ca.SX) -> tuple[ca.SX, ca.SX]:
 
 
 def _nearest_to_box(start: ca.SX, u: ca.SX, half: ca.SX) -> ca.SX:
-    """The s in [0, 1] at which start + s u is nearest to the box; the middle of the stretch where several are.
+    """The s in [0, 1] at which start + s u is nearest to the box; the middle of the interval if several are.
 
     With each coordinate within the box for s in [low, high], half the derivative of the squared distance is
     Σ u_i² (s - clip(s, low_i, high_i)), which rises with s and is linear between any two neighbours of low and high.
@@ -179,7 +179,7 @@ def _nearest_to_box(start: ca.SX, u: ca.SX, half: ca.SX) -> ca.SX:
 
 
 def _parted(point: ca.SX, normal: ca.SX, distance: ca.SX, first: float, second: float) -> Nearest:
-    """From a point of the axis at a distance from the other body's core, along the normal, to the surfaces by their radii."""
+    """From a point of the axis, its distance from the other body's core, the normal and both radii to the surfaces."""
     return Nearest(
         distance=distance - (first + second),
         normal=normal,
@@ -193,7 +193,7 @@ def _within(s: ca.SX) -> ca.SX:
 
 
 def _perpendicular(v: ca.SX) -> ca.SX:
-    """Some vector at right angles to v, (3, 1), not zero even where v is."""
+    """A vector perpendicular to v, (3, 1), nonzero even if v is zero."""
     x, y, z = ca.vertsplit(v)
     short = ca.sumsqr(v) <= _SMALL**2
     return ca.if_else(ca.fabs(x) > ca.fabs(z), ca.vertcat(-y, x, short), ca.vertcat(0, -z, y + short))

@@ -1,4 +1,4 @@
-"""How far a tool is from its target: position and rotation, as the rows of a task see it."""
+"""Error between a tool and its target, position and rotation, in the rows of a task."""
 
 import casadi as ca
 import numpy as np
@@ -11,8 +11,8 @@ from manipplan.symbolic.task import Task
 def task_error(task: Task, tool: Placement, target: Placement) -> ca.SX:
     """The displacement (m, 1) that brings the tool to its target, in the units of the task's rows; v T and ω T of (1).
 
-    Where the task leaves the rotation about one axis of the tool free, the rotation is the shortest that brings this axis
-    to where the target has it.
+    If the task leaves the rotation about one axis of the tool free, the rotation is the shortest that aligns this axis with
+    the target's.
     """
     free = task.free_axis
     rotation = rotation_vector(target.rotation @ tool.rotation.T) if free is None else _aligning(tool, target, free)
@@ -20,7 +20,7 @@ def task_error(task: Task, tool: Placement, target: Placement) -> ca.SX:
 
 
 def rotation_vector(rotation: ca.SX) -> ca.SX:
-    """ω (3, 1) [rad] with exp([ω]^) = R, of a length up to π; through the quaternion, so that it is right at π as well."""
+    """ω (3, 1) [rad] with exp([ω]^) = R, of a length up to π; computed via the quaternion, so it is correct at π as well."""
     r = rotation
     # four times the products of a quaternion (w, x, y, z) with itself; the row of its largest entry has no cancellation
     rows = [
@@ -41,7 +41,7 @@ def rotation_vector(rotation: ca.SX) -> ca.SX:
 
 
 def _aligning(tool: Placement, target: Placement, axis: Array) -> ca.SX:
-    """The shortest rotation vector that brings an axis of the tool to where the target has it; any half turn when opposed."""
+    """The shortest rotation vector that aligns an axis of the tool with the target's; any half turn if they are opposed."""
     have, want = tool.rotation @ ca.DM(axis), target.rotation @ ca.DM(axis)
     across = ca.cross(have, want)
     sine, cosine = ca.sqrt(ca.sumsqr(across)), ca.dot(have, want)

@@ -45,7 +45,7 @@ def export_c(controller: "Controller", folder: str | Path) -> list[Path]:
 
 
 def _example(controller: "Controller") -> dict[str, str]:
-    """What the example program is filled with: the usual posture, the pose there, the defaults."""
+    """Values for the template of the example program: neutral configuration, its pose, defaults."""
     robot = controller.robot
     pose = robot.kinematics(controller.task).pose(robot.neutral)
     return {

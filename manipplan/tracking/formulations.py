@@ -1,9 +1,9 @@
-"""The formulations of inverse kinematics that raise the manipulability index, as frozen values.
+"""Formulations of inverse kinematics that raise manipulability, as frozen values.
 
 Each adds a quadratic ½ q̇ᵀ H q̇ + gᵀ q̇ to the cost ½ q̇ᵀ Q q̇ + ½ δᵀ Q_δ δ of (3) in dufour2020. Equation numbers are those
-of the paper. There T is the controller's time step, in which α T drives and α T² curves: the same α gives another motion at
-another step. `sample_time` fixes the T of α instead: then the cost of a velocity, and so the motion, does not depend on
-the step any more.
+of the paper. There T is the controller's time step, and g scales with α T and H with α T²: the same α gives a different motion
+at a different step. `sample_time` fixes this T instead: then the cost of a velocity, and so the motion, does not depend on
+the time step.
 """
 
 from abc import ABC, abstractmethod
@@ -16,46 +16,45 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.tracking.convex import gram
 from manipplan.tracking.derivatives import CURVATURES, GRADIENTS, Index
 
-#: What is added to ∇ log m [1/rad]: in postures of symmetry, and where the arm is exactly singular, it vanishes though the
-#: index could grow.
+#: Offset added to ∇ log m [1/rad], which vanishes in symmetric and in exactly singular configurations although m could grow.
 NUDGE = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
 class Drive:
-    """What a formulation adds to the cost ½ q̇ᵀ Q q̇ + ½ δᵀ Q_δ δ: H (n, n) and g (n, 1)."""
+    """Terms that a formulation adds to the cost ½ q̇ᵀ Q q̇ + ½ δᵀ Q_δ δ: H (n, n) and g (n, 1)."""
 
     hessian: ca.SX
     gradient: ca.SX
 
 
 class Formulation(ABC):
-    """A way to let the index take part in the inverse kinematics; the children are frozen values."""
+    """Base class of formulations that use manipulability in inverse kinematics; subclasses are frozen values."""
 
-    #: How the gradient of the index is made.
+    #: How the gradient of m is computed.
     gradient: str = "exact"
     #: Whether an indefinite cost is made convex before it is solved.
     convexify: bool = False
 
     @property
     def curvature(self) -> str | None:
-        """How the Hessian of the index is made; None where it is not used."""
+        """How the Hessian of m is computed; None if it is not used."""
         return None
 
     @abstractmethod
     def drive(self, index: Index, dt: float) -> Drive:
-        """What is added to the cost at the symbolic posture of `index` for a time step `dt` [s]."""
+        """Terms added to the cost at the symbolic configuration of `index` for a time step `dt` [s]."""
 
 
 @dataclass(frozen=True)
 class Classical(Formulation):
     """The pseudo-inverse with the gradient in its null space, (7): q̇ = J⁺ ṙ + k₀ (I - J⁺ J) ∇m; (2) with gain 0.
 
-    It knows no inequality: its velocities are cut to the bounds of the joints, and it takes no obstacles and no tolerance.
+    It has no inequality constraints: its velocities are clipped to the joint bounds, and it takes no obstacles or tolerance.
 
     Attributes:
         gain: k₀ >= 0 [(rad/s) per (unit of m per rad)].
-        damping: λ >= 0 in J⁺ = Jᵀ (J Jᵀ + λ² I)⁻¹, in the unit of J's rows; it keeps the inverse finite on singularities.
+        damping: λ >= 0 in J⁺ = Jᵀ (J Jᵀ + λ² I)⁻¹, in the unit of J's rows; it keeps the inverse finite at singularities.
     """
 
     gain: float = 0.0
@@ -66,32 +65,32 @@ class Classical(Formulation):
         number("damping", self.damping, above=0.0)
 
     def drive(self, index: Index, dt: float) -> Drive:  # noqa: ARG002
-        """k₀ ∇m as a pull, which is then projected into the null space."""
+        """k₀ ∇m, which is then projected into the null space."""
         n = index.q.shape[0]
         return Drive(hessian=ca.SX(n, n), gradient=-self.gain * index.gradient)
 
 
 @dataclass(frozen=True)
 class General(Formulation):
-    """The relaxed formulation without the index, (3)."""
+    """The relaxed formulation without manipulability, (3)."""
 
     def drive(self, index: Index, dt: float) -> Drive:  # noqa: ARG002
-        """Nothing."""
+        """Zero terms."""
         n = index.q.shape[0]
         return Drive(hessian=ca.SX(n, n), gradient=ca.SX(n, 1))
 
 
 @dataclass(frozen=True)
 class Objective(Formulation):
-    """The index in the objective, (10), (11): the cost - α (T ∇mᵀ q̇ + ½ T² q̇ᵀ H_m q̇).
+    """Manipulability in the objective, (10), (11): the cost - α (T ∇mᵀ q̇ + ½ T² q̇ᵀ H_m q̇).
 
     Attributes:
         alpha: α >= 0 [1/(unit of m)].
-        sample_time: the T that α is meant for [s]; None: the controller's time step, as in the paper.
+        sample_time: time step T for which α is chosen [s]; None: the controller's time step, as in the paper.
         gradient: "exact", or "central" for the paper's (17).
         hessian: "exact", "central" for (19), "bfgs" (direct, damped), "sr1", or "bfgs-literal" for the paper's (20).
-        convexify: make Q - α T² H_m positive definite where it is not (and count it); False solves it as it is, as the
-            paper does.
+        convexify: make Q - α T² H_m positive definite where it is not (and count it); False leaves the cost
+            unchanged, as in the paper.
     """
 
     alpha: float
@@ -119,11 +118,11 @@ class Objective(Formulation):
 
 @dataclass(frozen=True)
 class Equality(Formulation):
-    """The index as an equality with a slack, (14), (15): the cost ½ α ε², m - T ∇mᵀ q̇ = ε. It is always convex.
+    """Manipulability as an equality with a slack, (14), (15): the cost ½ α ε², m - T ∇mᵀ q̇ = ε. It is always convex.
 
     Attributes:
         alpha: α >= 0 [1/(unit of m)²].
-        sample_time: the T that α is meant for [s]; None: the controller's time step, as in the paper.
+        sample_time: time step T for which α is chosen [s]; None: the controller's time step, as in the paper.
         gradient: "exact", or "central" for the paper's (17).
     """
 
@@ -143,16 +142,16 @@ class Equality(Formulation):
 
 @dataclass(frozen=True)
 class LogDrive(Formulation):
-    """Lemma 1 with log m and a fixed rate in place of h: the cost ½ β e², e = ρ - ∇(log m)ᵀ q̇. Ours.
+    """Lemma 1 with log m and a fixed rate in place of h: the cost ½ β e², e = ρ - ∇(log m)ᵀ q̇. Not in the paper.
 
-    It asks log m to grow by ρ each second. It is convex, needs no Hessian, does not depend on the time step or on the unit
-    of m, and pulls hardest where m is small: (10) and (14) pull with ∇m and m ∇m, which fade where m vanishes.
+    It demands that log m grow by ρ per second. It is convex, needs no Hessian, does not depend on the time step or on the
+    unit of m, and pulls hardest where m is small: (10) and (14) pull with ∇m and m ∇m, which fade where m vanishes.
 
     Attributes:
         weight: β >= 0 [s²].
         rate: ρ > 0 [1/s].
-        regularisation: r of log m = log sqrt(det(J Jᵀ + r² I)), in the unit of J's rows, where a whole pose is the task with J
-            seen from the middle of the arm, whose index is the same: singular values below r pull no harder.
+        regularisation: r of log m = log sqrt(det(J Jᵀ + r² I)), in the unit of J's rows: singular values below r pull no
+            harder. For a full pose J is taken at the middle of the arm, where m is the same.
     """
 
     weight: float = 10.0
@@ -165,7 +164,7 @@ class LogDrive(Formulation):
         number("regularisation", self.regularisation, above=0.0)
 
     def drive(self, index: Index, dt: float) -> Drive:  # noqa: ARG002
-        """e eliminated: H = β g gᵀ, g = - β ρ g with g = ∇ log m, and a nudge."""
+        """e eliminated: the Hessian β g gᵀ and the gradient - β ρ g with g = ∇ log m + NUDGE."""
         slope = index.log_gradient(self.regularisation) + NUDGE
         return Drive(hessian=self.weight * gram(slope.T), gradient=-self.weight * self.rate * slope)
 

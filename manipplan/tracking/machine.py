@@ -1,4 +1,4 @@
-"""A step as C: the source that CasADi generates, the wrapper around it, and both as a library of this machine."""
+"""A step in C: the source that CasADi generates, its wrapper, and both compiled as a library for this machine."""
 
 import ctypes
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from manipplan.tracking.step import REPORT, STEP_NAME
 
 @dataclass(frozen=True, kw_only=True)
 class Sources:
-    """The texts of a controller in C: the generated step, and header and source of what calls it."""
+    """C sources of a controller: the generated step, and header and source of its wrapper."""
 
     step: str
     header: str
@@ -45,19 +45,19 @@ class Sources:
 
 
 def _going_on(step: str) -> str:
-    """The generated step with an answer of NaN where DAQP fails.
+    """The generated step, changed to return NaN where DAQP fails.
 
-    CasADi's code returns there and leaves the outputs of the step before, which would pass for an answer.
+    CasADi's code returns there and keeps the outputs of the last step, which would look like a solution.
     """
     solve = "  casadi_daqp_solve(d, arg, res, iw, w);\n"
     leave = "  if (!d_qp.success) {\n    return -1;\n  }\n"
     if step.count(solve) != step.count(solve + leave):
-        raise ManipplanError("this CasADi generates other code for DAQP than casadi 3.8; please report its version")
+        raise ManipplanError("this version of CasADi generates different code for DAQP than casadi 3.8; please report it")
     return step.replace(solve + leave, f"  d_qp.success = 0;\n{solve}  if (!d_qp.success) d_qp.x[0] = 0.0 / 0.0;\n")
 
 
 class MachineCode:
-    """A controller's library on this machine.
+    """A controller's compiled library.
 
     Attributes:
         function: the step as a CasADi Function that runs machine code.
@@ -85,7 +85,7 @@ class MachineCode:
         self._controller = ctypes.c_void_p(self._library.controller_new())
 
     def rollout(self, inputs: list[Array], q: Array, qd: Array, qdd: Array, report: Array) -> None:
-        """Steps in C: targets, stiffness, tolerances, obstacles a step; q and qd (N + 1, n) from their first rows."""
+        """Run N steps in C from the first rows of q and qd (N + 1, n); per step: target, stiffness, drive, tube, obstacles."""
         self._library.controller_reset(self._controller)
         arrays = [np.ascontiguousarray(each, dtype=np.float64) for each in inputs]
         pointers = [ctypes.c_void_p(each.ctypes.data) for each in (*arrays, q, qd, qdd, report)]
@@ -98,5 +98,5 @@ class MachineCode:
 
 
 def daqp_folder() -> Path:
-    """Where casadi's wheel keeps DAQP: headers below `include`, and the static library."""
+    """Folder of DAQP in casadi's wheel: headers in `include`, and the static library."""
     return Path(ca.__file__).parent

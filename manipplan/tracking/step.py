@@ -1,13 +1,13 @@
-"""One control step as one CasADi Function: kinematics, bounds, rows, the condensed QP by DAQP, and a check of its answer.
+"""One control step as one CasADi Function: kinematics, bounds, rows, the condensed QP by DAQP, and a check of its solution.
 
-δ of (3) and ε of (14) in dufour2020 are eliminated, δ = ṙ - J q̇, so that the QP has the n joint velocities, and a slack each
-for the tube and for the avoidance where these are used:
+δ of (3) and ε of (14) in dufour2020 are eliminated, δ = ṙ - J q̇. The QP's variables are the n joint velocities and,
+where these are used, one slack for the tube and one for the avoidance:
 
     min  ½ q̇ᵀ (Q + Jᵀ Q_δ J + H) q̇ + (g - Jᵀ Q_δ ṙ)ᵀ q̇ + penalties of the slacks
     s.t. bounds <= q̇ <= bounds,  |δ| T <= tolerance + slack,  A q̇ >= b - slack
 
-The paper's ṙ brings the tool to its target within one step. With bounded accelerations that overshoots, so a deviation that
-the last step left is corrected no faster than it can be braked; see `_correction`.
+The paper's ṙ brings the tool to its target within one step. With bounded accelerations that overshoots, so the deviation
+left by the last step is corrected no faster than it can be braked; see `_correction`.
 """
 
 from dataclasses import dataclass
@@ -28,39 +28,39 @@ from manipplan.tracking.derivatives import Index
 from manipplan.tracking.error import task_error
 from manipplan.tracking.formulations import Classical, Formulation
 
-#: Penalties w p s + ½ w' s² on the slacks s, p being stiffness and drive: so large that a slack is used only where nothing
-#: else is left, and no larger, since that costs the solver precision.
+#: Weights (w, w') of the penalties w p s + ½ w' s² on the slacks s, where p is stiffness and drive: large enough that a slack
+#: is used only where the constraints are infeasible, and no larger, since that costs the solver precision.
 TUBE_PENALTY = (10.0, 1e3)
 AVOIDANCE_PENALTY = (100.0, 1e4)
 PULL_LEAST = 1e3
-#: A target that is farther away than this in one step [m/s] pulls no harder.
+#: Maximum rate that a target demands [m/s]; a farther target pulls no harder.
 FASTEST = 5.0
-#: How far an accepted answer may miss bounds and rows [rad/s, m/s], and the optimality conditions relative to their terms.
-#: Where slacks are used, multipliers of 1e6 stand beside a cost of 1. Bounds are cut to exactly afterwards.
+#: Tolerances of an accepted solution on bounds and rows [rad/s, m/s], and on optimality conditions relative to their terms.
+#: Where slacks are used, multipliers are 1e6 at a cost of 1. The velocity is clipped to its exact bounds afterwards.
 ROW_TOLERANCE = 1e-3
 OPTIMALITY_TOLERANCE = 1e-5
-#: Time in which a deviation comes to the wall of its tube [s]: the room that is left shrinks by e in it.
+#: Time constant with which a deviation may approach the boundary of its tube [s].
 TUBE_TIME = 0.1
-#: Acceleration at which what is outside comes back [m/s²].
+#: Deceleration at which the return from outside the tube is braked [m/s²].
 TUBE_RETURN = 2.0
-#: Numbers that hold the last target, and whether there was one.
+#: Number of values that hold the last target, and whether there was one.
 TARGET_MEMORY = 17
 SOLVER_OPTIONS = {"primal_tol": 1e-9, "iter_limit": 1000}
 
 
 class StepStatus(IntEnum):
-    """What a step did."""
+    """Outcome of a step."""
 
     SOLVED = 0
-    #: The QP's answer did not pass its check, as where a cost that is not convex is solved as it is: the arm brakes.
+    #: The QP's solution did not pass its check, for example with a nonconvex cost and convexify=False: the arm brakes.
     NOT_SOLVED = 1
-    #: The target, stiffness, drive, tolerance or an obstacle is not a usable number: the arm brakes.
+    #: The target, stiffness, drive, tolerance or an obstacle is not finite or out of range: the arm brakes.
     BAD_TARGET = 2
     #: The state is not finite: the velocity is zero.
     BAD_STATE = 3
 
 
-#: What the second output of a step holds.
+#: Entries of a step's second output.
 REPORT = (
     "status",
     "manipulability",
@@ -71,9 +71,9 @@ REPORT = (
     "avoidance_excess",
     "convexified",
 )
-#: Of the generated function: a plain `step` is taken in the C library.
+#: Name of the generated function; `step` is already a function of the C library.
 STEP_NAME = "manipplan_step"
-#: Numbers beyond are not finite.
+#: Magnitude from which numbers count as not finite.
 HUGE = 1e12
 INPUTS = ("q", "qd", "qdd", "target", "stiffness", "drive", "tolerance", "obstacles", "memory")
 PROGRAM = ("h", "g", "a", "lbx", "ubx", "lba", "uba")
@@ -81,8 +81,8 @@ PROGRAM = ("h", "g", "a", "lbx", "ubx", "lba", "uba")
 
 @dataclass(frozen=True, kw_only=True)
 class StepSetup:
-    """What a step is made for: the arm and task, the formulation, dt [s], Q's diagonal (n,), the acceleration [m/s²] at
-    which deviations are braked, and which rows there are.
+    """Settings of a step: arm and task, formulation, dt [s], diagonal of Q (n,), the deceleration [m/s²] at which
+    corrections are braked, and which constraint rows there are.
     """
 
     kinematics: Kinematics
@@ -95,19 +95,19 @@ class StepSetup:
 
     @property
     def remembers(self) -> bool:
-        """Whether a step needs the target of the last."""
+        """Whether a step needs the target of the last step."""
         return self.tube or self.approach < ca.inf
 
 
 @dataclass(frozen=True, kw_only=True)
 class Step:
-    """The Function of a step and what its rows are between.
+    """The Function of a step and the pairs of bodies of its rows.
 
     Attributes:
-        function: of INPUTS: q, qd, qdd (n,), target (4, 4) transposed (so that its numbers stand row by row), stiffness,
-            drive (a factor on what the formulation adds), tolerance (2,) [m, rad], numbers of the moving obstacles, memory.
-            It gives the next velocity (n,), the report, and the next memory.
-        problem: of the same inputs: the PROGRAM, and what the report needs.
+        function: maps INPUTS to the next velocity (n,), the report and the next memory. INPUTS are q, qd, qdd (n,), target
+            (4, 4) transposed (so that its numbers are stored row by row), stiffness, drive (a factor on the terms of the
+            formulation), tolerance (2,) [m, rad], numbers of the moving obstacles, memory.
+        problem: maps the same inputs to the PROGRAM, and to the values that the report needs.
         pairs: names of the pairs that are kept apart.
     """
 
@@ -117,7 +117,7 @@ class Step:
 
 
 def step_of(setup: StepSetup) -> Step:
-    """Build the step: make the problem, solve it, check the answer."""
+    """Build the step: set up the problem, solve it, check the solution."""
     symbolic = setup.kinematics.symbolic
     n = symbolic.chain.q.shape[0]
     index = Index.of(symbolic, setup.formulation.gradient, setup.formulation.curvature)
@@ -145,7 +145,7 @@ def step_of(setup: StepSetup) -> Step:
 
 
 def _soundness(inputs: list[ca.SX]) -> tuple[ca.SX, ca.SX]:
-    """Whether the state and whether the target, with all that comes with it, are usable numbers."""
+    """Whether the state is valid, and whether the target and the inputs given with it are."""
     q, qd, qdd, target, stiffness, drive, tolerance, obstacles, _ = inputs
     state = _all(ca.fabs(ca.vertcat(q, qd, qdd)) < HUGE)
     given = ca.vertcat(ca.vec(target[:, :3]), stiffness, drive, obstacles)
@@ -153,7 +153,7 @@ def _soundness(inputs: list[ca.SX]) -> tuple[ca.SX, ca.SX]:
 
 
 def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: AvoidanceRows | None) -> ca.Function:
-    """The QP (for `Classical` its velocity instead), and what the report needs."""
+    """The QP (for `Classical` its velocity instead), and the values that the report needs."""
     q, qd, qdd, goal, stiffness, share, *_ = inputs
     symbolic, formulation, dt = setup.kinematics.symbolic, setup.formulation, setup.dt
     jacobian = ca.densify(symbolic.posture.jacobian)
@@ -174,7 +174,7 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: Avoidanc
     else:
         hessian = ca.diag(ca.SX(ca.DM(setup.weights))) + stiffness * gram(jacobian) + share * drive.hessian
         if setup.approach < ca.inf:
-            # a target out of reach: damped by what is left of the way [sugihara2011]
+            # damping by the remaining deviation, for a target out of reach [sugihara2011]
             hessian += stiffness * ca.sumsqr(deviation) * ca.SX.eye(q.shape[0])
         if formulation.convexify:
             hessian, bent = convexified(hessian)
@@ -184,7 +184,7 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: Avoidanc
         program = _program(hessian, gradient, pull, (low, high), tube, rows)
         outputs = dict(zip(PROGRAM, program, strict=True))
         free, kept = _free_minimum(hessian, gradient, program)
-        outputs["kept"] = ca.logic_or(kept, ca.logic_not(sound))  # without numbers there is nothing to search for
+        outputs["kept"] = ca.logic_or(kept, ca.logic_not(sound))  # invalid inputs need no QP solver
         outputs["free"] = ca.vertcat(free, ca.SX.zeros(program[0].shape[0] - free.shape[0]))
     clearance = ca.mmin(rows.distance) if rows else ca.SX(ca.inf)
     figures = ca.vertcat(good_state, good_target, index.value, clearance, bent)
@@ -195,9 +195,9 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: Avoidanc
 
 
 def _answer(setup: StepSetup, problem: ca.Function, made: dict[str, ca.MX]) -> tuple[ca.MX, ca.MX]:
-    """The QP's variables, and whether they are its answer.
+    """The QP's variables, and whether they solve it.
 
-    Where the minimum without constraints keeps all of them it is the answer; otherwise DAQP looks for it.
+    If the unconstrained minimum satisfies all constraints, it is the solution; otherwise DAQP computes it.
     """
     if isinstance(setup.formulation, Classical):
         return made["velocity"], ca.MX(1)
@@ -217,7 +217,7 @@ def _answer(setup: StepSetup, problem: ca.Function, made: dict[str, ca.MX]) -> t
 
 
 def _free_minimum(hessian: ca.SX, gradient: ca.SX, program: list[ca.SX]) -> tuple[ca.SX, ca.SX]:
-    """Where ½ q̇ᵀ H q̇ + gᵀ q̇ is least without constraints, by L D Lᵀ, and whether all of them hold there without slack."""
+    """The unconstrained minimum of ½ q̇ᵀ H q̇ + gᵀ q̇, by L D Lᵀ, and whether it satisfies all constraints without slack."""
     _, _, matrix, low, high, below, above = program
     n = hessian.shape[0]
     factor, pivots = ca.SX(hessian), []
@@ -243,7 +243,7 @@ def _free_minimum(hessian: ca.SX, gradient: ca.SX, program: list[ca.SX]) -> tupl
 
 
 def _finish(setup: StepSetup, problem: ca.Function, answer: ca.Sparsity) -> ca.Function:
-    """From whether it is solved and the answer to the velocity and the report."""
+    """The Function from whether the QP is solved and its solution to the velocity and the report."""
     names = ("lbx", "ubx", "jacobian", "error", "figures")
     made = {name: ca.SX.sym(name, problem.sparsity_out(name)) for name in names}
     variables, solved = ca.SX.sym("answer", answer), ca.SX.sym("solved")
@@ -267,18 +267,18 @@ def _finish(setup: StepSetup, problem: ca.Function, answer: ca.Sparsity) -> ca.F
 
 
 def _next_memory(setup: StepSetup, index: Index, goal: ca.SX, good_state: ca.SX, sound: ca.SX) -> ca.SX:
-    """What the next step may use: nothing of a state or a target that is no number."""
+    """The memory of the next step, without values from an invalid state or target."""
     learned = ca.if_else(good_state, index.next_memory, 0) if index.next_memory.shape[0] else index.next_memory
     return ca.vertcat(learned, ca.vec(goal), sound) if setup.remembers else learned
 
 
 def _placement(rows: ca.SX) -> Placement:
-    """A pose (4, 4) that is given row by row, which CasADi takes for its transpose."""
+    """The placement from a pose (4, 4) stored row by row, which CasADi reads as its transpose."""
     return Placement(rotation=rows[:3, :3].T, origin=rows[3, :3].T)
 
 
 def _deviation(task: Task, left: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Length [m] and angle [rad] of what the rows of a task leave, (m, 1)."""
+    """Length [m] and angle [rad] of the residual `left` (m, 1) of a task's rows."""
     turns = [any(row[3:]) for row in (*task.world_rows, *task.tool_rows)]
     position = [left[i] for i, turned in enumerate(turns) if not turned]
     rotation = [left[i] / task.length for i, turned in enumerate(turns) if turned]
@@ -292,7 +292,7 @@ def _classical(jacobian: ca.SX, rate: ca.SX, z: ca.SX, damping: float) -> ca.SX:
 
 
 def _deviation_before(setup: StepSetup, inputs: list[ca.SX], error: ca.SX) -> ca.SX:
-    """How far the tool is now from the target of the last step, (m, 1); the whole error when there was none."""
+    """Deviation of the tool from the target of the last step, (m, 1); the whole error if there was none."""
     if not setup.remembers:
         return error
     before, started = ca.reshape(inputs[8][-TARGET_MEMORY:-1], 4, 4), inputs[8][-1] > 0
@@ -302,7 +302,7 @@ def _deviation_before(setup: StepSetup, inputs: list[ca.SX], error: ca.SX) -> ca
 
 
 def _correction(setup: StepSetup, deviation: ca.SX) -> ca.SX:
-    """The share of a deviation that one step asks to correct: all, but no faster than it can be braked, sqrt(2 a |e|)."""
+    """Share of a deviation that one step corrects: all of it, but no faster than it can be braked, sqrt(2 a |e|)."""
     if not setup.remembers or setup.approach == ca.inf:
         return ca.SX(1)
     size = ca.sqrt(ca.sumsqr(deviation)) + 1e-300
@@ -312,9 +312,9 @@ def _correction(setup: StepSetup, deviation: ca.SX) -> ca.SX:
 def _tube(setup: StepSetup, inputs: list[ca.SX], jacobian: ca.SX, error: ca.SX, deviation: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
     """Bounds J q̇ >= low, J q̇ <= high of the tube.
 
-    Of the room between the deviation e from the target before and the tube's wall w a step may use the share κ: the
-    deviation δ T that it leaves is at most e + κ (w - e). So an arm that heads for the wall slows down in time. What is
-    outside comes back as fast as it can be braked.
+    A step may use the share κ of the distance from the deviation e, from the last target, to the tube's boundary w: it leaves
+    a deviation δ T of at most e + κ (w - e). So the arm slows down before it reaches the boundary. A deviation outside the
+    tube returns as fast as it can be braked.
     """
     tolerance, started = inputs[6], inputs[8][-1] > 0
     position, rotation = (ca.DM(share) for share in row_shares(setup.kinematics.task))
@@ -327,7 +327,7 @@ def _tube(setup: StepSetup, inputs: list[ca.SX], jacobian: ca.SX, error: ca.SX, 
         return ca.if_else(beyond > 0, width + (1 - back) * beyond, side + share * (width - side))
 
     high, low = most(deviation), -most(-deviation)
-    # the wall on the other side does not hold up the way back
+    # the opposite boundary does not restrict the return
     high, low = (
         ca.if_else(deviation < 0, ca.fmax(high, low), high),
         ca.if_else(deviation > 0, ca.fmin(low, high), low),
@@ -345,7 +345,7 @@ def _program(
 ) -> list[ca.SX]:
     """H, g, A, variable bounds, row bounds of the QP in (q̇, slack of the tube, slack of the avoidance).
 
-    `pull` is what the slacks' penalties have to outweigh.
+    `pull` is the part of the cost that the penalties of the slacks have to outweigh.
     """
     n = gradient.shape[0]
     penalties = [*([TUBE_PENALTY] if tube else []), *([AVOIDANCE_PENALTY] if rows else [])]
@@ -371,7 +371,7 @@ def _program(
 
 
 def _solved(parts: list[ca.SX], x: ca.SX, at_bounds: ca.SX, at_rows: ca.SX) -> ca.SX:
-    """Whether x with its multipliers meets the rows and the first-order conditions; false where a number is missing."""
+    """Whether x with its multipliers satisfies the constraints and the first-order conditions; false if a number is NaN."""
     hessian, gradient, matrix, low, high, below, above = parts
     curve, push = hessian @ x, matrix.T @ at_rows
     residual = ca.fabs(curve + gradient + push + at_bounds)

@@ -1,4 +1,4 @@
-"""track: a whole path followed by a controller, step by step, and what came of it."""
+"""track: follows a whole path with a controller, step by step, and returns the result."""
 
 import time
 from collections.abc import Callable
@@ -22,27 +22,27 @@ from manipplan.tracking.controller import Controller, StepReport
 from manipplan.tracking.formulations import Classical, Formulation
 from manipplan.tracking.step import StepStatus
 
-#: The final pose counts as reached within these [m, rad], and the arm as at rest below this speed [rad/s, m/s].
+#: Tolerance within which the final pose counts as reached [m, rad], and speed below which the arm is at rest [rad/s, m/s].
 REACHED = (1e-4, 1e-3)
 AT_REST = 1e-6
-#: How much of the tolerance a step may exceed it by: what the path bends within one step [share].
+#: Share of the tolerance by which a step may exceed it, for the path's curvature within one step.
 BENT = 0.02
-#: Stiffness that holds the final pose, and the longest time for getting there [s].
+#: Stiffness that holds the final pose, and the maximum time to reach it [s].
 HOLD = 1e4
 SETTLING = 2.0
-#: The share of the joints' limits that a path is timed for where no duration is given.
+#: Share of the joint limits that the default duration uses.
 PACE = 0.5
-#: Time steps of one motion; more is hours of work, and limits or durations that were not meant.
+#: Maximum number of time steps of one motion; more take hours and come from wrong limits or durations.
 MOST_STEPS = 1_000_000
 
 
 class TrackingStatus(Enum):
-    """How a tracking ended; the value is the text for people."""
+    """Outcome of tracking a path; the value is its message."""
 
-    FOLLOWED = "followed: inside the tolerance, and the final pose is reached"
-    LEFT_TOLERANCE = "the tolerance was left; allow more of it, more time, or start where the path does"
+    FOLLOWED = "followed: the tool stayed inside the tolerance and reached the final pose"
+    LEFT_TOLERANCE = "the tool left the tolerance; increase the tolerance or the duration, or start where the path does"
     NOT_REACHED = "the final pose was not reached; it may be out of reach, blocked, or need more time"
-    BRAKED = "some steps had no sound answer, and the arm braked"
+    BRAKED = "some steps had no valid solution, and the arm braked"
 
     @property
     def ok(self) -> bool:
@@ -52,19 +52,19 @@ class TrackingStatus(Enum):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Tracking:
-    """A path as it was followed; N samples, of which the first is the start, at rest.
+    """Result of following a path; N samples, the first of which is the start, at rest.
 
     Attributes:
         t: (N,) times [s].
         q, qd: (N, n) positions and the velocities that led to them [rad or m, and per s].
-        manipulability: (N,) index.
-        targets: (N, 4, 4) poses that were wanted.
-        deviation, rotation_deviation: (N,) of the tool from them, by forward kinematics [m, rad]; in the task's rows only.
-        clearance: least distance that avoidance saw at each step [m]; inf without.
-        reports: what each step found, but for the last few that brake.
+        manipulability: (N,) m.
+        targets: (N, 4, 4) desired poses.
+        deviation, rotation_deviation: (N,) of the tool from the targets, by forward kinematics [m, rad]; in the task's rows.
+        clearance: minimum distance that avoidance measured at each step [m]; inf without avoidance.
+        reports: result of each step, except the last few that brake.
         solve_times: wall time of each of these steps [s].
         duration: of the path itself, without the settling at its end [s].
-        status, message: how it ended.
+        status, message: outcome.
         joint_names: (n,).
     """
 
@@ -84,9 +84,9 @@ class Tracking:
     joint_names: tuple[str, ...]
 
     def trajectory(self) -> Trajectory:
-        """The motion in continuous time: velocity linear between the samples, so that acceleration limits hold throughout.
+        """The motion in continuous time, with velocity linear between the samples, so acceleration limits hold throughout.
 
-        It is the commanded motion, whose velocity jumps at every step, averaged over one step: half a step later.
+        It is the commanded motion, whose velocity jumps at every step, averaged over one step and thus half a step later.
         """
         dt = float(self.t[1])
         return Trajectory(t=self.t, q=self.q - dt * self.qd / 2, qd=self.qd, joint_names=self.joint_names)
@@ -98,16 +98,16 @@ class Tracking:
 
     @property
     def braked(self) -> int:
-        """Number of steps without a sound answer."""
+        """Number of steps without a valid solution."""
         return sum(report.status != StepStatus.SOLVED for report in self.reports)
 
     def __str__(self) -> str:
         times = 1e6 * self.solve_times
         lines = [
             f"{self.status.name.lower().replace('_', ' ')}: {self.message}",
-            f"  time         {self.t[-1]:.3f} s in {len(self.reports)} steps, a step {np.median(times):.1f} us "
+            f"  time         {self.t[-1]:.3f} s in {len(self.reports)} steps, {np.median(times):.1f} us per step "
             f"(99 %: {np.percentile(times, 99):.1f} us)",
-            f"  index        least {self.manipulability.min():.4g}, mean {self.manipulability.mean():.4g}",
+            f"  m            minimum {self.manipulability.min():.4g}, mean {self.manipulability.mean():.4g}",
             f"  deviation    at most {1e3 * self.deviation.max():.2f} mm and {np.rad2deg(self.rotation_deviation.max()):.2f}°, "
             f"at the end {1e3 * self.deviation[-1]:.4f} mm and {np.rad2deg(self.rotation_deviation[-1]):.4f}°",
         ]
@@ -134,7 +134,7 @@ def track(
     avoidance: Avoidance | None = None,
     compiled: bool | str = "auto",
 ) -> Tracking:
-    """Follow a path from rest to rest, with cubic timing s = 3u² - 2u³ along it, and raise the index on the way.
+    """Follow a path from rest to rest, with cubic timing s = 3u² - 2u³ along it, and raise manipulability on the way.
 
     Args:
         robot: the arm, with its limits.
@@ -142,20 +142,20 @@ def track(
         start: (n,) inside the limits, with the tool at or near T(0).
         dt: time step [s] > 0.
         formulation: Classical, General, Objective, Equality or LogDrive.
-        duration: of the path [s]; default: one at which exact tracking would use half of the joints' limits.
-        task: rows that are followed, and whose index counts; default `robot.default_task`.
+        duration: of the path [s]; default: one at which exact tracking would use half of the joint limits.
+        task: task that is tracked, and whose manipulability counts; default `robot.default_task`.
         stiffness: Q_δ: a number, or a function of the share of the time such as StiffnessProfile. Default 1e4, which holds
-            the path closely; with a tolerance the StiffnessProfile, which lets the index use the tube.
-        tolerance: tube around the path, constant or a function of s. Without one a low stiffness lets the index pull the
-            arm decimetres away.
+            the path closely; with a tolerance StiffnessProfile(), which lets the formulation use the tube.
+        tolerance: tube around the path, constant or a function of s. Without one, a low stiffness lets the formulation pull
+            the arm decimetres away.
         weights: diagonal of Q.
-        approach: acceleration [m/s²] at which deviations are braked, as in Controller; inf: dead-beat, as in the paper.
-        avoidance: what is kept away from; its moving obstacles stand still here.
+        approach: deceleration [m/s²] at which corrections are braked, as in Controller; inf: dead-beat, as in the paper.
+        avoidance: collision avoidance; its moving obstacles stand still here.
         compiled: as in `Robot.kinematics`.
 
     At the end of the path the drive is switched off and the final pose is approached for up to two seconds more.
 
-    Raises InvalidInputError for arguments that cannot be used. What did not work out is told by the status of the result.
+    Raises InvalidInputError for invalid arguments. The status of the result reports any other failure.
     """
     if not isinstance(path, CartesianPath):
         raise InvalidInputError("path", path, "a CartesianPath")
@@ -184,11 +184,9 @@ def track(
 
 
 def step_count(least: float) -> int:
-    """The least whole number of time steps that is not below `least`; raises InvalidInputError above `MOST_STEPS`."""
+    """`least` rounded up to a whole number of time steps, at least 1; raises InvalidInputError above `MOST_STEPS`."""
     if not least <= MOST_STEPS:
-        wanted = (
-            f"a motion of at most {MOST_STEPS:,} time steps: a shorter duration, a longer dt, or higher limits of the joints"
-        )
+        wanted = f"a motion of at most {MOST_STEPS:,} time steps: a shorter duration, a longer dt, or higher joint limits"
         raise InvalidInputError("duration / dt", least, wanted)
     return max(int(np.ceil(least)), 1)
 
@@ -201,9 +199,9 @@ def follow_poses(
     stiffness: Callable[[float], float],
     tube: Callable[[float], Tolerance] | None,
 ) -> Tracking:
-    """Follow poses (N + 1, 4, 4), one a time step and the first for the start, at the places s (N + 1,) of a path.
+    """Follow poses (N + 1, 4, 4), one per time step and the first at the start, at the path parameters s (N + 1,).
 
-    `stiffness` is a function of the share of the time, `tube` one of s.
+    `stiffness` is a function of the share of the time, `tube` a function of s.
     """
     loop = _Loop(controller, start)
     for k in range(1, len(poses)):
@@ -213,7 +211,7 @@ def follow_poses(
 
 
 def unhurried(kinematics: Kinematics, path: CartesianPath, start: Array) -> float:
-    """A duration [s] at which following `path` exactly from `start` uses `PACE` of the velocity and acceleration limits."""
+    """Duration [s] at which following `path` exactly from `start` uses `PACE` of the velocity and acceleration limits."""
     poses = path.sample(200)
     limits = kinematics.robot.limits
     q, fastest, hardest = start, 1e-3, 1e-3
@@ -231,7 +229,7 @@ def unhurried(kinematics: Kinematics, path: CartesianPath, start: Array) -> floa
 
 
 class _Loop:
-    """The arm in the loop: it moves as it is told."""
+    """The control loop with a simulated arm that moves exactly as commanded."""
 
     def __init__(self, controller: Controller, start: Array) -> None:
         self.controller = controller
@@ -310,19 +308,19 @@ def _outcome(
                 ("position", deviation[k], (allowed.position, last.position), "m"),
                 ("rotation", rotation[k], (allowed.rotation, last.rotation), "rad"),
             ):
-                limit = max((each for each in limits if each is not None), default=None)  # one that shrinks is met a step later
+                limit = max((each for each in limits if each is not None), default=None)  # a smaller limit holds one step later
                 if limit is not None and value > limit * (1 + BENT):
                     text = f"{name} deviates by {value:.4g} {unit} at s = {place:.3f}, t = {k * dt:.3f} s; allowed {limit:g}"
                     return TrackingStatus.LEFT_TOLERANCE, text
     if braked:
-        return TrackingStatus.BRAKED, f"{braked} steps had no sound answer"
+        return TrackingStatus.BRAKED, f"{braked} steps had no valid solution"
     if deviation[-1] > REACHED[0] or rotation[-1] > REACHED[1]:
         return TrackingStatus.NOT_REACHED, worst
     return TrackingStatus.FOLLOWED, f"largest deviation {1e3 * deviation.max():.3g} mm, {np.rad2deg(rotation.max()):.3g}°"
 
 
 def _error(task: Task, pose: Array, target: Array) -> Array:
-    """The displacement in the rows of a task (m,), as `task_error`, in numbers."""
+    """The displacement in the rows of a task (m,), the numerical form of `task_error`."""
     axis = task.free_axis
     if axis is None:
         turn = pin.log3(target[:3, :3] @ pose[:3, :3].T)
@@ -348,12 +346,12 @@ def _tolerance_along(
     if isinstance(tolerance, Tolerance):
         return lambda _: tolerance
     if not callable(tolerance) or not isinstance(tolerance(0.0), Tolerance):
-        raise InvalidInputError("tolerance", tolerance, "a Tolerance, or a function of s that gives one")
+        raise InvalidInputError("tolerance", tolerance, "a Tolerance, or a function of s that returns one")
     return tolerance
 
 
 def along(stiffness: Stiffness) -> Callable[[float], float]:
-    """A stiffness as a function of the share of the time; raises InvalidInputError for a number that is not above zero."""
+    """The stiffness as a function of the share of the time; raises InvalidInputError for a number that is not positive."""
     if callable(stiffness):
         return stiffness
     value = number("stiffness", stiffness, above=0.0)

@@ -1,4 +1,4 @@
-"""A plan in motion: the arm beside its index over time."""
+"""Animation of a plan: the arm beside its manipulability over time."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -24,13 +24,13 @@ from manipplan.viz.space import LINES, draw_skeleton, draw_surface, look_at, poi
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan
 
-#: A GIF counts time in hundredths of a second, and browsers slow down what shows a frame for less than two.
+#: Maximum frame rate of a GIF [1/s]: it counts hundredths of a second, and browsers slow down frames shorter than two.
 MOST_GIF_FPS = 50.0
-#: Pixels of a side: on fewer nothing can be read, and more are larger than any screen.
+#: Minimum and maximum side length [pixels]: smaller pictures are illegible, larger ones exceed any screen.
 SIDES = (50, 8192)
-#: Places at which the whole motion is looked at for what the axes have to show.
+#: Number of points of the motion from which the axis limits are taken.
 LOOKS = 40
-#: The one ellipsoid is drawn so much larger than the several of a still picture.
+#: Factor by which the single ellipsoid is drawn larger than the several of a still picture.
 LARGER = 1.8
 
 
@@ -45,18 +45,18 @@ def animate(
     colours: int = 96,
     progress: Progress | None = None,
 ) -> None:
-    """Write a plan in motion: the arm with its velocity ellipsoid among the obstacles, and the index over time with a dot.
+    """Write an animation of a plan: the arm with its velocity ellipsoid and the obstacles, and the manipulability over time.
 
-    The path that the plan started from, the planner's seed for instance, is shown beside it as a ghost. It has no time of its
-    own: it is where the same share of its length lies behind it.
+    The initial path of the plan, such as the planner's seed, is shown beside it as a ghost. It has no timing of its own: it is
+    shown at the same share of its length.
 
     Args:
         plan: with a trajectory.
-        file: its suffix says what is written: .gif, by Pillow, or .mp4, by the program ffmpeg.
-        fps: frames a second; of a GIF at most 50.
-        speed: 0.5 shows the motion at half its speed.
-        size: of the picture [inches], and `dpi`: pixels an inch, 10 to 1000; each side has 50 to 8192 pixels.
-        colours: of a GIF, from 2 to 256: fewer make a smaller file.
+        file: its suffix selects the format: .gif, written by Pillow, or .mp4, written by the program ffmpeg.
+        fps: frames per second; at most 50 for a GIF.
+        speed: playback speed; 0.5 is half the real speed.
+        size: of the picture [inches], and `dpi`: pixels per inch, 10 to 1000; each side has 50 to 8192 pixels.
+        colours: number of colours of a GIF, 2 to 256: fewer make a smaller file.
         progress: called with the share done in [0, 1] and a text.
 
     Raises:
@@ -73,7 +73,7 @@ def animate(
     colours = whole_number("colours", colours, least=2, most=256)
     pixels = dpi * finite_array("size", size, (2,))
     if not ((pixels >= SIDES[0]) & (pixels <= SIDES[1])).all():
-        allowed = f"width and height [inches] that make {SIDES[0]} to {SIDES[1]} pixels at {dpi:g} an inch"
+        allowed = f"width and height [inches] that make {SIDES[0]} to {SIDES[1]} pixels at {dpi:g} per inch"
         raise InvalidInputError("size", size, allowed)
     finished(plan)
     assert plan.trajectory is not None
@@ -81,7 +81,7 @@ def animate(
         from matplotlib.animation import FFMpegWriter
 
         if not FFMpegWriter.isAvailable():
-            raise MissingProgramError("ffmpeg", "sudo apt-get install ffmpeg", "or name a .gif file, which needs no program")
+            raise MissingProgramError("ffmpeg", "sudo apt-get install ffmpeg", "or write a .gif file, which needs no program")
     duration = plan.trajectory.duration
     times = np.minimum(np.arange(np.ceil(duration / speed * fps - 1e-9) + 1) * speed / fps, duration)
 
@@ -98,7 +98,7 @@ def animate(
 
 
 def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
-    """Draw what stands still; returns what shows the plan at a time [s]."""
+    """Draw the static parts; returns the function that shows the plan at a time [s]."""
     assert plan.path is not None
     assert plan.result is not None
     assert plan.trajectory is not None
@@ -122,7 +122,7 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
         ends = [joined(arm_surfaces(robot, q)) for q in (looks[0], looks[-1])]
         look_at(space, draw_scene(space, plan.scene, [*seen, *points_of(ends)]), zoom=1.2)
         space.set(xticklabels=[], yticklabels=[], zticklabels=[], xlabel="", ylabel="", zlabel="")
-        space.computed_zorder = False  # the arm over the obstacles, and the ellipsoid over both: what moves is always seen
+        space.computed_zorder = False  # arm over obstacles, ellipsoid over both: moving parts are always visible
     for name, way in ways.items():
         space.plot(*way.T, color=colours[name], linewidth=1.3, alpha=0.7, label=f"tool, {name}", zorder=LINES)
     space.legend(loc="upper right")
@@ -136,7 +136,7 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
         over_time.set_ylim(0, None)
     over_time.set_ylabel(style.index_label(index))
     over_time.legend(loc="best")
-    figure.draw_without_rendering()  # the layout is made once, so that nothing trembles
+    figure.draw_without_rendering()  # the layout is computed once, so that nothing jitters
     figure.set_layout_engine("none")
     space.autoscale(False)
 

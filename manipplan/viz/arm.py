@@ -1,4 +1,4 @@
-"""The arm in space along a path, among what stands around it."""
+"""The arm in space along a path, with the obstacles around it."""
 
 from typing import Any
 
@@ -15,9 +15,9 @@ from manipplan.viz.motions import Motion, joint_path, skeleton, tool_way
 from manipplan.viz.shapes import Surface, arm_surfaces, feet_on_planes, joined, obstacle_surfaces, plane_patches
 from manipplan.viz.space import box_around, draw_skeleton, draw_surface, draw_ways, look_at, points_of, write, write_ends
 
-#: Figures drawn of the arm along a path.
+#: Number of postures of the arm drawn along a path.
 PLACES = 7
-#: An obstacle's name stands this share of its size from its middle, towards the eye: there is less in front of it.
+#: Offset of an obstacle's name from its centre towards the viewer, as a share of its size: less is in front of it there.
 FORWARD = np.array([0.28, -0.28, 0.0])
 
 
@@ -31,19 +31,19 @@ def plot_arm(
     places: int = PLACES,
     ax: Any = None,
 ) -> Any:
-    """The arm in 3D along a motion, from light to dark, with velocity ellipsoids, obstacles and the way of its tool.
+    """The arm in 3D along a motion, from light to dark, with velocity ellipsoids, obstacles and its tool path.
 
-    At the first and the last place its collision bodies are drawn, between them its skeleton. Obstacles stand there as what
-    they are, with their names; a plane is a patch as large as the picture. All is drawn as vectors.
+    Collision bodies are drawn at the start and the goal, the skeleton between them. Obstacles are drawn in their true shape
+    with their names; a plane is a patch as large as the picture. Everything is drawn as vector graphics.
 
     Args:
         robot: the arm.
         path: a JointPath, Trajectory or Tracking.
-        scene: obstacles; None: none.
-        seed: another motion, of which the way of the tool is drawn.
-        names: of the two in the legend.
-        places: how many figures of the arm, at least 2, evenly in the path's parameter.
-        ax: Matplotlib's axes with projection="3d"; None: those of a new figure.
+        scene: obstacles; default None.
+        seed: another motion, of which the tool path is drawn.
+        names: names of the two motions in the legend.
+        places: number of postures drawn, at least 2, evenly spaced in the path's parameter.
+        ax: Matplotlib axes with projection="3d"; None: those of a new figure.
 
     Returns the axes.
     """
@@ -67,7 +67,7 @@ def plot_arm(
 
 
 def draw_scene(ax: Any, scene: Scene, seen: list[Array]) -> list[Array]:
-    """Draw obstacles and their names on 3D axes; `seen` are points (k, 3) that the picture shows, returned with theirs."""
+    """Draw obstacles and their names on 3D axes; returns the points (k, 3) `seen` in the picture, extended by theirs."""
     seen = list(seen)
     for name, surface in obstacle_surfaces(scene):
         draw_surface(ax, surface, style.OBSTACLE, alpha=0.22, edges=True)
@@ -84,7 +84,7 @@ def draw_scene(ax: Any, scene: Scene, seen: list[Array]) -> list[Array]:
 def check_motions(
     robot: Robot, path: Motion, scene: Scene | None, seed: Motion | None
 ) -> tuple[JointPath, JointPath | None, Scene]:
-    """The paths of both motions, and the scene; raises InvalidInputError for what is no arm, scene or motion of this arm."""
+    """The paths of both motions, and the scene; raises InvalidInputError for a wrong type or another arm's motion."""
     instance("robot", robot, Robot)
     world = Scene() if scene is None else instance("scene", scene, Scene)
     return joint_path("path", path, robot), None if seed is None else joint_path("seed", seed, robot), world

@@ -1,4 +1,4 @@
-"""Curves along a motion: joints over time with their limits, the index and the singular values by share of length."""
+"""Curves along a motion: joints and their limits over time, manipulability and singular values over the share of length."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -14,9 +14,9 @@ from manipplan.support.errors import InvalidInputError
 from manipplan.viz import style
 from manipplan.viz.motions import Motion, joint_path, length_shares
 
-#: Points of a curve.
+#: Number of points per curve.
 POINTS = 801
-#: What the derivatives of a joint's position are called, and what their units add.
+#: Names of a joint's position and its derivatives, and the suffixes of their units.
 ORDERS = (("position", ""), ("velocity", "/s"), ("acceleration", "/s²"), ("jerk", "/s³"))
 
 
@@ -33,13 +33,13 @@ def plot_joints(
 
     Args:
         trajectory: the motion.
-        limits: `robot.limits`; None: none are drawn.
+        limits: `robot.limits`; None: no limits are drawn.
         order: 0 position, 1 velocity, 2 acceleration, 3 jerk.
-        share: draw each joint as a share of what it may do: its range for positions, ± its limit for the others.
-        unit: of the joints, for the axis label.
-        ax: Matplotlib's axes; None: those of a new figure.
+        share: draw each joint relative to its limits: to its range for positions, to ± its limit for derivatives.
+        unit: unit of the joints, for the axis label.
+        ax: Matplotlib axes; None: those of a new figure.
 
-    Returns the axes. Raises InvalidInputError for `share` without a finite limit of every joint, or limits of other joints.
+    Returns the axes. Raises InvalidInputError for `share` unless every joint has finite limits, or for limits of other joints.
     """
     trajectory = instance("trajectory", trajectory, Trajectory)
     order = whole_number("order", order, least=0, most=3)
@@ -85,14 +85,14 @@ def plot_index(
     bound: float | None = None,
     ax: Any = None,
 ) -> Any:
-    """The measure of `kinematics` along motions, by share of their length; a dot where it is the least.
+    """The measure of `kinematics` along motions, over the share of their length; a dot marks each minimum.
 
     Args:
         kinematics: of the arm, with task and measure.
-        paths: a JointPath, Trajectory or Tracking for each name; those along which the measure is the same share a curve.
-        straight: draw the straight line in joint space between the ends of the first for comparison.
+        paths: a JointPath, Trajectory or Tracking per name; paths with the same values of the measure share a curve.
+        straight: whether the straight line in joint space between the ends of the first path is drawn for comparison.
         bound: a value of the measure to draw as a line, such as `Refinement.bound`.
-        ax: Matplotlib's axes; None: those of a new figure.
+        ax: Matplotlib axes; None: those of a new figure.
 
     Returns the axes.
     """
@@ -125,18 +125,18 @@ def plot_index(
         ax.set_ylabel(style.index_label(kinematics))
         if min(index.min() for index, _ in drawn) >= 0:
             ax.set_ylim(0, None)
-        ax.set_title("index along the path; dots: the least")
+        ax.set_title("measure along the path; dots: minimum")
         ax.legend(loc="best")
     return ax
 
 
 def plot_singular_values(kinematics: Kinematics, path: Motion, *, ax: Any = None) -> Any:
-    """All singular values of the task's Jacobian along a motion, by share of its length; a dot where each is least.
+    """All singular values of the task's Jacobian along a motion, over the share of its length; a dot marks each minimum.
 
     Args:
         kinematics: of the arm, with its task.
         path: a JointPath, Trajectory or Tracking.
-        ax: Matplotlib's axes; None: those of a new figure.
+        ax: Matplotlib axes; None: those of a new figure.
 
     Returns the axes.
     """
@@ -147,7 +147,7 @@ def plot_singular_values(kinematics: Kinematics, path: Motion, *, ax: Any = None
     ax = style.axes_for(ax)
     with style.shared():
         for k, value in enumerate(values.T):
-            label = f"σ{str(k + 1).translate(style.SUBSCRIPTS)}" + (" (least)" if k == len(values.T) - 1 else "")
+            label = f"σ{str(k + 1).translate(style.SUBSCRIPTS)}" + (" (smallest)" if k == len(values.T) - 1 else "")
             [line] = ax.plot(shares, value, color=style.JOINTS[k % len(style.JOINTS)], label=label)
             ax.plot(shares[value.argmin()], value.min(), "o", color=line.get_color(), markersize=4, clip_on=False)
         unit = "m" if kinematics.task.metres == kinematics.task.rows else "1"

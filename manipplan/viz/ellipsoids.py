@@ -14,7 +14,7 @@ from manipplan.viz import style
 from manipplan.viz.motions import Motion, joint_path, linear_kinematics, skeleton, tool_way
 from manipplan.viz.space import LINES
 
-#: Without a scale the largest radius is drawn as this share of the stretched arm.
+#: Default length of the largest radius, as a share of the length of the stretched arm.
 SHARE = 0.08
 
 
@@ -28,22 +28,22 @@ def plot_ellipsoid(
     axes: bool = False,
     **look: Any,
 ) -> Any:
-    """Draw an ellipsoid of two rows as an ellipse, one of three as a surface on a 3D axes.
+    """Draw an ellipsoid of two rows as an ellipse, an ellipsoid of three rows as a surface on 3D axes.
 
     Args:
         ellipsoid: with 2 or 3 radii.
-        centre: where, (2,) or (3,) [m].
-        ax: Matplotlib's axes, with projection="3d" for three rows; None: those of a new figure.
-        scale: metres drawn for one unit of the radii.
-        largest: radii above are drawn as long as this; needed where one is infinite.
-        axes: draw the principal axes too.
+        centre: position of the centre, (2,) or (3,) [m].
+        ax: Matplotlib axes, with projection="3d" for three rows; None: those of a new figure.
+        scale: metres drawn per unit of the radii.
+        largest: limit on the drawn radii; required if one is infinite.
+        axes: whether the principal axes are drawn as well.
         **look: color, alpha, label and other properties of the patch or surface.
 
     Returns the axes. Raises InvalidInputError for other numbers of rows, or an infinite radius without `largest`.
     """
     m = len(instance("ellipsoid", ellipsoid, Ellipsoid).radii)
     if m not in (2, 3):
-        raise InvalidInputError("ellipsoid", ellipsoid.radii.tolist(), "2 or 3 radii; take those rows of the Jacobian")
+        raise InvalidInputError("ellipsoid", ellipsoid.radii.tolist(), "2 or 3 radii; select those rows of the Jacobian")
     middle = finite_array("centre", centre, (m,))
     number("scale", scale, above=0.0)
     radii = ellipsoid.radii if largest is None else np.minimum(ellipsoid.radii, number("largest", largest, above=0.0))
@@ -71,15 +71,15 @@ def plot_ellipsoid(
 def plot_ellipsoids(
     kinematics: Kinematics, path: Motion, places: int = 7, *, scale: float | None = None, ax: Any = None, **look: Any
 ) -> Any:
-    """Velocity ellipsoids at the tool at places along a motion, evenly in its parameter, with the way of the tool.
+    """Velocity ellipsoids at the tool, evenly spaced in the parameter of a motion, with the tool path.
 
     Args:
-        kinematics: of the arm. A task of three rows gives ellipsoids, one of two rows ellipses in the x-y plane; of any
-            other task the tool's linear velocity is drawn.
+        kinematics: of the arm. A task of three rows gives ellipsoids, a task of two rows ellipses in the x-y plane; for any
+            other task the ellipsoids of the tool's linear velocity are drawn.
         path: a JointPath, Trajectory or Tracking.
-        places: how many, at least 2.
-        scale: metres drawn for one unit of the radii; default: the largest radius as a twelfth of the arm's length.
-        ax: Matplotlib's axes, with projection="3d" for three rows; None: those of a new figure.
+        places: number of ellipsoids, at least 2.
+        scale: metres drawn per unit of the radii; default: the largest radius is a twelfth of the arm's length.
+        ax: Matplotlib axes, with projection="3d" for three rows; None: those of a new figure.
         **look: as in `plot_ellipsoid`.
 
     Returns the axes.
@@ -103,7 +103,7 @@ def plot_ellipsoids(
 
 
 def default_scale(robot: Robot, jacobians: Array) -> float:
-    """The scale that draws the largest radius of the velocity ellipsoids of Jacobians (k, m, n) as `SHARE` of the arm."""
+    """Scale at which the largest velocity ellipsoid radius of Jacobians (k, m, n) is `SHARE` of the arm's length."""
     arm = np.linalg.norm(np.diff(skeleton(robot, robot.neutral), axis=0), axis=1).sum()
     largest = np.linalg.norm(jacobians, ord=2, axis=(1, 2)).max()
     return float(SHARE * arm / max(largest, 1e-9))

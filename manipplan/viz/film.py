@@ -1,4 +1,4 @@
-"""A figure that moves, as the frames of a GIF or an MP4 file."""
+"""An animated figure, written as the frames of a GIF or an MP4 file."""
 
 import tempfile
 from collections.abc import Callable, Iterator
@@ -11,21 +11,21 @@ import numpy as np
 from manipplan.support.checks import Array
 from manipplan.support.progress import Progress
 
-#: How long a GIF shows its last frame before it begins again [s].
+#: Time for which a GIF shows its last frame before it repeats [s].
 HOLD = 1.0
 
 
 @dataclass(frozen=True, kw_only=True)
 class Film:
-    """What is filmed.
+    """An animated figure and its frames.
 
     Attributes:
         figure: a Matplotlib figure.
-        show: makes it what it is at a time [s].
-        times: (k,) of the frames [s].
-        fps: frames a second.
-        colours: of a GIF.
-        tell: is told how far it is.
+        show: updates the figure to a time [s].
+        times: (k,) times of the frames [s].
+        fps: frames per second.
+        colours: number of colours of a GIF.
+        tell: progress callback.
     """
 
     figure: Any
@@ -36,7 +36,7 @@ class Film:
     tell: Progress
 
     def write_gif(self, stream: IO[bytes]) -> None:
-        """Write the frames as a GIF, each for its hundredths of a second, the last one for `HOLD`."""
+        """Write the frames as a GIF, with durations in hundredths of a second and `HOLD` for the last frame."""
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from PIL import Image
 
@@ -54,13 +54,13 @@ class Film:
         frames[0].save(stream, format="GIF", save_all=True, append_images=frames[1:], duration=shown, loop=0)
 
     def write_mp4(self, stream: IO[bytes]) -> None:
-        """Write the frames as an MP4 by ffmpeg."""
+        """Write the frames as an MP4 with ffmpeg."""
         from matplotlib.animation import FFMpegWriter
         from matplotlib.backends.backend_agg import FigureCanvasAgg
 
         FigureCanvasAgg(self.figure)
         writer: Any = FFMpegWriter(fps=self.fps)  # type: ignore[arg-type]  # ffmpeg takes any rate
-        with tempfile.TemporaryDirectory() as folder:  # ffmpeg goes back to its file's begin, which a stream may not allow
+        with tempfile.TemporaryDirectory() as folder:  # ffmpeg seeks to the start of its file, which a stream may not allow
             file = Path(folder) / "film.mp4"
             with writer.saving(self.figure, str(file), self.figure.dpi):
                 for time in self._told():
@@ -75,9 +75,9 @@ class Film:
 
 
 def _palette(frames: list[Any], colours: int) -> Any:
-    """One palette for all frames, so that what stands still is the same in each.
+    """One palette for all frames, so that static parts look the same in each.
 
-    Half of it are the most frequent colours as they are, paper and lines among them, the others serve what lies between.
+    Half of it holds the most frequent colours, such as background and lines; the other half approximates the rest.
     """
     from PIL import Image
 

@@ -1,4 +1,4 @@
-"""How an answer was found: the layered search with its candidates, and the optimiser from solve to solve."""
+"""How a result was found: the layered search with its candidates, and the optimiser solve by solve."""
 
 from typing import Any
 
@@ -12,20 +12,20 @@ from manipplan.support.checks import instance
 from manipplan.support.errors import InvalidInputError
 from manipplan.viz import style
 
-#: Candidates drawn at a position.
+#: Maximum number of candidates drawn per position.
 CANDIDATES = 120
 
 
 def plot_layers(layers: Layers, result: SearchResult | Refinement | None = None, *, ax: Any = None) -> Any:
-    """The index of the candidates at each position, and the path that was found among them.
+    """The manipulability of the candidates at each position, and the path that was found among them.
 
     Args:
-        layers: the candidates; of more than 120 at a position, these are drawn, evenly by rank.
-        result: a SearchResult or a Refinement of these layers: its index at each position, its least, and its bound. Of a
-            search that found no path, the position that none reaches.
-        ax: Matplotlib's axes; None: those of a new figure.
+        layers: the candidates; at most 120 per position are drawn, evenly by rank.
+        result: a SearchResult or a Refinement of these layers: its manipulability at each position, its minimum and its
+            bound. For a search that found no path, the position that no path reaches.
+        ax: Matplotlib axes; None: those of a new figure.
 
-    Returns the axes. Raises InvalidInputError for a result of another number of positions.
+    Returns the axes. Raises InvalidInputError for a result with another number of positions.
     """
     instance("layers", layers, Layers)
     if result is not None and not isinstance(result, SearchResult | Refinement):
@@ -38,21 +38,21 @@ def plot_layers(layers: Layers, result: SearchResult | Refinement | None = None,
     ax = style.axes_for(ax)
     with style.shared():
         ax.plot(place, np.concatenate(shown), ".", color=style.CANDIDATE, markersize=2.5, label="candidates", zorder=1.5)
-        ax.plot([each.max() for each in layers.m], color=style.STRAIGHT, linestyle=":", label="highest of each position")
+        ax.plot([each.max() for each in layers.m], color=style.STRAIGHT, linestyle=":", label="largest per position")
         if result is not None and len(result.manipulability):
             index = result.manipulability
             name = "refined path" if isinstance(result, Refinement) else "best continuous path"
             ax.plot(index, color=style.OPTIMUM, linewidth=2.0, label=name)
-            ax.plot(index.argmin(), index.min(), "o", color=style.OPTIMUM, markersize=5, label=f"its least: {index.min():.4g}")
+            ax.plot(index.argmin(), index.min(), "o", color=style.OPTIMUM, markersize=5, label=f"minimum: {index.min():.4g}")
         if result is not None:
             ax.axhline(
                 result.bound, color=style.LIMIT, linestyle=(0, (4, 3)), linewidth=1.2, label=f"bound: {result.bound:.4g}"
             )
         breaks_at = getattr(result, "breaks_at", None)
         if breaks_at is not None:
-            ax.axvline(breaks_at, color=style.ARM, linewidth=1.2, label="no continuous path reaches this")
+            ax.axvline(breaks_at, color=style.ARM, linewidth=1.2, label="no continuous path reaches this position")
         ax.set(xlabel="position along the path", xlim=(-0.5, count - 0.5))
-        ax.set_ylabel("index" if layers.sampler is None else style.index_label(layers.sampler.kinematics))
+        ax.set_ylabel("manipulability" if layers.sampler is None else style.index_label(layers.sampler.kinematics))
         if min(each.min() for each in shown) >= 0:
             ax.set_ylim(0, None)
         ax.set_title(f"{layers.count} candidates at {count} positions")
@@ -61,11 +61,11 @@ def plot_layers(layers: Layers, result: SearchResult | Refinement | None = None,
 
 
 def plot_convergence(result: PathResult, *, ax: Any = None) -> Any:
-    """g after each solve of the optimiser: filled where that path was free, hollow where it touched something.
+    """g after each solve of the optimiser: filled for a collision-free path, hollow for a path in collision.
 
     Args:
         result: of `optimize_path`, or `plan.result`.
-        ax: Matplotlib's axes; None: those of a new figure.
+        ax: Matplotlib axes; None: those of a new figure.
 
     Returns the axes. Raises InvalidInputError for a result without solves.
     """
@@ -81,7 +81,7 @@ def plot_convergence(result: PathResult, *, ax: Any = None) -> Any:
         for name, marker in zip(dict.fromkeys(first.tolist()), "osD^", strict=False):
             for which, fill in ((free, style.OPTIMUM), (~free, "none")):
                 chosen = (first == name) & which & np.isfinite(g)
-                text = f"from {name}, {'free' if fill != 'none' else 'touching'}"
+                text = f"from {name}, {'collision-free' if fill != 'none' else 'in collision'}"
                 if chosen.any():
                     ax.plot(solve[chosen], g[chosen], marker, color=style.OPTIMUM, markerfacecolor=fill, label=text)
         ax.axhline(result.g, color=style.ARM, linestyle="--", linewidth=1.2, label=f"result: {result.g:.4g}")
@@ -89,7 +89,7 @@ def plot_convergence(result: PathResult, *, ax: Any = None) -> Any:
         low, high = values.min(), values.max()
         spare = max(0.15 * (high - low), 1e-3 * high)
         ax.set_ylim(low - spare, high + spare)
-        above = result.seed_cost.g > high + spare  # mostly by far: drawn, it would leave the solves no room
+        above = result.seed_cost.g > high + spare  # usually by far: drawn to scale, it would compress the solves
         text = f"seed: {result.seed_cost.g:.4g}" + (", above the picture" if above else "")
         ax.axhline(result.seed_cost.g if not above else np.nan, color=style.SEED, linestyle=":", linewidth=1.2, label=text)
         ax.set(xlabel="solve", ylabel="g, the cost of the path", xlim=(0.5, len(history) + 0.5))
@@ -100,7 +100,7 @@ def plot_convergence(result: PathResult, *, ax: Any = None) -> Any:
 
 
 def _evenly(index: Any) -> Any:
-    """At most CANDIDATES of the indices (k,), the least and the largest among them, evenly by rank."""
+    """At most CANDIDATES of the values (k,), evenly by rank, including the smallest and the largest."""
     if len(index) <= CANDIDATES:
         return np.sort(index)
     return np.sort(index)[np.linspace(0, len(index) - 1, CANDIDATES).round().astype(int)]

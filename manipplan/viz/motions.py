@@ -1,4 +1,4 @@
-"""What the pictures read off a motion: its joint path and what it started from, places by share of length, skeleton, tool."""
+"""Data of a motion for the pictures: its joint path and initial path, shares of length, skeleton and tool path."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -25,7 +25,7 @@ Motion = JointPath | Trajectory | Tracking
 
 
 def joint_path(argument: str, motion: Motion, robot: Robot) -> JointPath:
-    """The curve of a motion of this robot in joint space; raises InvalidInputError that names `argument`."""
+    """The joint path of a motion of this robot; raises InvalidInputError that names `argument`."""
     if isinstance(motion, Tracking):
         motion = motion.trajectory()
     if isinstance(motion, Trajectory):
@@ -36,7 +36,7 @@ def joint_path(argument: str, motion: Motion, robot: Robot) -> JointPath:
 
 
 def named_paths(plan: "Plan") -> dict[str, JointPath]:
-    """A plan's path and what it started from, each by what it is called for the job that made it; one where they are one."""
+    """A plan's path and its initial path, under the names that fit the plan's job; one entry if they are the same."""
     assert plan.path is not None
     if plan.refinement is not None:
         ours, first = "refined", "best of the samples"
@@ -53,16 +53,16 @@ def named_paths(plan: "Plan") -> dict[str, JointPath]:
 
 
 def length_shares(path: JointPath, s: Array) -> Array:
-    """The share (k,) of the path's length at rising s (k,) from 0 to 1; s itself where it has none."""
+    """The share (k,) of the path's length at increasing s (k,) from 0 to 1; s itself for a path of zero length."""
     speed = np.linalg.norm(path(s, 1), axis=1)
     gained = np.concatenate([[0.0], np.cumsum(np.diff(s) * (speed[1:] + speed[:-1]) / 2)])
     return np.asarray(gained / gained[-1]) if gained[-1] > 0 else s
 
 
 def beside(trajectory: Trajectory, seed: JointPath) -> Callable[[ArrayLike], Array]:
-    """`seed` at times [s] of a trajectory: as much of its length is behind it as of the trajectory's.
+    """`seed` at times [s] of a trajectory, at the same share of its length as the trajectory.
 
-    It has no time of its own.
+    The seed has no timing of its own.
     """
     s = np.linspace(0.0, 1.0, 2001)
     ours, theirs = length_shares(trajectory.path(), s), length_shares(seed, s)
@@ -70,7 +70,7 @@ def beside(trajectory: Trajectory, seed: JointPath) -> Callable[[ArrayLike], Arr
 
 
 def linear_kinematics(robot: Robot) -> Kinematics:
-    """Kinematics of the tool's position, whose velocity ellipsoids are drawn; of a planar arm in its plane."""
+    """Kinematics of the tool's position, whose velocity ellipsoids are drawn; for a planar arm, in its plane."""
     return robot.kinematics(Task.planar() if robot.planar else Task.position())
 
 

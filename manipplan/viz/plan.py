@@ -1,4 +1,4 @@
-"""The picture of a plan: the arm along the path, the index beside what it started from, and the joints over time."""
+"""The picture of a plan: the arm along the path, its manipulability and that of the initial path, and the joints over time."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,15 +23,15 @@ if TYPE_CHECKING:
 
 def save_plan(plan: "Plan", file: str | Path) -> None:
     """Write the picture of a plan as PNG; see `plan_figure`."""
-    with uninterrupted():  # Matplotlib and its parser of formulae are imported and built while the first figure is drawn
+    with uninterrupted():  # drawing the first figure imports Matplotlib and builds its formula parser
         figure = plan_figure(plan)
         write_bytes(file, lambda stream: figure.savefig(stream, format="png", dpi=110))
 
 
 def plan_figure(plan: "Plan", figure: Any = None) -> Any:
-    """Draw a plan: the arm along the path, the index against what it started from, and the joints over time.
+    """Draw a plan: the arm along the path, its manipulability and that of the initial path, and the joints over time.
 
-    `figure` is a Matplotlib figure to draw into; default, a new one of 11.5 x 6 inches. Returns the figure. Raises
+    `figure` is a Matplotlib figure to draw into; default: a new one of 11.5 x 6 inches. Returns the figure. Raises
     PlanningError for a plan without a trajectory.
     """
     from matplotlib.figure import Figure
@@ -60,7 +60,7 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
         top, bottom = right.subplots(2, 1)
         kinematics = plan.robot.kinematics(plan.result.task, measure=plan.result.measure)
         bound = plan.refinement.bound if plan.refinement is not None else None
-        started_free = plan.refinement is None and plan.result.status not in RECORDED  # a tool path leaves no straight line
+        started_free = plan.refinement is None and plan.result.status not in RECORDED  # a tool path allows no straight line
         plot_index(kinematics, paths, straight=started_free, bound=bound, ax=top)
         limits = plan.robot.limits
         ranged = bool(np.isfinite([limits.lower, limits.upper]).all())
@@ -69,7 +69,7 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
 
 
 def finished(plan: "Plan") -> None:
-    """Raises InvalidInputError for what is not a plan, and PlanningError for one without a trajectory and its report."""
+    """Raises InvalidInputError for an object that is not a plan, PlanningError for a plan without trajectory and report."""
     from manipplan.jobs.result import Plan
 
     instance("plan", plan, Plan)

@@ -27,10 +27,10 @@ def plot_planar_arm(
     places: int = PLACES,
     ax: Any = None,
 ) -> Any:
-    """The planar arm along a motion, from light to dark, with velocity ellipses, obstacles and the way of its tool.
+    """The planar arm along a motion, from light to dark, with velocity ellipses, obstacles and its tool path.
 
-    Obstacles are seen from above; of a plane, the part of the picture that it fills at z = 0. Arguments as in `plot_arm`,
-    but for axes without projection="3d".
+    Obstacles are seen from above; a plane is drawn as the part of the picture that it fills at z = 0. Arguments are those of
+    `plot_arm`, but with axes without projection="3d".
 
     Returns the axes. Raises InvalidInputError for an arm that is not planar.
     """
@@ -56,7 +56,7 @@ def plot_planar_arm(
 
 
 def draw_flat_scene(ax: Any, scene: Scene, seen: list[Array]) -> None:
-    """Draw obstacles from above, with their names, on axes of equal scales that show them and points (k, 2) `seen`."""
+    """Draw obstacles from above, with their names, on equally scaled axes that show them and the points (k, 2) `seen`."""
     from matplotlib.patches import Polygon
 
     seen = list(seen)
@@ -71,10 +71,10 @@ def draw_flat_scene(ax: Any, scene: Scene, seen: list[Array]) -> None:
     size = (high - low).max()
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
         if isinstance(obstacle, Plane):
-            filled = _below(obstacle, low - size, high + size)  # more than is seen: equal scales widen the picture
+            filled = _below(obstacle, low - size, high + size)  # larger than the data: equal scales widen the picture
             if len(filled) >= 3:
                 patch = Polygon(filled, facecolor=style.FLOOR, edgecolor=style.OBSTACLE, alpha=0.35, zorder=0.5)
-                ax.add_artist(patch)  # as an artist it does not count for what the axes show
+                ax.add_artist(patch)  # an artist does not affect the axis limits
                 write(ax, np.clip(filled.mean(axis=0), low, high), name, style.OBSTACLE_NAME)
     ax.update_datalim(points)
     ax.set_aspect("equal", adjustable="datalim")

@@ -1,4 +1,4 @@
-"""Shapes as polygons and edges: what the pictures draw of obstacles and of an arm's links."""
+"""Shapes as polygons and edges, for drawing obstacles and an arm's links."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -13,23 +13,23 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
 
-#: Flat pieces around a round shape, and from one pole of a ball to the other.
+#: Number of flat faces around a round shape, and from pole to pole of a ball.
 AROUND, UP = 28, 14
-#: A mesh is drawn as the hull of its extreme points in so many directions.
+#: Number of directions whose extreme points make the hull that is drawn for a mesh.
 DIRECTIONS = 50
-#: Neighbouring faces of a hull that differ by more than this have an edge between them [rad].
+#: Minimum angle between neighbouring faces of a hull at which the edge between them is drawn [rad].
 CREASE = 0.35
 
 
 @dataclass(frozen=True, kw_only=True)
 class Surface:
-    """Polygons (k, 3) that make up a surface, and polylines (k, 3) along its edges [m]."""
+    """Polygons (k, 3) of a surface, and polylines (k, 3) along its edges [m]."""
 
     faces: tuple[Array, ...]
     edges: tuple[Array, ...]
 
     def placed(self, pose: pin.SE3) -> "Surface":
-        """The same in the frame in which `pose` is given."""
+        """The surface in the frame in which `pose` is given."""
 
         def moved(lines: tuple[Array, ...]) -> tuple[Array, ...]:
             return tuple(line @ pose.rotation.T + pose.translation for line in lines)
@@ -43,16 +43,16 @@ class Surface:
 
 
 def surface_of(shape: coal.CollisionGeometry) -> Surface:
-    """The surface of a coal shape in its own frame; of a mesh, the hull of its extreme points in 50 directions.
+    """The surface of a coal shape in its own frame; for a mesh, the hull of its extreme points in 50 directions.
 
-    A shape of a kind that neither scenes nor URDF files have is drawn as its bounding box.
+    A shape of a type that occurs neither in scenes nor in URDF files is drawn as its bounding box.
     """
     if isinstance(shape, coal.Sphere):
         return _ball(np.full(3, shape.radius))
     if isinstance(shape, coal.Ellipsoid):
         return _ball(np.array(shape.radii))
     if isinstance(shape, coal.Capsule):
-        up = np.linspace(-np.pi / 2, np.pi / 2, UP + 2 - UP % 2)  # an even number: the equator is there twice, once an end
+        up = np.linspace(-np.pi / 2, np.pi / 2, UP + 2 - UP % 2)  # an even number: the equator appears twice, once per end
         ends = np.repeat([-shape.halfLength, shape.halfLength], len(up) // 2)
         return _revolved(shape.radius * np.cos(up), shape.radius * np.sin(up) + ends, rings=(len(up) // 2 - 1, len(up) // 2))
     if isinstance(shape, coal.Cylinder):
@@ -67,7 +67,7 @@ def surface_of(shape: coal.CollisionGeometry) -> Surface:
 
 
 def obstacle_surfaces(scene: Scene) -> Iterator[tuple[str, Surface]]:
-    """Name and surface, in the world, of each obstacle that has an end; of a mesh, all its parts together."""
+    """Name and surface, in the world, of each bounded obstacle; for a mesh, all its parts together."""
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
         if not isinstance(obstacle, Plane):
             parts = [surface_of(shape).placed(obstacle.pose) for shape in obstacle.shapes()]
@@ -83,7 +83,7 @@ def joined(parts: Iterable[Surface]) -> Surface:
 
 
 def plane_patches(scene: Scene, low: Array, high: Array) -> Iterator[tuple[str, Array]]:
-    """Name of each plane and the polygon (k, 3) in which it cuts the box from `low` to `high` (3,); none where it does not."""
+    """Name of each plane that cuts the box from `low` to `high` (3,), and the polygon (k, 3) in which it cuts the box."""
     corners = np.array(np.meshgrid(*zip(low, high, strict=True), indexing="ij")).reshape(3, -1).T
     pairs = [(a, b) for a in range(8) for b in range(a + 1, 8) if np.count_nonzero(corners[a] != corners[b]) == 1]
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
@@ -102,7 +102,7 @@ def plane_patches(scene: Scene, low: Array, high: Array) -> Iterator[tuple[str, 
 
 
 def feet_on_planes(scene: Scene, points: Array) -> Iterator[Array]:
-    """For each plane that is no further from the middle of points (k, 3) than their extent, its nearest point (3,)."""
+    """Nearest point (3,) to the middle of points (k, 3) on each plane that is at most their extent away."""
     middle, size = points.mean(axis=0), np.ptp(points, axis=0).max()
     for obstacle in scene.obstacles:
         if isinstance(obstacle, Plane):
@@ -113,7 +113,7 @@ def feet_on_planes(scene: Scene, points: Array) -> Iterator[Array]:
 
 
 def arm_surfaces(robot: Robot, q: Array) -> list[Surface]:
-    """The robot's collision bodies at q (n,), in the world, without planes such as the floor of an MJCF, which have no end."""
+    """The robot's collision bodies at q (n,), in the world, without unbounded planes such as the floor of an MJCF."""
     data = robot.model.createData()
     pin.forwardKinematics(robot.model, data, q)
     return [surface.placed(data.oMi[joint]) for joint, surface in _drawn_bodies(robot)]
@@ -121,7 +121,7 @@ def arm_surfaces(robot: Robot, q: Array) -> list[Surface]:
 
 @once_per_owner
 def _drawn_bodies(robot: Robot) -> list[tuple[int, Surface]]:
-    """The surface of each body in the frame of its joint, and the joint's index."""
+    """The joint index of each body, and its surface in the frame of that joint."""
     endless = coal.Halfspace | coal.Plane
     objects = [each for each in robot.geometry.geometryObjects if not isinstance(each.geometry, endless)]
     return [(each.parentJoint, surface_of(each.geometry).placed(each.placement)) for each in objects]
@@ -134,7 +134,7 @@ def _ball(radii: Array) -> Surface:
 
 
 def _revolved(radius: Array, height: Array, *, rings: tuple[int, ...]) -> Surface:
-    """The surface that points (radius, height) sweep about z, with edges where the points `rings` go round."""
+    """The surface that points (radius, height) sweep about z, with edges along the circles of the points `rings`."""
     turn = np.linspace(0.0, 2 * np.pi, AROUND + 1)
     x, y = radius[:, None] * np.cos(turn), radius[:, None] * np.sin(turn)
     grid = np.stack([x, y, np.broadcast_to(height[:, None], x.shape)], axis=2)

@@ -1,4 +1,4 @@
-"""Drawing in space: lit surfaces, skeletons and names on axes with projection="3d", and what these show."""
+"""Drawing in space: lit surfaces, skeletons and names on axes with projection="3d", and the limits of these axes."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -9,20 +9,20 @@ from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.shapes import Surface
 
-#: Where the light comes from.
+#: Direction towards the light.
 LIGHT = np.array([0.35, -0.5, 0.8])
-#: How far beyond what is drawn the axes go, and the least share of their longest side that a side has.
+#: Margin of the axes around their contents, and minimum side of the axes, as shares of the longest side.
 MARGIN, LEAST = 0.04, 0.3
-#: What is drawn over surfaces.
+#: Drawing order of lines and names, above surfaces.
 LINES, NAMES = 60, 70
-#: A way ends where it began when its ends are no further apart than this share of its extent.
+#: Maximum distance between the ends of a closed tool path, as a share of its extent.
 CLOSED = 0.05
-#: Two ways that differ by less than this share of their size are drawn as one.
+#: Maximum difference of two tool paths that are drawn as one, as a share of their size.
 SAME = 1e-2
 
 
 def draw_surface(ax: Any, surface: Surface, colour: str, *, alpha: float, edges: bool = False) -> None:
-    """Draw a surface, lit from one side, on 3D axes, and its edges if asked for."""
+    """Draw a surface, lit from one side, on 3D axes, optionally with its edges."""
     from matplotlib.colors import to_rgb
     from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
@@ -42,9 +42,9 @@ def draw_skeleton(ax: Any, points: Array, *, alpha: float = 1.0, colour: str = s
 
 
 def draw_ways(ax: Any, ways: Mapping[str, Array]) -> None:
-    """Draw one or two ways of the tool (k, 2) or (k, 3), each by what it is called; the second is what the first began from.
+    """Draw one or two tool paths (k, 2) or (k, 3) by name; the second is the initial path of the first.
 
-    Where both are the same, as on a workspace path that is followed, one line has both names.
+    If both are the same, as along a workspace path that is followed, one line gets both names.
     """
     first, *others = ways.values()
     if others and np.abs(others[0] - first).max() < SAME * np.ptp(first, axis=0).max():
@@ -54,7 +54,7 @@ def draw_ways(ax: Any, ways: Mapping[str, Array]) -> None:
 
 
 def write(ax: Any, at: Array, text: str, colour: str) -> None:
-    """A name at a point (2,) or (3,), on a white rim so that it can be read over what it names."""
+    """Write a name at a point (2,) or (3,), with a white outline so that it is legible over the object it names."""
     from matplotlib.patheffects import withStroke
 
     rim = [withStroke(linewidth=2, foreground="white")]
@@ -62,7 +62,7 @@ def write(ax: Any, at: Array, text: str, colour: str) -> None:
 
 
 def write_ends(ax: Any, way: Array) -> None:
-    """Write "start" and "goal" at the ends of a way (k, 2) or (k, 3), or both at once where it returns to its start."""
+    """Write "start" and "goal" at the ends of a tool path (k, 2) or (k, 3), or both in one label for a closed path."""
     if np.linalg.norm(way[-1] - way[0]) > CLOSED * np.ptp(way, axis=0).max():
         write(ax, way[0], "start", style.ARM)
         write(ax, way[-1], "goal", style.ARM)
@@ -89,7 +89,7 @@ def points_of(surfaces: Iterable[Surface]) -> list[Array]:
 
 
 def box_around(seen: Iterable[Array]) -> tuple[Array, Array]:
-    """The lower and upper corner of what the axes show so that all points (k, 3) are seen."""
+    """Lower and upper corner of the axes that show all points (k, 3)."""
     points = np.concatenate(list(seen))
     low, high = points.min(axis=0), points.max(axis=0)
     longest = (high - low).max()
@@ -98,16 +98,16 @@ def box_around(seen: Iterable[Array]) -> tuple[Array, Array]:
 
 
 def _equal(faces: tuple[Array, ...]) -> Array:
-    """Polygons as one array (f, k, 3), those with fewer corners with some of them repeated.
+    """Polygons as one array (f, k, 3); polygons with fewer corners repeat some of them.
 
-    Of polygons that differ, Matplotlib makes an array with memory in it that nobody has set, and takes axis limits from it.
+    From polygons of different sizes Matplotlib makes an array with uninitialised memory, and takes axis limits from it.
     """
     most = max(map(len, faces))
     return np.array([face[np.arange(most) * len(face) // most] for face in faces])
 
 
 def _brightness(faces: tuple[Array, ...]) -> Array:
-    """How light each polygon is drawn, (k,), from how it faces the light on either side."""
+    """Brightness of each polygon, (k,), from the angle of its normal to the light, for either side."""
     normals = np.array([np.cross(face[1] - face[0], face[2] - face[1]) for face in faces])
     long = np.linalg.norm(normals, axis=1)
     facing = np.abs(normals @ LIGHT) / np.maximum(long * np.linalg.norm(LIGHT), 1e-15)

@@ -1,4 +1,4 @@
-"""Colours and lines that every picture shares; the colours are told apart also by the colour-blind [okabe2008]."""
+"""Colours and line styles of all pictures; the colours are distinguishable with colour blindness [okabe2008]."""
 
 import re
 from contextlib import AbstractContextManager
@@ -36,12 +36,12 @@ STYLE: dict[Any, Any] = {
     "legend.frameon": False,
     "legend.fontsize": 8,
     "figure.dpi": 110,
-    "text.parse_math": False,  # names come from files, and may hold anything
+    "text.parse_math": False,  # names come from files and may contain any character
 }
 
 
 def shared() -> AbstractContextManager[None]:
-    """While it lasts, Matplotlib draws in the style of all pictures."""
+    """A context in which Matplotlib draws in the style of all pictures."""
     from matplotlib import rc_context
 
     return rc_context(STYLE)
@@ -50,12 +50,12 @@ def shared() -> AbstractContextManager[None]:
 def axes_for(ax: Any, *, solid: bool = False, size: tuple[float, float] = (7.0, 4.0)) -> Any:
     """The axes to draw into: `ax`, or those of a new figure of `size` [inches].
 
-    `solid`: axes with projection="3d" are needed; otherwise, flat ones. Raises InvalidInputError for axes of the other kind.
+    `solid`: whether axes with projection="3d" are required, instead of 2D axes. Raises InvalidInputError for the other kind.
     """
     if ax is not None:
         if not hasattr(ax, "plot") or (getattr(ax, "name", "") == "3d") != solid:
             kind = "with projection='3d'" if solid else "without projection='3d'"
-            raise InvalidInputError("ax", ax, f"Matplotlib's axes {kind}, or None for a new figure")
+            raise InvalidInputError("ax", ax, f"Matplotlib axes {kind}, or None for a new figure")
         return ax
     import matplotlib.pyplot as plt
 
@@ -65,7 +65,7 @@ def axes_for(ax: Any, *, solid: bool = False, size: tuple[float, float] = (7.0, 
 
 
 def raised(unit: str) -> str:
-    """`unit` as a measure or task writes it, such as "m^6", with raised powers; "" for "1"."""
+    """The `unit` of a measure or task, such as "m^6", with superscript powers; "" for "1"."""
     return "" if unit == "1" else re.sub(r"\^(-?\d+)", lambda power: power[1].translate(SUPERSCRIPTS), unit)
 
 
@@ -80,7 +80,7 @@ def index_label(kinematics: Kinematics) -> str:
 
 
 def name_axes(ax: Any) -> None:
-    """Write x, y and z in metres on axes that show space."""
+    """Label spatial axes with x, y and z in metres."""
     ax.set(xlabel="x [m]", ylabel="y [m]")
     if ax.name == "3d":
         ax.set_zlabel("z [m]")

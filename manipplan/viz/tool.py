@@ -1,4 +1,4 @@
-"""The way of the tool: beside the path it follows, and how far it is from it."""
+"""The tool path beside the workspace path it follows, and its deviation from that path."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -18,20 +18,20 @@ from manipplan.viz.space import LINES, look_at, write_ends
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan
 
-#: Places at which the tool's z axis is drawn, and its length as a share of the picture.
+#: Number of points at which the tool's z axis is drawn, and its length as a share of the picture.
 AXES, LONG = 9, 0.08
-#: Times at which a plan's tool is compared with its workspace path.
+#: Number of times at which a plan's tool is compared with its workspace path.
 TIMES = 801
 
 
 def plot_tool_path(robot: Robot, motion: Motion, workspace_path: CartesianPath | None = None, *, ax: Any = None) -> Any:
-    """The way of the tool with its z axis at places along it, beside the workspace path that it follows.
+    """The tool path with its z axis at points along it, beside the workspace path that it follows.
 
     Args:
         robot: the arm.
         motion: a JointPath, Trajectory or Tracking.
-        workspace_path: what is followed; None: nothing to compare with.
-        ax: Matplotlib's axes, with projection="3d" unless the arm is planar; None: those of a new figure.
+        workspace_path: the path that is followed; None: no comparison.
+        ax: Matplotlib axes, with projection="3d" unless the arm is planar; None: those of a new figure.
 
     Returns the axes.
     """
@@ -66,15 +66,15 @@ def plot_tool_path(robot: Robot, motion: Motion, workspace_path: CartesianPath |
 
 
 def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = None, ax: Any = None) -> Any:
-    """How far the tool is from the path it follows over time, in mm, and on a second scale in degrees.
+    """Deviation of the tool from the path it follows over time, in mm, and on a second scale in degrees.
 
     Args:
-        motion: a Tracking, or a Plan of `follow` or `improve`, each with the targets that it followed: those of a Tracking at
-            their times, those of `follow` wherever on the workspace path the tool is nearest.
-        tolerance: drawn as dashed lines; default: that of the plan.
-        ax: Matplotlib's axes; None: those of a new figure. The scale in degrees is on axes of its own over these.
+        motion: a Tracking, or a Plan of `follow` or `improve`, with the targets that it followed: a Tracking is compared with
+            the target of the same time, a Plan of `follow` with the nearest point of the workspace path.
+        tolerance: drawn as dashed lines; default: the tolerance of the plan.
+        ax: Matplotlib axes; None: those of a new figure. The scale in degrees gets axes of its own over these.
 
-    Returns the axes of the scale in mm. Raises InvalidInputError for a plan that follows nothing.
+    Returns the axes of the scale in mm. Raises InvalidInputError for a plan that follows no path.
     """
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)

@@ -321,7 +321,7 @@ def test_what_cannot_be_written_is_told_and_can_be_given(planar, small_plan, tmp
         ),
         (lambda text: text.replace('"passed": false', '"passed": true'), "this one was changed since"),
         (lambda text: text.replace('"sha256"', '"sha"'), "this one was changed since"),
-        (lambda text: "[" * 100_000, "it was cut off or is no plan.json"),
+        (lambda text: "[" * 100_000, "it was truncated or is not a plan.json"),
     ],
 )
 def test_a_broken_file_is_told(small_plan, tmp_path, change, message):
@@ -433,7 +433,7 @@ def test_an_mjcf_with_a_floor_is_drawn_and_comes_back(tmp_path, caplog):
     assert "floor" in plan.report.nearest_pair
     around = mp.Avoidance(scene=mp.Scene([mp.Sphere(radius=0.1, position=(0.0, 0.8, 0.0))]))
     mp.Controller(arm, mp.LogDrive(), 0.01, task=plan.result.task, avoidance=around, compiled=False)
-    assert "does not keep away from floor; add a Plane to the scene" in caplog.text
+    assert "does not avoid floor; add a Plane to the scene" in caplog.text
     plan.save(tmp_path / "result")
     assert_same(plan, mp.Plan.load(tmp_path / "result"))
     lower = (tmp_path / "arm.xml").read_text().replace("0 0 -1", "0 0 -0.9")

@@ -58,7 +58,7 @@ def test_robots_lists_and_prints(arm_file, capsys):
 @pytest.mark.parametrize(
     ("changes", "code", "message"),
     [
-        ({"start": ["0", "1"]}, 2, "start: got '0 1'; allowed: 3 numbers, one a joint (j0, j1, j2), not 2"),
+        ({"start": ["0", "1"]}, 2, "start: got '0 1'; allowed: 3 numbers, one per joint (j0, j1, j2), not 2"),
         ({"goal": ["0", "90", "0"]}, 2, "-4 to 4 rad; 90 degrees are 1.571 rad"),
         ({"acceleration": ["-1"]}, 2, "acceleration"),
         ({"goal": ["9", "0", "0"]}, 2, "goal[0] (j0): got 9.0"),
@@ -147,7 +147,7 @@ def follow_arguments(six_file, seam, folder, **changes):
 def test_follow_writes_all_files(six_file, seam, tmp_path, capsys):
     assert main(follow_arguments(six_file, seam, tmp_path / "out")) == 0
     shown = capsys.readouterr()
-    assert "all checks passed" in shown.out and "at most from the path" in shown.out and "refined" in shown.out
+    assert "all checks passed" in shown.out and "° from the path" in shown.out and "refined" in shown.out
     names = {file.name for file in (tmp_path / "out").iterdir()}
     assert {"trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png"} <= names
     assert mp.Report.from_json(tmp_path / "out" / "report.json").passed

@@ -114,7 +114,7 @@ def test_a_mesh_with_a_vertex_that_is_not_finite(urdf, tmp_path):
         ('<frame pos="0 0 1"><geom size="0.1"/></frame>', "<frame> is not supported"),
         ('<include file="b.xml"/>', "<include> is not supported"),
         ('<replicate count="3"><geom size="0.1"/></replicate>', "<replicate> is not supported"),
-        ('<body><geom size="0.1"/></body>', "geoms for collision of body '': 1 in the file, 0 loaded; give the body a name"),
+        ('<body><geom size="0.1"/></body>', "collision geoms of body '': 1 in the file, 0 loaded; give the body a name"),
     ],
 )
 def test_no_geom_of_a_body_is_left_out(mjcf, elements, message):
@@ -166,7 +166,7 @@ def test_descriptions_are_in_utf_8(urdf):
 
 def test_deep_descriptions(urdf, mjcf):
     deep = "".join(f'<body name="b{i}">' for i in range(10_000)) + "</body>" * 10_000
-    with pytest.raises(mp.FileFormatError, match="at most 500 elements inside one another"):
+    with pytest.raises(mp.FileFormatError, match="elements nested at most 500 deep"):
         mp.load_robot(mjcf(deep), velocity=1.0)
     file = urdf(SPHERE)
     joints = "".join(

@@ -173,7 +173,7 @@ def test_a_closed_spline_of_three_rows():
 @pytest.mark.parametrize(
     ("s", "q", "closed", "message"),
     [
-        ([0.0, 0.5], Q, False, "s: .*rising numbers, one for each row of q"),
+        ([0.0, 0.5], Q, False, "s: .*increasing numbers, one per row of q"),
         ([0.0], Q[:1], False, "s: "),
         ([0.0, 0.6, 0.5], Q[:3], False, "s: "),
         ([0.0, 0.5, 0.5], Q[:3], False, "s: "),
@@ -183,7 +183,7 @@ def test_a_closed_spline_of_three_rows():
         ([0.0, 0.5, 1.0], [[0.0], [np.inf], [1.0]], False, "q: .*finite"),
         ([0.0, 0.5, 1.0], [0.0, 1.0, 2.0], False, "q: .*shape"),
         ("s", Q, False, "s: got 's'"),
-        (S, Q, True, "q: .*a last row that is the first, or full turns from it"),
+        (S, Q, True, "q: .*a last row equal to the first up to full turns"),
     ],
 )
 def test_wrong_splines(s, q, closed, message):

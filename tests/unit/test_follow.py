@@ -271,7 +271,7 @@ def test_limits_that_gravity_exceeds(panda, line):
     weak = panda.with_limits(effort=np.array([87.0, 3.0, 87, 87, 12, 12, 12]))
     plan = mp.follow(weak, line, 4, torque=True, throw=False, **FEW)
     assert plan.status is mp.Status.NO_TIMING
-    assert plan.path is not None and "gravity alone asks" in plan.message
+    assert plan.path is not None and "gravity alone loads" in plan.message
 
 
 @pytest.mark.parametrize(

@@ -176,7 +176,7 @@ def test_wrong_measures(panda):
         panda.kinematics(measure="yosikawa")
     with pytest.raises(mp.InvalidInputError, match="needs a direction"):
         panda.kinematics(measure="velocity_transmission")
-    with pytest.raises(mp.InvalidInputError, match="3 numbers, one a task row"):
+    with pytest.raises(mp.InvalidInputError, match="3 numbers, one per task row"):
         panda.kinematics(mp.Task.position(), measure=mp.VelocityTransmission(direction=(1, 0))).manipulability(np.zeros(7))
     with pytest.raises(mp.InvalidInputError, match="length of direction"):
         mp.ForceTransmission(direction=(0, 0, 0))

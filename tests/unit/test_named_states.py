@@ -97,8 +97,8 @@ def test_a_plan_from_a_named_state(panda, tmp_path, capsys):
     ("robot", "start", "message"),
     [
         ("panda", ["defalt"], "start: got 'defalt'; allowed: did you mean default"),
-        ("panda", ["0", "x"], "start: got '0 x'; allowed: one number a joint, or the name of one state"),
-        ("ur5", ["home"], "start: got 'home'; allowed: one number a joint: the robot has no named states"),
+        ("panda", ["0", "x"], "start: got '0 x'; allowed: one number per joint, or the name of one state"),
+        ("ur5", ["home"], "start: got 'home'; allowed: one number per joint: the robot has no named states"),
         ("panda", ["nan"], "start"),
     ],
 )

@@ -87,7 +87,7 @@ def test_a_singular_start_is_planned_and_told(planar, tmp_path):
     plan = mp.plan(planar, [0.0, 0.0, 0.0], [1.0, 1.0, 1.0])
     assert plan.status is mp.Status.SINGULAR
     assert plan.report.min_manipulability == pytest.approx(0.0, abs=1e-15)
-    assert "at the start, which every path" in plan.report.minimum_note
+    assert "at the start, which all paths" in plan.report.minimum_note
     plan.report.to_json(tmp_path / "report.json")
     assert json.loads((tmp_path / "report.json").read_text(), parse_constant=pytest.fail)["g"] == "inf"
     assert mp.Report.from_json(tmp_path / "report.json") == plan.report
@@ -151,7 +151,7 @@ def test_jerk_of_a_plan_is_reported_where_it_is_limited(demo_problem):
         ({"start": [9.0, 0, 0, -2, 0, 2, 0]}, r"start\[0\] \(panda_joint1\): got 9\.0; allowed: -2\.8973 to 2\.8973"),
         ({"goal": [0.0, 1.76, 0, -0.1, 0, 1.5, 0]}, "goal.*free configuration.*post overlap by"),
         ({"clearance": -1}, "clearance"),
-        ({"clearance": 0.5}, "start.*clearance asked for is 0.5"),
+        ({"clearance": 0.5}, "start.*the required clearance is 0.5"),
         ({"degree": 0}, "degree"),
         ({"power": -1}, "power"),
         ({"seed": -1}, "seed"),
@@ -178,7 +178,7 @@ def test_wrong_arguments_raise_at_once(demo_problem, change, message, throw):
             progress=lambda *told: steps.append(told),
             **arguments,
         )
-    needs_shapes = "free configuration" in message or "clearance asked" in message
+    needs_shapes = "free configuration" in message or "required clearance" in message
     assert len(steps) <= (2 if needs_shapes else 0)
 
 
@@ -219,12 +219,12 @@ def _no_seed(*_, **__):
 def test_no_motion_within_the_limits_is_told(panda):
     weak = panda.with_limits(effort=np.array([87.0, 3.0, 87, 87, 12, 12, 12]))
     goal = weak.neutral + 0.3
-    with pytest.raises(mp.PlanningError, match="gravity alone asks panda_joint2"):
+    with pytest.raises(mp.PlanningError, match="gravity alone loads panda_joint2"):
         mp.plan(weak, weak.neutral, goal, torque=True)
     failed = mp.plan(weak, weak.neutral, goal, torque=True, throw=False)
     assert failed.status is mp.Status.NO_TIMING
     assert failed.path is not None
-    assert "gravity alone asks panda_joint2" in failed.message
+    assert "gravity alone loads panda_joint2" in failed.message
 
 
 def test_unlimited_speed_is_told_before_work_starts(panda):

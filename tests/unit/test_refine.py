@@ -190,7 +190,7 @@ def test_a_planar_arm(planar):
 def test_what_cannot_be_refined_is_refused(panda, problem):
     layers, found = problem
     given = mp.Layers.from_arrays([np.zeros((1, 7))] * 2, [np.ones(1)] * 2)
-    with pytest.raises(mp.InvalidInputError, match="layers of sample_layers, which know their robot and poses"):
+    with pytest.raises(mp.InvalidInputError, match="layers of sample_layers, which hold their robot and poses"):
         mp.refine(given, mp.max_min_search(given, 1.0))
     with pytest.raises(mp.InvalidInputError, match="found: got 'NOT_CONNECTED'"):
         mp.refine(layers, mp.max_min_search(layers, 1e-6, throw=False))

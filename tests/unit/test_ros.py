@@ -131,11 +131,11 @@ def test_joints_are_found_by_name(tmp_path, rng):
     np.testing.assert_allclose(found.t, t - 3.0, atol=1e-9)
     np.testing.assert_array_equal(found.q, q[:, [2, 0, 1]])
     np.testing.assert_array_equal(found.qd, qd[:, [2, 0, 1]])
-    with pytest.raises(mp.FileFormatError, match=r"message 2 has finger, the first .*; name those wanted by joints="):
+    with pytest.raises(mp.FileFormatError, match=r"message 2 has finger, the first .*; select joints with joints="):
         mp.Trajectory.from_rosbag(tmp_path / "bag")
     with pytest.raises(mp.UnknownNameError, match=r"joints: got 'fingers'; allowed: did you mean finger"):
         mp.Trajectory.from_rosbag(tmp_path / "bag", joints=["fingers"])
-    with pytest.raises(mp.FileFormatError, match=r"all of a, finger in one message; 1 lacks finger"):
+    with pytest.raises(mp.FileFormatError, match=r"all of a, finger in every message; message 1 lacks finger"):
         mp.Trajectory.from_rosbag(tmp_path / "bag", joints=["a", "finger"])
 
 
@@ -156,7 +156,7 @@ def test_without_a_header_stamp_the_bag_tells_the_time(tmp_path):
 @pytest.mark.parametrize("times", [[1.0, 1.1, 1.1, 1.2], [1.0, 1.2, 1.1, 1.3]])
 def test_stamps_that_do_not_rise_are_told(tmp_path, times):
     write_states(tmp_path / "bag", [(t, "ab", [0, 0], [0, 0]) for t in times])
-    with pytest.raises(mp.FileFormatError, match=r"stamps that rise, but message 3 is stamped 0.100000000 s after the first"):
+    with pytest.raises(mp.FileFormatError, match=r"increasing stamps, but message 3 is stamped 0.100000000 s after the first"):
         mp.Trajectory.from_rosbag(tmp_path / "bag")
 
 

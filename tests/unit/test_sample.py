@@ -292,7 +292,7 @@ def test_a_pose_between_the_samples_is_told_as_reachable(planar):
     """Stretched out, only one tool rotation reaches; a grid of seven passes it by."""
     start = planar.kinematics().pose([0.1, 0.0, 0.0])
     end = planar.kinematics().pose([0.2, 0.0, 0.0])
-    with pytest.raises(mp.InvalidInputError, match="within reach, but of no value on the grid; take more samples"):
+    with pytest.raises(mp.InvalidInputError, match="within reach, but no value on the grid reaches it; take more samples"):
         mp.sample_layers(planar, CartesianPath.line(start, end), 2, samples=7, task=mp.Task.planar(), collisions=False)
 
 

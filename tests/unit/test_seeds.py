@@ -127,7 +127,7 @@ def test_too_few_checks_are_told(planar):
         ({"objective": "index"}, "planner: got 'RRTConnect'; allowed: one that optimises.*BITstar"),
         ({"checks": 0}, "checks: got 0"),
         ({"power": 0.0}, "power: got 0.0"),
-        ({"clearance": 3.0}, "(start|goal): .* apart, the clearance asked for is 3 m"),
+        ({"clearance": 3.0}, "(start|goal): .* apart, the required clearance is 3 m"),
         ({"start": [np.nan, 0, 0]}, "start.*finite"),
     ],
 )

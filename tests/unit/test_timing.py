@@ -67,7 +67,7 @@ def test_torque_limits_hold_and_slow_the_motion(panda):
 def test_gravity_beyond_the_effort_names_the_joint(panda):
     weak = panda.with_limits(effort=np.array([87.0, 5.0, 87, 87, 12, 12, 12]))
     path = mp.JointPath.line(panda.neutral, panda.neutral + 0.3)
-    with pytest.raises(mp.PlanningError, match=r"gravity alone asks q1 .* at s ="):
+    with pytest.raises(mp.PlanningError, match=r"gravity alone loads q1 .* at s ="):
         mp.retime(path, weak.limits, torque_model=weak.model)
 
 

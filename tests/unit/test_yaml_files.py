@@ -15,12 +15,12 @@ BOMB = "a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n" + "".join(
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("obstacles: [{shape: plane}]\nobstacles: []", "the key 'obstacles' of line 1 stands once more, in line 2"),
-        ("obstacles:\n- shape: sphere\n  radius: 1\n  radius: 2\n", "the key 'radius' of line 3 stands once more, in line 4"),
+        ("obstacles: [{shape: plane}]\nobstacles: []", "the key 'obstacles' of line 1 is repeated, in line 2"),
+        ("obstacles:\n- shape: sphere\n  radius: 1\n  radius: 2\n", "the key 'radius' of line 3 is repeated, in line 4"),
         ("obstacles:\n- {shape: sphere, radius: 1, 'radius': 2}", "the key 'radius' of line 2"),
-        ("obstacles:\n- {shape: sphere, radius: 1, position: &p [*p, 1, 2]}", r"the value of \*p holds itself, in line 2"),
-        ("obstacles: " + "[" * 100_000, "more than 100 values inside one another"),
-        ("obstacles:\n" + "- " * 100_000, "more than 100 values inside one another"),
+        ("obstacles:\n- {shape: sphere, radius: 1, position: &p [*p, 1, 2]}", r"the value of \*p contains itself, in line 2"),
+        ("obstacles: " + "[" * 100_000, "values nested more than 100 deep"),
+        ("obstacles:\n" + "- " * 100_000, "values nested more than 100 deep"),
         (BOMB, "more than 10,000,000 values"),
         ("obstacles: [{shape: sphere, radius: 2001-13-45}]", "month must be in"),
         ("obstacles: [{shape: sphere, radius: " + "9" * 5000 + "}]", "4300 digits"),

@@ -4,7 +4,7 @@ Drag a target, the arm follows
 
 A page in the browser with a Panda beside a crate. Drag the arrows at its tool: a controller follows in real time, keeps
 every limit, stays away from the crate, and raises the manipulability index with what freedom is left. The ellipsoid and the
-curve of the index move along. Take the tick off "raise the index", and only the target counts.
+curve of the index move along. Take the tick off "raise the manipulability", and only the target counts.
 
 This page was not run: it waits for your hand. Run it with ``python docs/examples/track/live_follow.py``; Ctrl-C ends it. It
 needs the extra ``viewer``.

@@ -1,6 +1,6 @@
-"""The 3D viewer in a browser: a plan shown and recorded, and a controller that follows a dragged target.
+"""The 3D viewer in a browser: it shows and records plans, and runs a controller that follows a dragged target.
 
-It needs the extra `viewer`; nothing of that is imported before something is shown.
+It needs the extra `viewer`, whose packages are imported only when something is shown.
 """
 
 from manipplan.viz.viewer.live import LiveViewer, follow_target

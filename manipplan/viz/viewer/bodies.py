@@ -1,4 +1,4 @@
-"""What is drawn of a robot: its visual meshes where they can be read, else its collision geometry."""
+"""The bodies drawn for a robot: its visual meshes where they can be read, otherwise its collision geometry."""
 
 import logging
 from dataclasses import dataclass
@@ -13,15 +13,15 @@ from manipplan.viz.viewer.triangles import MOST, Faces, triangles_of
 
 log = logging.getLogger("manipplan")
 
-#: Meshes that do not move, such as the legs of a humanoid, are reduced to so many triangles.
+#: Maximum number of triangles of a mesh that does not move, such as the legs of a humanoid.
 STILL = 1000
-#: Of geometry for which no colour is known.
+#: Colour of geometry without a colour of its own.
 GREY = (0.72, 0.74, 0.77, 1.0)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Body:
-    """One rigid piece: vertices (v, 3) [m] in the frame of its joint, faces (f, 3), colour and opacity (4,) in [0, 1]."""
+    """One rigid body: vertices (v, 3) [m] in the frame of its joint, faces (f, 3), colour and opacity (4,) in [0, 1]."""
 
     name: str
     joint: int
@@ -32,7 +32,7 @@ class Body:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Appearance:
-    """The bodies of a robot, and what they were made of, in words."""
+    """The bodies of a robot, and a text on the geometry they were made from."""
 
     bodies: tuple[Body, ...]
     origin: str
@@ -40,10 +40,10 @@ class Appearance:
 
 @once_per_owner
 def appearance_of(robot: Robot) -> Appearance:
-    """The robot as it is drawn; built once.
+    """The appearance of a robot; built once.
 
-    Without readable visual meshes it is drawn by its collision geometry, and without that as rods from joint to joint;
-    `origin` says which, and why.
+    Without readable visual meshes the collision geometry is drawn, and without collision geometry rods from joint to joint;
+    `origin` tells which one and why.
     """
     from manipplan.viz.viewer.visuals import visual_geometry
 
@@ -57,7 +57,7 @@ def appearance_of(robot: Robot) -> Appearance:
     origin = f"collision geometry ({reason})"
     if not bodies:
         bodies, origin = _rods(robot), f"rods from joint to joint ({reason}, and there is no collision geometry)"
-    log.info("%s is drawn by its %s", robot.name, origin)
+    log.info("%s is drawn from its %s", robot.name, origin)
     return Appearance(bodies=bodies, origin=origin)
 
 

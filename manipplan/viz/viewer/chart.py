@@ -1,4 +1,4 @@
-"""The index over time as SVG, with the place that is shown; a browser needs nothing more to draw it."""
+"""The measure over time as SVG, with a mark at the displayed time; a browser draws it without scripts."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,14 +8,14 @@ import numpy as np
 
 from manipplan.support.checks import Array
 
-#: Size of the drawing, and of its margins: left, right, top, bottom [px].
+#: Size of the drawing and its margins: left, right, top, bottom [px].
 WIDTH, HEIGHT = 300, 170
 LEFT, RIGHT, TOP, BOTTOM = 42, 8, 10, 30
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Curve:
-    """One curve: its name in the legend, its colour, and values over the chart's times."""
+    """One curve: its name in the legend, its colour, and its values at the chart's times."""
 
     name: str
     colour: str
@@ -24,14 +24,14 @@ class Curve:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Chart:
-    """Curves over the same times t (k,) [s], with zero in the picture; `label` says what they are and in which unit."""
+    """Curves over the same times t (k,) [s], on an axis that includes zero; `label` gives quantity and unit."""
 
     t: Array
     curves: Sequence[Curve]
     label: str
 
     def svg(self, now: float | None = None) -> str:
-        """The picture; `now` [s] is marked by a line, and by a dot on each curve."""
+        """The picture; a line and a dot on each curve mark the time `now` [s]."""
         end, start = float(self.t[-1]), float(self.t[0])
         highest = max([float(np.max(c.values, initial=0.0)) for c in self.curves])
         lowest = min([float(np.min(c.values, initial=0.0)) for c in self.curves])

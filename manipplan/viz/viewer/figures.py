@@ -1,4 +1,4 @@
-"""What moves in the scene: a robot, and the velocity ellipsoid at its tool."""
+"""Moving parts of the scene: a robot, and the velocity ellipsoid at its tool."""
 
 from typing import Any
 
@@ -12,20 +12,20 @@ from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.viewer.bodies import appearance_of
 
-#: Opacity of a robot that only stands for comparison.
+#: Opacity of the ghost robot shown for comparison.
 GHOST = 0.45
-#: The largest ellipsoid is drawn with this half length, as a share of the half diagonal of the space the arm takes.
+#: Largest drawn radius of an ellipsoid, as a share of half the diagonal of the arm's box.
 LARGEST = 0.12
-#: An ellipse is drawn this thick, as a share of its larger radius.
+#: Half thickness of a drawn ellipse, as a share of its larger radius.
 THIN = 0.02
 
 
 class RobotFigure:
-    """A robot in the scene under `root`; where `ghost` names a colour, what moves of it, translucent in that colour.
+    """A robot in the scene under `root`; with a `ghost` colour, only its moving parts, translucent in that colour.
 
     Attributes:
-        root: viser's handle of all of it; its `visible` shows and hides.
-        frames: viser's handles of the joints' frames, the first of the world.
+        root: viser's handle of the whole robot; its `visible` shows and hides it.
+        frames: viser's handles of the world frame and the joint frames.
     """
 
     def __init__(self, scene: Any, root: str, robot: Robot, *, ghost: str | None = None) -> None:
@@ -35,7 +35,7 @@ class RobotFigure:
         self.frames: list[Any] = [scene.add_frame(f"{root}/{i}", show_axes=False) for i in range(robot.model.njoints)]
         for k, body in enumerate(appearance_of(robot).bodies):
             if ghost is not None and not body.joint:
-                continue  # it would stand in the other robot's
+                continue  # it would coincide with that of the other robot
             colour = body.colour if ghost is None else (*rgb(ghost), GHOST)
             scene.add_mesh_simple(
                 f"{root}/{body.joint}/{k}",
@@ -50,7 +50,7 @@ class RobotFigure:
         self.place(robot.neutral)
 
     def place(self, q: Array) -> None:
-        """Put the robot at q (n,)."""
+        """Move the robot to q (n,)."""
         pin.forwardKinematics(self.robot.model, self._data, q)
         for frame, placement in zip(self.frames[1:], list(self._data.oMi)[1:], strict=True):
             put(frame, placement)
@@ -59,7 +59,7 @@ class RobotFigure:
 class EllipsoidFigure:
     """The velocity ellipsoid of the tool's position in the scene.
 
-    `scale` is how many metres are drawn for one unit of its radii.
+    `scale`: metres drawn per unit of its radii.
     """
 
     def __init__(self, scene: Any, name: str, kinematics: Kinematics, scale: float, *, opacity: float) -> None:
@@ -78,7 +78,7 @@ class EllipsoidFigure:
         )
 
     def place(self, q: Array) -> None:
-        """Put it at the tool, for q (n,)."""
+        """Move the ellipsoid to the tool at q (n,)."""
         axes, radii = principal(self._kinematics, q)
         self.mesh.scale = tuple(float(r) for r in self._scale * radii)
         put(self.mesh, pin.SE3(axes, np.asarray(self._kinematics.pose(q))[:3, 3]))
@@ -90,29 +90,29 @@ def principal(kinematics: Kinematics, q: Array) -> tuple[Array, Array]:
     axes, radii = np.eye(3), np.full(3, THIN * ellipsoid.radii[0])
     m = len(ellipsoid.radii)
     axes[:m, :m] = ellipsoid.axes
-    radii[:m] = np.maximum(ellipsoid.radii, 0.2 * THIN * ellipsoid.radii[0])  # a flat one is still seen
+    radii[:m] = np.maximum(ellipsoid.radii, 0.2 * THIN * ellipsoid.radii[0])  # a flat ellipsoid stays visible
     axes[:, 2] *= np.linalg.det(axes)
     return axes, radii
 
 
 def ellipsoid_scale(kinematics: Kinematics, q: Array, box: Array) -> float:
-    """Metres to draw for one unit of the radii of the ellipsoids at q (k, n), for an arm that takes the box (2, 3) [m]."""
+    """Metres to draw per unit of the radii of the ellipsoids at q (k, n), for an arm within the box (2, 3) [m]."""
     largest = max(principal(kinematics, each)[1].max() for each in q)
     return float(LARGEST * np.linalg.norm(box[1] - box[0]) / 2 / max(largest, 1e-9))
 
 
 def corners(robot: Robot, q: Array, *, moving: bool) -> Array:
-    """Lower and upper corner (2, 3) [m] of the box around the robot at q (n,), or around what moves of it."""
+    """Lower and upper corner (2, 3) [m] of the box around the robot at q (n,), or around its moving parts."""
     data = robot.model.createData()
     pin.forwardKinematics(robot.model, data, q)
     bodies = [body for body in appearance_of(robot).bodies if body.joint or not moving]
     points = [body.vertices @ data.oMi[body.joint].rotation.T + data.oMi[body.joint].translation for body in bodies]
-    together = np.concatenate([*points, np.zeros((1, 3))])  # the base is always there
+    together = np.concatenate([*points, np.zeros((1, 3))])  # the base is always included
     return np.array([together.min(axis=0), together.max(axis=0)])
 
 
 def put(handle: Any, placement: pin.SE3) -> None:
-    """Place a node of the scene."""
+    """Set the pose of a scene node."""
     handle.position = np.asarray(placement.translation)
     handle.wxyz = pin.Quaternion(placement.rotation).coeffs()[[3, 0, 1, 2]]
 

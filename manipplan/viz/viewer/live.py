@@ -1,4 +1,4 @@
-"""follow_target: a target that is dragged in the browser, and the controller that follows it in real time."""
+"""follow_target: drag a target in the browser, and a controller follows it in real time."""
 
 import threading
 import time
@@ -26,13 +26,13 @@ from manipplan.viz.viewer.panel import switches, table
 from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
 from manipplan.viz.viewer.surroundings import surround
 
-#: Pictures a second, and of these every such one also draws the chart and the figures.
+#: Pictures per second, and number of pictures per update of the chart and the values.
 RATE, EVERY = 25.0, 3
-#: How much of the past the chart shows [s].
+#: Time span of the chart [s].
 PAST = 10.0
-#: When steps are later than this, the clock is set anew instead of hurrying after [s].
+#: Delay of the steps beyond which the clock is reset instead of catching up [s].
 LATE = 0.1
-#: The camera sees this more on each side than the arm takes at first, as a share of its diagonal.
+#: Margin of the view on each side of the arm's initial posture, as a share of its diagonal.
 ROOM = 0.3
 
 
@@ -48,18 +48,18 @@ def follow_target(
     host: str = HOST,
     open_browser: bool = True,
 ) -> "LiveViewer":
-    """Let a target be dragged in the browser, which the tool follows in real time while the formulation raises the index.
+    """Show a target to drag in the browser; the tool follows it in real time while the formulation raises the manipulability.
 
     Args:
         robot: the arm.
         formulation: of the controller; default LogDrive().
-        start: configuration (n,) at first; default `robot.neutral`.
+        start: initial configuration (n,); default `robot.neutral`.
         dt: time step of the controller [s].
         task: rows that are followed; default `robot.default_task`.
-        scene: obstacles, which the arm keeps away from; not with Classical.
+        scene: obstacles that the arm avoids; not with Classical.
         port, host, open_browser: as for `show`.
 
-    The page lives until `stop`, or until Python ends: call `wait()` in a script.
+    The page stays open until `stop`, or until Python exits: call `wait()` in a script.
 
     Raises:
         MissingExtraError: viser is not installed.
@@ -82,8 +82,8 @@ class LiveViewer(Page):
     """A page on which a controller follows a target.
 
     Attributes:
-        controller: what computes the steps.
-        drive: factor >= 0 on what the formulation adds; 0: it only follows.
+        controller: computes the steps.
+        drive: factor >= 0 on the formulation's drive; 0: the arm only follows the target.
     """
 
     def __init__(self, controller: Controller, start: Array, scene: Scene, *, port: int, host: str) -> None:
@@ -105,7 +105,7 @@ class LiveViewer(Page):
 
     @property
     def drive(self) -> float:
-        """Factor on what the formulation adds."""
+        """Factor on the formulation's drive."""
         return self._drive
 
     @drive.setter
@@ -114,18 +114,18 @@ class LiveViewer(Page):
 
     @property
     def q(self) -> Array:
-        """Where the arm is (n,)."""
+        """Current configuration (n,)."""
         with self._lock:
             return self._q.copy()
 
     @property
     def pose(self) -> Array:
-        """Where the tool is, (4, 4)."""
+        """Current pose of the tool, (4, 4)."""
         return np.asarray(self._position.pose(self.q))
 
     @property
     def target(self) -> Array:
-        """The pose (4, 4) that is followed; a (4, 4) array or a pin.SE3 can be assigned."""
+        """The target pose (4, 4); a (4, 4) array or a pin.SE3 can be assigned."""
         with self._lock:
             return self._target.copy()
 
@@ -137,7 +137,7 @@ class LiveViewer(Page):
         put(self.handle, pin.SE3(pose[:3, :3] if self._turns else np.eye(3), pose[:3, 3]))
 
     def restart(self) -> None:
-        """Put arm and target back to the start."""
+        """Move arm and target back to the start."""
         with self._lock:
             self._q, self._qd = self._first.copy(), np.zeros(self.controller.robot.n)
             self.controller.reset()
@@ -166,7 +166,7 @@ class LiveViewer(Page):
     def _drag(self, event: Any) -> None:
         dragged = self.target
         w, x, y, z = event.target.wxyz
-        if self._turns:  # else the arrows are those of the world
+        if self._turns:  # otherwise the arrows are aligned with the world
             dragged[:3, :3] = pin.Quaternion(w, x, y, z).normalized().toRotationMatrix()
         dragged[:3, 3] = event.target.position
         with self._lock:
@@ -176,7 +176,7 @@ class LiveViewer(Page):
         gui, drives = self.server.gui, not isinstance(self.controller.formulation, Classical)
         gui.add_markdown("Drag the arrows at the tool; the arm follows within its limits.")
         back = gui.add_button("Back to the start", icon="player-skip-back")
-        raises = gui.add_checkbox("raise the index", initial_value=True, visible=drives)
+        raises = gui.add_checkbox("raise the manipulability", initial_value=True, visible=drives)
         self._picture = gui.add_html("")
         self._values = gui.add_html("")
         switches(gui, self._layers)
@@ -209,7 +209,7 @@ class LiveViewer(Page):
             self.ellipsoid.place(q)
             if figures and len(self._past) > 1:
                 t, index = np.array(self._past).T
-                curve = Curve(name="index", colour=style.OPTIMUM, values=index)
+                curve = Curve(name="measure", colour=style.OPTIMUM, values=index)
                 self._picture.content = Chart(t=t, curves=[curve], label=style.index_label(self._kinematics)).html(now)
                 self._values.content = table(self._rows(q, index[-1]))
 
@@ -218,7 +218,7 @@ class LiveViewer(Page):
         distance = float(np.linalg.norm(pose[:3, 3] - self._target[:3, 3]))
         turned = np.rad2deg(np.linalg.norm(pin.log3(pose[:3, :3].T @ self._target[:3, :3])))
         away = f"{1e3 * distance:.1f} mm" + (f", {turned:.1f}°" if self._turns else "")
-        rows = [("index now", f"{index:.4g}"), ("tool to target", away)]
+        rows = [("measure now", f"{index:.4g}"), ("tool to target", away)]
         rows += limits_now(self.controller.robot, q, self._qd)
         if status is not StepStatus.SOLVED:
             rows.append(("step", f"{status.name.lower().replace('_', ' ')}: the arm brakes"))

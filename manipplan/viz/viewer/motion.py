@@ -1,4 +1,4 @@
-"""What a plan shows over time: configurations, index and tool of the motion, and of the seed beside it."""
+"""Data of a plan over time: configurations, manipulability and tool positions of the motion and of its seed."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,9 +18,9 @@ from manipplan.viz.viewer.figures import corners, ellipsoid_scale
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan
 
-#: Curves are drawn through so many times.
+#: Number of times at which curves are sampled.
 SAMPLES = 201
-#: Ellipsoids are drawn at so many of them.
+#: Number of these times at which ellipsoids are drawn.
 PLACES = 7
 
 
@@ -29,11 +29,11 @@ class Course:
     """The motion, or the seed beside it, at the times of a `Motion`.
 
     Attributes:
-        name: what it is called.
-        at: configurations (..., n) at times (...) [s].
-        q: (k, n).
-        index: (k,).
-        tool: (k, 3) [m].
+        name: name in the legend.
+        at: function from times (...) [s] to configurations (..., n).
+        q: (k, n) configurations.
+        index: (k,) values of the measure.
+        tool: (k, 3) tool positions [m].
     """
 
     name: str
@@ -45,18 +45,18 @@ class Course:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Motion:
-    """The numbers behind the pictures of a plan, at SAMPLES even times.
+    """The data behind the pictures of a plan, at SAMPLES evenly spaced times.
 
     Attributes:
         plan: the plan.
         trajectory: its motion.
-        kinematics: whose measure is the index.
+        kinematics: kinematics with the measure that is drawn.
         position: kinematics of the tool's position, whose ellipsoids are drawn.
-        t: (k,) [s].
+        t: (k,) times [s].
         ours: the motion.
-        seed: what it started from, where it has covered the same share of its length; None where there is nothing else.
-        box: (2, 3) corners of the space that the arm takes [m].
-        scale: metres to draw for one unit of an ellipsoid's radii.
+        seed: the initial path, at the same share of its length as the motion; None where there is no other path.
+        box: (2, 3) corners of the box that the arm moves in [m].
+        scale: metres drawn per unit of an ellipsoid's radii.
     """
 
     plan: "Plan"
@@ -120,18 +120,18 @@ class Motion:
         return np.asarray(self.ours.q[np.linspace(0, SAMPLES - 1, PLACES).round().astype(int)])
 
     def least(self) -> list[tuple[str, str]]:
-        """Name and value of the minimum manipulability of the motion, and of the seed."""
+        """Names and values of the minimum manipulability of the motion and of the seed."""
         k = int(self.ours.index.argmin())
         rows = [("minimum m", f"{self._index(self.ours.index[k])} at {self.t[k]:.2f} s")]
         if self.seed is not None:
-            rows.append((f"{self.seed.name}, least", self._index(self.seed.index.min())))
+            rows.append((f"minimum m, {self.seed.name}", self._index(self.seed.index.min())))
         return rows
 
     def values(self, t: float) -> list[tuple[str, str]]:
-        """Name and value of what the panel tells at time t [s]."""
+        """Names and values of the panel at time t [s]."""
         q, qd = self.trajectory(t), self.trajectory(t, order=1)
         now = self._index(float(self.kinematics.manipulability(q)))
-        rows = [("time", f"{t:.2f} of {self.trajectory.duration:.2f} s"), ("index now", now)]
+        rows = [("time", f"{t:.2f} of {self.trajectory.duration:.2f} s"), ("measure now", now)]
         return rows + self.least() + limits_now(self.robot, q, qd)
 
     def _index(self, value: float) -> str:
@@ -140,7 +140,7 @@ class Motion:
 
 
 def limits_now(robot: Robot, q: Array, qd: Array) -> list[tuple[str, str]]:
-    """Which joint is nearest to its position limit, and which uses most of its velocity limit, at q and qd (n,)."""
+    """The joint nearest to a position limit, and the joint with the largest share of its velocity limit, at q and qd (n,)."""
     rows = []
     room = np.minimum(q - robot.limits.lower, robot.limits.upper - q)
     if np.isfinite(room).any():

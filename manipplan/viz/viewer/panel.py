@@ -1,4 +1,4 @@
-"""Parts of a page's panel that every viewer has."""
+"""Parts of the panel that all viewers share."""
 
 from collections.abc import Mapping, Sequence
 from html import escape
@@ -6,7 +6,7 @@ from typing import Any
 
 
 def switches(gui: Any, layers: Mapping[str, Any]) -> None:
-    """A folder with a box for each layer, by its name, that shows and hides it."""
+    """A folder with a checkbox per layer, labelled with its name, that shows and hides it."""
 
     def switch(name: str, handle: Any) -> None:
         box = gui.add_checkbox(name, initial_value=True)

@@ -1,4 +1,4 @@
-"""PlanViewer: a plan in the browser, with a slider over time, play at real speed, and a switch for each layer."""
+"""PlanViewer: a plan in the browser, with a time slider, playback at real speed, and a switch per layer."""
 
 import threading
 import time
@@ -19,20 +19,20 @@ from manipplan.viz.viewer.stage import Stage
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan
 
-#: Pictures a second while it plays.
+#: Pictures per second during playback.
 RATE = 25.0
-#: Speeds that can be chosen, by their labels.
+#: Playback speeds by label.
 SPEEDS = {"0.1 x": 0.1, "0.25 x": 0.25, "0.5 x": 0.5, "real speed": 1.0, "2 x": 2.0}
 
 
 def show(plan: "Plan", *, port: int = PORT, host: str = HOST, open_browser: bool = True) -> "PlanViewer":
-    """Show a plan in the browser; the page lives until `stop`, or until Python ends: `show(plan).wait()` in a script.
+    """Show a plan in the browser; the page stays open until `stop`, or until Python exits: use `show(plan).wait()` in a script.
 
     Args:
         plan: with a trajectory.
-        port: of the page; 0: any free one.
-        host: "localhost", which only this machine sees, or an address of its network ("0.0.0.0": all of them).
-        open_browser: open the page; where no browser can be opened, the log says so, with the page's address.
+        port: of the page; 0: any free port.
+        host: "localhost", visible to this machine only, or one of its network addresses ("0.0.0.0": all of them).
+        open_browser: whether to open the page; if no browser can be opened, the log gives the page's address.
 
     Raises:
         MissingExtraError: viser is not installed.
@@ -51,9 +51,9 @@ class PlanViewer(Page):
     """A page that shows a motion.
 
     Attributes:
-        motion: what is shown.
+        motion: the motion that is shown.
         stage: the 3D scene.
-        speed: how many seconds of the motion pass in one second of play, above zero.
+        speed: playback speed relative to real time, above zero.
     """
 
     def __init__(self, motion: Motion, *, port: int, host: str) -> None:
@@ -71,7 +71,7 @@ class PlanViewer(Page):
 
     @property
     def time(self) -> float:
-        """The time that is shown [s]."""
+        """The displayed time [s]."""
         return self._time
 
     @time.setter
@@ -80,7 +80,7 @@ class PlanViewer(Page):
 
     @property
     def speed(self) -> float:
-        """How many seconds of the motion pass in one second of play."""
+        """Playback speed relative to real time."""
         return self._speed
 
     @speed.setter
@@ -89,18 +89,18 @@ class PlanViewer(Page):
 
     @property
     def playing(self) -> bool:
-        """Whether it plays."""
+        """Whether the motion is playing."""
         return self._playing.is_set()
 
     def play(self) -> None:
-        """Play on from the time that is shown, at the end from the start."""
+        """Play from the displayed time, or from the start if that is the end."""
         if self._time >= self.motion.trajectory.duration:
             self._show(0.0)
         self._button.label, self._button.icon = "Pause", "player-pause"
         self._playing.set()
 
     def pause(self) -> None:
-        """Stand still."""
+        """Pause the playback."""
         with self._lock:
             self._playing.clear()
         self._button.label, self._button.icon = "Play", "player-play"
@@ -121,7 +121,7 @@ class PlanViewer(Page):
             gui.add_html(about(self.motion))
 
         def slide(event: Any) -> None:
-            if event.client is not None:  # not what `_show` itself set
+            if event.client is not None:  # ignore changes made by `_show`
                 self.pause()
                 self._show(min(float(self._slider.value), duration), from_slider=True)
 
@@ -148,7 +148,7 @@ class PlanViewer(Page):
                 time.sleep(1.0 / RATE)
                 now = time.monotonic()
                 with self._lock:
-                    if self.playing:  # not paused meanwhile
+                    if self.playing:  # it may have been paused meanwhile
                         self._show(min(self._time + self.speed * (now - last), duration))
                     if self._time >= duration:
                         self.pause()
@@ -156,7 +156,7 @@ class PlanViewer(Page):
 
 
 def chart_of(motion: Motion) -> Chart:
-    """The index of the motion and of the seed over time."""
+    """The measure over time, of the motion and of the seed."""
     curves = [
         Curve(name=course.name, colour=colour, values=np.nan_to_num(course.index, posinf=0.0))
         for course, colour in zip(motion.courses, (style.OPTIMUM, style.SEED), strict=False)
@@ -165,14 +165,14 @@ def chart_of(motion: Motion) -> Chart:
 
 
 def about(motion: Motion) -> str:
-    """What is shown, in words, as HTML, in which names are escaped."""
+    """A description of the scene as HTML, with names escaped."""
     plan, robot = motion.plan, motion.robot
-    lines = [f"{robot.name}, tool frame {robot.tool}; drawn by its {appearance_of(robot).origin}."]
+    lines = [f"{robot.name}, tool frame {robot.tool}; drawn from its {appearance_of(robot).origin}."]
     lines.append(plan.status.value[0].upper() + plan.status.value[1:] + ".")
     if motion.seed is not None:
         lines.append(f"The {motion.seed.name} is shown where it has covered the same share of its length.")
     lines.append(
-        "Ellipsoids: velocities of the tool for joint speeds of norm 1, all drawn to one scale, "
+        "Ellipsoids: tool velocities for joint velocities of norm 1, all drawn to the same scale, "
         f"{1e3 * motion.scale:.3g} mm for 1 m/s."
     )
     paragraphs = "".join(f"<p>{escape(line)}</p>" for line in lines)

@@ -1,4 +1,4 @@
-"""A motion as one HTML file that plays in any browser without Python and without a network."""
+"""Record a motion as one HTML file that plays in any browser without Python and without a network."""
 
 from html import escape
 from pathlib import Path
@@ -18,28 +18,28 @@ from manipplan.viz.viewer.stage import Stage
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan
 
-#: How long the last picture stands before the motion begins again [s].
+#: Time for which the last picture is shown before the motion repeats [s].
 PAUSE = 0.8
-#: On a narrow screen the panel is folded at first.
+#: Folds the panel initially on a narrow screen.
 FOLD = "<script>if (innerWidth < 700) document.getElementById('figures').open = false</script>"
-#: Where in the page viser's own part ends.
+#: End of viser's part of the page.
 END = "</body>"
 
 
 def record(plan: "Plan", file: str | Path, *, rate: float = 25.0) -> Path:
-    """Write the motion of a plan as a self-contained HTML file, with legend, index over time and figures; returns the file.
+    """Write the motion of a plan as a self-contained HTML file, with legend, measure over time and values; returns the file.
 
-    The page of one to two megabytes plays the motion at real speed; its bar at the bottom moves it in time.
+    The page of one to two megabytes plays the motion at real speed; the bar at its bottom selects the time.
 
     Args:
         plan: with a trajectory.
-        file: ends in .html.
-        rate: pictures a second.
+        file: file name that ends in .html.
+        rate: pictures per second.
 
     Raises:
         MissingExtraError: viser is not installed.
         PlanningError: the plan has no trajectory.
-        InvalidInputError: the name of the file ends otherwise, or it cannot be written.
+        InvalidInputError: the file name does not end in .html, or the file cannot be written.
     """
     require_extra()
     rate = number("rate", rate, above=0.0, most=120.0)
@@ -54,7 +54,7 @@ def record(plan: "Plan", file: str | Path, *, rate: float = 25.0) -> Path:
         times = np.append(np.arange(0.0, motion.trajectory.duration, 1.0 / rate), motion.trajectory.duration)
         for t, wait in zip(times, np.append(np.diff(times), PAUSE), strict=True):
             stage.place(float(t))
-            label.text = f"{t:.2f} s, index {float(np.interp(t, motion.t, motion.ours.index)):.3g}"
+            label.text = f"{t:.2f} s, measure {float(np.interp(t, motion.t, motion.ours.index)):.3g}"
             label.position = stage.ellipsoid.mesh.position
             serializer.insert_sleep(float(wait))
         html = serializer.as_html()
@@ -64,7 +64,7 @@ def record(plan: "Plan", file: str | Path, *, rate: float = 25.0) -> Path:
 
 
 def _panel(motion: Motion) -> str:
-    """What is read beside the scene: it folds away, so that it covers nothing on a small screen."""
+    """The panel beside the scene; it can be folded, so that it covers nothing on a small screen."""
     rows = [("duration", f"{motion.trajectory.duration:.2f} s"), *motion.least()]
     return (
         '<details open id="figures" style="position:fixed;left:0.8em;top:0.8em;width:min(320px,calc(100vw - 1.6em));z-index:5;'

@@ -1,4 +1,4 @@
-"""The server of the page that a browser shows: its port, its address, its end."""
+"""The server of the page that a browser shows: its port, its address and its shutdown."""
 
 import contextlib
 import errno
@@ -18,13 +18,13 @@ from manipplan.support.errors import InvalidInputError, MissingExtraError
 
 log = logging.getLogger("manipplan")
 
-#: Only this machine sees the page unless another address is asked for.
+#: Default address: the page is visible to this machine only.
 HOST = "localhost"
 PORT = 8080
 
 
 class Page:
-    """A viser server at work, usable in a `with` block, and ended by `stop`.
+    """A running viser server, usable in a `with` block, and shut down by `stop`.
 
     Attributes:
         server: viser's server.
@@ -35,9 +35,9 @@ class Page:
         """Start the server.
 
         Args:
-            port: where; 0 takes any free one.
-            host: address of the network on which it listens.
-            title: of the panel.
+            port: port of the page; 0 takes any free port.
+            host: network address on which the server listens.
+            title: title of the panel.
 
         Raises:
             MissingExtraError: viser is not installed.
@@ -48,8 +48,8 @@ class Page:
 
         port = whole_number("port", port, least=0, most=65535)
         if not isinstance(host, str) or not host:
-            raise InvalidInputError("host", host, "'localhost', or '0.0.0.0' to be seen by other machines")
-        address = "127.0.0.1" if host == HOST else host  # by its name it would also be ::1, which not every machine has
+            raise InvalidInputError("host", host, "'localhost', or '0.0.0.0' for access from other machines")
+        address = "127.0.0.1" if host == HOST else host  # the name also resolves to ::1, which not every machine has
         port = _free_port(port, address)
         with _quiet():
             self.server: Any = viser.ViserServer(host=address, port=port, verbose=False)
@@ -57,18 +57,18 @@ class Page:
         self.server.gui.configure_theme(show_logo=False, show_share_button=False, control_width="medium")
         self.server.gui.main_panel.dock_right()
         shown = "localhost" if host in ("0.0.0.0", "::", "127.0.0.1") else host
-        shown = f"[{shown}]" if ":" in shown else shown  # an address of IPv6
+        shown = f"[{shown}]" if ":" in shown else shown  # an IPv6 address
         self.url = f"http://{shown}:{self.server.get_port()}"
         self._stopped = threading.Event()
         self._threads: list[threading.Thread] = []
 
     @property
     def running(self) -> bool:
-        """Whether the page can be seen."""
+        """Whether the page is being served."""
         return not self._stopped.is_set()
 
     def open(self) -> bool:
-        """Open the page in a browser; where there is none that says so in the log, with the address, and returns False."""
+        """Open the page in a browser; if none can be opened, log the address and return False."""
         opened = False
         if has_display():
             with contextlib.suppress(webbrowser.Error):
@@ -78,7 +78,7 @@ class Page:
         return opened
 
     def wait(self) -> None:
-        """Return once the page is stopped, or at Ctrl-C, which stops it."""
+        """Block until the page is stopped; Ctrl-C stops it."""
         try:
             while not self._stopped.wait(0.2):
                 pass
@@ -86,10 +86,10 @@ class Page:
             self.stop()
 
     def stop(self) -> None:
-        """End the page; a second call does nothing."""
+        """Shut down the page; a second call does nothing."""
         if not self._stopped.is_set():
             self._stopped.set()
-            for thread in self._threads:  # they draw on the server
+            for thread in self._threads:  # they use the server
                 if thread is not threading.current_thread():
                     thread.join()
             with _quiet():
@@ -97,7 +97,7 @@ class Page:
 
     @contextlib.contextmanager
     def _furnishing(self) -> Iterator[None]:
-        """Fill the page, which ends when that fails."""
+        """Context that fills the page, and stops it on an error."""
         try:
             with self.server.atomic():
                 yield
@@ -106,7 +106,7 @@ class Page:
             raise
 
     def _start(self, work: Callable[[], None]) -> None:
-        """Let a thread work that ends when the page does not run any more."""
+        """Run `work` in a thread; it has to return when the page stops."""
         thread = threading.Thread(target=work, name=f"manipplan {type(self).__name__}", daemon=True)
         self._threads.append(thread)
         thread.start()
@@ -122,14 +122,14 @@ class Page:
 
 
 def has_display() -> bool:
-    """Whether a browser could show something: without a screen a text browser would take the terminal."""
+    """Whether a graphical browser can be opened: without a display a text browser would take over the terminal."""
     if sys.platform in ("win32", "darwin"):
         return True
     return any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"))
 
 
 def require_extra() -> None:
-    """Raise MissingExtraError, before any work, when a package of the extra `viewer` is not installed."""
+    """Raise MissingExtraError before any work if a package of the extra `viewer` is not installed."""
     for package in ("viser", "trimesh", "fast_simplification"):
         try:
             importlib.import_module(package)
@@ -138,14 +138,14 @@ def require_extra() -> None:
 
 
 def _free_port(port: int, host: str) -> int:
-    """`port`, or for 0 any that is free; viser would take another one than is asked for without a word."""
+    """`port`, or any free port for 0; viser would silently take another port than the requested one."""
     try:
         found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
     except (OSError, UnicodeError) as error:
         raise InvalidInputError("host", host, f"an address of this machine ({error})") from error
     family, kind, protocol, _, address = found[0]
     with socket.socket(family, kind, protocol) as probe:
-        if sys.platform != "win32":  # where it would take a port that is in use
+        if sys.platform != "win32":  # on Windows this option would allow a port that is in use
             probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             probe.bind(address)
@@ -159,7 +159,7 @@ def _free_port(port: int, host: str) -> int:
 
 @contextlib.contextmanager
 def _quiet() -> Iterator[None]:
-    """viser prints a banner and a farewell through rich's own console; nobody asked for them."""
+    """Suppress the banner and farewell that viser prints through rich's console."""
     import rich
 
     console = rich.get_console()

@@ -15,13 +15,13 @@ LINE = 3.0
 
 
 class Stage:
-    """What is seen of a motion in the scene of a viser server.
+    """The drawing of a motion in the scene of a viser server.
 
     Attributes:
-        motion: what is shown.
-        robot, seed: the figures of the arm on its motion and on the seed, None without a seed.
-        ellipsoid: the one at the tool.
-        layers: viser's handles by the name of a switch; their `visible` shows and hides.
+        motion: the motion that is shown.
+        robot, seed: figures of the arm on its motion and on the seed; seed is None without a seed.
+        ellipsoid: the ellipsoid at the tool.
+        layers: viser's handles by the name of a switch; their `visible` shows and hides them.
     """
 
     def __init__(self, server: Any, motion: Motion) -> None:
@@ -44,7 +44,7 @@ class Stage:
         self.place(0.0)
 
     def place(self, t: float) -> None:
-        """Put all that moves where it is at time t [s]."""
+        """Move all moving parts to their poses at time t [s]."""
         q = self.motion.trajectory(t)
         self.robot.place(q)
         self.ellipsoid.place(q)

@@ -1,4 +1,4 @@
-"""What stands still in the scene: obstacles with their names, the floor, and where the camera is at first."""
+"""Static parts of the scene: obstacles with their names, the floor, and the initial camera."""
 
 from typing import Any
 
@@ -12,19 +12,19 @@ from manipplan.viz import style
 from manipplan.viz.viewer.figures import corners, put, rgb
 from manipplan.viz.viewer.triangles import PLANE, triangles_of
 
-#: Directions from what is looked at to the camera: for arms in space, and for planar ones, which are seen from above.
+#: Directions from the contents of the view to the camera: for arms in space, and for planar arms, which are seen from above.
 FROM = {False: (1.0, -1.25, 0.6), True: (0.0, -0.55, 1.0)}
-#: Vertical angle of the camera's view [rad].
+#: Vertical field of view of the camera [rad].
 VIEW = np.deg2rad(45.0)
-#: The ball around what is looked at fills a little more than the picture: its outermost parts are empty.
+#: Factor on the camera's distance: the bounding sphere slightly exceeds the picture, as its outermost parts are empty.
 FILL = 0.92
-#: Obstacles, and parts of the robot that do not move, are looked at as far as this beyond the arm, as a share of the diagonal
-#: of the space that it takes.
+#: Distance beyond the arm up to which obstacles and static parts of the robot are in the view, as a share of the diagonal of
+#: the arm's workspace box.
 NEAR = 0.2
 
 
 def draw_obstacles(scene: Any, obstacles: Scene) -> tuple[Any, Any, Array]:
-    """Draw them; returns viser's handles of all bodies and of all names, and the corners of all but planes (k, 3) [m]."""
+    """Draw obstacles; returns viser's handles of bodies and of names, and the box corners of all but planes (k, 3) [m]."""
     bodies = scene.add_frame("/obstacles", show_axes=False)
     names = scene.add_frame("/names", show_axes=False)
     seen = [np.empty((0, 3))]
@@ -50,7 +50,7 @@ def draw_obstacles(scene: Any, obstacles: Scene) -> tuple[Any, Any, Array]:
                 seen.append(np.array([placed.min(axis=0), placed.max(axis=0)]))
         above = obstacle.pose.translation.copy()
         above[2] = max(above[2], top) + 0.02
-        if not np.isfinite(top):  # a plane: beside the arm, as the camera sees it at first
+        if not np.isfinite(top):  # a plane: its name beside the arm in the initial view
             above -= 0.1 * PLANE * (obstacle.pose.rotation[:, 0] + obstacle.pose.rotation[:, 1])
         scene.add_label(f"/names/{k}", name, position=above, anchor="bottom-center", font_screen_scale=0.8, depth_test=False)
     return bodies, names, np.concatenate(seen)
@@ -75,7 +75,7 @@ def draw_floor(scene: Any, height: float, size: float) -> Any:
 
 
 def look_at(server: Any, box: Array, *, planar: bool) -> None:
-    """Put the camera where the box (2, 3) [m] fills the picture, on a screen of any shape; z is up."""
+    """Place the camera so that the box (2, 3) [m] fills the picture on a screen of any aspect ratio; z is up."""
     middle, reach = box.mean(axis=0), max(float(np.linalg.norm(box[1] - box[0])) / 2, 0.05)
     direction = np.array(FROM[planar]) / np.linalg.norm(FROM[planar])
     upward = np.eye(3)[2] - direction[2] * direction
@@ -86,7 +86,7 @@ def look_at(server: Any, box: Array, *, planar: bool) -> None:
         camera.fov = VIEW
         camera.near = reach / 100
         camera.position = target + FILL * reach / np.sin(angle) * direction
-        camera.look_at = target  # last: a camera that is moved takes the point that it looks at along
+        camera.look_at = target  # last: moving the camera also moves the point it looks at
 
     server.initial_camera.up = (0.0, 0.0, 1.0)
     place(server.initial_camera, 1.0)
@@ -99,7 +99,7 @@ def look_at(server: Any, box: Array, *, planar: bool) -> None:
 
 
 def surround(server: Any, robot: Robot, q: Array, obstacles: Scene, box: Array) -> dict[str, Any]:
-    """Obstacles, floor and camera around an arm that is at q (n,) first and takes the box (2, 3) [m].
+    """Obstacles, floor and camera around an arm that starts at q (n,) and moves within the box (2, 3) [m].
 
     Returns viser's handles by the names of their switches.
     """

@@ -1,4 +1,4 @@
-"""Triangles of coal's shapes, as a browser draws them."""
+"""Triangle meshes of coal's shapes, for a browser."""
 
 import coal
 import numpy as np
@@ -7,20 +7,20 @@ from numpy.typing import NDArray
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.support.checks import Array
 
-#: A mesh is reduced to so many triangles: a browser without a graphics card still moves two arms of ten links.
+#: Maximum number of triangles per mesh: a browser without a graphics card can still animate two arms of ten links.
 MOST = 4000
-#: Edges sharper than this stay edges under smooth shading [rad].
+#: Minimum angle of an edge that stays sharp under smooth shading [rad].
 CREASE = 0.6
-#: Half the side of what is drawn of a plane [m].
+#: Half the side of the square that is drawn for a plane [m].
 PLANE = 1.5
 
 Faces = NDArray[np.int64]
 
 
 def triangles_of(shape: coal.CollisionGeometry, most: int = MOST) -> tuple[Array, Faces] | None:
-    """Vertices (v, 3) [m] in the shape's frame and faces (f, 3), of a mesh about `most`; None for an empty mesh.
+    """Vertices (v, 3) [m] in the shape's frame and faces (f, 3), about `most` of them for a mesh; None for an empty mesh.
 
-    A shape that is not known is drawn as its bounding box.
+    A shape of an unknown type is drawn as its bounding box.
     """
     from trimesh import creation
 
@@ -52,7 +52,7 @@ def triangles_of(shape: coal.CollisionGeometry, most: int = MOST) -> tuple[Array
 
 
 def _mesh(shape: coal.BVHModelBase) -> tuple[Array, Faces]:
-    """A mesh with vertices at one place made one."""
+    """A mesh with coincident vertices merged."""
     vertices, index = np.unique(mesh_triangles(shape).reshape(-1, 3).round(6), axis=0, return_inverse=True)
     faces = index.reshape(-1, 3)
     flat = (faces == np.roll(faces, 1, axis=1)).any(axis=1)
@@ -78,7 +78,7 @@ def _hull(points: Array) -> tuple[Array, Faces] | None:
 
 
 def _square(normal: Array, offset: float) -> tuple[Array, Faces]:
-    """Of the plane normal · x = offset."""
+    """A square in the plane normal · x = offset."""
     normal = normal / np.linalg.norm(normal)
     first = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
     first /= np.linalg.norm(first)
@@ -88,7 +88,7 @@ def _square(normal: Array, offset: float) -> tuple[Array, Faces]:
 
 
 def _creased(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
-    """The same triangles, with vertices of their own on either side of a sharp edge."""
+    """The same triangles, with separate vertices on the two sides of a sharp edge."""
     import trimesh
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components

@@ -1,4 +1,4 @@
-"""The visual geometry of a robot, read from its description only when it is drawn."""
+"""The visual geometry of a robot, read from its description only when the robot is drawn."""
 
 import pinocchio as pin
 
@@ -16,7 +16,7 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
         return None, "a planar arm has no meshes"
     file, kind = source.file, pin.GeometryType.VISUAL
     if not file.is_file():
-        return None, f"{file} is no longer there"
+        return None, f"{file} does not exist any more"
     try:
         if source.kind == "mjcf":
             whole = pin.buildModelFromMJCF(str(file))
