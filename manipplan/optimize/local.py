@@ -39,9 +39,10 @@ WORTH = 1e-3
 NEARLY_INSIDE, INSIDE = 1e-4, 1e-7
 #: Tolerance of the descent to the unconstrained optimum, as a share of g: it is used only for comparison.
 ROUGH = 1e-6
-#: Maximum number of descents from one path with the final margin. Another one follows when the proof fails, or when the
-#: quadrature panels do not resolve g on the path reached.
-DESCENTS = 8
+#: Maximum number of descents from one path with the final margin. Another one follows when the proof fails, when the
+#: quadrature panels do not resolve g on the path reached, or when this one lowered g by more than the share SETTLED: a new
+#: trust region may get past a kink of the clearance where the last one became too small.
+DESCENTS, SETTLED = 8, 2e-4
 #: With a required clearance below the first value, descents keep these wider margins first [m]: a descent is slow around a
 #: corner that it passes at only a tenth of a millimetre.
 ROUND, WIDE_MARGINS = 5e-3, (2e-3, 3e-4)
@@ -188,10 +189,11 @@ class LocalSearch:
             candidate = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)
             agrees = abs(true.length.without_energy.value(descent.z) * true.length.g0 - cost.g) <= AGREEMENT * cost.g
             candidate = candidate if agrees else replace(candidate, optimality=UNKNOWN)
+            settled = best is not None and best.cost.g - cost.g <= SETTLED * cost.g
             worth = WORTH if agrees else 0.0  # a confirmed optimum may have a slightly larger g
             best = candidate if best is None or cost.g < best.cost.g * (1 + worth) else best
             converged = optimality.reached or not descent.exhausted
-            if not np.isfinite(cost.g) or (converged and (agrees or not refined)):
+            if not np.isfinite(cost.g) or (settled and converged and (agrees or not refined)):
                 break
         if best is not None:
             self.accepted.append(best)
