@@ -13,10 +13,10 @@ import pytest
 import manipplan as mp
 from manipplan.cost.density import length_density
 from manipplan.cost.objective import PathObjective
-from manipplan.optimize import descent
+from manipplan.optimize import descent, step_models
 from manipplan.optimize.basis import named_basis
 from manipplan.optimize.certificate import SINGLE, measure_optimality
-from manipplan.optimize.local import Candidate
+from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.step_models import BatchDensity, Surroundings
@@ -129,6 +129,49 @@ def test_what_was_cut_off_is_not_called_optimal(panda, monkeypatch):
     assert result.status is mp.Status.STOPPED_EARLY
     assert result.certificate.projected_gradient > 1e-3
     assert result.certificate.proven_clearance > CLEARANCE
+
+
+def test_the_hessian_is_summed_in_parts_where_memory_is_short(around_a_post, monkeypatch):
+    _, true, z = around_a_post
+    whole = true.length.hessian(z)
+    monkeypatch.setattr(step_models, "MOST_PRODUCTS", 7 * 4 * z.shape[0] ** 2)  # seven places at a time
+    np.testing.assert_allclose(true.length.hessian(z), whole, rtol=1e-12, atol=1e-12 * np.abs(whole).max())
+
+
+def test_without_multipliers_a_path_is_not_called_optimal(around_a_post, monkeypatch):
+    def give_up(*_):
+        raise RuntimeError("Maximum number of iterations reached.")
+
+    monkeypatch.setattr("scipy.optimize.nnls", give_up)
+    _, true, z = around_a_post
+    assert not measure_optimality(true, z).reached
+
+
+@pytest.mark.parametrize("room", [3e-3, 1e-4, 2e-5])
+def test_a_start_that_has_hardly_more_than_the_clearance(panda, room):
+    """The margins of the descents are no wider than the distance that the start has to spare."""
+    scene = mp.Scene([POST])
+    clearance = scene.collision_model(panda).distances(np.array(START)).min() - room
+    result = mp.optimize_path(panda, START, GOAL, scene=scene, clearance=clearance)
+    assert result.status.has_path
+    assert result.certificate.proven_clearance >= clearance
+
+
+def test_plan_tries_other_shapes_where_no_descent_gave_a_free_path(panda, monkeypatch):
+    """The path of low energy that is left counts as a path, but not as the result when another degree has a lower g."""
+    descend = LocalSearch._descend
+
+    def fails_for_degree_6(self, name, coefficients):
+        return None if self.program.basis.degree == 6 else descend(self, name, coefficients)
+
+    monkeypatch.setattr(LocalSearch, "_descend", fails_for_degree_6)
+    scene = mp.Scene([POST])
+    alone = mp.optimize_path(panda, START, GOAL, scene=scene, clearance=CLEARANCE)
+    assert alone.status is mp.Status.STOPPED_EARLY
+    assert not np.isfinite(alone.certificate.projected_gradient)
+    plan = mp.plan(panda, START, GOAL, scene, clearance=CLEARANCE)
+    assert plan.path.degree == 9
+    assert plan.result.g < alone.g
 
 
 @pytest.mark.parametrize("clearance", [0.0, 0.002, 0.03])
