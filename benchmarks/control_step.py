@@ -20,7 +20,11 @@ import manipplan as mp
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "control_step.md"
 START = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 2.0, np.pi / 4])
-FORMULATIONS = {"LogDrive": mp.LogDrive(), "(14)": mp.Equality(5e5), "(10), exact Hessian": mp.Objective(15e3)}
+FORMULATIONS = {
+    "LogDrive": mp.formulations.LogDrive(),
+    "(14)": mp.formulations.Equality(5e5),
+    "(10), exact Hessian": mp.formulations.Objective(15e3),
+}
 #: Distance of the target from the arm at rest [m].
 AWAY = 2e-4
 REST, PATH = "at rest, target 0.2 mm away", "along a path of 0.3 m"
@@ -82,7 +86,7 @@ def main(arguments: Sequence[str] | None = None) -> list[tuple[str, float, str, 
     compiled = False if given.interpreted else "auto"
     made = {
         (case, dt, name, rows): mp.Controller(
-            robot, formulation, dt, avoidance=five_spheres() if rows else None, compiled=compiled
+            robot, formulation, dt=dt, avoidance=five_spheres() if rows else None, compiled=compiled
         )
         for case, dt in CASES
         for name, formulation in FORMULATIONS.items()

@@ -184,9 +184,32 @@ def build_robot(arm: Row) -> mp.Robot:
     return mp.load_robot(arm["name"], locked=arm["locked"]) if "locked" in arm else mp.load_robot(arm["name"])
 
 
-def figures(result: mp.PathResult | None) -> Row:
+#: The group that each option belongs to since version 0.1; the others are arguments of their own.
+GROUPS = {
+    "power": "objective",
+    "degree": "shape",
+    "basis": "shape",
+    "pieces": "shape",
+    "time_limit": "seeding",
+    "initial": "seeding",
+}
+
+
+def arguments(options: Row) -> Row:
+    """The arguments of `mp.optimize_path` and `mp.plan` for the options of a task: in groups, for version 0.1 as they are."""
+    if not hasattr(mp, "PathObjective"):
+        return options
+    kinds = {"objective": mp.PathObjective, "shape": mp.PathShape, "seeding": mp.Seeding}
+    groups = {
+        group: kind(**{name: value for name, value in options.items() if GROUPS.get(name) == group})
+        for group, kind in kinds.items()
+    }
+    return groups | {name: value for name, value in options.items() if name not in GROUPS}
+
+
+def figures(result: Any) -> Row:
     """What a row says of a path: g, status, clearance, g of the first path, and what the certificate measures."""
-    if result is None:
+    if result is None or result.path is None:
         return {"g": np.inf, "status": "NO_PATH", "clearance": np.nan, "first g": np.inf}
     certificate = result.certificate
     row = {"g": result.g, "status": result.status.name, "first g": result.seed_cost.g}
@@ -197,12 +220,14 @@ def figures(result: mp.PathResult | None) -> Row:
 
 
 def optimised(robot: mp.Robot, scene: mp.Scene | None, given: Row) -> Row:
-    return figures(mp.optimize_path(robot, given["start"], given["goal"], scene=scene, throw=False, **given["options"]))
+    return figures(
+        mp.optimize_path(robot, given["start"], given["goal"], scene=scene, throw=False, **arguments(given["options"]))
+    )
 
 
 def planned(robot: mp.Robot, scene: mp.Scene | None, given: Row) -> Row:
     began = time.process_time()
-    plan = mp.plan(robot, given["start"], given["goal"], scene, throw=False, **given["options"])
+    plan = mp.plan(robot, given["start"], given["goal"], scene, throw=False, **arguments(given["options"]))
     seconds = time.process_time() - began
     row = figures(plan.result) | {"status": plan.status.name, "cpu": seconds}
     return row if plan.status.has_path else row | {"g": np.inf}
@@ -212,9 +237,9 @@ def again(robot: mp.Robot, scene: mp.Scene | None, given: Row) -> Row:
     """A result, and where it is OPTIMAL, g of two more solves, each from the path of the last, in its basis."""
     start, goal, options = given["start"], given["goal"], given["options"]
     if scene is None:
-        result = mp.optimize_path(robot, start, goal, throw=False, **options)
+        result = mp.optimize_path(robot, start, goal, throw=False, **arguments(options))
     else:
-        result = mp.plan(robot, start, goal, scene, throw=False, **options).result
+        result = mp.plan(robot, start, goal, scene, throw=False, **arguments(options)).result
     row = figures(result) | {"again": []}
     if row["status"] != mp.Status.OPTIMAL.name:
         return row
@@ -224,9 +249,8 @@ def again(robot: mp.Robot, scene: mp.Scene | None, given: Row) -> Row:
     row |= {"pieces": pieces, "degree": degree}
     basis = "legendre" if pieces == 1 else "bspline"
     for _ in range(2):
-        result = mp.optimize_path(
-            robot, start, goal, degree, scene=scene, initial=path, basis=basis, pieces=pieces, throw=False, **kept
-        )
+        shape = {"degree": degree, "basis": basis, "pieces": pieces}
+        result = mp.optimize_path(robot, start, goal, scene=scene, throw=False, **arguments(kept | shape | {"initial": path}))
         row["again"].append({"g": result.g, "status": result.status.name})
         path = result.path
     return row
@@ -599,7 +623,7 @@ def table_again(rows: Sequence[Row]) -> list[str]:
         *table(["figure", *suites, "wanted"], lines),
         "",
         "Without obstacles by `optimize_path`, among obstacles by `mp.plan`; then twice more by `optimize_path` from the last "
-        "path (`initial=`), in its basis, degree and pieces.",
+        "path (`Seeding.initial`), in its basis, degree and pieces.",
         *named("OPTIMAL results that were lowered:", names),
     ]
 

@@ -28,7 +28,7 @@ def pairs(problem):
         if problem.scene.in_collision(problem.robot, np.array([start, goal])).any():
             continue
         try:
-            mp.seed_path(problem.robot, start, goal, problem.scene, time_limit=3.0)
+            mp.seed_path(problem.robot, start, goal, problem.scene, seeding=mp.Seeding(time_limit=3.0))
         except mp.PlanningError:
             continue
         found += 1

@@ -124,7 +124,15 @@ def lower_nearby(robot, start, goal, power, result, rng):
         control[0, 1:-1] += rng.normal(scale=0.1, size=control[0, 1:-1].shape)
         control = np.clip(control, robot.limits.lower, robot.limits.upper)
         first = mp.JointPath(breaks=result.path.breaks, control=control)
-        again = mp.optimize_path(robot, start, goal, degree=DEGREE, power=power, initial=first, throw=False)
+        again = mp.optimize_path(
+            robot,
+            start,
+            goal,
+            shape=mp.PathShape(degree=DEGREE),
+            objective=mp.PathObjective(power=power),
+            seeding=mp.Seeding(initial=first),
+            throw=False,
+        )
         found.append(again.g / result.g - 1)
     return min(found)
 
@@ -138,7 +146,7 @@ def run(robot, power):
     rows, beside = [], {name: [] for name in direct}
     statuses = Counter()
     for k, (start, goal) in enumerate(track(pairs, description=f"p = {power}")):
-        options = {"degree": DEGREE, "power": power, "throw": False}
+        options = {"shape": mp.PathShape(degree=DEGREE), "objective": mp.PathObjective(power=power), "throw": False}
         if k == 0:
             for compiled in ("auto", False):
                 mp.optimize_path(robot, start, goal, compiled=compiled, **options)

@@ -81,7 +81,14 @@ def ours(robot: mp.Robot, scene: mp.Scene, pair: dict) -> tuple[mp.Plan, dict]:
         marks[step] = np.array([time.perf_counter(), time.process_time()])
 
     plan = mp.plan(
-        robot, pair["start"], pair["goal"], scene, clearance=CLEARANCE, time_limit=SEARCH_TIME, throw=False, progress=say
+        robot,
+        pair["start"],
+        pair["goal"],
+        scene,
+        clearance=CLEARANCE,
+        seeding=mp.Seeding(time_limit=SEARCH_TIME),
+        throw=False,
+        progress=say,
     )
     say(1.0, "end")
     begun = marks["looking for a first path"]

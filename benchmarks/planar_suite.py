@@ -84,7 +84,7 @@ def main() -> None:
     worst = 0.0
     for name, power, degree in track(cases, description="planar suite"):
         start, goal = PROBLEMS[name]
-        result = mp.optimize_path(arm, start, goal, degree=degree, power=power)
+        result = mp.optimize_path(arm, start, goal, shape=mp.PathShape(degree=degree), objective=mp.PathObjective(power=power))
         printed = THESIS[name][degree - 1] if power == 2 and degree <= 6 else None
         energy = result.history[0].g if result.history else result.g
         best, reached = result.g, None

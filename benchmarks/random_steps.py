@@ -24,11 +24,11 @@ ALLOWED = 1e-9
 LIMITS = ("position", "velocity", "acceleration", "jerk")
 
 CASES = {
-    "panda": (mp.LogDrive(), 0.001),
-    "baxter_left": (mp.Objective(alpha=15e3, sample_time=0.01), 0.01),
-    "xarm7": (mp.Equality(alpha=5e5, sample_time=0.01), 0.01),
-    "ur10": (mp.Objective(alpha=15e3, sample_time=0.01, hessian="bfgs"), 0.002),
-    "kinova": (mp.General(), 0.02),
+    "panda": (mp.formulations.LogDrive(), 0.001),
+    "baxter_left": (mp.formulations.Objective(alpha=15e3, sample_time=0.01), 0.01),
+    "xarm7": (mp.formulations.Equality(alpha=5e5, sample_time=0.01), 0.01),
+    "ur10": (mp.formulations.Objective(alpha=15e3, sample_time=0.01, hessian="bfgs"), 0.002),
+    "kinova": (mp.formulations.General(), 0.02),
 }
 #: Arms whose own links are not kept apart: so many pairs that the compiler takes most of the time.
 CROWDED = ("baxter_left",)
@@ -210,7 +210,7 @@ def run(name: str, steps: int, seed: int, progress: Progress, *, compiled: bool 
     formulation, dt = CASES[name]
     tube = mp.Tolerance(position=0.01, rotation=0.05)
     bar = progress.add_task(f"{name}: building", total=steps)
-    controller = mp.Controller(robot, formulation, dt, tolerance=tube, avoidance=around(robot), compiled=compiled)
+    controller = mp.Controller(robot, formulation, dt=dt, tolerance=tube, avoidance=around(robot), compiled=compiled)
     progress.update(bar, description=name)
     count, rng = Count(), np.random.default_rng(seed)
     while count.steps < steps:

@@ -166,7 +166,7 @@ def one(robot: mp.Robot, seed: int, count: Count) -> tuple[str, str]:
             if speeds is not None:
                 options.update(start_speed=float(speeds[0]), end_speed=float(speeds[1]))
             try:
-                trajectory = mp.retime(path, limits, torque_model=model, **options)
+                trajectory = mp.retime(path, robot, limits=limits, torque=model is not None, **options)
                 break
             except mp.InvalidInputError as error:
                 if error.argument not in ("start_speed", "end_speed") or attempt == 11:
@@ -249,7 +249,7 @@ def compared(name: str, seeds: range) -> list[float]:
         limits = robot.limits.with_changes({"acceleration": robot.limits.acceleration * 10 ** rng.uniform(-1, 1)})
         fastest = optimum(path, limits)
         if fastest is not None:
-            ratios.append(mp.retime(path, limits).duration / fastest)
+            ratios.append(mp.retime(path, robot, limits=limits).duration / fastest)
     return ratios
 
 

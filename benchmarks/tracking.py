@@ -127,7 +127,7 @@ def ours(robot: mp.Robot, judge: Judge, poses: np.ndarray, allowed: float) -> Qu
     tube = mp.Tolerance(position=allowed, rotation=allowed / RADIAN)
     found = []
     for weight, stiffness, tolerance in product(WEIGHTS, STIFFNESSES, (tube, None)):
-        controller = mp.Controller(robot, mp.LogDrive(weight), DT, tolerance=tolerance, stiffness=stiffness)
+        controller = mp.Controller(robot, mp.formulations.LogDrive(weight), dt=DT, tolerance=tolerance, stiffness=stiffness)
         motion = controller.rollout(START, poses)
         failed = int((motion["status"] != mp.StepStatus.SOLVED).sum())
         found.append(judge.quality(poses, motion.q[1:], failed))
@@ -160,14 +160,14 @@ def times(robot: mp.Robot, poses: np.ndarray, peers: dict[str, np.ndarray], agai
     """The table of step times; peers' times are measured before and after ours."""
     rows = []
     solvers = {
-        "(14)": mp.Equality(5e5),
-        "LogDrive": mp.LogDrive(),
-        "(10), exact Hessian": mp.Objective(15e3),
+        "(14)": mp.formulations.Equality(5e5),
+        "LogDrive": mp.formulations.LogDrive(),
+        "(10), exact Hessian": mp.formulations.Objective(15e3),
     }
     measured = {}
     for name, formulation in solvers.items():
         for compiled in (True, False):
-            controller = mp.Controller(robot, formulation, DT, avoidance=five_spheres(), compiled=compiled)
+            controller = mp.Controller(robot, formulation, dt=DT, avoidance=five_spheres(), compiled=compiled)
             step_times(controller, poses, 2)
             measured[name, compiled] = step_times(controller, poses, 20)
             if compiled:

@@ -67,7 +67,7 @@ suppress_warnings = ["config.cache"]
 linkcheck_timeout = 20
 linkcheck_ignore = [r"\.\./"]  # inside the site: check_site.py
 #: Links that are written by hand must have a target; types that autodoc finds in signatures need none.
-nitpick_ignore_regex = [("py:(class|obj|exc|data|attr)", r"(?!manipplan\.(planar\.|viz\.)?\w+$).*")]
+nitpick_ignore_regex = [("py:(class|obj|exc|data|attr)", r"(?!manipplan\.(planar\.|viz\.|formulations\.)?\w+$).*")]
 
 KEYS = set(re.findall(r"^@\w+\{(\w+),", (Path(__file__).parent / "references.bib").read_text(encoding="utf-8"), re.MULTILINE))
 CITED = re.compile(r"\[(\w+)((?:, [^\]]+)?)\]")

@@ -1,4 +1,4 @@
-"""Write the picture and the animation of README and start page: `make pictures`, or `python docs/make_pictures.py`."""
+"""Write the picture and the animation of the README and the start page: `make pictures`, or `python docs/make_pictures.py`."""
 
 from pathlib import Path
 
@@ -9,7 +9,14 @@ from manipplan.jobs.demo import panda_among_boxes
 FOLDER = Path(__file__).parent / "_static"
 
 problem = panda_among_boxes()
-plan = mp.plan(problem.robot, problem.start, problem.goal, problem.scene, power=problem.power, clearance=problem.clearance)
+plan = mp.plan(
+    problem.robot,
+    problem.start,
+    problem.goal,
+    problem.scene,
+    objective=mp.PathObjective(power=problem.power),
+    clearance=problem.clearance,
+)
 viz.save_plan(plan, FOLDER / "demo.png")
 viz.animate(plan, FOLDER / "demo.gif", fps=12.5, speed=0.75, size=(8.0, 4.0), dpi=80, colours=64)
 for file in (FOLDER / "demo.png", FOLDER / "demo.gif"):

@@ -60,7 +60,10 @@ def numbers() -> dict:
     arm = mp.planar_arm([1.0, 1.0, 1.0])
     paths = []
     for name, (start, goal) in EXAMPLES.items():
-        found = {p: mp.optimize_path(arm, start, goal, degree=DEGREE, power=p).path for p in POWERS}
+        found = {
+            p: mp.optimize_path(arm, start, goal, shape=mp.PathShape(degree=DEGREE), objective=mp.PathObjective(power=p)).path
+            for p in POWERS
+        }
         control = {str(p): path.control[0].round(DIGITS).tolist() for p, path in found.items()}
         paths.append({"name": name, "line": [list(start), list(goal)], "optimal": control})
     best = np.round(optimum(arm.kinematics()), DIGITS).tolist()

@@ -21,7 +21,14 @@ PLACE = 0.45
 
 def main() -> None:
     problem = panda_among_boxes()
-    plan = mp.plan(problem.robot, problem.start, problem.goal, problem.scene, power=problem.power, clearance=problem.clearance)
+    plan = mp.plan(
+        problem.robot,
+        problem.start,
+        problem.goal,
+        problem.scene,
+        objective=mp.PathObjective(power=problem.power),
+        clearance=problem.clearance,
+    )
     chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))))
     with plan.show(port=0, open_browser=False) as viewer, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)

@@ -12,26 +12,28 @@ One call runs a whole row, for instance ``mp.plan(robot, start, goal, scene)``.
 
 from manipplan.collision.path_clearance import PathClearance
 from manipplan.collision.scene import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Scene, Sphere
-from manipplan.cost.objective import PathCost, path_cost
+from manipplan.cost.integral import PathCost, path_cost
+from manipplan.cost.objective import PathObjective
 from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
 from manipplan.jobs.check import Report
 from manipplan.jobs.follow import follow
 from manipplan.jobs.improve import improve
 from manipplan.jobs.plan import plan
-from manipplan.jobs.result import Plan
+from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.dynamic import Asada, DynamicManipulability
 from manipplan.measures.ellipsoid import Ellipsoid, dynamic_ellipsoid, force_ellipsoid, velocity_ellipsoid
-from manipplan.measures.indices import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
 from manipplan.measures.limited import JointLimitPenalised
+from manipplan.measures.manipulability import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
 from manipplan.measures.measure import Measure, Posture
 from manipplan.measures.names import available_measures
 from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
 from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
+from manipplan.optimize.basis import PathShape
 from manipplan.optimize.certificate import Certificate, LimitApproach
 from manipplan.optimize.optimize import optimize_path
-from manipplan.optimize.result import PathResult
+from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
@@ -42,10 +44,11 @@ from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.search.guilamo import GuilamoResult, guilamo_search
 from manipplan.search.layers import Layers
-from manipplan.search.max_min import SearchResult, SearchStatus, max_min_search
+from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.refine import Refinement, refine
 from manipplan.search.sampling import sample_layers
 from manipplan.seeds.ompl import seed_path
+from manipplan.seeds.seeding import Seeding
 from manipplan.support.errors import (
     CompilerError,
     CompilerWarning,
@@ -65,11 +68,11 @@ from manipplan.symbolic.task import Task
 from manipplan.timing.retime import retime
 from manipplan.timing.segment import Segment
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
+from manipplan.tracking import formulations
 from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller, Rollout, StepReport
-from manipplan.tracking.formulations import Classical, Equality, Formulation, General, LogDrive, Objective
 from manipplan.tracking.step import StepStatus
-from manipplan.tracking.track import Tracking, TrackingStatus, track
+from manipplan.tracking.track import Tracking, track
 
 __version__ = "0.1.0"
 
@@ -80,7 +83,6 @@ __all__ = [
     "Capsule",
     "CartesianPath",
     "Certificate",
-    "Classical",
     "CompilerError",
     "CompilerWarning",
     "Completeness",
@@ -90,13 +92,10 @@ __all__ = [
     "Deviation",
     "DynamicManipulability",
     "Ellipsoid",
-    "Equality",
     "Evaluator",
     "FileFormatError",
     "ForceTransmission",
-    "Formulation",
     "FrobeniusNorm",
-    "General",
     "GuilamoResult",
     "InvalidInputError",
     "InverseCondition",
@@ -109,18 +108,20 @@ __all__ = [
     "LimitApproach",
     "LimitUse",
     "LogDet",
-    "LogDrive",
     "ManipplanError",
     "Measure",
     "Mesh",
     "MissingExtraError",
     "MissingProgramError",
     "MissingSourcesError",
-    "Objective",
+    "NoPath",
     "Obstacle",
+    "PartialPlan",
     "PathClearance",
     "PathCost",
+    "PathObjective",
     "PathResult",
+    "PathShape",
     "PinocchioCasadi",
     "Plan",
     "Plane",
@@ -132,7 +133,7 @@ __all__ = [
     "Rollout",
     "Scene",
     "SearchResult",
-    "SearchStatus",
+    "Seeding",
     "Segment",
     "SmallestSingularValue",
     "SolutionSet",
@@ -144,7 +145,6 @@ __all__ = [
     "Task",
     "Tolerance",
     "Tracking",
-    "TrackingStatus",
     "Trajectory",
     "UnknownNameError",
     "UnsupportedJointError",
@@ -155,6 +155,7 @@ __all__ = [
     "dynamic_ellipsoid",
     "follow",
     "force_ellipsoid",
+    "formulations",
     "guilamo_search",
     "improve",
     "inverse_kinematics",

@@ -1,4 +1,4 @@
-"""A study as a command: where it writes, how far it is, and what is not as expected."""
+"""A study as a command: output folder, progress, and differences from the expected results."""
 
 import argparse
 import tempfile
@@ -11,7 +11,7 @@ from manipplan.cli import terminal
 from manipplan.support.progress import Progress
 
 Claims = TypeVar("Claims")
-#: What is done, about how long it takes [s], and how it is done.
+#: Name of the stage, its approximate duration [s], and the function that runs it.
 Stage = tuple[str, float, Callable[[], object]]
 
 
@@ -20,10 +20,10 @@ class Study(Generic[Claims]):
     """All tables and figures of a paper.
 
     Attributes:
-        pages: folder of its tables and figures in the docs; the page itself lies beside it, with the same name.
-        quick: what --quick leaves.
-        make: writes tables and figures into a folder, --quick or not; returns what it found.
-        differences: of what was found, --quick or not, a line for each figure that is not as expected.csv has it.
+        pages: folder of its tables and figures in the docs; the page itself is next to it, with the same name.
+        quick: help text of --quick: the parts of the study that it runs.
+        make: writes tables and figures into a folder, with or without --quick, and returns the results.
+        differences: compares the results, with or without --quick, with expected.csv; returns one line per difference.
     """
 
     pages: Path
@@ -32,13 +32,13 @@ class Study(Generic[Claims]):
     differences: Callable[[Claims, bool], list[str]]
 
     def run(self, out: Path, *, quick: bool, progress: Progress) -> list[str]:
-        """Write tables and figures into `out`; returns what is not as expected."""
+        """Write tables and figures into `out`; returns the differences from the expected results."""
         out.mkdir(parents=True, exist_ok=True)
         return self.differences(self.make(out, quick, progress), quick)
 
     def main(self, arguments: list[str] | None = None) -> list[str]:
-        """Run it with the options of a shell and return what is not as expected."""
-        command, what = f"python -m studies.{self.pages.name}", "Make all tables and figures of the paper again."
+        """Run the study with command-line arguments; returns the differences from the expected results."""
+        command, what = f"python -m studies.{self.pages.name}", "Reproduce all tables and figures of the paper."
         parser = argparse.ArgumentParser(prog=command, description=what)
         parser.add_argument("--quick", action="store_true", help=self.quick)
         where = f"folder for tables and figures (default: docs/studies/{self.pages.name}; a temporary one with --quick)"
@@ -52,7 +52,7 @@ class Study(Generic[Claims]):
 
 
 def in_stages(stages: Sequence[Stage], tell: Progress) -> None:
-    """Do one after the other, and tell how far it is."""
+    """Run the stages in order and report the progress."""
     whole, done = sum(weight for _, weight, _ in stages), 0.0
     for text, weight, do in stages:
         tell(done / whole, text)

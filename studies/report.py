@@ -1,4 +1,4 @@
-"""One HTML file with all tables and figures of a study, as its page orders them; it needs no other file."""
+"""One self-contained HTML file with all tables and figures of a study, in the order of its page."""
 
 import base64
 import platform
@@ -13,7 +13,7 @@ import manipplan as mp
 from manipplan.support.files import write_text
 
 KINDS = {".png": "image/png", ".svg": "image/svg+xml"}
-#: A heading, a table, or a figure with its description, as the pages of the studies have them.
+#: A heading, a table, or a figure with its description, as written in the pages of the studies.
 PIECE = re.compile(
     r"^(?P<level>#+) (?P<heading>.+)$"
     r"|^```\{include\} (?P<table>\S+)$"
@@ -36,10 +36,10 @@ th, td { text-align: left; padding: 0.25rem 0.7rem; border-bottom: 1px solid var
 
 
 def write_report(page: Path, folder: Path, *, quick: bool, seconds: float, differences: Sequence[str]) -> Path:
-    """Collect what a run wrote to `folder` into report.html there; returns that file.
+    """Collect the tables and figures that a run wrote to `folder` in report.html there; returns that file.
 
-    `page` is the study's page in the docs, which has the text, `seconds` what the run took, `differences` what was not as
-    expected.
+    `page` is the study's page in the docs, which has the text, `seconds` the duration of the run, and `differences` the
+    differences from the expected results.
     """
     text = page.read_text(encoding="utf-8")
     title = re.sub(r"[`*]|\{[^}]*\}", "", text.split("\n", 1)[0].lstrip("# "))
@@ -56,7 +56,7 @@ def write_report(page: Path, folder: Path, *, quick: bool, seconds: float, diffe
         body += pending
         pending = []
         if not file.is_file():
-            body.append(f'<p class="note">{escape(file.stem)}: --quick leaves it.</p>')
+            body.append(f'<p class="note">{escape(file.stem)}: left out by --quick.</p>')
         elif piece["table"]:
             made = markdown_it.MarkdownIt("commonmark").enable("table").render(file.read_text(encoding="utf-8"))
             body.append(f'<div class="table" tabindex="0">{made}</div>')

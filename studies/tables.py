@@ -10,7 +10,7 @@ Cell = str | float | int | bool
 
 @dataclass(frozen=True, kw_only=True)
 class Table:
-    """A heading and rows of cells; `name` is that of its files."""
+    """A heading and rows of cells; `name` is the name of its files."""
 
     name: str
     head: tuple[str, ...]
@@ -22,7 +22,7 @@ class Table:
         return cls(name=name, head=tuple(head), rows=tuple(tuple(row) for row in rows))
 
     def write(self, folder: Path) -> None:
-        """Write name.csv and name.md, its numbers rounded."""
+        """Write name.csv, and name.md with rounded numbers."""
         self.write_csv(folder)
         lines = [self.head, ["---"] * len(self.head), *([shown(cell) for cell in row] for row in self.rows)]
         (folder / f"{self.name}.md").write_text("".join(f"| {' | '.join(line)} |\n" for line in lines))
@@ -35,7 +35,7 @@ class Table:
 
 
 def shown(cell: Cell) -> str:
-    """A cell for people: three digits, large numbers as powers."""
+    """The text of a cell in Markdown: three digits, large numbers with powers of ten."""
     if isinstance(cell, bool):
         return "yes" if cell else "no"
     if isinstance(cell, str):

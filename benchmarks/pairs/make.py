@@ -124,7 +124,7 @@ def pairs(arm: str, name: str, count: int, rng: np.random.Generator) -> Iterator
         if name == "shelf" and rng.random() < 0.5:
             start, goal = goal, start
         try:
-            mp.seed_path(robot, start, goal, placed, clearance=CLEARANCE, time_limit=TIME_LIMIT)
+            mp.seed_path(robot, start, goal, placed, clearance=CLEARANCE, seeding=mp.Seeding(time_limit=TIME_LIMIT))
         except mp.PlanningError:
             continue
         yield start, goal

@@ -78,7 +78,7 @@ class Arm:
         )
         return np.sqrt(max(np.linalg.det(J @ J.T), 0.0))
 
-    def index_gradient(self, q):
+    def manipulability_gradient(self, q):
         steps = STEP * np.eye(self.n)
         return np.array([self.index(q + step) - self.index(q - step) for step in steps]) / (2 * STEP)
 
@@ -101,7 +101,7 @@ def index_cost(arm, basis, problem):
         total = float(weights @ (along / m))
         if not gradient:
             return total, None
-        dm = np.array([arm.index_gradient(each) for each in q])
+        dm = np.array([arm.manipulability_gradient(each) for each in q])
         d = values.T @ (-(weights * along / m**2)[:, None] * dm)
         if problem["cost"] == "g":
             d += slopes.T @ ((weights / m / speed)[:, None] * v)

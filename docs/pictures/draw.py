@@ -1,6 +1,6 @@
-"""Draws the pictures of the concept pages beside this file: python docs/pictures/draw.py [name ...].
+"""Draws the pictures of the concept pages into this folder: python docs/pictures/draw.py [name ...].
 
-Colours and lines are those of manipplan.viz.style. Curves are computed, none is drawn by hand.
+Colours and lines are those of manipplan.viz.style. All curves are computed; none is drawn by hand.
 """
 
 import sys
@@ -18,19 +18,19 @@ from manipplan.viz.motions import skeleton
 from manipplan.viz.style import ARM, ELLIPSOID, JOINTS, OBSTACLE, OPTIMUM, SEED, STRAIGHT, STYLE
 
 HERE = Path(__file__).parent
-#: The same picture gives the same file; titles stand over the middle, and legends are as large as other text.
+#: Every run writes the same file; titles are centred, and legends are as large as other text.
 FIXED = {"svg.hashsalt": "manipplan", "svg.fonttype": "path", "axes.titlelocation": "center", "legend.fontsize": 9}
 
 
 def flow():
-    """How the data goes, from what a user has to a plan."""
+    """Data flow from the user's input to a plan."""
     figure, ax = plt.subplots(figsize=(9.2, 3.7))
     ax.set(xlim=(0, 92), ylim=(0, 37))
     ax.axis("off")
     rows = {
-        30: (OPTIMUM, "plan", ["start, goal", "seed_path\nOMPL", "optimize_path\nleast g"]),
+        30: (OPTIMUM, "plan", ["start, goal", "seed_path\nOMPL", "optimize_path\nminimum g"]),
         18: (ELLIPSOID, "follow", ["path of the tool", "sample_layers\nall configurations", "max_min_search\nrefine"]),
-        6: (JOINTS[3], "improve", ["recording", "Controller\none QP a step", "track\nindex raised"]),
+        6: (JOINTS[3], "improve", ["recording", "Controller\none QP per step", "track\nm raised"]),
     }
     for y, (colour, job, boxes) in rows.items():
         for k, text in enumerate(boxes):
@@ -41,7 +41,7 @@ def flow():
         arrow(ax, (57, y), (62, 18 + (y - 18) / 6))
     box(ax, 62, 18, 12, "retime\nq(t) within\nall limits", ARM, "#FFFFFF")
     arrow(ax, (74, 18), (78, 18))
-    box(ax, 78, 18, 12, "Report\nevery figure\nmeasured", ARM, "#FFFFFF")
+    box(ax, 78, 18, 12, "Report\nevery number\nmeasured", ARM, "#FFFFFF")
     return figure
 
 
@@ -61,7 +61,7 @@ def arrow(ax, begin, end, colour=ARM, **options):
 
 
 def frames():
-    """Base, tool, and the frame in which velocities of the tool are told."""
+    """Base, tool, and the frame in which tool velocities are expressed."""
     arm = mp.planar_arm([1.0, 0.9, 0.6])
     q = np.array([0.9, -0.8, -0.75])
     points = skeleton(arm, q)[1:, :2]
@@ -125,7 +125,7 @@ def ellipsoids():
 
 
 def measures():
-    """Six measures along the Panda's elbow, each over its largest value."""
+    """Six measures along the Panda's elbow, each divided by its maximum."""
     robot = mp.load_robot("panda")
     elbow = np.linspace(robot.limits.lower[3], robot.limits.upper[3], 400)
     q = np.tile(robot.neutral, (len(elbow), 1))
@@ -135,7 +135,7 @@ def measures():
     for name, colour, dash in zip(names, JOINTS, ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1))), strict=False):
         values = robot.kinematics(mp.Task.pose(length=0.5), measure=name).manipulability(q)
         ax.plot(elbow, values / values.max(), color=colour, linestyle=dash, label=name, linewidth=1.8)
-    ax.set(xlabel="joint 4 of the Panda, the elbow [rad]: folded on the left", ylabel="share of the largest value")
+    ax.set(xlabel="joint 4 of the Panda, the elbow [rad]: folded on the left", ylabel="share of the maximum")
     ax.set(ylim=(0, 1.05), xlim=(elbow[0], 0.05))
     ax.axvline(0, color=STRAIGHT, linewidth=1)
     ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=9)
@@ -143,10 +143,12 @@ def measures():
 
 
 def proof():
-    """Distance along an optimised path, and the bounds of the pieces that prove it."""
+    """Distance along an optimised path, and the lower bounds of the pieces that prove the clearance."""
     arm = mp.planar_arm([1.0, 1.0, 1.0])
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
-    path = mp.optimize_path(arm, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], power=2, scene=post, clearance=0.02).path
+    path = mp.optimize_path(
+        arm, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], objective=mp.PathObjective(power=2), scene=post, clearance=0.02
+    ).path
     model = post.collision_model(arm)
     s = np.linspace(0, 1, 801)
     distance = np.array([model.distances(q).min() for q in path(s)])
@@ -155,7 +157,7 @@ def proof():
     while stack:
         a, b = stack.pop()
         middle = (a + b) / 2
-        # no point of this arm is further from joint k than the links after it are long, and thick
+        # no point of this arm is farther from joint k than the length of the links after it plus their radius
         way = np.abs(path(np.linspace(a, b, 65)) - path(middle)).max(axis=0) @ np.array([3.1, 2.1, 1.1])
         low = model.distances(path(middle)).min() - way
         if low >= 0.02:
@@ -167,14 +169,14 @@ def proof():
         ax.fill_between([a, b], 0, low, color=OPTIMUM, alpha=0.12, linewidth=0)
     ax.plot(s, distance, color=ARM, label="measured distance")
     ax.plot([], [], color=OPTIMUM, label=f"bounds of {len(pieces)} pieces")
-    ax.axhline(0.02, color=OBSTACLE, linestyle="--", label="clearance asked for")
+    ax.axhline(0.02, color=OBSTACLE, linestyle="--", label="requested clearance")
     ax.set(xlabel="s", ylabel="distance [m]", xlim=(0, 1), ylim=(0, None))
     ax.legend(loc="upper center", ncols=3, bbox_to_anchor=(0.5, 1.17))
     return figure
 
 
 def drives():
-    """How hard each formulation pulls along the gradient of the index."""
+    """Pull of each formulation along the gradient of the manipulability."""
     m = np.linspace(0.002, 0.14, 300)
     step, rate = 0.01, 10.0
     pulls = {
@@ -186,7 +188,7 @@ def drives():
     for name, (pull, colour, dash) in pulls.items():
         ax.plot(m, pull, color=colour, linestyle=dash, label=name)
     ax.set(
-        xlabel="index m of Baxter's arm: singular on the left, its best posture on the right",
+        xlabel="manipulability m of Baxter's arm: singular on the left, best posture on the right",
         ylabel="pull on ∇m",
         ylim=(10, 5e4),
     )
@@ -196,7 +198,7 @@ def drives():
 
 
 def search():
-    """Candidates of each position, the widest path, and the greedy one."""
+    """Candidates of each position and the widest path."""
     robot = mp.planar_arm([1.0, 0.8, 0.6])
     begin, end = np.eye(4), np.eye(4)
     begin[:2, 3], end[:2, 3] = [1.9, -0.9], [0.9, 1.3]
@@ -215,9 +217,9 @@ def search():
     )
     k = int(found.manipulability.argmin())
     ax.plot(
-        layers.s[k], found.q[k, 0], "o", color=JOINTS[3], markersize=9, fillstyle="none", markeredgewidth=1.8, label="its least"
+        layers.s[k], found.q[k, 0], "o", color=JOINTS[3], markersize=9, fillstyle="none", markeredgewidth=1.8, label="minimum"
     )
-    figure.colorbar(dots, label="index m [m²]", pad=0.02)
+    figure.colorbar(dots, label="manipulability m [m²]", pad=0.02)
     ax.set(xlabel="s, position along the path of the tool", ylabel="joint 1 of each candidate [rad]", xlim=(-0.02, 1.02))
     ax.legend(loc="upper center", ncols=2, bbox_to_anchor=(0.5, 1.15))
     return figure

@@ -48,8 +48,8 @@ def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array
             joints = ", ".join(robot.joint_names)
             raise InvalidInputError(argument, " ".join(words), f"{robot.n} numbers, one per joint ({joints}), not {len(words)}")
         return numbers
-    if not robot.named_states:
+    if not robot.states:
         raise InvalidInputError(argument, words[0], "one number per joint: the robot has no named states")
-    if words[0] not in robot.named_states:
-        raise UnknownNameError(argument, words[0], robot.named_states)
-    return robot.named_states[words[0]]
+    if words[0] not in robot.states:
+        raise UnknownNameError(argument, words[0], robot.states)
+    return robot.states[words[0]]

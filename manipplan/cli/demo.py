@@ -3,8 +3,10 @@
 from pathlib import Path
 
 from manipplan.cli import terminal
+from manipplan.cost.objective import PathObjective
 from manipplan.jobs.demo import Problem, panda_among_boxes, planar_path
 from manipplan.jobs.plan import plan
+from manipplan.seeds.seeding import Seeding
 from manipplan.support.files import place_for
 from manipplan.support.progress import part
 
@@ -30,9 +32,9 @@ def _solve(problem: Problem, folder: Path, seed: int) -> int:
             problem.start,
             problem.goal,
             problem.scene,
-            power=problem.power,
+            objective=PathObjective(power=problem.power),
+            seeding=Seeding(seed=seed),
             clearance=problem.clearance,
-            seed=seed,
             progress=part(tell, 0.0, 0.95),
         )
         tell(1.0, "writing files")

@@ -6,6 +6,7 @@ from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import RobotOptions
+from manipplan.cost.objective import PathObjective
 from manipplan.jobs.follow import follow as follow_job
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
@@ -29,6 +30,7 @@ def follow(
     clearance: float = 0.0,
     closed: bool = False,
     torque: bool = False,
+    measure: str | None = None,
     seed: int = 0,
 ) -> int:
     """Follow a workspace path with the largest minimum manipulability; write the motion as CSV, JSON and ROS JointTrajectory.
@@ -47,6 +49,7 @@ def follow(
         clearance: Minimum distance to keep [m].
         closed: The path returns to its start, and so does the motion.
         torque: Keep the joints' effort limits as well.
+        measure: Name of the manipulability measure; default: Yoshikawa's.
         seed: Seed of random starts, for arms without closed-form inverse kinematics.
     """
     folder = place_for("out", out)
@@ -57,12 +60,12 @@ def follow(
         made = follow_job(
             arm,
             path,
-            positions,
+            world,
+            positions=positions,
+            objective=PathObjective(task=Task.pointing(pointing) if pointing is not None else None, measure=measure),
             epsilon=epsilon,
-            task=Task.pointing(pointing) if pointing is not None else None,
             samples=samples[0] if len(samples) == 1 else samples or None,
             tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]) if tolerance is not None else None,
-            scene=world,
             clearance=clearance,
             closed=closed,
             torque=torque,

@@ -6,6 +6,7 @@ from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import RobotOptions
+from manipplan.cost.objective import PathObjective
 from manipplan.jobs.improve import improve as improve_job
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.files import place_for
@@ -19,6 +20,7 @@ def improve(
     tolerance: tuple[float, float] = (0.02, 0.2),
     duration: float | None = None,
     dt: float = 0.01,
+    measure: str | None = None,
     out: Path = Path("improve"),
     options: OmitArgPrefixes[RobotOptions] = RobotOptions(),  # noqa: B008  # a frozen value
 ) -> int:
@@ -31,6 +33,7 @@ def improve(
         tolerance: Maximum deviation of the tool from the recorded poses [m] [rad].
         duration: Duration of the new motion [s]; default: that of the recording.
         dt: Time step [s].
+        measure: Name of the manipulability measure; default: Yoshikawa's.
         out: Folder for the files that are written.
     """
     folder = place_for("out", out)
@@ -40,10 +43,11 @@ def improve(
         made = improve_job(
             arm,
             recorded,
+            world,
+            objective=PathObjective(measure=measure),
             dt=dt,
             duration=duration,
             tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]),
-            scene=world,
             progress=part(tell, 0.0, 0.95),
         )
         tell(1.0, "writing files")

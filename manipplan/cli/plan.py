@@ -7,7 +7,10 @@ from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import RobotOptions, configuration_of
+from manipplan.cost.objective import PathObjective
 from manipplan.jobs.plan import plan as plan_job
+from manipplan.optimize.basis import PathShape
+from manipplan.seeds.seeding import Seeding
 from manipplan.support.files import place_for
 from manipplan.support.progress import part
 
@@ -58,15 +61,11 @@ def plan(
             configuration_of("start", start, arm),
             configuration_of("goal", goal, arm),
             world,
-            power=power,
-            measure=measure,
-            degree=degree,
-            shifts=shifts,
+            objective=PathObjective(power=power, measure=measure),
+            shape=PathShape(degree=degree),
+            seeding=Seeding(seed=seed, count=seeds, time_limit=time_limit, shifts=shifts),
             clearance=clearance,
             torque=torque,
-            seed=seed,
-            seeds=seeds,
-            time_limit=time_limit,
             progress=part(tell, 0.0, 0.95),
         )
         tell(1.0, "writing files")

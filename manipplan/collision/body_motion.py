@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import core_of, enclose
-from manipplan.robots.description import axis_of, is_prismatic
+from manipplan.robots.model_tree import axis_of, is_prismatic
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
 

@@ -14,6 +14,7 @@ from manipplan.collision.body_motion import BodyIndices, body_motion
 from manipplan.collision.model import CollisionModel
 from manipplan.paths.joint import JointPath, split
 from manipplan.support.checks import Array, instance, number
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
 #: Margin subtracted from every distance [m]; coal's distances are accurate to 2e-6 m.
@@ -26,6 +27,7 @@ MOST_CHECKS = 100_000
 RUN = 16
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True)
 class PathClearance:
     """Bounds on the smallest distance of two bodies on a whole curve; all distances [m].
@@ -37,7 +39,7 @@ class PathClearance:
         clearance: the required clearance.
         at, pair: s in [0, 1] and the names of the two bodies where the required clearance is violated; otherwise where a
             violation is not excluded; otherwise where the bound is smallest. nan and () when nothing is checked.
-        index: index of the pair in the collision model's `pair_names`; -1 when nothing is checked.
+        pair_id: index of the pair in the collision model's `pair_names`; -1 when nothing is checked.
         checks: number of distances computed.
     """
 
@@ -46,7 +48,7 @@ class PathClearance:
     clearance: float
     at: float
     pair: tuple[str, ...]
-    index: int
+    pair_id: int
     checks: int
 
     @property
@@ -82,7 +84,7 @@ def path_clearance(
     if tolerance is not None:
         tolerance = number("tolerance", tolerance, least=1e-4)
     if not model.pair_names:
-        return PathClearance(lower=np.inf, upper=np.inf, clearance=clearance, at=np.nan, pair=(), index=-1, checks=0)
+        return PathClearance(lower=np.inf, upper=np.inf, clearance=clearance, at=np.nan, pair=(), pair_id=-1, checks=0)
     return _Search(model, clearance, tolerance).run(path)
 
 
@@ -112,14 +114,14 @@ class _Search:
             edges = np.concatenate([np.stack([low, middles[kept]], axis=1), np.stack([middles[kept], high], axis=1)])
             rows = np.concatenate([position, position + len(kept)])
             pairs, known = np.tile(pairs[cut], 2), np.tile(bounds[cut], 2)
-        at, index = self.nearest if self.upper <= self.clearance else self.lowest
+        at, pair_id = self.nearest if self.upper <= self.clearance else self.lowest
         return PathClearance(
             lower=self.lower,
             upper=self.upper,
             clearance=self.clearance,
             at=at,
-            pair=tuple(self.model.pair_names[index]),
-            index=index,
+            pair=tuple(self.model.pair_names[pair_id]),
+            pair_id=pair_id,
             checks=self.checks,
         )
 

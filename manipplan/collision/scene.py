@@ -17,6 +17,7 @@ from manipplan.robots.hulls import FARTHEST, convex_hull, has_hull
 from manipplan.robots.ply import fault_of
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, configurations, existing_file, finite_array, instance, number, number_array
+from manipplan.support.display import Pictured
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.files import write_text
 from manipplan.support.memo import once_per_owner, state_without_memo
@@ -159,7 +160,7 @@ class Mesh(Obstacle):
 OBSTACLES: dict[str, type[Obstacle]] = {kind.shape_name: kind for kind in (Box, Sphere, Capsule, Cylinder, Plane, Mesh)}
 
 
-class Scene:
+class Scene(Pictured):
     """Static obstacles. An empty scene still checks a robot for self-collision."""
 
     def __init__(self, obstacles: Sequence[Obstacle] = ()) -> None:

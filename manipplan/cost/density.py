@@ -10,10 +10,10 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from manipplan.cost.objective import PathObjective
+from manipplan.cost.integral import PathIntegral
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.kinematics.view import steady
-from manipplan.measures.indices import Yoshikawa
+from manipplan.measures.manipulability import Yoshikawa
 from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian
 from manipplan.symbolic.machine_code import as_asked
 
@@ -24,7 +24,7 @@ ENERGY_REGULARISATION, LENGTH_REGULARISATION = 1e-5, 1e-7
 MEASURE_REGULARISATION = 1e-6
 #: Speed [rad] below which ‖q'‖ is smoothed, so that it has derivatives where a path stands still.
 STANDSTILL = 1e-9
-#: Weight κ of the speed's variance in the descent's objective ∫ h + κ h² / g₀ ds. It selects one of the re-parametrisations
+#: Weight κ of the speed's variance in the descent's integral ∫ h + κ h² / g₀ ds. It selects one of the re-parametrisations
 #: of a curve, and changes g by less than κ times that variance.
 CONSTANCY = 1e-6
 
@@ -41,25 +41,25 @@ class Density:
     hessian: ca.Function
 
 
-def energy_density(objective: PathObjective) -> Density:
+def energy_density(integral: PathIntegral) -> Density:
     """h² = ‖v‖_W² / m^(2p), whose integral over s is the energy E."""
-    metric, g0, power = _metric(objective), ca.SX.sym("g0"), ca.SX.sym("p")
-    q, v, log_index, slope, bend = _symbols(objective.kinematics, ENERGY_REGULARISATION)
-    weight = ca.exp(-2 * power * log_index)
+    metric, g0, power = _metric(integral), ca.SX.sym("g0"), ca.SX.sym("p")
+    q, v, log_m, slope, bend = _symbols(integral.kinematics, ENERGY_REGULARISATION)
+    weight = ca.exp(-2 * power * log_m)
     square = ca.bilin(metric, v, v)
     # derived by hand from w(q) = exp(-2p log m): w' = -2p w ∇log m, w'' = w (4p² ∇log m ∇log mᵀ - 2p ∇²log m)
     gradient = ca.vertcat(-2 * power * weight * square * slope, 2 * weight * metric @ v)
     qq = weight * square * (4 * power**2 * slope @ slope.T - 2 * power * bend)
     qv = -4 * power * weight * slope @ (metric @ v).T
     hessian = _blocks(qq, qv, 2 * weight * metric)
-    return _density(objective, "energy", (q, v, ca.vertcat(g0, power)), weight * square, gradient, hessian)
+    return _density(integral, "energy", (q, v, ca.vertcat(g0, power)), weight * square, gradient, hessian)
 
 
-def length_density(objective: PathObjective) -> Density:
+def length_density(integral: PathIntegral) -> Density:
     """h + κ h² / g₀ with h = ‖v‖_W / m^p: its integral is g plus a small multiple of the energy."""
-    metric, g0, power = _metric(objective), ca.SX.sym("g0"), ca.SX.sym("p")
-    q, v, log_index, slope, bend = _symbols(objective.kinematics, LENGTH_REGULARISATION)
-    weight = ca.exp(-power * log_index)
+    metric, g0, power = _metric(integral), ca.SX.sym("g0"), ca.SX.sym("p")
+    q, v, log_m, slope, bend = _symbols(integral.kinematics, LENGTH_REGULARISATION)
+    weight = ca.exp(-power * log_m)
     speed = ca.sqrt(ca.bilin(metric, v, v) + STANDSTILL**2)
     along = metric @ v / speed
     h = weight * speed
@@ -69,12 +69,12 @@ def length_density(objective: PathObjective) -> Density:
     ddh = _blocks(qq, qv, weight / speed * (metric - along @ along.T))
     first, second = 1 + 2 * CONSTANCY * h / g0, 2 * CONSTANCY / g0
     gradient, hessian = first * dh, first * ddh + second * dh @ dh.T
-    return _density(objective, "length", (q, v, ca.vertcat(g0, power)), h + CONSTANCY * h**2 / g0, gradient, hessian)
+    return _density(integral, "length", (q, v, ca.vertcat(g0, power)), h + CONSTANCY * h**2 / g0, gradient, hessian)
 
 
-def _metric(objective: PathObjective) -> ca.SX:
-    n = objective.kinematics.robot.n
-    return ca.SX.eye(n) if objective.metric is None else ca.sparsify(ca.SX(ca.DM(objective.metric)))
+def _metric(integral: PathIntegral) -> ca.SX:
+    n = integral.kinematics.robot.n
+    return ca.SX.eye(n) if integral.metric is None else ca.sparsify(ca.SX(ca.DM(integral.metric)))
 
 
 def _symbols(kinematics: Kinematics, regularisation: float) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX, ca.SX]:
@@ -85,7 +85,7 @@ def _symbols(kinematics: Kinematics, regularisation: float) -> tuple[ca.SX, ca.S
     if isinstance(measure, Yoshikawa):
         jacobian, motion = steady(kinematics.symbolic.chain, kinematics.task)
         factor = Factor.of(jacobian, regularisation)
-        return q, v, ca.log(factor.index), log_gradient(factor, motion), log_hessian(factor, motion)
+        return q, v, ca.log(factor.manipulability), log_gradient(factor, motion), log_hessian(factor, motion)
     value, slope, bend = measure.value(posture), measure.gradient(posture), measure.hessian(posture)
     # log sqrt(m² + δ²), which is log m except for the smallest values
     square = value**2 + (MEASURE_REGULARISATION * regularisation / ENERGY_REGULARISATION * _usual(kinematics)) ** 2
@@ -105,15 +105,15 @@ def _blocks(qq: ca.SX, qv: ca.SX, vv: ca.SX) -> ca.SX:
 
 
 def _density(
-    objective: PathObjective, name: str, at: tuple[ca.SX, ca.SX, ca.SX], value: ca.SX, gradient: ca.SX, hessian: ca.SX
+    integral: PathIntegral, name: str, at: tuple[ca.SX, ca.SX, ca.SX], value: ca.SX, gradient: ca.SX, hessian: ca.SX
 ) -> Density:
-    """The density, compiled to machine code as `objective.kinematics.compiled` specifies."""
+    """The density, compiled to machine code as `integral.kinematics.compiled` specifies."""
     functions = [
         ca.Function(f"path_{name}", at, [value]),
         ca.Function(f"path_{name}_gradient", at, [ca.densify(gradient)]),
         ca.Function(f"path_{name}_hessian", at, [ca.densify(hessian)]),
     ]
-    kinematics = objective.kinematics
+    kinematics = integral.kinematics
     subject = f"the {name} of paths of {kinematics.robot.name}"
     made = as_asked(functions, kinematics.compiled, subject)
     return Density(value=made[0], gradient=made[1], hessian=made[2])

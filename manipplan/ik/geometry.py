@@ -6,7 +6,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.robots.description import frame_index
+from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 

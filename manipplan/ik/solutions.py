@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance, pose_matrix
+from manipplan.support.display import Pictured, one_line
 from manipplan.symbolic.task import Task
 
 
@@ -25,8 +26,9 @@ class Completeness(StrEnum):
     """Found from many random starts; `SolutionSet.missing` estimates the share that is not found."""
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
-class SolutionSet:
+class SolutionSet(Pictured):
     """Configurations that reach a pose, or one of several; each verified by forward kinematics to 1e-10.
 
     Attributes:
@@ -52,7 +54,7 @@ class SolutionSet:
     def __len__(self) -> int:
         return len(self.q)
 
-    def of(self, pose: int) -> Array:
+    def for_pose(self, pose: int) -> Array:
         """The rows of q that reach the pose with this index, (k, n)."""
         return np.asarray(self.q[self.pose_index == pose])
 

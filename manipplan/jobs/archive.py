@@ -14,12 +14,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from manipplan.collision.scene import Scene
-from manipplan.cost.objective import PathCost
+from manipplan.cost.integral import PathCost
 from manipplan.jobs.check import Report
-from manipplan.jobs.stored import robot_data, robot_of, scene_data, scene_of, stored_array
+from manipplan.jobs.stored import robot_data, robot_of, scene_data, scene_of
 from manipplan.measures.measure import Measure
 from manipplan.measures.stored import measure_data, measure_of
-from manipplan.optimize.certificate import Certificate, LimitApproach
+from manipplan.optimize.certificate import Certificate
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import PATHS, CartesianPath
 from manipplan.paths.deviation import Deviation
@@ -28,10 +28,10 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.search.refine import Refinement
-from manipplan.support.checks import existing_file, instance
+from manipplan.support.checks import existing_file
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_text
-from manipplan.support.json_ready import json_ready
+from manipplan.support.json_data import from_json, json_ready, stored_array
 from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 
@@ -49,7 +49,7 @@ def write_plan(plan: "Plan", file: Path) -> None:
     """Write a plan that has a trajectory. Parts that cannot be written are logged, now and when the file is read."""
     import manipplan
 
-    result = instance("plan.result", plan.result, PathResult)
+    result = plan.result
     folder = file.expanduser().resolve().parent
     figures = ("g", "length", "min_manipulability", "min_at", "status", "seed_cost", "certificate")
     data = {
@@ -91,10 +91,10 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
     try:
         arm = robot_of(path, data["robot"], folder, robot)
         world = scene_of(path, data["scene"], folder, scene)
-        index = measure_of(path, data["measure"], measure)
-        joints = JointPath(**data["path"])
+        restored = measure_of(path, data["measure"], measure)
+        joints = from_json(data["path"], JointPath)
         # a seed that is the path itself remains the same object, by which pictures know that there is only one path
-        seed = joints if data["seed"] == data["path"] else _maybe(data["seed"], lambda each: JointPath(**each))
+        seed = joints if data["seed"] == data["path"] else from_json(data["seed"], JointPath)
         numbers = data["result"]
         result = PathResult(
             path=joints,
@@ -104,13 +104,13 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
             min_manipulability=float(numbers["min_manipulability"]),
             min_at=float(numbers["min_at"]),
             power=float(data["power"]),
-            task=_task(data["task"]),
-            measure=index,
+            task=from_json(data["task"], Task),
+            measure=restored,
             metric=_maybe(data["metric"], stored_array),
-            seed_cost=_numbers(PathCost, numbers["seed_cost"]),
+            seed_cost=from_json(numbers["seed_cost"], PathCost),
             history=(),
             status=Status[numbers["status"]],
-            certificate=_maybe(numbers["certificate"], _certificate),
+            certificate=from_json(numbers["certificate"], Certificate),
         )
         return Plan(
             robot=arm,
@@ -118,13 +118,13 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
             status=Status[data["status"]],
             message=str(data["message"]),
             path=joints,
-            trajectory=Trajectory(**data["trajectory"]),
-            report=Report.from_data(data["report"]),
+            trajectory=from_json(data["trajectory"], Trajectory),
+            report=from_json(data["report"], Report),
             result=result,
             workspace_path=_maybe(data["workspace_path"], _workspace),
-            tolerance=_maybe(data["tolerance"], lambda each: Tolerance(**each)),
-            refinement=_maybe(data["refinement"], _refinement),
-            deviation=_maybe(data["deviation"], lambda each: _numbers(Deviation, each)),
+            tolerance=_maybe(data["tolerance"], lambda each: from_json(each, Tolerance)),
+            refinement=_maybe(data["refinement"], lambda each: from_json(each, Refinement)),
+            deviation=_maybe(data["deviation"], lambda each: from_json(each, Deviation)),
         )
     except FileFormatError:
         raise
@@ -156,31 +156,6 @@ def _workspace(data: Mapping[str, Any]) -> CartesianPath | None:
         key: stored_array(value) if isinstance(value, list) else value for key, value in data.items() if key != "kind"
     }
     return PATHS[data["kind"]](**values)
-
-
-def _task(data: Mapping[str, Any]) -> Task:
-    rows = {key: tuple(tuple(map(float, row)) for row in data[key]) for key in ("world_rows", "tool_rows")}
-    return Task(name=data["name"], length=float(data["length"]), **rows)
-
-
-def _certificate(data: Mapping[str, Any]) -> Certificate:
-    texts = {"status", "solver", "measure", "unit", "nearest_pair", "limits"}
-    values: dict[str, Any] = {key: value if key in texts else float(value) for key, value in data.items()}
-    values["status"] = Status[data["status"]]
-    values["nearest_pair"] = tuple(data["nearest_pair"])
-    values["limits"] = tuple(LimitApproach(**each) for each in data["limits"])
-    return Certificate(**values)
-
-
-def _refinement(data: Mapping[str, Any]) -> Refinement:
-    values: dict[str, Any] = {
-        key: stored_array(value) if isinstance(value, list) else float(value) for key, value in data.items()
-    }
-    return Refinement(**{**values, "history": tuple(map(float, data["history"]))})
-
-
-def _numbers(kind: Callable[..., Any], data: Mapping[str, Any]) -> Any:
-    return kind(**{key: float(value) for key, value in data.items()})
 
 
 def _maybe(data: Any, build: Callable[[Any], Any]) -> Any:

@@ -2,24 +2,25 @@
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
-from manipplan.cost.objective import PathCost, PathObjective
+from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.seeds.ompl import CHECK_STEP
 from manipplan.support.checks import Array, existing_file
+from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError
 from manipplan.support.files import write_text
-from manipplan.support.json_ready import json_ready
+from manipplan.support.json_data import from_json, json_ready
 from manipplan.support.status import RECORDED, Status
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 
@@ -35,12 +36,13 @@ VANISHING = 1e-12
 PLACES = 400
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True)
 class Report:
     """Figures of a finished trajectory. Lengths are in radians or metres of joint space, times in seconds.
 
     Attributes:
-        robot, tool, task, measure, index_unit, power: what was planned for; the measure, its unit and its exponent.
+        robot, tool, task, measure, measure_unit, power: what was planned for; the measure, its unit and its exponent.
         status: text of the Status.
         duration: of the trajectory [s].
         g, seed_g: ∫ ‖q'‖ / m^power ds along the trajectory and along the seed.
@@ -63,7 +65,7 @@ class Report:
     tool: str
     task: str
     measure: str
-    index_unit: str
+    measure_unit: str
     power: float
     status: str
     duration: float
@@ -104,11 +106,11 @@ class Report:
         """
         robot = model.robot
         kinematics = robot.kinematics(result.task, measure=result.measure)
-        objective = PathObjective(kinematics=kinematics, power=result.power, metric=result.metric)
+        integral = PathIntegral(kinematics=kinematics, power=result.power, metric=result.metric)
         path = trajectory.path()
-        cost = objective.cost(path)
+        cost = integral.cost(path)
         line = JointPath.line(path.start, path.goal) if np.linalg.norm(path.goal - path.start) >= SHORTEST else None
-        straight = objective.cost(line) if line is not None else _standing(path, objective)
+        straight = integral.cost(line) if line is not None else _standing(path, integral)
         use = dict(limit_use(trajectory, robot.limits))
         if jerk and np.isfinite(robot.limits.jerk).any():
             use["jerk"] = jerk_use(trajectory, robot.limits)
@@ -130,7 +132,7 @@ class Report:
             tool=robot.tool,
             task=result.task.name,
             measure=result.measure.name,
-            index_unit=result.measure.unit(result.task),
+            measure_unit=result.measure.unit(result.task),
             power=result.power,
             status=result.status.value,
             duration=trajectory.duration,
@@ -155,7 +157,7 @@ class Report:
         )
 
     def __str__(self) -> str:
-        unit = f" {self.index_unit}" if self.index_unit != "1" else ""
+        unit = f" {self.measure_unit}" if self.measure_unit != "1" else ""
         first = _first_path(self.status)
         lines = [
             f"{self.robot}, tool {self.tool}, task {self.task}: {self._verdict()}",
@@ -202,40 +204,19 @@ class Report:
         write_text(file, json.dumps(json_ready(self), indent=1, allow_nan=False) + "\n")
 
     @classmethod
-    def from_data(cls, data: Mapping[str, Any]) -> "Report":
-        """The report from its JSON data; raises KeyError, TypeError or ValueError for other data."""
-        uses = {kind: _record(LimitUse, use) for kind, use in data["limits"].items()}
-        pair = tuple(data["nearest_pair"])
-        if not all(isinstance(name, str) for name in pair):
-            raise TypeError(f"nearest_pair is {pair}")
-        return _record(cls, {**data, "limits": uses, "nearest_pair": pair})
-
-    @classmethod
     def from_json(cls, file: str | Path) -> "Report":
         """Read what `to_json` wrote; raises FileFormatError for another file."""
         path = existing_file("file", file)
         try:
-            return cls.from_data(json.loads(path.read_text()))
+            return from_json(json.loads(path.read_text()), cls)
         except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError, OSError) as error:
             raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
 
 
-def _record(kind: type[T], data: Mapping[str, Any]) -> T:
-    """`kind(**data)` with checked types of strings, numbers and booleans; a number may be the string "inf", "-inf" or "nan"."""
-    values = dict(data)
-    for each in fields(kind):  # type: ignore[arg-type]  # a dataclass
-        value = data[each.name]
-        if each.type is float and (value in ("inf", "-inf", "nan") or type(value) is int):
-            value = values[each.name] = float(value)
-        if each.type in (str, bool, float) and type(value) is not each.type:
-            raise TypeError(f"{each.name} is {value!r}")
-    return kind(**values)
-
-
-def _standing(path: JointPath, objective: PathObjective) -> PathCost:
+def _standing(path: JointPath, integral: PathIntegral) -> PathCost:
     """The cost of standing still at the start, the straight line of a path that returns there."""
-    index = float(objective.kinematics.manipulability(path.start))
-    return PathCost(g=0.0, length=0.0, min_manipulability=index, at=0.0)
+    m = float(integral.kinematics.manipulability(path.start))
+    return PathCost(g=0.0, length=0.0, min_manipulability=m, at=0.0)
 
 
 def _unit_of(joint: str, robot: Robot) -> str:

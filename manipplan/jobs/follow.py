@@ -3,14 +3,17 @@
 from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import replace
+from typing import Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
-from manipplan.cost.objective import PathObjective
-from manipplan.jobs.result import Plan, failed, finish
+from manipplan.cost.integral import PathIntegral
+from manipplan.cost.metric import metric_matrix
+from manipplan.cost.objective import PathObjective, check_measure
+from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
 from manipplan.optimize.result import PathResult, make_result
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation, deviation_at, deviation_from
@@ -42,17 +45,59 @@ SPARE = 0.003
 TIMES = 1500
 
 
+@overload
+def follow(
+    robot: Robot,
+    path: CartesianPath,
+    scene: Scene | None = ...,
+    *,
+    positions: int = ...,
+    objective: PathObjective = ...,
+    epsilon: ArrayLike = ...,
+    samples: int | Sequence[int] | None = ...,
+    tolerance: Tolerance | None = ...,
+    clearance: float = ...,
+    closed: bool = ...,
+    torque: bool = ...,
+    executor: Executor | None = ...,
+    seed: int = ...,
+    throw: Literal[True] = True,
+    progress: Progress | None = ...,
+) -> Plan: ...
+
+
+@overload
+def follow(
+    robot: Robot,
+    path: CartesianPath,
+    scene: Scene | None = ...,
+    *,
+    positions: int = ...,
+    objective: PathObjective = ...,
+    epsilon: ArrayLike = ...,
+    samples: int | Sequence[int] | None = ...,
+    tolerance: Tolerance | None = ...,
+    clearance: float = ...,
+    closed: bool = ...,
+    torque: bool = ...,
+    executor: Executor | None = ...,
+    seed: int = ...,
+    throw: bool,
+    progress: Progress | None = ...,
+) -> Plan | PartialPlan: ...
+
+
 @interruptible()
 def follow(
     robot: Robot,
     path: CartesianPath,
-    n: int = 50,
+    scene: Scene | None = None,
     *,
+    positions: int = 50,
+    objective: PathObjective = PathObjective(),  # noqa: B008  # a frozen value
     epsilon: ArrayLike = 0.2,
-    task: Task | None = None,
     samples: int | Sequence[int] | None = None,
     tolerance: Tolerance | None = None,
-    scene: Scene | None = None,
     clearance: float = 0.0,
     closed: bool = False,
     torque: bool = False,
@@ -60,28 +105,29 @@ def follow(
     seed: int = 0,
     throw: bool = True,
     progress: Progress | None = None,
-) -> Plan:
+) -> Plan | PartialPlan:
     """Plan the motion along a workspace path with the largest minimum manipulability, timed and checked.
 
-    All configurations at n positions are searched for the best continuous path, which is refined between the samples, joined
-    by a spline that stays on the workspace path, timed, and checked independently.
+    All configurations at a number of positions are searched for the best continuous path. It is refined between the samples,
+    joined by a spline that stays on the workspace path, timed, and checked independently.
 
     Args:
         robot: the arm.
         path: workspace path of the tool.
-        n: number of positions at which configurations are enumerated.
+        scene: obstacles; None: none. The arm is always checked against itself.
+        positions: number of positions at which configurations are enumerated.
+        objective: its task, Task.pose() by default or Task.pointing(axis), and its measure define the manipulability whose
+            minimum is maximised; power and metric only count in the g that is reported.
         epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,).
-        task: Task.pose(), the default, or Task.pointing(axis); see `sample_layers`.
         samples: number of grid points of the redundancy; see `sample_layers`.
         tolerance: maximum deviation of the tool from the path. Default: 0.1 mm and 1 mrad between the positions, which are
             met exactly; a tolerance that gives only one of the two has the default for the other.
-        scene: obstacles; None: none. The arm is always checked against itself.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         closed: the path returns to its start, and the motion to its first configuration.
         torque: keep the joints' effort limits as well.
         executor: runs the sampling of positions; see `sample_layers`.
         seed: of random starts, for arms without closed-form inverse kinematics.
-        throw: raise PlanningError if no motion is found; False: return a Plan whose status says why.
+        throw: raise PlanningError if no motion is found; False: return a PartialPlan, or a Plan with Status.CHECK_FAILED.
         progress: called with the fraction done in [0, 1] and a text.
 
     Raises:
@@ -90,6 +136,10 @@ def follow(
     """
     instance("robot", robot, Robot)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
+    instance("objective", objective, PathObjective)
+    metric_matrix("metric", objective.metric, robot.n)
+    if objective.measure is not None:
+        check_measure(robot.kinematics(objective.task or Task.pose(), measure=objective.measure))
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
     for name, value in (("torque", torque), ("throw", throw)):
@@ -101,8 +151,9 @@ def follow(
     layers = sample_layers(
         robot,
         path,
-        n,
-        task=task,
+        positions,
+        task=objective.task,
+        measure=objective.measure,
         samples=samples,
         scene=scene,
         clearance=clearance + SPARE,
@@ -112,7 +163,7 @@ def follow(
         progress=part(tell, 0.0, 0.5),
     )
     allowed = _allowed(tolerance)
-    draft = Plan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=allowed)
+    draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=allowed)
     found = max_min_search(layers, epsilon, throw=False, progress=part(tell, 0.5, 0.6))
     draft = replace(draft, search=found)
     if not found.connected:
@@ -121,12 +172,11 @@ def follow(
     refined = refine(layers, found, tolerance=inner, progress=part(tell, 0.6, 0.9))
     tell(0.9, "joining the positions")
     world = scene.collision_model(robot)
-    joints, result, axis = _joined(path, layers, found, refined, tolerance, world, clearance)
+    joints, result, axis = _joined(path, layers, found, refined, objective, tolerance, world, clearance)
     draft = replace(draft, status=Status.FOLLOWED, refinement=refined, path=joints, result=result)
     tell(0.95, "timing the motion")
     try:
-        model = robot.model if torque else None
-        trajectory = retime(joints, robot.limits, joint_names=robot.joint_names, torque_model=model)
+        trajectory = retime(joints, robot, torque=torque)
     except PlanningError as error:
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     tell(0.97, "checking the result")
@@ -134,11 +184,12 @@ def follow(
     pose, s = robot.kinematics(result.task).pose, np.linspace(0.0, 1.0, TIMES)
     deviation = deviation_from(path, pose(motion), axis)
     draft = replace(draft, deviation=deviation)
-    made = finish(draft, trajectory, result, world, joints.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
+    made = finish(
+        draft, joints, trajectory, result, world, joints.goal, clearance=clearance, torque=torque, jerk=True, throw=throw
+    )
     excess = _excess(deviation, allowed, "time") or _excess(deviation_at(path, s, pose(joints(s)), axis), allowed, "path")
-    if excess and made.report is not None and made.status is Status.FOLLOWED:
-        report = replace(made.report, status=Status.CHECK_FAILED.value, passed=False)
-        return failed(replace(made, status=Status.CHECK_FAILED, report=report), throw, excess)
+    if excess and made.status is Status.FOLLOWED:
+        return check_failed(made, throw, excess)
     tell(1.0, "done")
     return made
 
@@ -148,6 +199,7 @@ def _joined(
     layers: Layers,
     found: SearchResult,
     refined: Refinement,
+    objective: PathObjective,
     tolerance: Tolerance | None,
     model: CollisionModel,
     clearance: float,
@@ -173,13 +225,14 @@ def _joined(
         if layers.closed:
             s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
         paths.append(joint_path(solver, rows, path, s, q, closed=layers.closed, allowed=allowed, tube=inside))
-    objective = PathObjective(kinematics=kinematics, power=1.0)
+    metric = metric_matrix("metric", objective.metric, kinematics.robot.n)
+    integral = PathIntegral(kinematics=kinematics, power=objective.power, metric=metric)
     result = make_result(
         paths[0],
-        objective,
-        cost=objective.cost(paths[0]),
+        integral,
+        cost=integral.cost(paths[0]),
         seed=paths[1],
-        seed_cost=objective.cost(paths[1]),
+        seed_cost=integral.cost(paths[1]),
         model=model,
         clearance=clearance,
         status=Status.FOLLOWED,

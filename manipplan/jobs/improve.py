@@ -2,12 +2,13 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Literal, overload
 
 import numpy as np
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.result import Plan, failed, finish
+from manipplan.jobs.result import PartialPlan, Plan, failed, finish
 from manipplan.optimize.result import make_result
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Stiffness, StiffnessProfile, Tolerance
@@ -18,7 +19,6 @@ from manipplan.support.errors import InvalidInputError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.progress import Progress, teller
 from manipplan.support.status import Status
-from manipplan.symbolic.task import Task
 from manipplan.timing.retime import retime
 from manipplan.timing.verify import limit_use
 from manipplan.tracking.avoidance import Avoidance
@@ -27,22 +27,58 @@ from manipplan.tracking.formulations import Formulation, LogDrive
 from manipplan.tracking.track import HOLD, along, follow_poses, step_count
 
 
+@overload
+def improve(
+    robot: Robot,
+    recorded: Trajectory | JointPath | str | Path,
+    scene: Scene | None = ...,
+    *,
+    formulation: Formulation | None = ...,
+    objective: PathObjective = ...,
+    dt: float = ...,
+    duration: float | None = ...,
+    tolerance: Tolerance | None = ...,
+    stiffness: Stiffness | None = ...,
+    avoidance: Avoidance | None = ...,
+    throw: Literal[True] = True,
+    progress: Progress | None = ...,
+) -> Plan: ...
+
+
+@overload
+def improve(
+    robot: Robot,
+    recorded: Trajectory | JointPath | str | Path,
+    scene: Scene | None = ...,
+    *,
+    formulation: Formulation | None = ...,
+    objective: PathObjective = ...,
+    dt: float = ...,
+    duration: float | None = ...,
+    tolerance: Tolerance | None = ...,
+    stiffness: Stiffness | None = ...,
+    avoidance: Avoidance | None = ...,
+    throw: bool,
+    progress: Progress | None = ...,
+) -> Plan | PartialPlan: ...
+
+
 @interruptible()
 def improve(
     robot: Robot,
     recorded: Trajectory | JointPath | str | Path,
-    formulation: Formulation | None = None,
+    scene: Scene | None = None,
     *,
+    formulation: Formulation | None = None,
+    objective: PathObjective = PathObjective(),  # noqa: B008  # a frozen value
     dt: float = 0.01,
     duration: float | None = None,
     tolerance: Tolerance | None = Tolerance(position=0.02, rotation=0.2),  # noqa: B008  # a frozen value
     stiffness: Stiffness | None = None,
-    task: Task | None = None,
-    scene: Scene | None = None,
     avoidance: Avoidance | None = None,
     throw: bool = True,
     progress: Progress | None = None,
-) -> Plan:
+) -> Plan | PartialPlan:
     """Repeat a recorded or planned joint motion with higher manipulability, from its first to its last pose.
 
     The tool follows the recorded poses inside a tube, each at its time, while the formulation raises manipulability; the
@@ -52,15 +88,16 @@ def improve(
         robot: the arm.
         recorded: a Trajectory, the file of one (see `Trajectory.from_csv`), or a JointPath, which is timed by `retime`. A
             recording that exceeds the robot's limits is slowed down until it keeps them.
-        formulation: Objective, Equality or LogDrive; default LogDrive().
+        scene: obstacles to check against, and to avoid if `avoidance` is not given.
+        formulation: Objective, Equality or LogDrive of `manipplan.formulations`; default LogDrive().
+        objective: its task is tracked, default `robot.default_task`; its measure is raised; power and metric only count in
+            the g that is reported.
         dt: time step [s].
         duration: new duration of the recording, slower or faster [s].
         tolerance: maximum deviation of the tool from the recorded poses; None: limited only by the stiffness.
         stiffness: of the poses: a number, or a function of the share of the time. Default StiffnessProfile().
-        task: task that is tracked, and whose manipulability counts; default `robot.default_task`.
-        scene: obstacles to check against, and to avoid if `avoidance` is not given.
         avoidance: collision avoidance on the way.
-        throw: raise PlanningError if no motion is found; False: return a Plan whose status says why.
+        throw: raise PlanningError if no motion is found; False: return a PartialPlan, or a Plan with Status.CHECK_FAILED.
         progress: called with the fraction done in [0, 1] and a text.
 
     Raises:
@@ -69,14 +106,23 @@ def improve(
     """
     instance("robot", robot, Robot)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
+    instance("objective", objective, PathObjective)
     tell = teller(progress)
     motion = _timed(robot, recorded, duration)
     if avoidance is None and scene.obstacles:
         avoidance = Avoidance(scene=scene)
     controller = Controller(
-        robot, formulation or LogDrive(), dt, task=task, tolerance=tolerance, avoidance=avoidance, stiffness=HOLD
+        robot,
+        formulation or LogDrive(),
+        dt=dt,
+        task=objective.task,
+        measure=objective.measure,
+        tolerance=tolerance,
+        avoidance=avoidance,
+        stiffness=HOLD,
     )
-    kinematics = robot.kinematics(controller.task)
+    integral = replace(objective, task=controller.task).integral(robot)
+    kinematics = integral.kinematics
     model = scene.collision_model(robot)
     tell(0.1, "following the recorded motion")
     steps = step_count(float(np.round(motion.duration / dt)))
@@ -92,15 +138,14 @@ def improve(
         (lambda _: tolerance) if tolerance is not None else None,
     )
     path, seed = tracking.trajectory().path(), motion.path()
-    objective = PathObjective(kinematics=kinematics, power=1.0)
-    cost, recorded_cost = objective.cost(path), objective.cost(seed)
+    cost, recorded_cost = integral.cost(path), integral.cost(seed)
     higher = cost.min_manipulability > recorded_cost.min_manipulability or (
         tracking.manipulability.mean() > kinematics.manipulability(seed(u)).mean()
     )
     status = Status.IMPROVED if higher else Status.NOT_BETTER
     result = make_result(
         path if higher else seed,
-        objective,
+        integral,
         cost=cost if higher else recorded_cost,
         seed=seed,
         seed_cost=recorded_cost,
@@ -108,7 +153,7 @@ def improve(
         clearance=0.0,
         status=status,
     )
-    draft = Plan(
+    draft = PartialPlan(
         robot=robot,
         scene=scene,
         status=status,
@@ -118,10 +163,12 @@ def improve(
         tolerance=tolerance,
     )
     if higher and not tracking.status.ok:
-        return failed(replace(draft, status=Status.NOT_FOLLOWED), throw, f"{tracking.status.value}: {tracking.message}")
+        return failed(replace(draft, status=Status.NOT_FOLLOWED), throw, f"{Status.NOT_FOLLOWED.value} ({tracking.message})")
     tell(0.8, "checking the result")
     trajectory = tracking.trajectory() if higher else motion
-    made = finish(draft, trajectory, result, model, trajectory.q[-1], clearance=0.0, torque=False, jerk=False, throw=throw)
+    made = finish(
+        draft, result.path, trajectory, result, model, trajectory.q[-1], clearance=0.0, torque=False, jerk=False, throw=throw
+    )
     tell(1.0, "done")
     return made
 
@@ -131,7 +178,7 @@ def _timed(robot: Robot, recorded: Trajectory | JointPath | str | Path, duration
     if isinstance(recorded, str | Path):
         recorded = Trajectory.from_csv(recorded)
     if isinstance(recorded, JointPath):
-        recorded = retime(recorded, robot.limits, joint_names=robot.joint_names)
+        recorded = retime(recorded, robot)
     motion = instance("recorded", recorded, Trajectory)
     if motion.joint_names != robot.joint_names:
         raise InvalidInputError("recorded", motion.joint_names, f"the joints of {robot.name}: {', '.join(robot.joint_names)}")

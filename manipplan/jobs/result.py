@@ -1,8 +1,8 @@
-"""Plan: the result of every job, and the check that every job runs."""
+"""Plan and PartialPlan: the results of all jobs, and the check that every job runs."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
@@ -18,6 +18,7 @@ from manipplan.robots.robot import Robot
 from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement
 from manipplan.support.checks import Array
+from manipplan.support.display import Pictured, one_line
 from manipplan.support.errors import PlanningError
 from manipplan.support.files import writable_folder, write_text
 from manipplan.support.status import Status
@@ -26,10 +27,13 @@ from manipplan.tracking.track import Tracking
 if TYPE_CHECKING:
     from manipplan.viz.viewer import PlanViewer
 
+Given = TypeVar("Given", bound="PartialPlan")
 
+
+@one_line
 @dataclass(frozen=True, kw_only=True)
-class Plan:
-    """A finished plan. If the status is a failure, missing parts are None and `message` says why.
+class PartialPlan(Pictured):
+    """What a job returns with throw=False when it ends before there is a trajectory: missing parts are None.
 
     Attributes:
         robot, scene: what was planned for.
@@ -72,22 +76,21 @@ class Plan:
         from manipplan.jobs import archive
         from manipplan.viz import save_plan
 
-        if self.trajectory is None or self.report is None:
-            raise PlanningError(f"there is no trajectory to save: {self.status.value}", self)
+        plan = self._complete("save")
         to = writable_folder("folder", folder)
-        archive.write_plan(self, to / archive.NAME)
-        self.trajectory.to_csv(to / "trajectory.csv")
-        self.trajectory.to_json(to / "trajectory.json")
-        self.trajectory.to_ros(to / "trajectory.yaml")
-        self.report.to_json(to / "report.json")
-        write_text(to / "report.txt", f"{self.report}\n")
-        save_plan(self, to / "plan.png")  # last: the data are on disk even if the picture fails
+        archive.write_plan(plan, to / archive.NAME)
+        plan.trajectory.to_csv(to / "trajectory.csv")
+        plan.trajectory.to_json(to / "trajectory.json")
+        plan.trajectory.to_ros(to / "trajectory.yaml")
+        plan.report.to_json(to / "report.json")
+        write_text(to / "report.txt", f"{plan.report}\n")
+        save_plan(plan, to / "plan.png")  # last: the data are on disk even if the picture fails
         names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png", archive.NAME)
         return [to / name for name in names]
 
-    @classmethod
+    @staticmethod
     def load(
-        cls, file: str | Path, *, robot: Robot | None = None, scene: Scene | None = None, measure: Measure | None = None
+        file: str | Path, *, robot: Robot | None = None, scene: Scene | None = None, measure: Measure | None = None
     ) -> "Plan":
         """Read a plan that `save` wrote, to show it, to check it or to save it again: all numbers are the same.
 
@@ -114,17 +117,38 @@ class Plan:
         """Show the motion in the browser; see `manipplan.viz.viewer.show`. In a script: `plan.show().wait()`."""
         from manipplan.viz.viewer import show
 
-        return show(self, port=port, host=host, open_browser=open_browser)
+        return show(self._complete("show"), port=port, host=host, open_browser=open_browser)
 
     def record(self, file: str | Path) -> Path:
         """Write the motion as an HTML file that plays in any browser; see `manipplan.viz.viewer.record`."""
         from manipplan.viz.viewer import record
 
-        return record(self, file)
+        return record(self._complete("record"), file)
+
+    def _complete(self, work: str) -> "Plan":
+        if not isinstance(self, Plan):
+            raise PlanningError(f"there is no trajectory to {work}: {self.message or self.status.value}", self)
+        return self
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True)
+class Plan(PartialPlan):
+    """A motion with its path, its trajectory and its report; `status` tells whether the request was met.
+
+    Attributes: those of PartialPlan, where `path`, `trajectory`, `report` and `result` are never None. With throw=False the
+    status may be Status.CHECK_FAILED: then the report says which check did not pass.
+    """
+
+    path: JointPath = field()
+    trajectory: Trajectory = field()
+    report: Report = field()
+    result: PathResult = field()
 
 
 def finish(
-    draft: Plan,
+    draft: PartialPlan,
+    path: JointPath,
     trajectory: Trajectory,
     result: PathResult,
     model: CollisionModel,
@@ -135,16 +159,20 @@ def finish(
     jerk: bool,
     throw: bool,
 ) -> Plan:
-    """The plan with its report; a failed plan if the report does not pass."""
+    """The plan with its report; its status is CHECK_FAILED if the report does not pass."""
     report = Report.of(trajectory, result, model, goal, clearance=clearance, torque=torque, jerk=jerk)
-    finished = replace(draft, trajectory=trajectory, report=report)
-    if report.passed:
-        return finished
-    report = replace(report, status=Status.CHECK_FAILED.value)
-    return failed(replace(finished, status=Status.CHECK_FAILED, report=report), throw, str(report))
+    parts = {each.name: getattr(draft, each.name) for each in fields(draft)}
+    plan = Plan(**parts | {"path": path, "trajectory": trajectory, "result": result, "report": report})
+    return plan if report.passed else check_failed(plan, throw, str(report))
 
 
-def failed(plan: Plan, throw: bool, message: str) -> Plan:
+def check_failed(plan: Plan, throw: bool, message: str) -> Plan:
+    """The plan with Status.CHECK_FAILED, returned or raised."""
+    report = replace(plan.report, status=Status.CHECK_FAILED.value, passed=False)
+    return failed(replace(plan, status=Status.CHECK_FAILED, report=report), throw, message)
+
+
+def failed(plan: Given, throw: bool, message: str) -> Given:
     """The plan with its message, returned or raised."""
     without = replace(plan, message=message)
     if throw:

@@ -10,13 +10,14 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.scene import Scene
-from manipplan.robots.description import frame_index
 from manipplan.robots.limits import JointLimits
+from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.robots.source import FILES, FOLDERS, RobotSource
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError
 from manipplan.support.files import absolute_and_relative, found_again
+from manipplan.support.json_data import from_json, stored_array
 
 log = logging.getLogger("manipplan")
 
@@ -89,8 +90,7 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
             }
             file = found_again(source["file"], folder) if source["file"] is not None else None
             arm = RobotSource(kind=source["kind"], name=source["name"], file=file, options=options).load()
-            sources = dict(data["limits"]["sources"])
-            limits = JointLimits(**{kind: stored_array(data["limits"][kind]) for kind in LIMITS}, sources=sources)
+            limits = from_json(data["limits"], JointLimits)
             if limits.n == arm.n:  # otherwise it is another arm, which raises below
                 arm = replace(arm, limits=limits, neutral=stored_array(data["neutral"]))
         except MissingExtraError:
@@ -144,13 +144,6 @@ def scene_of(path: Path, data: Any, folder: Path, given: Scene | None) -> Scene:
     except InvalidInputError as error:
         wanted = f"a result whose scene can be built again ({error}); put its meshes back, or give scene="
         raise FileFormatError("file", str(path), wanted) from error
-
-
-def stored_array(data: Any) -> Array:
-    """Numbers of a file, possibly with the strings "inf" and "nan", as a read-only array."""
-    array = np.array(data, dtype=float)
-    array.flags.writeable = False
-    return array
 
 
 def _option(key: str, value: Any, change: Callable[[Any], Any]) -> Any:

@@ -1,6 +1,5 @@
 """Kinematics: pose, Jacobian, a measure of manipulability and its derivatives for one arm and one task."""
 
-import functools
 import math
 import threading
 from collections.abc import Callable
@@ -13,13 +12,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.kinematics import jit, simd
-from manipplan.kinematics.batch import Kernel, run_kernel, simd_kernel
+from manipplan.kinematics.batch import Kernel, all_cores, run_kernel, simd_kernel
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.instructions import expressible
 from manipplan.kinematics.view import View
 from manipplan.measures.measure import Measure, Posture
-from manipplan.support.checks import Array, configurations
+from manipplan.measures.names import measure_of
+from manipplan.support.checks import Array, configurations, instance, whole_number
+from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNameError
+from manipplan.support.memo import once_per_owner
+from manipplan.symbolic.backends import chain_of
 from manipplan.symbolic.chain import SymbolicChain
 from manipplan.symbolic.machine_code import compiled, do_without, wants_machine_code
 from manipplan.symbolic.motion import TaskMotion
@@ -119,6 +122,7 @@ class SymbolicKinematics:
         return self._expressions[quantity]
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Kinematics:
     """Kinematics of `robot` for `task`; created by `Robot.kinematics`.
@@ -154,8 +158,7 @@ class Kinematics:
         object.__setattr__(self, "symbolic", symbolic)
 
     def __reduce__(self) -> tuple[object, ...]:
-        again = functools.partial(type(self.robot).kinematics, measure=self.measure, threads=self.threads)
-        return again, (self.robot, self.task, self.backend, self.compiled)
+        return kinematics_of, (self.robot, self.task, self.measure, self.backend, self.compiled, self.threads)
 
     def pose(self, q: ArrayLike) -> Array:
         """T_world_tool, (..., 4, 4)."""
@@ -256,3 +259,35 @@ class Kinematics:
         rows, columns = (*shape, 1, 1)[:2]
         out = out.reshape(rows, len(batch), columns).transpose(1, 0, 2)
         return np.array(out.reshape((*q.shape[:-1], *shape)))
+
+
+def kinematics_of(
+    robot: "Robot",
+    task: Task | None,
+    measure: Measure | str | None,
+    backend: str,
+    compiled: bool | str,
+    threads: int | None,
+) -> Kinematics:
+    """The kinematics of a robot, built once for each set of arguments; see `Robot.kinematics`."""
+    task = instance("task", task if task is not None else robot.default_task, Task)
+    chosen = measure_of(measure)
+    if not (isinstance(compiled, bool) or (isinstance(compiled, str) and compiled == "auto")):
+        raise InvalidInputError("compiled", compiled, "'auto', True or False")
+    threads = all_cores() if threads is None else whole_number("threads", threads, least=1)
+    if not isinstance(backend, str):
+        raise InvalidInputError("backend", backend, "the name of a backend")
+    return _kinematics(robot, task, chosen, backend, compiled, threads)
+
+
+@once_per_owner
+def _kinematics(robot: "Robot", task: Task, measure: Measure, backend: str, compiled: bool | str, threads: int) -> Kinematics:
+    return Kinematics(
+        robot=robot,
+        task=task,
+        measure=measure,
+        compiled=compiled,
+        threads=threads,
+        backend=backend,
+        chain=chain_of(robot, backend),
+    )

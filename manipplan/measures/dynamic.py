@@ -5,11 +5,11 @@ from typing import ClassVar
 
 import casadi as ca
 
-from manipplan.measures.indices import REGULARISATION, yoshikawa
+from manipplan.measures.manipulability import REGULARISATION, yoshikawa
 from manipplan.measures.measure import Measure, Posture, product_unit
 from manipplan.measures.spectral import SingularValues, ratio_gradient, ratio_hessian
 from manipplan.support.checks import number
-from manipplan.symbolic.derivatives import index_gradient, index_hessian
+from manipplan.symbolic.derivatives import manipulability_gradient, manipulability_hessian
 from manipplan.symbolic.motion import MatrixMotion
 from manipplan.symbolic.task import Task
 
@@ -37,10 +37,10 @@ class DynamicManipulability(Measure):
         return yoshikawa(_accelerations(posture))
 
     def gradient(self, posture: Posture) -> ca.SX:
-        return index_gradient(*_moving(_accelerations(posture), posture), self.regularisation)
+        return manipulability_gradient(*_moving(_accelerations(posture), posture), self.regularisation)
 
     def hessian(self, posture: Posture) -> ca.SX:
-        return index_hessian(*_moving(_accelerations(posture), posture), self.regularisation)
+        return manipulability_hessian(*_moving(_accelerations(posture), posture), self.regularisation)
 
 
 @dataclass(frozen=True, kw_only=True)

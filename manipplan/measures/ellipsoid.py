@@ -7,9 +7,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.support.checks import Array, finite_array
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True)
 class Ellipsoid:
     """{Σ_i x_i radii_i axes_i : ‖x‖ <= 1}.

@@ -6,7 +6,7 @@ from typing import ClassVar
 import casadi as ca
 import numpy as np
 
-from manipplan.measures.indices import Yoshikawa
+from manipplan.measures.manipulability import Yoshikawa
 from manipplan.measures.measure import Measure, Posture
 from manipplan.support.checks import number
 from manipplan.support.errors import InvalidInputError

@@ -10,11 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.support.checks import Array, number_array
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.motion import Motion
 from manipplan.symbolic.task import Task
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True)
 class Posture:
     """The symbolic quantities that a measure may depend on.

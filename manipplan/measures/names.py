@@ -1,8 +1,8 @@
 """The measures by name."""
 
 from manipplan.measures.dynamic import Asada, DynamicManipulability
-from manipplan.measures.indices import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
 from manipplan.measures.limited import JointLimitPenalised
+from manipplan.measures.manipulability import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
 from manipplan.measures.measure import Measure
 from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
 from manipplan.measures.transmission import ForceTransmission, VelocityTransmission

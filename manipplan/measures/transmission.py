@@ -7,7 +7,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.measures.indices import REGULARISATION
+from manipplan.measures.manipulability import REGULARISATION
 from manipplan.measures.measure import JacobianMeasure, row_unit
 from manipplan.support.checks import finite_array, number
 from manipplan.support.errors import InvalidInputError

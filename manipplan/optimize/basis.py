@@ -13,13 +13,19 @@ from functools import cached_property
 import numpy as np
 from numpy.polynomial import Chebyshev, Legendre, Polynomial
 from numpy.polynomial.legendre import legvander
+from numpy.typing import ArrayLike
 
 from manipplan.paths.joint import JointPath, bernstein, split
 from manipplan.paths.rounding import FIXED, gauss_rule, on_grid, product
-from manipplan.support.checks import Array, whole_number
+from manipplan.support.checks import Array, finite_array, whole_number
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 Function = Legendre | Chebyshev | Polynomial
+#: Maximum degree: a higher one is slower and no better.
+MOST_DEGREE = 20
+#: Maximum number of coefficients per joint: time and memory of a solve grow with its square.
+MOST_COEFFICIENTS = 200
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -311,3 +317,52 @@ def orthonormal(basis: Basis) -> Array:
     """The matrix (size, size) of coefficients whose functions ψ have ∫ ψ_i' ψ_j' ds = 1 for i = j, else 0."""
     s, weights = basis.gauss(basis.degree)
     return np.asarray(np.linalg.inv(np.linalg.qr(np.sqrt(weights)[:, None] * basis.values(s, 1)).R))
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PathShape:
+    """The curves among which the optimiser searches: polynomials, or splines of several pieces.
+
+    Attributes:
+        degree: of the polynomial, or of each of its pieces, 1 to 20; 1 in one piece is the straight line.
+        basis: basis functions of the path. "legendre", "bernstein", "chebyshev" and "monomial" span the same polynomials and
+            have the same optimum; "monomial" only up to about degree 14. "bspline" joins `pieces` with degree - 1 continuous
+            derivatives, "composite" with one; both suit paths around many corners.
+        pieces: number of pieces, of equal width in s, 1 to 32; more than 1 only with "bspline" and "composite". With
+            "composite", pieces times (degree - 1) is at most 200.
+        start_slope, goal_slope: q'(0) and q'(1), (n,), with respect to s [rad or m]; None: free.
+        start_bend, goal_bend: q''(0) and q''(1), (n,) [rad or m]; None: free. Each slope or bend needs one more degree.
+    """
+
+    degree: int = 6
+    basis: str = "legendre"
+    pieces: int = 1
+    start_slope: ArrayLike | None = None
+    goal_slope: ArrayLike | None = None
+    start_bend: ArrayLike | None = None
+    goal_bend: ArrayLike | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "degree", whole_number("degree", self.degree, least=1, most=MOST_DEGREE))
+        size = self.functions().size
+        object.__setattr__(self, "pieces", int(self.pieces))
+        if size > MOST_COEFFICIENTS:
+            wanted = (
+                f"fewer: with degree {self.degree} the basis {self.basis!r} has {size} coefficients per joint, "
+                f"of at most {MOST_COEFFICIENTS}"
+            )
+            raise InvalidInputError("pieces", self.pieces, wanted)
+
+    def functions(self) -> Basis:
+        """The basis functions."""
+        return named_basis(self.basis, self.degree, self.pieces)
+
+    def ends(self, n: int) -> EndConditions:
+        """The fixed derivatives of n joints; raises InvalidInputError where the degree is too low for them."""
+        given = {name: getattr(self, name) for name in ("start_slope", "goal_slope", "start_bend", "goal_bend")}
+        ends = EndConditions(
+            **{name: None if value is None else finite_array(name, value, (n,)) for name, value in given.items()}
+        )
+        ends.check_degree(lambda k: named_basis(self.basis, k, self.pieces), self.degree)
+        return ends

@@ -11,11 +11,12 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
-from manipplan.cost.objective import PathCost, PathObjective
+from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.optimize.descent import DescentProgram
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.display import one_line
 from manipplan.support.status import Status
 
 log = logging.getLogger("manipplan")
@@ -115,6 +116,7 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
 PLACES = 400
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True)
 class LimitApproach:
     """Smallest distance of a path to one position limit of a joint.
@@ -134,6 +136,7 @@ class LimitApproach:
     unit: str
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True)
 class Certificate:
     """Figures measured on one path.
@@ -188,7 +191,7 @@ class Certificate:
     def of(
         cls,
         path: JointPath,
-        objective: PathObjective,
+        integral: PathIntegral,
         cost: PathCost,
         model: CollisionModel | None,
         *,
@@ -199,7 +202,7 @@ class Certificate:
         optimality: Optimality | None = None,
     ) -> "Certificate":
         """Measure a path whose cost is known, and that should keep `clearance` [m]."""
-        kinematics = objective.kinematics
+        kinematics = integral.kinematics
         least, clearance_at, pair = _clearance(path, model)
         return cls(
             status=status,
@@ -209,7 +212,7 @@ class Certificate:
             active_clearance=np.nan if optimality is None else optimality.active_clearance,
             g=cost.g,
             unconstrained_g=unconstrained_g,
-            power=objective.power,
+            power=integral.power,
             measure=kinematics.measure.name,
             unit=kinematics.measure.unit(kinematics.task),
             min_manipulability=cost.min_manipulability,

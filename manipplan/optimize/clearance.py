@@ -15,7 +15,7 @@ from manipplan.collision.model import CollisionModel
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, configurations, on_grid
-from manipplan.robots.description import axis_of, is_prismatic
+from manipplan.robots.model_tree import axis_of, is_prismatic
 from manipplan.support.checks import Array
 from manipplan.symbolic.machine_code import as_asked
 

@@ -17,7 +17,7 @@ from typing import TypeVar
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
-from manipplan.optimize.problem import PathProblem, solve_local
+from manipplan.optimize.problem import TIE, PathProblem, solve_local
 from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
@@ -94,9 +94,9 @@ def seed_classes(pool: SolvePool, start: Array, goals: Sequence[Array], seeds: I
     model = pool.problem.model()
     if model is None or len(paths) == 1:
         return paths
-    objective = pool.problem.objective()
+    integral = pool.problem.integral()
     chosen: list[JointPath] = []
-    for path in sorted(paths, key=lambda each: objective.cost(each).g):
+    for path in sorted(paths, key=lambda each: integral.cost(each).g):
         if not any(same_class(model, path, other, pool.problem.clearance) for other in chosen):
             chosen.append(path)
     return chosen
@@ -115,15 +115,27 @@ def same_class(model: CollisionModel, first: JointPath, second: JointPath, clear
 
 
 def best_and_rivals(results: Sequence[PathResult]) -> PathResult:
-    """The result with the smallest g, with the others as its rivals, best first, each path once."""
+    """The result with the smallest g, with the others as its rivals, best first, each path once.
+
+    Of results whose g tie the earlier one comes first, so that rounding does not decide.
+    """
     kept: list[PathResult] = []
-    for result in sorted(results, key=lambda each: each.g):
+    for result in _best_first(results):
         if not any(_same(result.path, other.path) for other in kept):
             kept.append(result)
     best = replace(kept[0], rivals=tuple(kept[1:]))
     if any(result.status is Status.INTERRUPTED for result in results):
         best = replace(best, status=Status.INTERRUPTED)
     return best
+
+
+def _best_first(results: Sequence[PathResult]) -> list[PathResult]:
+    left, ordered = list(results), []
+    while left:
+        least = min(each.g for each in left)
+        first = next(k for k, each in enumerate(left) if each.g <= least * (1 + TIE))
+        ordered.append(left.pop(first))
+    return ordered
 
 
 def shifted_goals(robot: Robot, start: Array, goal: Array) -> list[Array]:
@@ -156,8 +168,8 @@ def _even(path: JointPath) -> Array:
 def _seed(problem: PathProblem, start: Array, goal: Array, seed: int) -> JointPath | str:
     if problem.scene is None:
         return _random_path(problem.robot, start, goal, seed)
-    limit = problem.time_limit
-    if Aspect.shared(problem.objective().kinematics, start, goal) is not None:
+    limit = problem.seeding.time_limit
+    if Aspect.shared(problem.integral().kinematics, start, goal) is not None:
         try:
             return _planned(problem, start, goal, seed, limit / 2, same_aspect=True)
         except PlanningError as error:
@@ -177,11 +189,10 @@ def _planned(
         start,
         goal,
         problem.scene,
-        seed=seed,
-        task=problem.task,
+        seeding=replace(problem.seeding, seed=seed, count=1, shifts="none", time_limit=time_limit),
+        objective=problem.objective,
         same_aspect=same_aspect,
         clearance=problem.clearance,
-        time_limit=time_limit,
     )
 
 

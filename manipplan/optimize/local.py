@@ -8,7 +8,7 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import PathClearance, path_clearance
-from manipplan.cost.objective import PathCost
+from manipplan.cost.integral import PathCost
 from manipplan.optimize import clearance as near
 from manipplan.optimize.basis import EndConditions
 from manipplan.optimize.certificate import SINGLE, UNKNOWN, Optimality, measure_optimality
@@ -102,7 +102,7 @@ class LocalSearch:
         proof = self._proof(path)
         if not self._inside_limits(path) or not (proof is None or proof.proven):
             return []
-        cost = self.program.objective.cost(path)
+        cost = self.program.integral.cost(path)
         return [Candidate(path=path, coefficients=self._straight(), cost=cost, optimality=SINGLE, solver="no unknowns")]
 
     def unconstrained(self) -> list[Candidate]:
@@ -152,10 +152,10 @@ class LocalSearch:
         Descents are repeated until the path is proven free, the quadrature panels resolve its g, and the descent has
         converged. Each takes over the place where the proof failed, and the panels that the one before it needed.
         """
-        program, objective = self.program, self.program.objective
+        program, integral = self.program, self.program.integral
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
         path = program.basis.path(self.start, self.goal, coefficients)
-        if not np.isfinite(objective.cost(path).g):  # a path that crosses a singularity has no finite g to descend from
+        if not np.isfinite(integral.cost(path).g):  # a path that crosses a singularity has no finite g to descend from
             return None
         best: Candidate | None = None
         edges: Array | None = None
@@ -175,11 +175,11 @@ class LocalSearch:
             if stage < len(margins) - 1:  # this margin is not the final one
                 continue
             path = true.path(descent.z)
-            cost, proof = objective.cost(path), self._proof(path)
+            cost, proof = integral.cost(path), self._proof(path)
             least = np.inf if proof is None else proof.upper
             self.history.append(Step(first=name, g=cost.g, clearance=least, solver=descent.reason))
             if surroundings is not None and proof is not None and not proof.proven:
-                surroundings.always.append((proof.at, proof.index))
+                surroundings.always.append((proof.at, proof.pair_id))
                 continue
             if not self._inside_limits(path):
                 log.debug("descent: the path leaves the joint limits")
@@ -260,7 +260,7 @@ class LocalSearch:
         candidate = Candidate(
             path=path,
             coefficients=solution.coefficients,
-            cost=self.program.objective.cost(path),
+            cost=self.program.integral.cost(path),
             optimality=UNKNOWN,
             solver=f"no descent on g gave a collision-free path; this one has a low energy (IPOPT: {solution.status})",
         )
@@ -272,12 +272,12 @@ class LocalSearch:
         basis = self.program.basis
         same_breaks = np.isin(path.breaks, basis.breaks).all()  # then the fit at even places is the path itself
         even = np.linspace(0.0, 1.0, near.PLACES + 1)
-        s = even if same_breaks else self.program.objective.constant_speed(path, near.PLACES + 1)
+        s = even if same_breaks else self.program.integral.constant_speed(path, near.PLACES + 1)
         coefficients = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
         if not self.program.free.size:
-            return self.program.objective.cost(basis.path(self.start, self.goal, coefficients)).g
+            return self.program.integral.cost(basis.path(self.start, self.goal, coefficients)).g
         true, z = self.program.descent_program(self.start, self.goal, coefficients, None, limited=False)
-        costs = [self.program.objective.cost(each).g for each in (path, true.path(descend(true, z, tolerance=ROUGH).z))]
+        costs = [self.program.integral.cost(each).g for each in (path, true.path(descend(true, z, tolerance=ROUGH).z))]
         return min(costs)
 
     def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
@@ -312,13 +312,13 @@ class LocalSearch:
         if self.model is not None:
             distances = near.distance_profile(self.model, path(np.linspace(0.0, 1.0, near.PLACES + 1)))
         least = float(distances.min(initial=np.inf))
-        g = self.program.objective.cost(path).g
+        g = self.program.integral.cost(path).g
         self.history.append(Step(first=name, g=g, clearance=least, solver=solution.status))
         if least <= self.clearance or not self._inside_limits(path, NEARLY_INSIDE):
             return False, distances, ()
         proof = self._proof(path)
         if proof is not None and not proof.proven:
-            return False, distances, ((proof.at, proof.index),)
+            return False, distances, ((proof.at, proof.pair_id),)
         return True, distances, ()
 
     def _proof(self, path: JointPath) -> PathClearance | None:
@@ -337,6 +337,6 @@ class LocalSearch:
 
     def _followed(self, path: JointPath) -> tuple[Array, Array]:
         """Places s (m,) at equal shares of a path's g, and the coefficients (n, size) of the fit to it there."""
-        s = self.program.objective.constant_speed(path, near.PLACES + 1)
+        s = self.program.integral.constant_speed(path, near.PLACES + 1)
         basis = self.program.basis
         return s, self.ends.met(basis, basis.fit(path, s), self.start, self.goal)

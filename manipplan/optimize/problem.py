@@ -2,7 +2,7 @@
 
 import logging
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -10,9 +10,9 @@ import numpy as np
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene
-from manipplan.cost.objective import ACCURACY, PathObjective
-from manipplan.measures.measure import Measure
-from manipplan.optimize.basis import EndConditions, named_basis
+from manipplan.cost.integral import ACCURACY, PathIntegral
+from manipplan.cost.objective import PathObjective
+from manipplan.optimize.basis import EndConditions, PathShape, named_basis
 from manipplan.optimize.local import Candidate, LocalSearch, Step
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.result import PathResult, make_result
@@ -20,12 +20,12 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.seeds.ompl import CHECK_STEP
+from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.memo import once_per_owner
 from manipplan.support.status import Status
-from manipplan.symbolic.task import Task
 
 log = logging.getLogger("manipplan")
 
@@ -41,11 +41,10 @@ class PathProblem:
 
     Attributes:
         robot, scene: the arm and its obstacles; None: nothing is checked for collision.
-        task, measure, power, metric: of the objective.
-        basis, degree, pieces: a name from BASES, the degree of each piece, and the number of pieces.
+        objective: what is minimised, with the task, measure and metric of this robot.
+        shape: the curves that are searched.
+        seeding: how first paths are found; without `initial`.
         clearance: required distance [m].
-        time_limit: time limit of the planner [s].
-        ends: fixed derivatives at start and goal.
         compiled: as in `Robot.kinematics`.
         given: the caller gave the first path, so the search also descends from it as it is.
         climbs: also start from the optimum of a lower degree.
@@ -53,24 +52,22 @@ class PathProblem:
 
     robot: Robot
     scene: Scene | None
-    task: Task
-    measure: Measure
-    power: float
-    metric: Array | None
-    basis: str
-    degree: int
-    pieces: int
+    objective: PathObjective
+    shape: PathShape
+    seeding: Seeding
     clearance: float
-    time_limit: float
-    ends: EndConditions = field(default_factory=EndConditions)
     compiled: bool | str = "auto"
     given: bool = False
     climbs: bool = True
 
-    def objective(self) -> PathObjective:
-        """The objective for this process's robot."""
-        kinematics = self.robot.kinematics(self.task, measure=self.measure, compiled=self.compiled)
-        return PathObjective(kinematics=kinematics, power=self.power, metric=self.metric)
+    def integral(self) -> PathIntegral:
+        """The objective as an integral along paths of this process's robot."""
+        return self.objective.integral(self.robot, compiled=self.compiled)
+
+    @property
+    def ends(self) -> EndConditions:
+        """The fixed derivatives at start and goal."""
+        return self.shape.ends(self.robot.n)
 
     def model(self) -> CollisionModel | None:
         """The collision model; None without a scene."""
@@ -78,23 +75,24 @@ class PathProblem:
 
     def lower(self) -> "PathProblem | None":
         """The same problem in polynomials of a lower degree, whose optimum is a start for this one; None for low degrees."""
-        if self.pieces > 1:
+        if self.shape.pieces > 1:
             degree = BEGINNING
-        elif self.degree > BEGINNING:
-            degree = max(BEGINNING, STRIDE * ((self.degree - 1) // STRIDE))
+        elif self.shape.degree > BEGINNING:
+            degree = max(BEGINNING, STRIDE * ((self.shape.degree - 1) // STRIDE))
         else:
             return None
         if not self.climbs or not self.ends.possible(named_basis("legendre", degree)):
             return None
-        return replace(self, basis=self.basis if self.pieces == 1 else "legendre", degree=degree, pieces=1)
+        basis = self.shape.basis if self.shape.pieces == 1 else "legendre"
+        return replace(self, shape=replace(self.shape, basis=basis, degree=degree, pieces=1))
 
 
 def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPath, *, straight: bool = True) -> PathResult:
     """The best path near `first`, which is free and inside the limits, and with `straight` also near the straight line."""
-    objective, model, clearance = problem.objective(), problem.model(), problem.clearance
-    first_cost = objective.cost(first)
+    integral, model, clearance = problem.integral(), problem.model(), problem.clearance
+    first_cost = integral.cost(first)
     history: list[Step] = []
-    program = _program(problem, objective)
+    program = _program(problem, integral)
     search = LocalSearch(
         program=program,
         start=start,
@@ -139,7 +137,7 @@ def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPat
     solver = best.solver if best is not None and path is best.path and is_free else ""
     return make_result(
         path,
-        objective,
+        integral,
         cost=cost,
         seed=first,
         seed_cost=first_cost,
@@ -164,13 +162,13 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
     is_line = len(first.control) == 1 and first.degree == 1
     found = search.unconstrained() if straight or is_line else []
     if not (found and is_line):  # a straight first path would repeat the same solve
-        nearby = search.nearest_to(first) if problem.given or problem.pieces > 1 else []
+        nearby = search.nearest_to(first) if problem.given or problem.shape.pieces > 1 else []
         found += nearby or search.from_safe_path(first)
     lower = problem.lower()
     if lower is not None:
         result = solve_local(lower, search.start, search.goal, first, straight=straight)
         search.history.extend(result.history)
-        if result.status.ok and result.path is not None:
+        if result.status.ok:
             found += search.embedded(result.path)
     return found
 
@@ -184,15 +182,15 @@ def _best(found: Sequence[Candidate]) -> Candidate | None:
     return best
 
 
-def _program(problem: PathProblem, objective: PathObjective) -> PathProgram:
+def _program(problem: PathProblem, integral: PathIntegral) -> PathProgram:
     """The program of a problem, built once per robot, objective, basis and pattern of fixed derivatives."""
-    kinematics, fixed = objective.kinematics, problem.ends.pattern
-    basis = (problem.basis, problem.degree, problem.pieces)
-    metric = None if objective.metric is None else objective.metric.tobytes()
-    key = (kinematics.task, kinematics.measure, kinematics.compiled, objective.power, metric, basis, fixed)
+    kinematics, fixed, shape = integral.kinematics, problem.ends.pattern, problem.shape
+    basis = (shape.basis, shape.degree, shape.pieces)
+    metric = None if integral.metric is None else integral.metric.tobytes()
+    key = (kinematics.task, kinematics.measure, kinematics.compiled, integral.power, metric, basis, fixed)
     programs = _programs(kinematics.robot)
     if key not in programs:
-        programs[key] = PathProgram(objective, named_basis(*basis), fixed)
+        programs[key] = PathProgram(integral, named_basis(*basis), fixed)
     return programs[key]
 
 

@@ -14,7 +14,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.cost.density import Density, energy_density, length_density
-from manipplan.cost.objective import PathObjective, gauss
+from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.optimize.basis import Basis, free_directions
 from manipplan.optimize.clearance import ClearanceRow, column_height, met_column, row_functions
 from manipplan.optimize.constraints import LimitRows, RowFunctions
@@ -219,9 +219,9 @@ class Solution:
 class PathProgram:
     """The program for one objective, basis and pattern of fixed end derivatives; see the docstring of the module."""
 
-    def __init__(self, objective: PathObjective, basis: Basis, fixed: tuple[tuple[float, int], ...] = ()) -> None:
-        self.objective = objective
-        self.kinematics = kinematics = objective.kinematics
+    def __init__(self, integral: PathIntegral, basis: Basis, fixed: tuple[tuple[float, int], ...] = ()) -> None:
+        self.integral = integral
+        self.kinematics = kinematics = integral.kinematics
         self.basis = basis
         self.n = kinematics.robot.n
         #: coefficients (n, size) move along these directions (size, f), which keep the fixed end derivatives
@@ -243,11 +243,11 @@ class PathProgram:
     @cached_property
     def _energy(self) -> Integral:
         s, weights = self.basis.gauss(max(-(-NODES // (len(self.basis.breaks) - 1)), PIECE_NODES))
-        return Integral(density=energy_density(self.objective), s=s, weights=weights, tolerance=1e-7, steps=100)
+        return Integral(density=energy_density(self.integral), s=s, weights=weights, tolerance=1e-7, steps=100)
 
     @cached_property
     def _length_density(self) -> BatchDensity:
-        return BatchDensity.of(length_density(self.objective))
+        return BatchDensity.of(length_density(self.integral))
 
     @cached_property
     def _batch_rows(self) -> RowFunctions:
@@ -297,9 +297,9 @@ class PathProgram:
         z = on_grid(z, SPACING)
         curves = Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal)
         path = self.basis.path(start, goal, coefficients)
-        edges = self.objective.panels(path, edges)
+        edges = self.integral.panels(path, edges)
         s, weights = gauss(edges)
-        g0 = self.objective.on_panels(path, edges)
+        g0 = self.integral.on_panels(path, edges)
         length = LengthModel(
             density=self._length_density,
             curves=curves,
@@ -307,7 +307,7 @@ class PathProgram:
             s=s.ravel(),
             weights=weights.ravel(),
             g0=g0,
-            power=self.objective.power,
+            power=self.integral.power,
             pace=g0,
         )
         limits = self.kinematics.robot.limits
@@ -355,7 +355,7 @@ class PathProgram:
         s = self._energy.s
         q = start[:, None] + np.outer(goal - start, s) + guess @ self.basis.values(s).T
         v = (goal - start)[:, None] + guess @ self.basis.values(s, 1).T
-        density = np.asarray(self._energy.density.value(q, v, np.array([[1.0], [self.objective.power]]))).ravel()
+        density = np.asarray(self._energy.density.value(q, v, np.array([[1.0], [self.integral.power]]))).ravel()
         value = float(density @ self._energy.weights)
         return value if np.isfinite(value) and value > 0 else 1.0
 
@@ -383,6 +383,6 @@ class PathProgram:
                 rows=self._rows if capacity else (),
                 capacity=capacity,
                 n=self.n,
-                power=self.objective.power,
+                power=self.integral.power,
             )
         return self._solvers[key]

@@ -5,23 +5,25 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
-from manipplan.cost.objective import PathCost, PathObjective
-from manipplan.measures.indices import Yoshikawa
+from manipplan.cost.integral import PathCost, PathIntegral
+from manipplan.measures.manipulability import Yoshikawa
 from manipplan.measures.measure import Measure
 from manipplan.optimize.certificate import Certificate, Optimality
 from manipplan.optimize.local import Step
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
+from manipplan.support.display import one_line
 from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True)
 class PathResult:
     """The result of `optimize_path`.
 
     Attributes:
-        path: the JointPath; the seed when `status` says so, None when there is none (NO_PATH, with throw=False).
+        path: the JointPath; the seed when `status` says so.
         g: ∫ ‖q'‖_W / m^power ds to ten digits: (6.6) in kth2012 with its exponent as a parameter.
         length: length of the path in joint space [rad].
         min_manipulability: minimum manipulability on a dense grid [measure.unit(task)]; `min_at` is the s where it occurs.
@@ -31,17 +33,17 @@ class PathResult:
         status: how the path came about.
         measure, metric: m, and W (n, n) or None for the identity.
         rivals: results of other seed classes and shifted goals, best first; each path differs from those before it.
-        certificate: figures measured on the path; None when there is no path.
+        certificate: figures measured on the path.
     """
 
-    path: JointPath | None
+    path: JointPath
     g: float
     length: float
     min_manipulability: float
     min_at: float
     power: float
     task: Task
-    seed: JointPath | None
+    seed: JointPath
     seed_cost: PathCost
     history: tuple[Step, ...]
     status: Status
@@ -51,9 +53,28 @@ class PathResult:
     certificate: Certificate | None = None
 
 
+@one_line
+@dataclass(frozen=True, kw_only=True)
+class NoPath:
+    """What `optimize_path` returns with throw=False when it finds no collision-free first path.
+
+    Attributes:
+        message: the reason.
+        status: Status.NO_PATH.
+        path, seed: None.
+        g: inf.
+    """
+
+    message: str
+    status: Status = Status.NO_PATH
+    path: None = None
+    seed: None = None
+    g: float = np.inf
+
+
 def make_result(
     path: JointPath,
-    objective: PathObjective,
+    integral: PathIntegral,
     *,
     cost: PathCost,
     seed: JointPath,
@@ -69,7 +90,7 @@ def make_result(
     """The result for a path of known cost that came from `seed`, with every other figure measured on the path."""
     certificate = Certificate.of(
         path,
-        objective,
+        integral,
         cost,
         model,
         clearance=clearance,
@@ -84,33 +105,13 @@ def make_result(
         length=cost.length,
         min_manipulability=cost.min_manipulability,
         min_at=cost.at,
-        power=objective.power,
-        task=objective.kinematics.task,
-        measure=objective.kinematics.measure,
-        metric=objective.metric,
+        power=integral.power,
+        task=integral.kinematics.task,
+        measure=integral.kinematics.measure,
+        metric=integral.metric,
         seed=seed,
         seed_cost=seed_cost,
         history=history,
         status=status,
         certificate=certificate,
-    )
-
-
-def no_path(objective: PathObjective) -> PathResult:
-    """The result when there is no collision-free seed."""
-    nothing = PathCost(g=np.inf, length=np.inf, min_manipulability=0.0, at=0.0)
-    return PathResult(
-        path=None,
-        g=np.inf,
-        length=np.inf,
-        min_manipulability=0.0,
-        min_at=0.0,
-        power=objective.power,
-        task=objective.kinematics.task,
-        measure=objective.kinematics.measure,
-        metric=objective.metric,
-        seed=None,
-        seed_cost=nothing,
-        history=(),
-        status=Status.NO_PATH,
     )

@@ -20,6 +20,7 @@ from manipplan.support.checks import (
     pose_matrix,
     whole_number,
 )
+from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError
 
 #: Minimum distance between neighbouring poses [m].
@@ -135,6 +136,7 @@ class CartesianPath(ABC):
         return cls.through(poses)
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Line(CartesianPath):
     """The straight path between two poses (4, 4)."""
@@ -151,6 +153,7 @@ class Line(CartesianPath):
         return positions, rotations
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Arc(CartesianPath):
     """An arc of a circle from pose `start` (4, 4) by `angle` about an axis through `centre`."""

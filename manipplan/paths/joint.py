@@ -8,6 +8,7 @@ from numpy.polynomial import chebyshev, legendre
 from numpy.typing import ArrayLike
 
 from manipplan.support.checks import Array, finite_array, number_array, whole_number
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 #: Paths shorter than this count as no motion [rad or m].
@@ -18,6 +19,7 @@ TURNED = 1e-9
 SERIES = ("monomial", "bernstein", "legendre", "chebyshev")
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class JointPath:
     """Polynomial pieces between `breaks`, each the Bernstein polynomial of its control points.

@@ -9,11 +9,13 @@ from numpy.typing import ArrayLike
 
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array, distinct_names, finite_array, number, number_array, whole_number
+from manipplan.support.display import Pictured, one_line
 from manipplan.support.errors import InvalidInputError
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Trajectory:
+class Trajectory(Pictured):
     """The cubic Hermite spline through samples, as joint trajectory controllers interpolate positions and velocities.
 
     Attributes:

@@ -9,7 +9,8 @@
 from manipplan.planar.arcs import Arc, critical_arcs, reachable_radii, workspace_boundary
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.ellipsoids import force_ellipse, matrix_ellipsoid, velocity_ellipse
-from manipplan.planar.index import (
+from manipplan.planar.inverse import PostureFamily, pose_postures, position_family, two_link_postures
+from manipplan.planar.manipulability import (
     frobenius_norm,
     inverse_condition,
     manipulability,
@@ -20,7 +21,6 @@ from manipplan.planar.index import (
     squared_manipulability_gradient,
     squared_manipulability_hessian,
 )
-from manipplan.planar.inverse import PostureFamily, pose_postures, position_family, two_link_postures
 from manipplan.planar.orientations import is_dexterous, is_reachable, reachable_orientations
 from manipplan.planar.postures import PostureSet, optimal_radius, stationary_kind, stationary_postures
 from manipplan.planar.proportions import Proportions, manipulability_bound, optimal_lengths

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from manipplan.planar.arm import PlanarArm
-from manipplan.planar.index import manipulability
+from manipplan.planar.manipulability import manipulability
 from manipplan.support.checks import Array, number, random_seed, whole_number
 from manipplan.support.errors import InvalidInputError
 

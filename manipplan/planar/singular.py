@@ -21,7 +21,7 @@ def singular_postures(arm: PlanarArm) -> Array:
 
 
 def singular_radii(arm: PlanarArm) -> Array:
-    """Distances of the tool from the base at `singular_postures`, (2^(n-1),) [m]: |l_1 ± l_2 ± ... ± l_n|."""
+    """Distances of the tool from the base at `singular_postures`, (2^(n-1),) [m]: abs(l_1 ± l_2 ± ... ± l_n)."""
     signs = np.cumprod(np.cos(singular_postures(arm)), axis=-1)
     return np.abs(np.round(signs) @ arm.lengths)
 

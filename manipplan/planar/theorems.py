@@ -12,7 +12,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.planar.arm import PlanarArm
-from manipplan.planar.index import manipulability
+from manipplan.planar.manipulability import manipulability
 from manipplan.support.checks import Array, instance, whole_number
 
 

@@ -43,8 +43,8 @@ def reachable_annulus(arm: PlanarArm) -> Annulus:
 def dexterous_annuli(arm: PlanarArm) -> tuple[Annulus, ...]:
     """The dexterous workspace W_D (2.6) in kth2012: positions that can be reached with every orientation.
 
-    As φ makes a full turn, the last joint's distance from the base ranges from |R - l_n| to R + l_n; this range must lie in
-    the ring [a, b] of the first n - 1 links. Hence R <= b - l_n together with R <= l_n - a or R >= l_n + a: an empty set,
+    As φ makes a full turn, the last joint's distance from the base ranges from abs(R - l_n) to R + l_n; this range must lie
+    in the ring [a, b] of the first n - 1 links. Hence R <= b - l_n together with R <= l_n - a or R >= l_n + a: an empty set,
     one ring, or a disc and a ring.
     """
     last, *others = arm.lengths[::-1].tolist()

@@ -9,8 +9,8 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.robots.description import frame_index
 from manipplan.robots.limits import JointLimits
+from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.robots.source import RobotSource
 from manipplan.support.checks import number, number_array

@@ -7,12 +7,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.support.checks import Array, number_array, positive_array
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 #: Time to full speed [s], which sets the acceleration limit where neither the user nor the catalogue gives one.
 DEFAULT_RAMP_TIME = 0.2
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class JointLimits:
     """Limits of n joints, each (n,), in SI units (rad or m, s, N m or N); inf where there is none.

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pinocchio as pin
 
-from manipplan.robots.xml_numbers import numbers
+from manipplan.robots.xml_files import numbers
 from manipplan.support.errors import FileFormatError
 
 #: Elements with bodies or geoms in them that Pinocchio leaves out.

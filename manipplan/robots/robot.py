@@ -10,14 +10,15 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.robots import description
+from manipplan.robots import description, model_tree
 from manipplan.robots import subchain as parts
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
 from manipplan.robots.source import RobotSource
-from manipplan.robots.states import NamedStates
-from manipplan.support.checks import Array, configurations, existing_file, instance, whole_number
+from manipplan.robots.srdf import NamedStates, read_srdf, write_srdf
+from manipplan.support.checks import Array, configurations, existing_file
+from manipplan.support.display import Pictured
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.memo import once_per_owner, state_without_memo
+from manipplan.support.memo import state_without_memo
 
 if TYPE_CHECKING:
     from manipplan.kinematics.kinematics import Kinematics
@@ -28,7 +29,7 @@ log = logging.getLogger("manipplan")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Robot:
+class Robot(Pictured):
     """An arm: n active joints from base to tool; every other joint of the description is locked.
 
     Configurations are plain angles [rad] or lengths [m], (n,), also for continuous joints. Build a Robot with
@@ -46,7 +47,7 @@ class Robot:
         disabled_pairs: pairs of bodies that need no self-collision check (from an SRDF); None without an SRDF.
         adjacent_pairs: pairs of geometry objects (by name) on one link, or on two that one joint of the description connects.
         planar: True when the arm moves only in the x-y plane.
-        named_states: the SRDF's named postures that give every active joint a value: (n,) by name [rad or m].
+        states: the SRDF's named postures that give every active joint a value: (n,) by name [rad or m].
         source: what the arm was read from, to build it again; None for an arm that was built by hand.
     """
 
@@ -60,17 +61,17 @@ class Robot:
     disabled_pairs: frozenset[frozenset[str]] | None = None
     adjacent_pairs: frozenset[frozenset[str]] = frozenset()
     planar: bool = False
-    named_states: Mapping[str, Array] = field(default_factory=NamedStates)
+    states: Mapping[str, Array] = field(default_factory=NamedStates)
     source: RobotSource | None = None
 
     @classmethod
     def from_urdf(
         cls,
         file: str | Path,
+        *,
         tool: str | None = None,
         joints: Sequence[str] | None = None,
         srdf: str | Path | None = None,
-        *,
         name: str | None = None,
         locked: Mapping[str, float] | None = None,
         neutral: ArrayLike | None = None,
@@ -104,10 +105,10 @@ class Robot:
     def from_mjcf(
         cls,
         file: str | Path,
+        *,
         tool: str | None = None,
         joints: Sequence[str] | None = None,
         srdf: str | Path | None = None,
-        *,
         name: str | None = None,
         locked: Mapping[str, float] | None = None,
         neutral: ArrayLike | None = None,
@@ -135,13 +136,13 @@ class Robot:
     ) -> "Robot":
         given: dict[str, Any] = {"tool": tool, "joints": joints, "srdf": srdf, "name": name, "locked": locked}
         given |= {"neutral": neutral, "package_dirs": package_dirs, **limits}
-        semantic = description.read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
+        semantic = read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
         whole = read.model
         tool = parts.choose_tool(whole, tool, semantic)
-        chain = [whole.names[i] for i in whole.supports[whole.frames[description.frame_index(whole, tool)].parentJoint]][1:]
+        chain = [whole.names[i] for i in whole.supports[whole.frames[model_tree.frame_index(whole, tool)].parentJoint]][1:]
         active = parts.choose_joints(whole, tool, chain, joints, read.mimics)
         held = parts.locked_values(whole, active, dict(locked or {}), semantic, read.mimics)
-        model, geometry = description.reduce(whole, read.geometry, active, held)
+        model, geometry = model_tree.reduce(whole, read.geometry, active, held)
         base = parts.limits_of(model, read.source, limits)
         if "acceleration" not in limits:
             ramp = {"acceleration": base.velocity / DEFAULT_RAMP_TIME}
@@ -158,8 +159,8 @@ class Robot:
             neutral=parts.usual_posture(base, neutral),
             locked=held,
             disabled_pairs=semantic.disabled if semantic is not None else None,
-            adjacent_pairs=description.adjacent_pairs(whole, read.geometry),
-            named_states=states,
+            adjacent_pairs=model_tree.adjacent_pairs(whole, read.geometry),
+            states=states,
             source=RobotSource.of(read.source.lower(), read.file, given),
         )
         if held:
@@ -181,7 +182,7 @@ class Robot:
         """'revolute', 'continuous' or 'prismatic' for each active joint."""
         kinds = []
         for i, joint in enumerate(self.model.joints[1:]):
-            if description.is_prismatic(joint):
+            if model_tree.is_prismatic(joint):
                 kinds.append("prismatic")
             else:
                 kinds.append("continuous" if np.isinf(self.limits.lower[i]) else "revolute")
@@ -205,10 +206,10 @@ class Robot:
     def kinematics(
         self,
         task: "Task | None" = None,
-        backend: str = "auto",
-        compiled: bool | str = "auto",
         *,
         measure: "Measure | str | None" = None,
+        backend: str = "auto",
+        compiled: bool | str = "auto",
         threads: int | None = None,
     ) -> "Kinematics":
         """Pose, Jacobian, a measure of manipulability and its derivatives for a task; see `Kinematics`.
@@ -227,28 +228,9 @@ class Robot:
             UnknownNameError: no such backend or measure; the nearest names are listed.
             CompilerError: at the first call, when compiled is True and there is no compiler or it fails.
         """
-        from manipplan.kinematics.batch import all_cores
-        from manipplan.measures.names import measure_of
-        from manipplan.symbolic.task import Task
+        from manipplan.kinematics.kinematics import kinematics_of
 
-        task = instance("task", task if task is not None else self.default_task, Task)
-        chosen = measure_of(measure)
-        if not (isinstance(compiled, bool) or (isinstance(compiled, str) and compiled == "auto")):
-            raise InvalidInputError("compiled", compiled, "'auto', True or False")
-        threads = all_cores() if threads is None else whole_number("threads", threads, least=1)
-        if not isinstance(backend, str):
-            raise InvalidInputError("backend", backend, "the name of a backend")
-        return self._kinematics(task, chosen, backend, compiled, threads)
-
-    @once_per_owner
-    def _kinematics(self, task: "Task", measure: "Measure", backend: str, compiled: bool | str, threads: int) -> "Kinematics":
-        from manipplan.kinematics.kinematics import Kinematics
-        from manipplan.symbolic.backends import chain_of
-
-        chain = chain_of(self, backend)
-        return Kinematics(
-            robot=self, task=task, measure=measure, compiled=compiled, threads=threads, backend=backend, chain=chain
-        )
+        return kinematics_of(self, task, measure, backend, compiled, threads)
 
     def configuration(self, argument: str, q: ArrayLike, *, tolerance: float = 0.0) -> Array:
         """Check one configuration (n,): finite, right length, inside the position limits.
@@ -293,17 +275,18 @@ class Robot:
 
         Args:
             file: the file to write, completely or not at all.
-            states: configurations (n,) [rad or m] by name; default `named_states`.
+            states: configurations (n,) [rad or m] by name; default `states`.
             group: name of the group.
 
         Raises InvalidInputError when a state is not a configuration, or the file cannot be written.
         """
-        from manipplan.robots.srdf import to_srdf
-
-        to_srdf(self, file, states, group=group)
+        write_srdf(self, file, states, group=group)
 
     def __getstate__(self) -> dict[str, Any]:
         return state_without_memo(self)
+
+    def __repr__(self) -> str:
+        return f"Robot({self.name!r}, joints={self.n}, tool={self.tool!r})"
 
     def __str__(self) -> str:
         limits = self.limits

@@ -6,19 +6,20 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.robots import description
+from manipplan.robots import description, model_tree
 from manipplan.robots.limits import JointLimits
+from manipplan.robots.srdf import Semantics
 from manipplan.support.checks import Array, configurations, number
 from manipplan.support.errors import InvalidInputError, UnknownNameError, UnsupportedJointError
 
 
-def choose_tool(model: pin.Model, tool: str | None, semantic: description.Semantics | None) -> str:
+def choose_tool(model: pin.Model, tool: str | None, semantic: Semantics | None) -> str:
     """The tool frame: the given one, the SRDF's end effector, or the only leaf."""
     bodies = [frame.name for frame in model.frames if frame.name != "universe"]
     if tool is None and semantic is not None and semantic.end_effector is not None:
         tool = semantic.end_effector
     if tool is None:
-        leaves = description.leaf_bodies(model)
+        leaves = model_tree.leaf_bodies(model)
         if len(leaves) != 1:
             raise InvalidInputError("tool", None, f"a frame name; the description has several ends: {', '.join(leaves[:8])}")
         tool = leaves[0]
@@ -45,7 +46,7 @@ def choose_joints(
         if followers:
             raise UnsupportedJointError("joints", joint, f"joints that no other joint mimics; {followers[0]} mimics it")
         kind = model.joints[model.getJointId(joint)]
-        if kind.nv != 1 or not (description.is_prismatic(kind) or description.is_revolute(kind)):
+        if kind.nv != 1 or not (model_tree.is_prismatic(kind) or model_tree.is_revolute(kind)):
             raise UnsupportedJointError(
                 "joints", f"{joint} ({kind.shortname()})", "revolute, continuous and prismatic joints; lock it or choose others"
             )
@@ -61,7 +62,7 @@ def locked_values(
     model: pin.Model,
     active: list[str],
     given: dict[str, float],
-    semantic: description.Semantics | None,
+    semantic: Semantics | None,
     mimics: Mapping[str, description.Mimic],
 ) -> dict[str, float]:
     """Every other joint of the description with its locked value [rad or m]."""

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pinocchio as pin
 
-from manipplan.robots.xml_numbers import numbers
+from manipplan.robots.xml_files import numbers
 from manipplan.support.errors import FileFormatError
 
 #: Attributes of each shape, with the number of values of each.

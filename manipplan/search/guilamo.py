@@ -11,7 +11,6 @@ for one start, the candidates that were dead ends.
 """
 
 from dataclasses import dataclass
-from enum import Enum
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,25 +18,15 @@ from numpy.typing import ArrayLike, NDArray
 from manipplan.search.layers import Layers
 from manipplan.search.steps import check_epsilon, exclusive, without_jumps
 from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, PlanningError
+from manipplan.support.status import Status
 
 #: Number of comparisons between two points at which the search can be interrupted.
 BUDGET = 20_000_000
 
 
-class GuilamoStatus(Enum):
-    """Return status of the search. The value is its text; `ok` tells whether the optimum was found."""
-
-    FOUND = "found: the first complete path; none has a larger minimum manipulability"
-    GAVE_UP = "failed: most_branches was reached without a complete path; use max_min_search, or memoised=True"
-    NOT_CONNECTED = "failed: every start failed, no continuous path leads through the layers; raise epsilon"
-
-    @property
-    def ok(self) -> bool:
-        """Whether the path is the optimum."""
-        return self is GuilamoStatus.FOUND
-
-
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class GuilamoResult:
     """The path that the restart search found, with the paper's counts; where there is none, arrays are empty.
@@ -62,7 +51,7 @@ class GuilamoResult:
     new_starts: int
     branches: int
     comparisons: int
-    status: GuilamoStatus
+    status: Status
 
 
 def guilamo_search(
@@ -115,8 +104,8 @@ def guilamo_search(
         code = search_restarts(
             q, m, offset, starts, layer_of, reach, turns, bool(memoised), most, BUDGET, state, path, pointer, seen
         )
-    names = {FOUND: GuilamoStatus.FOUND, EXHAUSTED: GuilamoStatus.NOT_CONNECTED}
-    status = names.get(code, GuilamoStatus.GAVE_UP)
+    names = {FOUND: Status.PROVEN_OPTIMAL, EXHAUSTED: Status.NOT_CONNECTED}
+    status = names.get(code, Status.GAVE_UP)
     _, _, new_starts, branches, comparisons = (int(each) for each in state)
     last = int(starts[max(new_starts, 1) - 1])
     found = [order[place - low] for order, place, low in zip(orders, path, offset[:-1], strict=True)] if status.ok else []

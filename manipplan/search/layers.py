@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.support.checks import Array
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ MOST = 2**31 - 1
 LARGEST = 1e100
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Layers:
     """Candidates q[i] (k_i, n) at each of L positions, with their manipulability m[i] (k_i,).
@@ -63,11 +65,11 @@ class Layers:
         """
         if not isinstance(closed, bool | np.bool_):
             raise InvalidInputError("closed", closed, "True or False")
-        sets, indices = _each("q", q), _each("m", m)
+        sets, given = _each("q", q), _each("m", m)
         if len(sets) < 2:
             raise InvalidInputError("q", f"{len(sets)} layers", "at least two layers, each an array (k_i, n)")
-        if len(indices) != len(sets):
-            raise InvalidInputError("m", f"{len(indices)} layers", f"as many layers as q: {len(sets)}")
+        if len(given) != len(sets):
+            raise InvalidInputError("m", f"{len(given)} layers", f"as many layers as q: {len(sets)}")
         configurations = tuple(_contiguous(f"q[{i}]", each, 2) for i, each in enumerate(sets))
         n = configurations[0].shape[1]
         for i, layer in enumerate(configurations):
@@ -78,16 +80,16 @@ class Layers:
                 raise InvalidInputError(f"q[{i}]", "no candidate", "at least one: a path has to pass each layer")
             if len(layer) > MOST:
                 raise InvalidInputError(f"q[{i}]", f"{len(layer)} candidates", f"at most {MOST}")
-        values = tuple(_contiguous(f"m[{i}]", each, 1) for i, each in enumerate(indices))
+        values = tuple(_contiguous(f"m[{i}]", each, 1) for i, each in enumerate(given))
         for i, (layer, value) in enumerate(zip(configurations, values, strict=True)):
             if len(layer) != len(value):
                 raise InvalidInputError(f"m[{i}]", f"{len(value)} values", f"one per candidate of q[{i}]: {len(layer)}")
         turning = np.zeros(n, dtype=np.bool_)
         if continuous is not None:
-            given = np.asarray(continuous)
-            if given.dtype != np.bool_ or given.shape != (n,):
+            turns = np.asarray(continuous)
+            if turns.dtype != np.bool_ or turns.shape != (n,):
                 raise InvalidInputError("continuous", continuous, f"{n} booleans, one per joint")
-            turning[:] = given
+            turning[:] = turns
         turning.flags.writeable = False
         count = sum(len(layer) for layer in configurations)
         layers = cls(q=configurations, m=values, continuous=turning, closed=bool(closed), considered=count)

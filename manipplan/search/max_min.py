@@ -20,26 +20,13 @@ from manipplan.search.search import CandidatePath, Search
 from manipplan.search.steps import check_epsilon, exclusive, path_length, without_jumps
 from manipplan.search.sweep import Lexicographic, Part, Shortest, ThreadPool, Widest
 from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, PlanningError, UnknownNameError
 from manipplan.support.progress import Progress, teller
+from manipplan.support.status import Status
 
 
-class SearchStatus(Enum):
-    """Return status of a search. The value is its text; `ok` tells whether the optimum was found."""
-
-    OPTIMAL = "optimal: no continuous path through these candidates has a larger minimum manipulability"
-    IMPROVING = "improving: the search goes on; certified_gap tells how far the optimum can still be above the minimum"
-    NOT_CONNECTED = (
-        "failed: no continuous path leads through the layers; raise epsilon to more than smallest_epsilon, "
-        "or take more candidates or more positions"
-    )
-
-    @property
-    def ok(self) -> bool:
-        """Whether the path is the optimum."""
-        return self is SearchStatus.OPTIMAL
-
-
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SearchResult:
     """The path that a search chose; where there is none, its arrays are empty and its minimum is -inf.
@@ -71,7 +58,7 @@ class SearchResult:
     bound: float
     certified_bound: float
     connected: bool
-    status: SearchStatus
+    status: Status
     length: float
     epsilon: Array
     strict: bool
@@ -254,14 +241,14 @@ def _results(
         for path, certified, exact in _rounds(search, reach):
             if exact:
                 break
-            yield _result(search, path, SearchStatus.IMPROVING, epsilon, strict, certified)
+            yield _result(search, path, Status.IMPROVING, epsilon, strict, certified)
         if path is None:
             yield _not_connected(search, epsilon, reach, strict)
             return
         if prefer is not Prefer.FIRST:
             objective = Shortest() if prefer is Prefer.SHORTEST else Lexicographic()
             path = search.best(objective, Part(threshold=certified), reach, f"{prefer.value} path")
-        final = _result(search, path, SearchStatus.OPTIMAL, epsilon, strict, certified)
+        final = _result(search, path, Status.PROVEN_OPTIMAL, epsilon, strict, certified)
         search.tell(1.0, "done")
         yield final
 
@@ -301,13 +288,13 @@ def _rounds(search: Search, reach: Array) -> Iterator[tuple[CandidatePath | None
 
 def _thrown(results: Iterator[SearchResult]) -> Iterator[SearchResult]:
     for result in results:
-        if result.status is SearchStatus.NOT_CONNECTED:
+        if result.status is Status.NOT_CONNECTED:
             raise PlanningError(result.message, result)
         yield result
 
 
 def _result(
-    search: Search, path: CandidatePath | None, status: SearchStatus, epsilon: Array, strict: bool, certified: float
+    search: Search, path: CandidatePath | None, status: Status, epsilon: Array, strict: bool, certified: float
 ) -> SearchResult:
     layers = search.layers
     if path is None:
@@ -336,7 +323,7 @@ def _result(
 
 
 def _not_connected(search: Search, epsilon: Array, reach: Array, strict: bool) -> SearchResult:
-    result = _result(search, None, SearchStatus.NOT_CONNECTED, epsilon, strict, -np.inf)
+    result = _result(search, None, Status.NOT_CONNECTED, epsilon, strict, -np.inf)
     count = len(search.layers.q)
     place = search.reached(reach) % count  # 0: all reached, but no cycle closes
     smallest = search.least_epsilon(epsilon)
@@ -347,6 +334,6 @@ def _not_connected(search: Search, epsilon: Array, reach: Array, strict: bool) -
     factor = float((smallest / epsilon).max())
     least = ", ".join(f"{each:.6g}" for each in smallest)
     told = f"above {factor:.6g} times epsilon" if strict else f"at {factor:.6g} times epsilon or more"
-    message = f"{where}; connected {told} ({least}); {SearchStatus.NOT_CONNECTED.value}"
+    message = f"{where}; connected {told} ({least}); {Status.NOT_CONNECTED.value}"
     search.tell(1.0, "done")
     return replace(result, breaks_at=place, smallest_epsilon=smallest, message=message)

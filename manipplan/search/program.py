@@ -42,7 +42,7 @@ class LevelProgram:
         slopes = ca.MX.sym("slopes", n * ROWS, positions)
         scale = ca.MX.sym("scale")
         weight = ca.MX.sym("weight")
-        index = kinematics.symbolic.manipulability.map(positions)(x) / scale
+        m = kinematics.symbolic.manipulability.map(positions)(x) / scale
         error = self.rows.error.map(positions)(x, poses)
         winding = ca.MX.sym("winding", n)
         following = ca.horzcat(x[:, 1:], x[:, 0] + winding) if closed else x[:, 1:]
@@ -53,7 +53,7 @@ class LevelProgram:
             "x": ca.vertcat(ca.vec(x), t),
             "p": ca.vertcat(ca.vec(about), ca.vec(poses), ca.vec(slopes), winding, scale, weight),
             "f": (weight - 1) * t + weight * ca.sumsqr(steps) / max(self._steps, 1),
-            "g": ca.vertcat(index.T - t, ca.vec(error), ca.vec(steps), ca.vec(distances)),
+            "g": ca.vertcat(m.T - t, ca.vec(error), ca.vec(steps), ca.vec(distances)),
         }
         options = {
             "print_time": False,
@@ -95,8 +95,8 @@ class LevelProgram:
             level: see above.
         """
         limits, positions = self.kinematics.robot.limits, self.positions
-        index = self.kinematics.manipulability(q)
-        scale = float(np.abs(index).min()) or 1.0
+        m = self.kinematics.manipulability(q)
+        scale = float(np.abs(m).min()) or 1.0
         turns = full_turns(q, self.kinematics.robot.endless)
         weights = np.array([scale, 0.0 if level is None else 1.0])
         parameters = [q.ravel(), poses.transpose(0, 2, 1).ravel(), slopes.ravel(), turns, weights]
@@ -105,7 +105,7 @@ class LevelProgram:
         most = np.tile(epsilon, self._steps)
         fixed = None if level is None else level / scale
         result = self._solve(
-            x0=np.append(q.ravel(), index.min() / scale if fixed is None else fixed),
+            x0=np.append(q.ravel(), m.min() / scale if fixed is None else fixed),
             p=np.concatenate(parameters),
             lbx=np.append(lower.ravel(), -np.inf if fixed is None else fixed),
             ubx=np.append(upper.ravel(), np.inf if fixed is None else fixed),

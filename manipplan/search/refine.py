@@ -11,6 +11,7 @@ from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.steps import path_length, steps_between, within
 from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.progress import Progress, teller
@@ -37,6 +38,7 @@ MET = 1e-9
 SAME = 1e-9
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Refinement:
     """A refined path through all positions; each value belongs to a path that was checked again.
@@ -141,14 +143,14 @@ class _Refiner:
         q = self._raised(q, progress)
         progress(0.9, "shortening the path")
         q = self._shortened(q, resampled)
-        index = self.kinematics.manipulability(q)
+        m = self.kinematics.manipulability(q)
         return Refinement(
             q=q,
-            manipulability=index,
+            manipulability=m,
             discrete=self.found.minimum,
             resampled=resampled,
-            refined=float(index.min()),
-            bound=max(self._bound(), float(index.min())),
+            refined=float(m.min()),
+            bound=max(self._bound(), float(m.min())),
             length=path_length(q, self.layers.continuous, closed=self.layers.closed),
             history=tuple(self.history),
         )
@@ -158,19 +160,19 @@ class _Refiner:
 
     def _resampled(self, q: Array, width: Array) -> Array:
         """The best path through samples around `q` (L, n) and the configurations of `q` itself."""
-        values = self.sampler.solver.parameters_of(q, self.poses)
-        if values.shape[1] == 0:
+        parameters = self.sampler.solver.parameters_of(q, self.poses)
+        if parameters.shape[1] == 0:
             return q
         spread = float(width.max())
-        offsets = np.array(list(product(np.linspace(-spread, spread, AROUND), repeat=values.shape[1])))
-        sets, indices = [], []
+        offsets = np.array(list(product(np.linspace(-spread, spread, AROUND), repeat=parameters.shape[1])))
+        sets, values = [], []
         for k, pose in enumerate(self.poses):
-            near, m, _ = self.sampler.sample(pose, values[k] + offsets)
+            near, m, _ = self.sampler.sample(pose, parameters[k] + offsets)
             step = steps_between(q[k], near, self.layers.continuous)
             beside = np.abs(step).max(axis=1) < 10 * spread
             sets.append(np.vstack([q[k], q[k] + step[beside]]))
-            indices.append(np.append(self.kinematics.manipulability(q[k]), m[beside]))
-        finer = Layers.from_arrays(sets, indices, continuous=self.layers.continuous, closed=self.layers.closed)
+            values.append(np.append(self.kinematics.manipulability(q[k]), m[beside]))
+        finer = Layers.from_arrays(sets, values, continuous=self.layers.continuous, closed=self.layers.closed)
         found = max_min_search(finer, self.found.epsilon, strict=self.found.strict, throw=False)
         return self._better(q, found.q) if found.connected else q
 

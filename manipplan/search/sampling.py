@@ -61,7 +61,7 @@ REACHES = (1e-6, 1e-6)
 def sample_layers(
     robot: Robot,
     path: CartesianPath,
-    n: int = 50,
+    positions: int = 50,
     *,
     task: Task | None = None,
     measure: Measure | str | None = None,
@@ -77,12 +77,12 @@ def sample_layers(
     seed: int = 0,
     progress: Progress | None = None,
 ) -> Layers:
-    """All configurations that reach n positions of a path, on a grid over the arm's redundant parameters.
+    """All configurations that reach a number of positions of a path, on a grid over the arm's redundant parameters.
 
     Args:
         robot: the arm.
         path: of the tool.
-        n: number of positions, equally spaced in s; with `closed`, the last one does not repeat the first.
+        positions: number of positions, equally spaced in s; with `closed`, the last one does not repeat the first.
         task: Task.pose(), the default, or Task.pointing(axis), whose rotation about the axis is sampled as well. The
             manipulability of candidates is that of this task.
         measure: of manipulability; see `Robot.kinematics`.
@@ -108,7 +108,7 @@ def sample_layers(
     instance("robot", robot, Robot)
     if not isinstance(path, CartesianPath):
         raise InvalidInputError("path", path, "a CartesianPath")
-    n = whole_number("n", n, least=2)
+    n = whole_number("positions", positions, least=2)
     for name, value in (("closed", closed), ("collisions", collisions)):
         instance(name, value, bool)
     if closed and np.abs(path(0.0) - path(1.0)).max() > RETURNS:
@@ -181,7 +181,7 @@ def _check_grid(sampler: "CandidateSampler", n: int, samples: int | Sequence[int
     from manipplan.ik.solver import sample_counts
 
     counts = sample_counts(samples, sampler.solver.names, SAMPLES)
-    for argument, value, needed in (("n", n, 8 * 16 * n), ("samples", samples, GRID * math.prod(counts))):
+    for argument, value, needed in (("positions", n, 8 * 16 * n), ("samples", samples, GRID * math.prod(counts))):
         if needed > allowed:
             wanted = f"fewer: they need {needed / 1e9:.2g} GB, and memory allows {allowed / 1e9:.2g} GB"
             raise InvalidInputError(argument, value, wanted)

@@ -1,8 +1,8 @@
-"""The path cost g for OMPL's optimising planners: ∫ ‖q'‖ / m^p along straight motions."""
+"""The path cost g for OMPL's optimising planners: ∫ ‖q'‖_W / m^p along straight motions."""
 
 import numpy as np
 
-from manipplan.kinematics.kinematics import Kinematics
+from manipplan.cost.integral import PathIntegral, speeds
 from manipplan.support.checks import Array
 
 #: Maximum length of the panels in which a motion is integrated [rad or m], and number of Gauss points per panel.
@@ -12,17 +12,18 @@ POINTS = 5
 LEAST = 1e-12
 
 
-def motion_cost(kinematics: Kinematics, power: float, first: Array, second: Array) -> float:
-    """∫ ‖q'‖ / m^p ds along the straight motion between two configurations (n,): (6.6) in kth2012."""
+def motion_cost(integral: PathIntegral, first: Array, second: Array) -> float:
+    """∫ ‖q'‖_W / m^p ds along the straight motion between two configurations (n,): (6.6) in kth2012."""
     length = float(np.linalg.norm(second - first))
     if length == 0.0:
         return 0.0
     nodes, weights = _rule(int(np.ceil(length / PANEL)))
-    index = kinematics.manipulability(first + nodes[:, None] * (second - first))
-    return float(length * (weights @ np.maximum(index, LEAST) ** -power))
+    m = integral.kinematics.manipulability(first + nodes[:, None] * (second - first))
+    speed = float(speeds((second - first)[None], integral.metric)[0])
+    return float(speed * (weights @ np.maximum(m, LEAST) ** -integral.power))
 
 
-def index_objective(information: object, kinematics: Kinematics, power: float) -> object:
+def ompl_objective(information: object, integral: PathIntegral) -> object:
     """An OptimizationObjective of OMPL whose cost of a motion is `motion_cost`.
 
     It has no lower bound on the cost to the goal, so OMPL uses zero: the maximum manipulability of an arm is not known, and a
@@ -30,19 +31,19 @@ def index_objective(information: object, kinematics: Kinematics, power: float) -
     """
     from ompl import base
 
-    n = kinematics.robot.n
+    n = integral.kinematics.robot.n
 
-    class IndexObjective(base.OptimizationObjective):  # type: ignore[misc]  # ompl has no stubs
+    class ManipulabilityObjective(base.OptimizationObjective):  # type: ignore[misc]  # ompl has no stubs
         """Not a subclass of StateCostIntegralObjective, whose overridden methods the bindings never call."""
 
         def stateCost(self, state: object) -> object:  # noqa: N802  # OMPL's name
-            index = float(kinematics.manipulability(_configuration(state, n)))
-            return base.Cost(max(index, LEAST) ** -power)
+            m = float(integral.kinematics.manipulability(_configuration(state, n)))
+            return base.Cost(max(m, LEAST) ** -integral.power)
 
         def motionCost(self, first: object, second: object) -> object:  # noqa: N802  # OMPL's name
-            return base.Cost(motion_cost(kinematics, power, _configuration(first, n), _configuration(second, n)))
+            return base.Cost(motion_cost(integral, _configuration(first, n), _configuration(second, n)))
 
-    return IndexObjective(information)
+    return ManipulabilityObjective(information)
 
 
 def _configuration(state: object, n: int) -> Array:

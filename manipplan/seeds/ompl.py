@@ -17,26 +17,19 @@ from numpy.typing import ArrayLike
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene
-from manipplan.cost.objective import path_cost
-from manipplan.kinematics.kinematics import Kinematics
+from manipplan.cost.integral import PathIntegral
+from manipplan.cost.objective import PathObjective
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.smooth import rounded
 from manipplan.robots.robot import Robot
 from manipplan.seeds.aspect import Aspect
-from manipplan.seeds.objective import index_objective
-from manipplan.support.checks import Array, instance, number, random_seed, whole_number
-from manipplan.support.errors import InvalidInputError, PlanningError, UnknownNameError
-from manipplan.symbolic.task import Task
+from manipplan.seeds.objective import ompl_objective
+from manipplan.seeds.seeding import OPTIMISING, Seeding
+from manipplan.support.checks import Array, instance, number, whole_number
+from manipplan.support.errors import InvalidInputError, PlanningError
 
 log = logging.getLogger("manipplan")
 
-#: Planners that stop at the first path. PRM and PRM* are excluded: they search in a thread of their own, which waits for
-#: Python's lock while the search waits for that thread, and their runs are not repeatable.
-FEASIBLE = ("RRTConnect", "RRT", "KPIECE1", "BKPIECE1", "LBKPIECE1")
-#: Planners that continue to lower the cost until `checks` or `time_limit` is used up.
-OPTIMISING = ("RRTstar", "InformedRRTstar", "SORRTstar", "BITstar")
-PLANNERS = FEASIBLE + OPTIMISING
-OBJECTIVES = ("length", "index")
 #: Maximum time beyond the time limit for simplifying and rounding a path [s].
 GRACE = 0.3
 #: Maximum joint motion between two checks of a finished path [rad or m].
@@ -54,16 +47,12 @@ def seed_path(
     start: ArrayLike,
     goal: ArrayLike,
     scene: Scene | None = None,
-    planner: str = "RRTConnect",
-    seed: int = 0,
     *,
-    objective: str = "length",
-    task: Task | None = None,
-    power: float = 1.0,
+    seeding: Seeding = Seeding(),  # noqa: B008  # a frozen value
+    objective: PathObjective | None = None,
     same_aspect: bool = False,
     checks: int = 50_000,
     clearance: float = 0.0,
-    time_limit: float = 10.0,
 ) -> JointPath:
     """Find a collision-free path: the straight line if that is free, else a path from OMPL, simplified and rounded.
 
@@ -71,44 +60,37 @@ def seed_path(
         robot: the arm.
         start, goal: (n,) [rad or m].
         scene: obstacles; None: only self-collision is checked.
-        planner: one of PLANNERS.
-        seed: the same seed gives the same path, on any machine, unless `time_limit` ends the search.
-        objective: the cost of the optimising planners (RRTstar, InformedRRTstar, SORRTstar, BITstar): "length", or "index",
-            which is g = ∫ ‖q'‖ / m^power ds as in `optimize_path`. With "index" the straight line is returned only if no
-            lower g is found, and the path is simplified only where that does not raise g.
-        task, power: task of m and exponent in g, for objective "index"; default task: `robot.default_task`.
-        same_aspect: only accept a path on which det J keeps its sign, so that it crosses no singularity of `task`. Requires an
-            arm with as many joints as the task has rows, and the same sign at start and goal.
+        seeding: planner, random seed and time limit; the other fields keep their defaults.
+        objective: the cost that the optimising planners (RRTstar, InformedRRTstar, SORRTstar, BITstar) lower; None: the length.
+            With an objective the straight line is returned only if no lower g is found, and the path is simplified only where
+            that does not raise g. The other planners ignore it.
+        same_aspect: only accept a path on which det J keeps its sign, so that it crosses no singularity of the objective's
+            task. Requires an arm with as many joints as the task has rows, and the same sign at start and goal.
         checks: maximum number of configurations that an optimising planner checks, about 60 µs each.
         clearance: minimum distance [m] to every obstacle and between the arm's own links.
-        time_limit: limit on the total time [s].
 
     Returns:
         A JointPath that is proven collision-free on the whole curve. If no such path is found, for instance because the start
         nearly touches something, one that is free at every milliradian. `scene.path_clearance` tells which.
 
     Raises:
-        InvalidInputError: start or goal has a wrong length, is outside the limits, or in collision; objective "index" with a
-            planner that does not optimise; `same_aspect` if det J does not have the same sign at start and goal.
-        PlanningError: no collision-free path was found within `time_limit` or `checks`.
+        InvalidInputError: start or goal has a wrong length, is outside the limits, or in collision; `same_aspect` if det J
+            does not have the same sign at start and goal.
+        PlanningError: no collision-free path was found within the time limit or `checks`.
     """
-    if planner not in PLANNERS:
-        raise UnknownNameError("planner", str(planner), PLANNERS)
-    if objective not in OBJECTIVES:
-        raise UnknownNameError("objective", str(objective), OBJECTIVES)
-    if objective == "index" and planner not in OPTIMISING:
-        raise InvalidInputError("planner", planner, f"one that optimises, with objective 'index': {', '.join(OPTIMISING)}")
-    power = number("power", power, above=0.0, most=100.0)
-    seed = random_seed("seed", seed)
+    instance("robot", robot, Robot)
+    _check_seeding(instance("seeding", seeding, Seeding))
+    integral = instance("objective", objective if objective is not None else PathObjective(), PathObjective).integral(robot)
+    lowers_g = objective is not None and seeding.planner_name in OPTIMISING
+    planner, time_limit = seeding.planner_name, seeding.time_limit
     checks = whole_number("checks", checks, least=1)
     clearance = number("clearance", clearance, least=0.0)
-    time_limit = number("time_limit", time_limit, above=0.0)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     model = scene.collision_model(robot)
     q_start = model.free_configuration("start", start, clearance)
     q_goal = model.free_configuration("goal", goal, clearance)
     check_apart(q_start, q_goal)
-    kinematics = robot.kinematics(task)
+    kinematics = integral.kinematics
     aspect = Aspect.shared(kinematics, q_start, q_goal) if same_aspect else None
     if same_aspect and aspect is None:
         wanted = f"False: det J of the task {kinematics.task.name} has no sign, or not the same one at start and goal"
@@ -118,10 +100,9 @@ def seed_path(
         start=q_start,
         goal=q_goal,
         planner=planner,
-        seed=seed,
+        seed=seeding.seed,
         clearance=clearance,
-        kinematics=kinematics if objective == "index" else None,
-        power=power,
+        integral=integral if lowers_g else None,
         aspect=aspect,
         checks=checks if planner in OPTIMISING else None,
         deadline=time.monotonic() + time_limit,
@@ -130,7 +111,7 @@ def seed_path(
     free = _acceptance(model, (q_start, q_goal), clearance)
     accept = free if aspect is None else lambda path: aspect.holds(path) and free(path)
     line_is_free = accept(line)
-    if line_is_free and objective == "length":
+    if line_is_free and not lowers_g:
         return line
     cost = search.cost
     checked = None
@@ -151,13 +132,24 @@ def seed_path(
     if checked is not None:
         log.info("no path was proven collision-free in time; this one is free at every milliradian")
         return checked
-    spent, remedy = f"in {time_limit:g} s", "allow more time (time_limit)"
+    spent, remedy = f"in {time_limit:g} s", "allow more time (Seeding.time_limit)"
     if time.monotonic() < search.deadline and search.checks is not None:
         spent, remedy = f"with {checks} checks", "allow more of them (checks)"
     raise PlanningError(
         f"no path from start to goal was found by {planner} {spent}; "
         f"{remedy}, reduce the clearance, or check that the goal can be reached"
     )
+
+
+def _check_seeding(seeding: Seeding) -> None:
+    """Raise InvalidInputError for options that concern several first paths, or a given one."""
+    for name, value, only in (
+        ("seeding.count", seeding.count, 1),
+        ("seeding.shifts", seeding.shifts, "none"),
+        ("seeding.initial", seeding.initial, None),
+    ):
+        if value != only:
+            raise InvalidInputError(name, value, f"{only!r}: seed_path looks for one path; optimize_path takes the others")
 
 
 def _finished(
@@ -203,7 +195,7 @@ class _Search:
     """A search with OMPL.
 
     Attributes:
-        kinematics: provides the manipulability in the cost; None: the cost is the length.
+        integral: the cost; None: the length.
         aspect: the aspect to stay in; None: any.
         checks: maximum number of checks of an optimising planner; None: the first path ends the search.
         deadline: of the search, in time.monotonic() [s].
@@ -215,15 +207,14 @@ class _Search:
     planner: str
     seed: int
     clearance: float
-    kinematics: Kinematics | None
-    power: float
+    integral: PathIntegral | None
     aspect: Aspect | None
     checks: int | None
     deadline: float
 
     def cost(self, path: JointPath) -> float:
         """The cost that the search lowers, for any path."""
-        return path.length if self.kinematics is None else path_cost(path, self.kinematics, self.power).g
+        return path.length if self.integral is None else self.integral.cost(path).g
 
     def in_time(self, accept: Callable[[JointPath], bool]) -> Callable[[JointPath], bool]:
         """The same test, but paths that come too late are rejected."""
@@ -274,8 +265,8 @@ class _Search:
         information.setup()
         problem = base.ProblemDefinition(information)
         problem.setStartAndGoalStates(_state(space, self.start), _state(space, self.goal), 1e-9)
-        if self.kinematics is not None:
-            problem.setOptimizationObjective(index_objective(information, self.kinematics, self.power))
+        if self.integral is not None:
+            problem.setOptimizationObjective(ompl_objective(information, self.integral))
         solver = getattr(geometric, self.planner)(information)
         solver.setProblemDefinition(problem)
         solver.setup()
@@ -283,7 +274,7 @@ class _Search:
         if not problem.hasExactSolution():
             return None
         path = problem.getSolutionPath()
-        if self.kinematics is None:
+        if self.integral is None:
             late = self.deadline + GRACE
             simplifier = geometric.PathSimplifier(information)
             simplifier.reduceVertices(path)

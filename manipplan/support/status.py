@@ -4,24 +4,28 @@ from enum import Enum
 
 
 class Status(Enum):
-    """Return status of a path. The value is the text for the user; `ok` tells whether the request was met."""
+    """Outcome of a job, a search or a tracked path. The value is the text for the user: what happened, and the remedy.
 
+    A job is `plan`, `optimize_path`, `follow` or `improve`. `ok` tells whether the request was met.
+    """
+
+    # paths between two configurations
     OPTIMAL = "optimal: the first-order conditions of a local optimum hold, and every check passed"
     STOPPED_EARLY = (
         "feasible, not converged: every check passed, but the first-order conditions of a local optimum do not hold; "
-        "start again from this path with initial=, raise degree, or try another seed="
+        "start again from this path (Seeding.initial), raise PathShape.degree, or try another Seeding.seed"
     )
     SEED_IS_BETTER = (
         "seed: no optimised path of this degree has a lower g than the collision-free seed, which is returned; "
-        "raise degree, or try another seed="
+        "raise PathShape.degree, or try another Seeding.seed"
     )
     SEED_IS_SAFE = (
         "seed: no optimised path of this degree stays clear of collisions, so the collision-free seed is returned; "
-        "raise degree, lower clearance, or try another seed="
+        "raise PathShape.degree, lower clearance, or try another Seeding.seed"
     )
     ENDS_NOT_MET = (
         "seed: no path of this degree with the given end slopes and bends is inside the limits and collision-free, so the "
-        "collision-free seed, which does not have them, is returned; raise degree, or give smaller ones"
+        "collision-free seed, which does not have them, is returned; raise PathShape.degree, or give smaller ones"
     )
     SINGULAR = (
         "singular: every check passed, but the manipulability is zero somewhere on the path, so g is infinite; "
@@ -29,6 +33,7 @@ class Status(Enum):
         "between configurations at which det J has different signs: choose another solution of inverse_kinematics as goal"
     )
     INTERRUPTED = "interrupted: the best checked path so far, optimised or the seed; run it again to get further"
+    # recorded motions
     IMPROVED = "improved: the recorded motion was followed with a larger minimum or mean manipulability, and every check passed"
     NOT_BETTER = (
         "recorded: following the motion raised neither its minimum nor its mean manipulability, so the recording is returned; "
@@ -37,29 +42,49 @@ class Status(Enum):
     NOT_FOLLOWED = (
         "failed: the recorded motion could not be followed inside the tolerance to its last pose; allow more tolerance or time"
     )
+    # tool paths
     FOLLOWED = (
         "followed: the motion follows the workspace path with the largest minimum manipulability found, and every check passed"
     )
     NOT_CONNECTED = (
-        "failed: no continuous motion along the workspace path was found; take more positions, more samples or a larger epsilon"
+        "failed: no continuous path leads through the candidates of all positions; take a larger epsilon, more samples or more "
+        "positions"
     )
-    NO_PATH = "failed: no collision-free path was found; raise time_limit, lower clearance, or check the goal"
+    # any job
+    NO_PATH = "failed: no collision-free path was found; raise Seeding.time_limit, lower clearance, or check the goal"
     NO_TIMING = "failed: no motion along the path obeys the limits; raise effort or acceleration, or choose another path"
     CHECK_FAILED = (
         "failed: the finished trajectory did not pass its own check of limits, collisions or goal; "
         "please report it with the robot, start and goal"
     )
+    # searches among candidates; NOT_CONNECTED, too
+    PROVEN_OPTIMAL = "optimal: no continuous path through these candidates has a larger minimum manipulability"
+    IMPROVING = "improving: the search goes on; certified_gap tells how far the optimum can still be above the minimum"
+    GAVE_UP = "failed: most_branches was reached without a complete path; use max_min_search, or memoised=True"
+    # tracked paths
+    TRACKED = "tracked: the tool stayed inside the tolerance and reached the final pose"
+    LEFT_TOLERANCE = "failed: the tool left the tolerance; increase the tolerance or the duration, or start where the path does"
+    NOT_REACHED = "failed: the final pose was not reached; it may be out of reach, blocked, or need more time"
+    BRAKED = "failed: some steps had no valid solution, and the arm braked"
 
     @property
     def ok(self) -> bool:
-        """Whether the request was met: the result is a checked path that was optimised, improved or followed."""
-        return self in (Status.OPTIMAL, Status.STOPPED_EARLY, Status.IMPROVED, Status.FOLLOWED)
+        """Whether the request was met."""
+        return self in MET
 
     @property
     def has_path(self) -> bool:
-        """Whether there is a checked path that a robot can execute."""
+        """Whether there is a path: for a job, a checked one that a robot can execute."""
         return not self.value.startswith("failed")
 
 
+MET = (
+    Status.OPTIMAL,
+    Status.STOPPED_EARLY,
+    Status.IMPROVED,
+    Status.FOLLOWED,
+    Status.PROVEN_OPTIMAL,
+    Status.TRACKED,
+)
 #: Statuses of motions that `improve` returns: they start from a recording, not from a planner's seed.
 RECORDED = (Status.IMPROVED, Status.NOT_BETTER)

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 import casadi as ca
 
-from manipplan.robots.description import frame_index
+from manipplan.robots.model_tree import frame_index
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.chain import Placement, SymbolicChain

@@ -11,7 +11,7 @@ import casadi as ca
 import numpy as np
 import pinocchio as pin
 
-from manipplan.robots.description import axis_of, frame_index, is_prismatic
+from manipplan.robots.model_tree import axis_of, frame_index, is_prismatic
 from manipplan.support.checks import Array
 
 

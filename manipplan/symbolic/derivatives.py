@@ -34,7 +34,7 @@ class Factor:
         return cls(L=lower, Q=ca.vertcat(*rows)[:, :n].T)
 
     @property
-    def index(self) -> ca.SX:
+    def manipulability(self) -> ca.SX:
         """m_ρ."""
         product = self.L[0, 0]
         for i in range(1, self.L.shape[0]):
@@ -69,14 +69,14 @@ def log_hessian(factor: Factor, motion: Motion) -> ca.SX:
     return hessian
 
 
-def index_gradient(jacobian: ca.SX, motion: Motion, regularisation: float) -> ca.SX:
+def manipulability_gradient(jacobian: ca.SX, motion: Motion, regularisation: float) -> ca.SX:
     """∇m_ρ, (n, 1)."""
     factor = Factor.of(jacobian, regularisation)
-    return factor.index * log_gradient(factor, motion)
+    return factor.manipulability * log_gradient(factor, motion)
 
 
-def index_hessian(jacobian: ca.SX, motion: Motion, regularisation: float) -> ca.SX:
+def manipulability_hessian(jacobian: ca.SX, motion: Motion, regularisation: float) -> ca.SX:
     """∇²m_ρ = m_ρ (∇² log m_ρ + ∇ log m_ρ ∇ log m_ρᵀ), (n, n)."""
     factor = Factor.of(jacobian, regularisation)
     slope = log_gradient(factor, motion)
-    return factor.index * (log_hessian(factor, motion) + slope @ slope.T)
+    return factor.manipulability * (log_hessian(factor, motion) + slope @ slope.T)

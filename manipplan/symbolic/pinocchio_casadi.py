@@ -15,8 +15,9 @@ from typing import TYPE_CHECKING
 
 import casadi as ca
 
-from manipplan.robots.description import frame_index
+from manipplan.robots.model_tree import frame_index
 from manipplan.support.compiler import load_library
+from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError, ManipplanError, UnknownNameError
 from manipplan.support.memo import once_per_owner
 
@@ -28,6 +29,7 @@ log = logging.getLogger("manipplan")
 SOURCES = ("auto", "bindings", "bridge")
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True)
 class PinocchioCasadi:
     """CasADi Functions (SX) of one robot; q, qd, qdd and tau are (n,), SI units.

@@ -7,11 +7,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.support.checks import Array, finite_array, number
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 Row = tuple[float, ...]
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True)
 class Task:
     """Rows of the tool's Jacobian; build one with `pose`, `position`, `orientation`, `planar`, `pointing`, `direction`,

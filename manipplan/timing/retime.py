@@ -31,31 +31,29 @@ LEAST_LIMIT, MOST_LIMIT = 1e-9, 1e12
 
 def retime(
     path: JointPath,
-    limits: JointLimits,
+    robot: Robot,
     *,
-    joint_names: Sequence[str] | None = None,
-    torque_model: pin.Model | None = None,
-    grid: int = 300,
+    limits: JointLimits | None = None,
+    torque: bool = False,
+    segments: Sequence[Segment] = (),
     start_speed: float = 0.0,
     end_speed: float = 0.0,
-    segments: Sequence[Segment] | None = None,
-    robot: Robot | None = None,
+    grid: int = 300,
 ) -> Trajectory:
-    """Find the fastest motion along `path` within the limits, from rest to rest unless a speed is given, and verify it.
+    """Find the fastest motion of a robot along `path` within its limits, and verify it.
 
-    The arm stops where the path turns a corner or stands still.
+    The motion goes from rest to rest unless a speed is given. The arm stops where the path turns a corner or stands still.
 
     Args:
         path: the curve q(s), whose parameter is not time. `Trajectory.path` starts and ends so slowly that timing it again
             gives a slower motion than necessary.
-        limits: of velocity and acceleration. If a jerk limit is finite, acceleration is continuous, and zero at stops.
-            Effort limits apply when `torque_model` is given.
-        joint_names: names (n,); default q0, q1, ...
-        torque_model: Pinocchio model of the arm, whose inverse dynamics keep the motion within `limits.effort`.
-        grid: number of points along the path, at least 50; more are used where they make the motion faster.
-        start_speed, end_speed: ‖qd‖ along the path at its ends [rad/s or m/s].
+        robot: the arm.
+        limits: limits instead of the robot's. Velocity and acceleration have to be finite. If a jerk limit is finite,
+            acceleration is continuous, and zero at stops.
+        torque: keep the joints' effort limits as well, by inverse dynamics.
         segments: parts of the path with tighter limits.
-        robot: the arm whose tool speed segments limit; required for such segments.
+        start_speed, end_speed: ‖qd‖ along the path at its ends [rad/s or m/s].
+        grid: number of points along the path, at least 50; more are used where they make the motion faster.
 
     Returns:
         A Trajectory whose samples lie on the path and that exceeds no limit. Velocity, acceleration and jerk are checked at
@@ -67,20 +65,17 @@ def retime(
         PlanningError: no motion is within the limits; the message names the joint, s and limit if they are known.
     """
     instance("path", path, JointPath)
-    instance("limits", limits, JointLimits)
-    grid = whole_number("grid", grid, least=50)
+    if instance("robot", robot, Robot).n != path.n:
+        raise InvalidInputError("robot", f"an arm of {robot.n} joints", f"an arm of the path's {path.n} joints")
+    limits = robot.limits if limits is None else instance("limits", limits, JointLimits)
     if limits.n != path.n:
         raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of the path's {path.n} joints")
     check_timing_limits(limits)
-    if torque_model is not None and instance("torque_model", torque_model, pin.Model).nv != path.n:
-        raise InvalidInputError(
-            "torque_model", f"a model of {torque_model.nv} joints", f"a model of the path's {path.n} joints"
-        )
-    if robot is not None and instance("robot", robot, Robot).n != path.n:
-        raise InvalidInputError("robot", f"an arm of {robot.n} joints", f"an arm of the path's {path.n} joints")
-    names = distinct_names("joint_names", joint_names or [f"q{i}" for i in range(path.n)], path.n)
+    torque_model = robot.model if instance("torque", torque, bool) else None
+    grid = whole_number("grid", grid, least=50)
+    names = distinct_names("robot.joint_names", robot.joint_names, robot.n)  # a file of the trajectory holds them
     speeds = (number("start_speed", start_speed, least=0.0), number("end_speed", end_speed, least=0.0))
-    parts = check_segments(segments, limits, robot)
+    parts = check_segments(segments, limits)
     if path.length < SHORTEST:
         raise InvalidInputError("path", f"length {path.length:g}", f"a path with a length of at least {SHORTEST:g}")
     course = MovingPath(path)
@@ -88,7 +83,7 @@ def retime(
     along = LimitsAlong(limits, parts, places)
     if torque_model is not None:
         _check_statics(path, limits, torque_model, names)
-    tool = ToolSpeed(robot) if robot is not None and along.has_tool_speed else None
+    tool = ToolSpeed(robot) if along.has_tool_speed else None
     problem = TimingProblem(course=course, limits=along, names=names, torque_model=torque_model, tool=tool)
     found = []
     for points, standstill in ((grid, STANDSTILL), (4 * grid, STANDSTILL), (grid, NEAR_STANDSTILL)):

@@ -10,9 +10,11 @@ import pinocchio as pin
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance, number
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Segment:
     """A part of a path on which tighter limits hold; where segments overlap, the tightest limit of each kind applies.
@@ -21,7 +23,7 @@ class Segment:
         begin, end: path parameter s where it begins and ends, 0 <= begin < end <= 1.
         limits: joint limits there, which apply where they are tighter than the whole path's; None: those of the whole path.
         velocity, acceleration, jerk: shares in (0, 1] of these limits.
-        tool_speed: maximum speed of the tool's origin there [m/s]; inf: no limit. A finite one needs the `robot` of `retime`.
+        tool_speed: maximum speed of the tool's origin there [m/s]; inf: no limit.
     """
 
     begin: float
@@ -107,10 +109,8 @@ class LimitsAlong:
         return row
 
 
-def check_segments(segments: Any, limits: JointLimits, robot: Robot | None) -> tuple[Segment, ...]:
+def check_segments(segments: Any, limits: JointLimits) -> tuple[Segment, ...]:
     """The segments given to `retime` as a tuple. Raises InvalidInputError when one does not fit."""
-    if segments is None:
-        return ()
     if isinstance(segments, Segment):
         segments = (segments,)
     if not isinstance(segments, list | tuple):
@@ -121,8 +121,6 @@ def check_segments(segments: Any, limits: JointLimits, robot: Robot | None) -> t
             raise InvalidInputError(
                 f"segments[{k}].limits", f"limits of {segment.limits.n} joints", f"limits of the path's {limits.n} joints"
             )
-        if np.isfinite(segment.tool_speed) and robot is None:
-            raise InvalidInputError(f"segments[{k}].tool_speed", segment.tool_speed, "inf; give robot= to limit the tool speed")
     return tuple(segments)
 
 

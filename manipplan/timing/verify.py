@@ -9,6 +9,7 @@ import pinocchio as pin
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.limits import JointLimits
 from manipplan.support.checks import Array, instance
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.timing.segment import Bounds, ToolSpeed
 
@@ -16,6 +17,7 @@ from manipplan.timing.segment import Bounds, ToolSpeed
 JUMP = 1e-5
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True)
 class LimitUse:
     """The largest use of one kind of limit.

@@ -8,9 +8,10 @@ import numpy as np
 
 from manipplan.collision import scene as shapes
 from manipplan.collision.scene import Obstacle, Scene
-from manipplan.robots.description import axis_of, is_prismatic
+from manipplan.robots.model_tree import axis_of, is_prismatic
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance, number
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.symbolic.chain import Placement, SymbolicChain
 from manipplan.tracking.bodies import Bodies, Body
@@ -20,6 +21,7 @@ from manipplan.tracking.distances import Box, Capsule, Nearest, Plane, nearest
 OBSTACLE_SIZE = 18
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True)
 class Avoidance:
     """Obstacles and links that a controller keeps apart, and its distances.

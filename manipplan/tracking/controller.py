@@ -9,16 +9,19 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
+from manipplan.cost.objective import PathObjective
+from manipplan.measures.measure import Measure
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, number, number_array, positive_array
+from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNameError
 from manipplan.symbolic.machine_code import do_without, wants_machine_code
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, obstacle_numbers
 from manipplan.tracking.bodies import Bodies
 from manipplan.tracking.bounds import limits_jerk
-from manipplan.tracking.formulations import Classical, Formulation
+from manipplan.tracking.formulations import Formulation
 from manipplan.tracking.machine import MachineCode, Sources
 from manipplan.tracking.step import HUGE, REPORT, StepSetup, StepStatus, step_of
 
@@ -49,6 +52,7 @@ class StepReport(NamedTuple):
     convexified: float
 
 
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Rollout:
     """N steps: q and qd (N + 1, n) with the start in the first row, and the report of each step (N, 8)."""
@@ -75,6 +79,7 @@ class Controller:
 
     Attributes:
         robot, formulation, dt, task: the arguments, or the default task.
+        kinematics: of the task, with the measure that is raised.
         stiffness: default of Q_δ.
         tolerance: default tube; None if the controller was made without one.
         pairs: names of the pairs of bodies that are kept apart.
@@ -86,9 +91,10 @@ class Controller:
         self,
         robot: Robot,
         formulation: Formulation,
-        dt: float,
         *,
+        dt: float,
         task: Task | None = None,
+        measure: Measure | str | None = None,
         stiffness: float = 1e4,
         weights: ArrayLike = 1.0,
         approach: float = 2.0,
@@ -96,13 +102,15 @@ class Controller:
         avoidance: Avoidance | None = None,
         compiled: bool | str = "auto",
     ) -> None:
-        """Build the step; with a compiler this takes a second or two the first time.
+        """Build the step; with a compiler this takes seconds the first time, or a minute for a measure with a long Hessian.
 
         Args:
             robot: the arm, with its limits.
-            formulation: Classical, General, Objective, Equality or LogDrive.
+            formulation: Classical, General, Objective, Equality or LogDrive of `manipplan.formulations`, or one's own.
             dt: time step T > 0 [s].
             task: task that is tracked, and whose manipulability counts; default `robot.default_task`.
+            measure: the manipulability that is raised, a name from `available_measures()` or a Measure that is at least zero
+                and better when larger; default: Yoshikawa's.
             stiffness: default of Q_δ > 0, per row in metres.
             weights: diagonal of Q > 0, one number or n.
             approach: deceleration a > 0 [m/s²] at which the correction of a deviation e can be braked: its speed is at most
@@ -119,13 +127,14 @@ class Controller:
         """
         instance("robot", robot, Robot)
         if not isinstance(formulation, Formulation):
-            raise InvalidInputError("formulation", formulation, "Classical, General, Objective, Equality or LogDrive")
+            raise InvalidInputError("formulation", formulation, "a Formulation, such as formulations.LogDrive()")
         self.robot, self.formulation, self.dt = robot, formulation, number("dt", dt, above=0.0)
         for name, value, kind in (("tolerance", tolerance, Tolerance), ("avoidance", avoidance, Avoidance)):
             if value is not None:
                 instance(name, value, kind)
-                if isinstance(formulation, Classical):
-                    raise InvalidInputError(name, value, "None with Classical, which has no inequality constraints")
+                if not formulation.solves_qp:
+                    wanted = f"None with {type(formulation).__name__}, which has no inequality constraints"
+                    raise InvalidInputError(name, value, wanted)
         if (
             np.isfinite(robot.limits.jerk).any()
             and not np.isfinite(robot.limits.velocity[np.isfinite(robot.limits.jerk)]).all()
@@ -133,13 +142,11 @@ class Controller:
             raise InvalidInputError(
                 "limits.velocity", robot.limits.velocity, "a velocity limit for each joint with a jerk limit"
             )
-        kinematics = robot.kinematics(task, compiled=compiled)
-        self.task = kinematics.task
-        if self.task.rows > robot.n:
-            raise InvalidInputError("task", self.task.name, f"at most as many rows as joints, {robot.n}")
+        self.kinematics = PathObjective(task=task, measure=measure).kinematics(robot, compiled=compiled)
+        self.task = self.kinematics.task
         self.tolerance, self._avoidance = tolerance, avoidance
         setup = StepSetup(
-            kinematics=kinematics,
+            kinematics=self.kinematics,
             formulation=formulation,
             dt=self.dt,
             weights=positive_array("weights", weights, robot.n),
@@ -163,6 +170,10 @@ class Controller:
                 do_without(error, compiled)
         self.compiled = self._machine is not None
         self._connect(function, number("stiffness", stiffness, above=0.0))
+
+    def __repr__(self) -> str:
+        how = "machine code" if self.compiled else "virtual machine"
+        return f"Controller({self.robot!r}, {self.formulation!r}, dt={self.dt:g}, task={self.task.name!r}, {how})"
 
     def sources(self) -> Sources:
         """The controller in C."""

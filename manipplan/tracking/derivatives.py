@@ -1,4 +1,4 @@
-"""Gradient and Hessian of the manipulability in a control step: exact, by differences, or quasi-Newton."""
+"""Gradient and Hessian of a measure in a control step: exact, by differences, or quasi-Newton."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from manipplan.kinematics.kinematics import SymbolicKinematics
-from manipplan.measures.indices import REGULARISATION
+from manipplan.measures.manipulability import REGULARISATION, Yoshikawa
 from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian
 
 GRADIENTS = ("exact", "central")
@@ -23,15 +23,16 @@ NEGLIGIBLE = 1e-8
 
 
 @dataclass(frozen=True, kw_only=True)
-class Index:
-    """Yoshikawa's manipulability m at symbolic q, with the derivatives that a formulation needs.
+class SymbolicMeasure:
+    """The manipulability m at symbolic q, with the derivatives that a formulation needs.
 
     Attributes:
         q: (n, 1) symbols.
-        value: m.
+        value: the manipulability m.
         gradient: ∇m, (n, 1).
         hessian: H_m, (n, n); zero if it is not used.
-        log_gradient: function of a regularisation r: ∇ log sqrt(det(J Jᵀ + r² I)), (n, 1).
+        log_gradient: function of a regularisation r: the gradient (n, 1) of log sqrt(det(J Jᵀ + r² I)) for Yoshikawa's measure,
+            and of log sqrt(m² + r²) for any other.
         memory: symbols of the last step's H_m column by column, ∇m, q, and whether there was a step.
         next_memory: the same of this step.
     """
@@ -45,21 +46,18 @@ class Index:
     next_memory: ca.SX
 
     @classmethod
-    def of(cls, symbolic: SymbolicKinematics, gradient: str, hessian: str | None) -> "Index":
-        """The manipulability of `symbolic`; gradient and hessian by name, hessian None: not used."""
+    def of(cls, symbolic: SymbolicKinematics, gradient: str, hessian: str | None) -> "SymbolicMeasure":
+        """The measure of `symbolic`; gradient and hessian by name, hessian None: not used."""
         q = symbolic.chain.q
         n = q.shape[0]
-        jacobian, motion = symbolic.posture.smooth
-        factor = Factor.of(jacobian, REGULARISATION)
-        slope = factor.index * log_gradient(factor, motion)
+        value, slope, exact_hessian, log_slope = _yoshikawa(symbolic) if symbolic.measure == Yoshikawa() else _any(symbolic)
         if gradient == "central":
             slope = _central_gradient(symbolic.manipulability, q)
         memory = next_memory = ca.SX(0, 1)
         if hessian is None:
             bend = ca.SX(n, n)
         elif hessian == "exact":
-            log_slope = log_gradient(factor, motion)
-            bend = factor.index * (log_hessian(factor, motion) + log_slope @ log_slope.T)
+            bend = exact_hessian()
         elif hessian == "central":
             bend = _central_hessian(symbolic.manipulability, q)
         else:
@@ -67,30 +65,47 @@ class Index:
             bend = _learned(hessian, memory, q, slope)
             next_memory = ca.vertcat(ca.vec(bend), slope, q, 1)
         return cls(
-            q=q,
-            value=factor.index,
-            gradient=slope,
-            hessian=bend,
-            log_gradient=lambda r: log_gradient(Factor.of(jacobian, r), motion),
-            memory=memory,
-            next_memory=next_memory,
+            q=q, value=value, gradient=slope, hessian=bend, log_gradient=log_slope, memory=memory, next_memory=next_memory
         )
 
 
-def _central_gradient(index: ca.Function, q: ca.SX) -> ca.SX:
+#: m, ∇m, and functions that build H_m and the gradient of log m with a regularisation.
+Parts = tuple[ca.SX, ca.SX, Callable[[], ca.SX], Callable[[float], ca.SX]]
+
+
+def _yoshikawa(symbolic: SymbolicKinematics) -> Parts:
+    """From one Cholesky factor of J Jᵀ."""
+    jacobian, motion = symbolic.posture.smooth
+    factor = Factor.of(jacobian, REGULARISATION)
+    slope = log_gradient(factor, motion)
+
+    def hessian() -> ca.SX:
+        return factor.manipulability * (log_hessian(factor, motion) + slope @ slope.T)
+
+    return factor.manipulability, factor.manipulability * slope, hessian, lambda r: log_gradient(Factor.of(jacobian, r), motion)
+
+
+def _any(symbolic: SymbolicKinematics) -> Parts:
+    """From the measure's own derivatives."""
+    q = symbolic.chain.q
+    value, slope = symbolic.manipulability(q), symbolic.gradient(q)
+    return value, slope, lambda: symbolic.hessian(q), lambda r: value * slope / (value**2 + r**2)
+
+
+def _central_gradient(measure: ca.Function, q: ca.SX) -> ca.SX:
     """(17) in dufour2020."""
     shifts = ca.horzsplit(DIFFERENCE * ca.DM.eye(q.shape[0]))
-    return ca.vertcat(*((index(q + shift) - index(q - shift)) / (2 * DIFFERENCE) for shift in shifts))
+    return ca.vertcat(*((measure(q + shift) - measure(q - shift)) / (2 * DIFFERENCE) for shift in shifts))
 
 
-def _central_hessian(index: ca.Function, q: ca.SX) -> ca.SX:
+def _central_hessian(measure: ca.Function, q: ca.SX) -> ca.SX:
     """(19) in dufour2020."""
     n = q.shape[0]
     shifts = ca.horzsplit(DIFFERENCE * ca.DM.eye(n))
     hessian = ca.SX(n, n)
     for i in range(n):
         for j in range(i + 1):
-            corners = [s * t * index(q + s * shifts[i] + t * shifts[j]) for s in (1, -1) for t in (1, -1)]
+            corners = [s * t * measure(q + s * shifts[i] + t * shifts[j]) for s in (1, -1) for t in (1, -1)]
             hessian[i, j] = hessian[j, i] = sum(corners) / (4 * DIFFERENCE**2)
     return hessian
 

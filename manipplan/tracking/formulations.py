@@ -13,8 +13,20 @@ import casadi as ca
 
 from manipplan.support.checks import number
 from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.symbolic.derivatives import Factor
 from manipplan.tracking.convex import gram
-from manipplan.tracking.derivatives import CURVATURES, GRADIENTS, Index
+from manipplan.tracking.derivatives import CURVATURES, GRADIENTS, SymbolicMeasure
+
+__all__ = [
+    "Classical",
+    "Drive",
+    "Equality",
+    "Formulation",
+    "General",
+    "LogDrive",
+    "Objective",
+    "SymbolicMeasure",
+]
 
 #: Offset added to ∇ log m [1/rad], which vanishes in symmetric and in exactly singular configurations although m could grow.
 NUDGE = 1e-6
@@ -29,8 +41,13 @@ class Drive:
 
 
 class Formulation(ABC):
-    """Base class of formulations that use manipulability in inverse kinematics; subclasses are frozen values."""
+    """Base class of formulations that use manipulability in inverse kinematics; subclasses are frozen values.
 
+    One's own formulation implements `drive`. Its terms are added to the QP of a step, which keeps all limits and constraints.
+    """
+
+    #: Whether a step is a QP, which keeps a tolerance and avoids obstacles; False: it is `closed_form`.
+    solves_qp: bool = True
     #: How the gradient of m is computed.
     gradient: str = "exact"
     #: Whether an indefinite cost is made convex before it is solved.
@@ -42,8 +59,18 @@ class Formulation(ABC):
         return None
 
     @abstractmethod
-    def drive(self, index: Index, dt: float) -> Drive:
-        """Terms added to the cost at the symbolic configuration of `index` for a time step `dt` [s]."""
+    def drive(self, measure: SymbolicMeasure, dt: float) -> Drive:
+        """Terms added to the cost at the symbolic configuration of `measure` for a time step `dt` [s]."""
+
+    def closed_form(self, jacobian: ca.SX, rate: ca.SX, push: ca.SX) -> ca.SX:
+        """Joint velocities (n, 1) where `solves_qp` is False.
+
+        Args:
+            jacobian: (m, n).
+            rate: ṙ (m, 1), the velocity of the task.
+            push: (n, 1), minus the gradient of the drive.
+        """
+        raise NotImplementedError(f"{type(self).__name__} sets solves_qp = False and has no closed_form")
 
 
 @dataclass(frozen=True)
@@ -59,24 +86,30 @@ class Classical(Formulation):
 
     gain: float = 0.0
     damping: float = 1e-9
+    solves_qp = False
 
     def __post_init__(self) -> None:
         number("gain", self.gain, least=0.0)
         number("damping", self.damping, above=0.0)
 
-    def drive(self, index: Index, dt: float) -> Drive:  # noqa: ARG002
+    def drive(self, measure: SymbolicMeasure, dt: float) -> Drive:  # noqa: ARG002
         """k₀ ∇m, which is then projected into the null space."""
-        n = index.q.shape[0]
-        return Drive(hessian=ca.SX(n, n), gradient=-self.gain * index.gradient)
+        n = measure.q.shape[0]
+        return Drive(hessian=ca.SX(n, n), gradient=-self.gain * measure.gradient)
+
+    def closed_form(self, jacobian: ca.SX, rate: ca.SX, push: ca.SX) -> ca.SX:
+        """(2): J⁺ ṙ + (I - J⁺ J) z, with J⁺ = Q L⁻¹ for J = L Qᵀ."""
+        factor = Factor.of(jacobian, self.damping)
+        return push + factor.Q @ ca.solve(factor.L, rate - jacobian @ push)
 
 
 @dataclass(frozen=True)
 class General(Formulation):
     """The relaxed formulation without manipulability, (3)."""
 
-    def drive(self, index: Index, dt: float) -> Drive:  # noqa: ARG002
+    def drive(self, measure: SymbolicMeasure, dt: float) -> Drive:  # noqa: ARG002
         """Zero terms."""
-        n = index.q.shape[0]
+        n = measure.q.shape[0]
         return Drive(hessian=ca.SX(n, n), gradient=ca.SX(n, 1))
 
 
@@ -110,10 +143,10 @@ class Objective(Formulation):
     def curvature(self) -> str:
         return self.hessian
 
-    def drive(self, index: Index, dt: float) -> Drive:
+    def drive(self, measure: SymbolicMeasure, dt: float) -> Drive:
         """(11): H = - α T² H_m, g = - α T ∇m."""
         time = self.sample_time or dt
-        return Drive(hessian=-self.alpha * time**2 * index.hessian, gradient=-self.alpha * time * index.gradient)
+        return Drive(hessian=-self.alpha * time**2 * measure.hessian, gradient=-self.alpha * time * measure.gradient)
 
 
 @dataclass(frozen=True)
@@ -133,11 +166,11 @@ class Equality(Formulation):
     def __post_init__(self) -> None:
         _check_alpha(self.alpha, self.sample_time, self.gradient)
 
-    def drive(self, index: Index, dt: float) -> Drive:
+    def drive(self, measure: SymbolicMeasure, dt: float) -> Drive:
         """(16), ε eliminated: H = α T² ∇m ∇mᵀ, g = - α m T ∇m."""
         time = self.sample_time or dt
-        slope = index.gradient
-        return Drive(hessian=self.alpha * time**2 * gram(slope.T), gradient=-self.alpha * index.value * time * slope)
+        slope = measure.gradient
+        return Drive(hessian=self.alpha * time**2 * gram(slope.T), gradient=-self.alpha * measure.value * time * slope)
 
 
 @dataclass(frozen=True)
@@ -163,9 +196,9 @@ class LogDrive(Formulation):
         number("rate", self.rate, above=0.0)
         number("regularisation", self.regularisation, above=0.0)
 
-    def drive(self, index: Index, dt: float) -> Drive:  # noqa: ARG002
+    def drive(self, measure: SymbolicMeasure, dt: float) -> Drive:  # noqa: ARG002
         """e eliminated: the Hessian β g gᵀ and the gradient - β ρ g with g = ∇ log m + NUDGE."""
-        slope = index.log_gradient(self.regularisation) + NUDGE
+        slope = measure.log_gradient(self.regularisation) + NUDGE
         return Drive(hessian=self.weight * gram(slope.T), gradient=-self.weight * self.rate * slope)
 
 

@@ -19,14 +19,13 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.tolerance import row_shares
 from manipplan.support.checks import Array
 from manipplan.symbolic.chain import Placement
-from manipplan.symbolic.derivatives import Factor
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import Avoidance, AvoidanceRows, avoidance_rows
 from manipplan.tracking.bounds import velocity_bounds
 from manipplan.tracking.convex import convexified, gram
-from manipplan.tracking.derivatives import Index
+from manipplan.tracking.derivatives import SymbolicMeasure
 from manipplan.tracking.error import task_error
-from manipplan.tracking.formulations import Classical, Formulation
+from manipplan.tracking.formulations import Formulation
 
 #: Weights (w, w') of the penalties w p s + ½ w' s² on the slacks s, where p is stiffness and drive: large enough that a slack
 #: is used only where the constraints are infeasible, and no larger, since that costs the solver precision.
@@ -120,7 +119,7 @@ def step_of(setup: StepSetup) -> Step:
     """Build the step: set up the problem, solve it, check the solution."""
     symbolic = setup.kinematics.symbolic
     n = symbolic.chain.q.shape[0]
-    index = Index.of(symbolic, setup.formulation.gradient, setup.formulation.curvature)
+    measure = SymbolicMeasure.of(symbolic, setup.formulation.gradient, setup.formulation.curvature)
     rows = avoidance_rows(setup.kinematics.robot, symbolic.chain, setup.avoidance) if setup.avoidance else None
     inputs = [
         symbolic.chain.q,
@@ -131,9 +130,9 @@ def step_of(setup: StepSetup) -> Step:
         ca.SX.sym("drive"),
         ca.SX.sym("tolerance", 2),
         rows.obstacles if rows else ca.SX(0, 1),
-        ca.vertcat(index.memory, ca.SX.sym("before", TARGET_MEMORY)) if setup.remembers else index.memory,
+        ca.vertcat(measure.memory, ca.SX.sym("before", TARGET_MEMORY)) if setup.remembers else measure.memory,
     ]
-    problem = _problem(setup, inputs, index, rows)
+    problem = _problem(setup, inputs, measure, rows)
     given = [ca.MX.sym(problem.name_in(i), problem.sparsity_in(i)) for i in range(problem.n_in())]
     made = dict(zip(problem.name_out(), problem.call(given), strict=True))
     answer, solved = _answer(setup, problem, made)
@@ -152,8 +151,8 @@ def _soundness(inputs: list[ca.SX]) -> tuple[ca.SX, ca.SX]:
     return state, _all(ca.vertcat(ca.fabs(given) < HUGE, stiffness > 0, drive >= 0, tolerance >= 0))
 
 
-def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: AvoidanceRows | None) -> ca.Function:
-    """The QP (for `Classical` its velocity instead), and the values that the report needs."""
+def _problem(setup: StepSetup, inputs: list[ca.SX], measure: SymbolicMeasure, rows: AvoidanceRows | None) -> ca.Function:
+    """The QP (where there is none the velocity instead), and the values that the report needs."""
     q, qd, qdd, goal, stiffness, share, *_ = inputs
     symbolic, formulation, dt = setup.kinematics.symbolic, setup.formulation, setup.dt
     jacobian = ca.densify(symbolic.posture.jacobian)
@@ -165,11 +164,11 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: Avoidanc
     if setup.approach < ca.inf:
         rate *= ca.fmin(1, FASTEST / (ca.sqrt(ca.sumsqr(rate)) + 1e-300))
     low, high = velocity_bounds(q, qd, qdd, setup.kinematics.robot.limits, dt)
-    drive = formulation.drive(index, dt)
+    drive = formulation.drive(measure, dt)
     bent = ca.SX(0)
     outputs: dict[str, ca.SX]
-    if isinstance(formulation, Classical):
-        velocity = _classical(jacobian, rate, -share * drive.gradient, formulation.damping)
+    if not formulation.solves_qp:
+        velocity = formulation.closed_form(jacobian, rate, -share * drive.gradient)
         outputs = {"velocity": velocity, "lbx": low, "ubx": high}
     else:
         hessian = ca.diag(ca.SX(ca.DM(setup.weights))) + stiffness * gram(jacobian) + share * drive.hessian
@@ -187,9 +186,9 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], index: Index, rows: Avoidanc
         outputs["kept"] = ca.logic_or(kept, ca.logic_not(sound))  # invalid inputs need no QP solver
         outputs["free"] = ca.vertcat(free, ca.SX.zeros(program[0].shape[0] - free.shape[0]))
     clearance = ca.mmin(rows.distance) if rows else ca.SX(ca.inf)
-    figures = ca.vertcat(good_state, good_target, index.value, clearance, bent)
+    figures = ca.vertcat(good_state, good_target, measure.value, clearance, bent)
     outputs |= {"jacobian": jacobian, "error": error, "figures": figures}
-    outputs["next_memory"] = _next_memory(setup, index, goal, good_state, sound)
+    outputs["next_memory"] = _next_memory(setup, measure, goal, good_state, sound)
     made = ca.cse([ca.densify(each) for each in outputs.values()])
     return ca.Function("problem", inputs, made, list(INPUTS), list(outputs))
 
@@ -199,7 +198,7 @@ def _answer(setup: StepSetup, problem: ca.Function, made: dict[str, ca.MX]) -> t
 
     If the unconstrained minimum satisfies all constraints, it is the solution; otherwise DAQP computes it.
     """
-    if isinstance(setup.formulation, Classical):
+    if not setup.formulation.solves_qp:
         return made["velocity"], ca.MX(1)
     names = [*PROGRAM, "free"]
     inputs = [ca.MX.sym(name, problem.sparsity_out(name)) for name in names]
@@ -247,7 +246,7 @@ def _finish(setup: StepSetup, problem: ca.Function, answer: ca.Sparsity) -> ca.F
     names = ("lbx", "ubx", "jacobian", "error", "figures")
     made = {name: ca.SX.sym(name, problem.sparsity_out(name)) for name in names}
     variables, solved = ca.SX.sym("answer", answer), ca.SX.sym("solved")
-    good_state, good_target, index, clearance, bent = ca.vertsplit(made["figures"])
+    good_state, good_target, value, clearance, bent = ca.vertsplit(made["figures"])
     n = made["jacobian"].shape[1]
     low, high = made["lbx"][:n], made["ubx"][:n]
     velocity, slack = variables[:n], variables[n:]
@@ -260,15 +259,15 @@ def _finish(setup: StepSetup, problem: ca.Function, answer: ca.Sparsity) -> ca.F
     status = ca.if_else(good_state, status, float(StepStatus.BAD_STATE))
     left = made["error"] - made["jacobian"] @ velocity * setup.dt
     tube, avoidance = slack[0] if setup.tube else 0, slack[-1] if setup.avoidance else 0
-    report = ca.vertcat(status, index, *_deviation(setup.kinematics.task, left), tube * setup.dt, clearance, avoidance, bent)
+    report = ca.vertcat(status, value, *_deviation(setup.kinematics.task, left), tube * setup.dt, clearance, avoidance, bent)
     inputs = [solved, variables, *made.values()]
     outputs = [ca.densify(velocity), ca.densify(report)]
     return ca.Function("finish", inputs, outputs, ["solved", "answer", *names], ["velocity", "report"])
 
 
-def _next_memory(setup: StepSetup, index: Index, goal: ca.SX, good_state: ca.SX, sound: ca.SX) -> ca.SX:
+def _next_memory(setup: StepSetup, measure: SymbolicMeasure, goal: ca.SX, good_state: ca.SX, sound: ca.SX) -> ca.SX:
     """The memory of the next step, without values from an invalid state or target."""
-    learned = ca.if_else(good_state, index.next_memory, 0) if index.next_memory.shape[0] else index.next_memory
+    learned = ca.if_else(good_state, measure.next_memory, 0) if measure.next_memory.shape[0] else measure.next_memory
     return ca.vertcat(learned, ca.vec(goal), sound) if setup.remembers else learned
 
 
@@ -283,12 +282,6 @@ def _deviation(task: Task, left: ca.SX) -> tuple[ca.SX, ca.SX]:
     position = [left[i] for i, turned in enumerate(turns) if not turned]
     rotation = [left[i] / task.length for i, turned in enumerate(turns) if turned]
     return ca.sqrt(ca.sumsqr(ca.vertcat(0, *position))), ca.sqrt(ca.sumsqr(ca.vertcat(0, *rotation)))
-
-
-def _classical(jacobian: ca.SX, rate: ca.SX, z: ca.SX, damping: float) -> ca.SX:
-    """(2) in dufour2020: J⁺ ṙ + (I - J⁺ J) z, with J⁺ = Q L⁻¹ for J = L Qᵀ."""
-    factor = Factor.of(jacobian, damping)
-    return z + factor.Q @ ca.solve(factor.L, rate - jacobian @ z)
 
 
 def _deviation_before(setup: StepSetup, inputs: list[ca.SX], error: ca.SX) -> ca.SX:

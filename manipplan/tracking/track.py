@@ -3,23 +3,25 @@
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from enum import Enum
 
 import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.measure import Measure
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Stiffness, StiffnessProfile, Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance, number
+from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller, StepReport
-from manipplan.tracking.formulations import Classical, Formulation
+from manipplan.tracking.formulations import Formulation
 from manipplan.tracking.step import StepStatus
 
 #: Tolerance within which the final pose counts as reached [m, rad], and speed below which the arm is at rest [rad/s, m/s].
@@ -36,20 +38,7 @@ PACE = 0.5
 MOST_STEPS = 1_000_000
 
 
-class TrackingStatus(Enum):
-    """Outcome of tracking a path; the value is its message."""
-
-    FOLLOWED = "followed: the tool stayed inside the tolerance and reached the final pose"
-    LEFT_TOLERANCE = "the tool left the tolerance; increase the tolerance or the duration, or start where the path does"
-    NOT_REACHED = "the final pose was not reached; it may be out of reach, blocked, or need more time"
-    BRAKED = "some steps had no valid solution, and the arm braked"
-
-    @property
-    def ok(self) -> bool:
-        """Whether the path was followed to its end."""
-        return self is TrackingStatus.FOLLOWED
-
-
+@one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Tracking:
     """Result of following a path; N samples, the first of which is the start, at rest.
@@ -79,7 +68,7 @@ class Tracking:
     reports: tuple[StepReport, ...]
     solve_times: Array
     duration: float
-    status: TrackingStatus
+    status: Status
     message: str
     joint_names: tuple[str, ...]
 
@@ -122,11 +111,12 @@ def track(
     robot: Robot,
     path: CartesianPath,
     start: ArrayLike,
-    dt: float,
     formulation: Formulation,
-    duration: float | None = None,
     *,
+    dt: float,
+    duration: float | None = None,
     task: Task | None = None,
+    measure: Measure | str | None = None,
     stiffness: Stiffness | None = None,
     tolerance: Tolerance | Callable[[float], Tolerance] | None = None,
     weights: ArrayLike = 1.0,
@@ -140,10 +130,11 @@ def track(
         robot: the arm, with its limits.
         path: the poses T(s).
         start: (n,) inside the limits, with the tool at or near T(0).
+        formulation: Classical, General, Objective, Equality or LogDrive of `manipplan.formulations`, or one's own.
         dt: time step [s] > 0.
-        formulation: Classical, General, Objective, Equality or LogDrive.
         duration: of the path [s]; default: one at which exact tracking would use half of the joint limits.
         task: task that is tracked, and whose manipulability counts; default `robot.default_task`.
+        measure: the manipulability that is raised; default Yoshikawa's. See `Controller`.
         stiffness: Q_δ: a number, or a function of the share of the time such as StiffnessProfile. Default 1e4, which holds
             the path closely; with a tolerance StiffnessProfile(), which lets the formulation use the tube.
         tolerance: tube around the path, constant or a function of s. Without one, a low stiffness lets the formulation pull
@@ -164,8 +155,9 @@ def track(
     controller = Controller(
         robot,
         formulation,
-        dt,
+        dt=dt,
         task=task,
+        measure=measure,
         weights=weights,
         approach=approach,
         tolerance=None if tube is None else tube(0.0),
@@ -174,9 +166,9 @@ def track(
     )
     q = robot.configuration("start", start)
     if stiffness is None:
-        stiffness = HOLD if tube is None or isinstance(formulation, Classical) else StiffnessProfile()
+        stiffness = HOLD if tube is None or not formulation.solves_qp else StiffnessProfile()
     if duration is None:
-        duration = unhurried(robot.kinematics(controller.task, compiled=compiled), path, q)
+        duration = unhurried(controller.kinematics, path, q)
     steps = step_count(number("duration", duration, above=0.0) / dt - 1e-9)
     u = np.arange(steps + 1) / steps
     s = 3 * u**2 - 2 * u**3
@@ -263,7 +255,7 @@ class _Loop:
 
     def result(self, steps: int, first: Array, tube: Callable[[float], Tolerance] | None, s: Array) -> Tracking:
         controller = self.controller
-        kinematics = controller.robot.kinematics(controller.task)
+        kinematics = controller.kinematics
         q, targets = np.array(self.q), np.array([first, *self.targets])
         errors = np.array(
             [_error(controller.task, pose, target) for pose, target in zip(kinematics.pose(q), targets, strict=True)]
@@ -296,7 +288,7 @@ def _outcome(
     s: Array,
     braked: int,
     dt: float,
-) -> tuple[TrackingStatus, str]:
+) -> tuple[Status, str]:
     worst = f"it is {1e3 * deviation[-1]:.3g} mm and {np.rad2deg(rotation[-1]):.3g}° from the final pose"
     if tube is not None:
         places = np.concatenate([s, np.ones(len(deviation) - len(s))])
@@ -311,12 +303,12 @@ def _outcome(
                 limit = max((each for each in limits if each is not None), default=None)  # a smaller limit holds one step later
                 if limit is not None and value > limit * (1 + BENT):
                     text = f"{name} deviates by {value:.4g} {unit} at s = {place:.3f}, t = {k * dt:.3f} s; allowed {limit:g}"
-                    return TrackingStatus.LEFT_TOLERANCE, text
+                    return Status.LEFT_TOLERANCE, text
     if braked:
-        return TrackingStatus.BRAKED, f"{braked} steps had no valid solution"
+        return Status.BRAKED, f"{braked} steps had no valid solution"
     if deviation[-1] > REACHED[0] or rotation[-1] > REACHED[1]:
-        return TrackingStatus.NOT_REACHED, worst
-    return TrackingStatus.FOLLOWED, f"largest deviation {1e3 * deviation.max():.3g} mm, {np.rad2deg(rotation.max()):.3g}°"
+        return Status.NOT_REACHED, worst
+    return Status.TRACKED, f"largest deviation {1e3 * deviation.max():.3g} mm, {np.rad2deg(rotation.max()):.3g}°"
 
 
 def _error(task: Task, pose: Array, target: Array) -> Array:

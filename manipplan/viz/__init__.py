@@ -6,7 +6,7 @@ imported with the first picture.
 
 from manipplan.viz.animation import animate
 from manipplan.viz.arm import plot_arm
-from manipplan.viz.curves import plot_index, plot_joints, plot_singular_values
+from manipplan.viz.curves import plot_joints, plot_manipulability, plot_singular_values
 from manipplan.viz.ellipsoids import plot_ellipsoid, plot_ellipsoids
 from manipplan.viz.found import plot_convergence, plot_layers
 from manipplan.viz.plan import plan_figure, save_plan
@@ -21,9 +21,9 @@ __all__ = [
     "plot_deviation",
     "plot_ellipsoid",
     "plot_ellipsoids",
-    "plot_index",
     "plot_joints",
     "plot_layers",
+    "plot_manipulability",
     "plot_planar_arm",
     "plot_singular_values",
     "plot_tool_path",

@@ -76,7 +76,6 @@ def animate(
         allowed = f"width and height [inches] that make {SIDES[0]} to {SIDES[1]} pixels at {dpi:g} per inch"
         raise InvalidInputError("size", size, allowed)
     finished(plan)
-    assert plan.trajectory is not None
     if kind == ".mp4":
         from matplotlib.animation import FFMpegWriter
 
@@ -99,9 +98,6 @@ def animate(
 
 def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
     """Draw the static parts; returns the function that shows the plan at a time [s]."""
-    assert plan.path is not None
-    assert plan.result is not None
-    assert plan.trajectory is not None
     robot, trajectory, ours = plan.robot, plan.trajectory, plan.path
     paths = named_paths(plan)
     m = 2 if robot.planar else 3
@@ -127,14 +123,14 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
         space.plot(*way.T, color=colours[name], linewidth=1.3, alpha=0.7, label=f"tool, {name}", zorder=LINES)
     space.legend(loc="upper right")
 
-    index = robot.kinematics(plan.result.task, measure=plan.result.measure)
+    kinematics = robot.kinematics(plan.result.task, measure=plan.result.measure)
     t = np.linspace(0.0, trajectory.duration, 400)
     for name, at in courses.items():
-        over_time.plot(t, index.manipulability(at(t)), color=colours[name], label=name)
+        over_time.plot(t, kinematics.manipulability(at(t)), color=colours[name], label=name)
     over_time.set(xlabel="time [s]", xlim=(0, trajectory.duration))
     if over_time.dataLim.ymin >= 0:
         over_time.set_ylim(0, None)
-    over_time.set_ylabel(style.index_label(index))
+    over_time.set_ylabel(style.measure_label(kinematics))
     over_time.legend(loc="best")
     figure.draw_without_rendering()  # the layout is computed once, so that nothing jitters
     figure.set_layout_engine("none")
@@ -156,7 +152,7 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
         draw_skeleton(space, skeleton(robot, q)[:, :m])
         plot_ellipsoid(velocity_ellipsoid(linear.jacobian(q)), skeleton(robot, q)[-1, :m], ax=space, scale=scale, alpha=0.55)
         for name, at in courses.items():
-            over_time.plot(time, index.manipulability(at(time)), "o", color=colours[name], clip_on=False)
+            over_time.plot(time, kinematics.manipulability(at(time)), "o", color=colours[name], clip_on=False)
             if at is not trajectory:
                 draw_skeleton(space, skeleton(robot, at(time))[:, :m], colour=colours[name], alpha=0.6)
         moving.extend(each for axes in (space, over_time) for each in axes.get_children() if each not in before)

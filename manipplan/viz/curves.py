@@ -77,7 +77,7 @@ def plot_joints(
     return ax
 
 
-def plot_index(
+def plot_manipulability(
     kinematics: Kinematics,
     paths: Mapping[str, Motion],
     *,
@@ -110,20 +110,20 @@ def plot_index(
     ax = style.axes_for(ax)
     with style.shared():
         for name, path in curves.items():
-            shares, index = length_shares(path, s), kinematics.manipulability(path(s))
-            same = next((line for other, line in drawn if np.allclose(index, other, atol=1e-9)), None)
+            shares, m = length_shares(path, s), kinematics.manipulability(path(s))
+            same = next((line for other, line in drawn if np.allclose(m, other, atol=1e-9)), None)
             if same is not None:
                 same.set_label(f"{same.get_label()}, {name}")
                 continue
             colour = colours.get(name, style.STRAIGHT)
-            [line] = ax.plot(shares, index, color=colour, label=name, linestyle=":" if name == "straight" else "-")
-            ax.plot(shares[index.argmin()], index.min(), "o", color=colour, markersize=4, clip_on=False)
-            drawn.append((index, line))
+            [line] = ax.plot(shares, m, color=colour, label=name, linestyle=":" if name == "straight" else "-")
+            ax.plot(shares[m.argmin()], m.min(), "o", color=colour, markersize=4, clip_on=False)
+            drawn.append((m, line))
         if bound is not None:
             ax.axhline(bound, color=style.LIMIT, linestyle=(0, (1, 1)), linewidth=1.2, label="bound")
         ax.set(xlabel="share of the path's length", xlim=(0, 1))
-        ax.set_ylabel(style.index_label(kinematics))
-        if min(index.min() for index, _ in drawn) >= 0:
+        ax.set_ylabel(style.measure_label(kinematics))
+        if min(m.min() for m, _ in drawn) >= 0:
             ax.set_ylim(0, None)
         ax.set_title("measure along the path; dots: minimum")
         ax.legend(loc="best")

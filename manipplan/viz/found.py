@@ -33,17 +33,17 @@ def plot_layers(layers: Layers, result: SearchResult | Refinement | None = None,
     count = len(layers.m)
     if result is not None and len(result.manipulability) not in (0, count):
         raise InvalidInputError("result", f"{len(result.manipulability)} positions", f"a result of these {count} layers")
-    shown = [_evenly(index) for index in layers.m]
+    shown = [_evenly(m) for m in layers.m]
     place = np.repeat(np.arange(count), [len(each) for each in shown])
     ax = style.axes_for(ax)
     with style.shared():
         ax.plot(place, np.concatenate(shown), ".", color=style.CANDIDATE, markersize=2.5, label="candidates", zorder=1.5)
         ax.plot([each.max() for each in layers.m], color=style.STRAIGHT, linestyle=":", label="largest per position")
         if result is not None and len(result.manipulability):
-            index = result.manipulability
+            m = result.manipulability
             name = "refined path" if isinstance(result, Refinement) else "best continuous path"
-            ax.plot(index, color=style.OPTIMUM, linewidth=2.0, label=name)
-            ax.plot(index.argmin(), index.min(), "o", color=style.OPTIMUM, markersize=5, label=f"minimum: {index.min():.4g}")
+            ax.plot(m, color=style.OPTIMUM, linewidth=2.0, label=name)
+            ax.plot(m.argmin(), m.min(), "o", color=style.OPTIMUM, markersize=5, label=f"minimum: {m.min():.4g}")
         if result is not None:
             ax.axhline(
                 result.bound, color=style.LIMIT, linestyle=(0, (4, 3)), linewidth=1.2, label=f"bound: {result.bound:.4g}"
@@ -52,7 +52,7 @@ def plot_layers(layers: Layers, result: SearchResult | Refinement | None = None,
         if breaks_at is not None:
             ax.axvline(breaks_at, color=style.ARM, linewidth=1.2, label="no continuous path reaches this position")
         ax.set(xlabel="position along the path", xlim=(-0.5, count - 0.5))
-        ax.set_ylabel("manipulability" if layers.sampler is None else style.index_label(layers.sampler.kinematics))
+        ax.set_ylabel("manipulability" if layers.sampler is None else style.measure_label(layers.sampler.kinematics))
         if min(each.min() for each in shown) >= 0:
             ax.set_ylim(0, None)
         ax.set_title(f"{layers.count} candidates at {count} positions")
@@ -99,8 +99,8 @@ def plot_convergence(result: PathResult, *, ax: Any = None) -> Any:
     return ax
 
 
-def _evenly(index: Any) -> Any:
+def _evenly(m: Any) -> Any:
     """At most CANDIDATES of the values (k,), evenly by rank, including the smallest and the largest."""
-    if len(index) <= CANDIDATES:
-        return np.sort(index)
-    return np.sort(index)[np.linspace(0, len(index) - 1, CANDIDATES).round().astype(int)]
+    if len(m) <= CANDIDATES:
+        return np.sort(m)
+    return np.sort(m)[np.linspace(0, len(m) - 1, CANDIDATES).round().astype(int)]

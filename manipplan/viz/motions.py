@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
-from manipplan.robots.description import frame_index
+from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
@@ -37,19 +37,14 @@ def joint_path(argument: str, motion: Motion, robot: Robot) -> JointPath:
 
 def named_paths(plan: "Plan") -> dict[str, JointPath]:
     """A plan's path and its initial path, under the names that fit the plan's job; one entry if they are the same."""
-    assert plan.path is not None
     if plan.refinement is not None:
         ours, first = "refined", "best of the samples"
-    elif plan.result is not None and plan.result.status in RECORDED:
+    elif plan.result.status in RECORDED:
         ours, first = "improved", "recorded"
     else:
         ours, first = "optimised", "seed"
-    seed = plan.result.seed if plan.result is not None else None
-    if seed is None:
-        return {ours: plan.path}
-    if seed is plan.path:
-        return {first: plan.path}
-    return {ours: plan.path, first: seed}
+    seed = plan.result.seed
+    return {first: plan.path} if seed is plan.path else {ours: plan.path, first: seed}
 
 
 def length_shares(path: JointPath, s: Array) -> Array:

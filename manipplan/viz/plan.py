@@ -13,7 +13,7 @@ from manipplan.support.interrupts import uninterrupted
 from manipplan.support.status import RECORDED
 from manipplan.viz import style
 from manipplan.viz.arm import plot_arm
-from manipplan.viz.curves import plot_index, plot_joints
+from manipplan.viz.curves import plot_joints, plot_manipulability
 from manipplan.viz.motions import named_paths
 from manipplan.viz.planar import plot_planar_arm
 
@@ -37,10 +37,6 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
     from matplotlib.figure import Figure
 
     finished(plan)
-    assert plan.trajectory is not None
-    assert plan.result is not None
-    assert plan.report is not None
-    assert plan.path is not None
     paths = named_paths(plan)
     seed, names = plan.result.seed if len(paths) > 1 else None, (next(iter(paths)), list(paths)[-1])
     with style.shared():
@@ -61,7 +57,7 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
         kinematics = plan.robot.kinematics(plan.result.task, measure=plan.result.measure)
         bound = plan.refinement.bound if plan.refinement is not None else None
         started_free = plan.refinement is None and plan.result.status not in RECORDED  # a tool path allows no straight line
-        plot_index(kinematics, paths, straight=started_free, bound=bound, ax=top)
+        plot_manipulability(kinematics, paths, straight=started_free, bound=bound, ax=top)
         limits = plan.robot.limits
         ranged = bool(np.isfinite([limits.lower, limits.upper]).all())
         plot_joints(plan.trajectory, limits, share=ranged, unit=joint_unit(plan.robot), ax=bottom)
@@ -69,11 +65,11 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
 
 
 def finished(plan: "Plan") -> None:
-    """Raises InvalidInputError for an object that is not a plan, PlanningError for a plan without trajectory and report."""
-    from manipplan.jobs.result import Plan
+    """Raises InvalidInputError for an object that is not a plan, PlanningError for a plan without trajectory."""
+    from manipplan.jobs.result import PartialPlan, Plan
 
-    instance("plan", plan, Plan)
-    if plan.trajectory is None or plan.result is None or plan.report is None or plan.path is None:
+    instance("plan", plan, PartialPlan)
+    if not isinstance(plan, Plan):
         raise PlanningError(f"there is no trajectory to draw: {plan.status.value}", plan)
 
 

@@ -74,7 +74,7 @@ def with_unit(name: str, unit: str) -> str:
     return f"{name} [{raised(unit)}]" if raised(unit) else name
 
 
-def index_label(kinematics: Kinematics) -> str:
+def measure_label(kinematics: Kinematics) -> str:
     """The axis label of a measure of manipulability."""
     return with_unit(kinematics.measure.name, kinematics.measure.unit(kinematics.task))
 

@@ -1,1 +1,1 @@
-"""The study of dufour2020: its scenarios, table and claims on Baxter's left arm, and what the tracker makes of them."""
+"""The study of dufour2020: its scenarios, table and claims, reproduced with the tracker on Baxter's left arm."""

@@ -16,7 +16,7 @@ from studies.tables import Table
 
 @dataclass(frozen=True, kw_only=True)
 class Claim:
-    """One figure: what the paper says, what is measured, and whether it holds (None: ours, no claim)."""
+    """One number: what the paper says, the measured value, and whether the claim holds (None: our own number, no claim)."""
 
     text: str
     paper: str
@@ -33,7 +33,7 @@ def claims(
     everything: Mapping[str, Mapping[str, Run | None]],
     printed: Mapping[tuple[str, float], Run],
 ) -> list[Claim]:
-    """All that do not depend on the machine's speed and are not chaotic; `printed` are the runs of (20) as printed."""
+    """All claims that neither depend on the machine's speed nor are chaotic; `printed` are the runs of (20) as printed."""
     maxima = arm.maxima
     found = [
         Claim(text="largest index of the arm [m³]", paper="not stated", value=float(maxima[0])),
@@ -144,7 +144,7 @@ def claims(
 
 
 def chaotic(convexity: Table, hessians: Mapping[tuple[str, str, float], Run]) -> list[Claim]:
-    """Figures that change with the last bit of a sum, and so from one kind of processor to another: wide tolerances."""
+    """Claims that change with the last bit of a sum, and so with the type of processor: they have wide tolerances."""
     last = dict(zip(convexity.head, convexity.rows[-1], strict=True))
     return [
         Claim(
@@ -220,7 +220,7 @@ def _fourth(arm: Arm, comparison: Comparison) -> list[Claim]:
 
 
 def _losses(text: str, reference: Mapping[str, Run], other: Mapping[str, Run]) -> list[Claim]:
-    """How much lower the mean index of `other` is on T1 to T5, beside the paper's 3 to 5 %."""
+    """How much lower the mean manipulability of `other` is on T1 to T5, compared with the paper's 3 to 5 %."""
     losses = np.array([100 * (1 - other[name].mean / reference[name].mean) for name in config.TABLE_1])
     low, high = config.PAPERS_LOSS
     inside = int(np.count_nonzero((losses >= low) & (losses <= high)))
@@ -234,18 +234,18 @@ def _losses(text: str, reference: Mapping[str, Run], other: Mapping[str, Run]) -
 
 
 def table(found: list[Claim]) -> Table:
-    """Paper against ours."""
+    """Table of the paper's statements and our values."""
     words = {True: "yes", False: "no", None: ""}
     rows = [(claim.text, claim.paper, claim.value, words[claim.holds]) for claim in found]
     return Table.of("claims", ("claim", "paper", "ours", "holds"), rows)
 
 
 def expected() -> list[tuple[str, float, float]]:
-    """Claim, ours and tolerance of expected.csv."""
+    """Claim, our value and tolerance from expected.csv."""
     with config.EXPECTED.open(newline="") as file:
         return [(row["claim"], float(row["ours"]), float(row["tolerance"])) for row in csv.DictReader(file)]
 
 
 def differences(found: list[Claim]) -> list[str]:
-    """What is not as expected.csv has it."""
+    """Differences from expected.csv."""
     return within({claim.text: claim.value for claim in found}, expected())

@@ -1,4 +1,4 @@
-"""Constants of the study; each says where the paper has it, or that it is ours."""
+"""Constants of the study; a comment says where the paper states each one, or that it is ours."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,29 +12,29 @@ PATHS = HERE / "paths"
 EXPECTED = HERE / "expected.csv"
 PAGES = HERE.parents[1] / "docs" / "studies" / "dufour2020"
 
-# Section 5: a Baxter research robot, T = 10 ms, Q = I. The arm is ours: its left one, position and velocity limits of the URDF.
+# Section 5: a Baxter research robot, T = 10 ms, Q = I. Our choice: the left arm, position and velocity limits of the URDF.
 ROBOT = "baxter_left"
 DT = 0.01  # [s]
 FAST_DT = 0.001  # [s], section 6: 1 kHz
-ACCELERATION = 40.0  # [rad/s²], ours; section 3.2 points to acceleration limits and does not say which
-TASK = mp.Task.pose(length=1.0)  # (5): the six rows as they are, metres and radians together
-STARTS = 60  # ours; of the search for the arm's largest index, by which all are divided (section 5)
+ACCELERATION = 40.0  # [rad/s²], ours; section 3.2 mentions acceleration limits without values
+TASK = mp.Task.pose(length=1.0)  # (5): the six rows without weights, in metres and radians
+STARTS = 60  # ours; starts of the search for the arm's largest manipulability, by which all values are divided (section 5)
 # Section 3.2: Q_high in 1e4 to 1e5, Q_low in 1 to 10, Fig. 1. The degree is ours.
 STIFFNESS = mp.StiffnessProfile(high=1e4, low=10.0, degree=6.0)
 DEAD_BEAT = np.inf  # section 3.1: the deviation is corrected within one step
-GENTLE = 2.0  # [m/s²], the library's default for the same
-SETTLING = 2.0  # [s], ours; for the end of a path, without a drive
-HOLD = 1e4  # ours; stiffness there
+GENTLE = 2.0  # [m/s²], the library's default for this correction
+SETTLING = 2.0  # [s], ours; time at the end of a path, without drive
+HOLD = 1e4  # ours; stiffness during this time
 
 # Fig. 4 names α = 15000; the other values for (10) are ours. Table 1: 5e5 for (14), 50 to 120 thousand for (10).
 ALPHA = 15e3
 ALPHAS = (5e3, 15e3, 50e3)
 PAPERS_ALPHAS = {"T1": 50e3, "T2": 70e3, "T3": 70e3, "T4": 120e3, "T5": 90e3}
 ONE_ALPHA = 5e5
-PAPERS_LOSS = (3.0, 5.0)  # [%], section 5: (14) at it below (10) at the α of each path
+PAPERS_LOSS = (3.0, 5.0)  # [%], section 5: how much (14) at ONE_ALPHA is below (10) at the α of each path
 LOG_WEIGHT, LOG_RATE = 10.0, 10.0  # ours
-#: Added to every joint of the first posture [rad], ours. A run whose figures change by it is chaotic: they change with the last
-#: bit of a sum, too, and so from one kind of processor to another.
+#: Added to every joint of the first posture [rad], ours. A run whose results change with it is chaotic: they also change with
+#: the last bit of a sum, and so with the type of processor.
 NUDGE = 1e-10
 LITERAL_ALPHAS = (1e3, 1e4, 15e3, 5e4, 1e5)  # of (20) as printed, ours
 # Sweeps, ours.
@@ -42,17 +42,18 @@ GAINS = (0.0, 1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0, 30.0, 50.0, 100.0, 200.
 SWEEP = (*(share * 10.0**power for power in (3, 4, 5, 6) for share in (1.0, 1.5, 2.0, 3.0, 5.0, 7.0)), 1e7)
 WEIGHTS = tuple(share * 10.0**power for power in (-2, -1, 0, 1, 2) for share in (1.0, 2.0, 5.0))
 TUBES = (0.05, 0.02, 0.005)  # [m]
-TUBE_SLACK = 1.15  # a step sees its path straight, so that a deviation can come to a little more than its tube
+TUBE_SLACK = 1.15  # a step takes the path as straight, so a deviation can be a little larger than the tube
 
-# When a run counts, ours: the classical formula must keep its path, all must reach the end without a step that brakes and
-# without chatter, a joint whose acceleration changes sign from one step to the next with both above half of the limit.
+# When a run is sound, ours: the classical formula has to keep its path, and every run has to reach the end without a braking
+# step and without chatter. A joint chatters when its acceleration changes sign from one step to the next and both values are
+# above half of the limit.
 KEPT = 1e-3  # [m]
 REACHED = (1e-4, 1e-3)  # [m], [rad]
-CHATTER = 0.01  # share of joints and steps
+CHATTER = 0.01  # largest share of joints and steps that chatter
 
-# Scenario 3: the paper shows a sphere near the elbow and states neither its place nor d_i, d_s, ξ. All are ours.
+# Scenario 3: the paper shows a sphere near the elbow and states neither its position nor d_i, d_s, ξ. All values are ours.
 SPHERE = mp.Sphere(radius=0.05, position=(0.44, 0.40, 0.84))
-BLOCKING = mp.Sphere(radius=0.05, position=(0.16, 0.32, 0.80))  # beside it the goal cannot be reached
+BLOCKING = mp.Sphere(radius=0.05, position=(0.16, 0.32, 0.80))  # with it, the goal cannot be reached
 INFLUENCE, SECURITY, DAMPING = 0.15, 0.05, 0.5  # [m], [m], [m/s]
 
 Posture = tuple[float, ...]
@@ -64,7 +65,7 @@ LINE_HEIGHT, LINE_DURATION = 0.4, 4.0  # [m], [s]
 
 @dataclass(frozen=True, kw_only=True)
 class Demonstration:
-    """Postures [rad] that an arm is led through in `duration` [s]; `seed` of the hand's wobble."""
+    """Postures [rad] through which an arm is guided in `duration` [s]; `seed` of the wobble of the hand."""
 
     name: str
     postures: tuple[Posture, ...]
@@ -74,7 +75,7 @@ class Demonstration:
 
 @dataclass(frozen=True, kw_only=True)
 class Planned:
-    """A start and a goal [rad] for OMPL, the time for the way [s], the seed and the clearance [m]."""
+    """A start and a goal [rad] for OMPL, the duration of the path [s], the seed and the clearance [m]."""
 
     name: str
     start: Posture

@@ -1,4 +1,4 @@
-"""The courses that are followed: tool poses along a path, the posture at its start, the time for it."""
+"""The courses that the arm follows: tool poses along a path, the start posture, and the duration."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Course:
-    """A path T(s) of the tool, followed from `start` (n,) in `duration` [s]; `origin` says what it is."""
+    """A path T(s) of the tool, followed from `start` (n,) in `duration` [s]; `origin` says how the path was made."""
 
     name: str
     origin: str

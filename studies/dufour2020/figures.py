@@ -1,4 +1,4 @@
-"""The figures, in the manner of the paper's, in the library's style."""
+"""The figures, after those of the paper, in the library's style."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -27,7 +27,7 @@ def name_of(run: Run) -> str:
     """A run for a legend."""
     symbol = {"(7)": "k₀", "LogDrive": "β"}.get(run.formula, "α")
     if run.strength == 0:
-        return "(2), no index" if run.formula == "(7)" else f"{run.formula}, α = 0"
+        return "(2), no manipulability" if run.formula == "(7)" else f"{run.formula}, α = 0"
     return f"{run.formula.removesuffix(' as it is')}, {symbol} = {run.strength:g}"
 
 
@@ -41,16 +41,16 @@ def blank(width: float, height: float) -> Figure:
     return Figure(figsize=(width, height), layout="constrained")
 
 
-def index_axes(ax: Any, runs: Sequence[Run], colours: Sequence[str]) -> None:
-    """Normalised index over time."""
+def manipulability_axes(ax: Any, runs: Sequence[Run], colours: Sequence[str]) -> None:
+    """Normalised manipulability over time."""
     for run, colour, dash in zip(runs, colours, _dashes(len(runs)), strict=True):
         part = slice(0, run.steps + 1)
-        ax.plot(run.t[part], run.index[part], color=colour, linestyle=dash, label=name_of(run))
-    ax.set(xlabel="time [s]", ylabel="normalised index m / m_max", ylim=(0, 1))
+        ax.plot(run.t[part], run.manipulability[part], color=colour, linestyle=dash, label=name_of(run))
+    ax.set(xlabel="time [s]", ylabel="normalised manipulability m / m_max", ylim=(0, 1))
 
 
 def path_axes(ax: Any, runs: Sequence[Run], colours: Sequence[str]) -> None:
-    """Tool's way, wanted and obtained, in space."""
+    """Path of the tool in space: reference and result."""
     wanted = runs[0].targets[:, :3, 3]
     ax.plot(*wanted.T, color="black", linewidth=3, alpha=0.35, label="reference")
     for run, colour, dash in zip(runs, colours, _dashes(len(runs)), strict=True):
@@ -66,7 +66,7 @@ def path_axes(ax: Any, runs: Sequence[Run], colours: Sequence[str]) -> None:
 
 
 def scenario(found: Scenario, file: Path) -> None:
-    """Fig. 3 or 4: index over time, and the tool's way."""
+    """Fig. 3 or 4: manipulability over time, and path of the tool."""
     with rc_context(STYLE):
         figure = blank(10.5, 4.2)
         parts: Any = figure.subfigures(1, 2, width_ratios=(1.2, 1))
@@ -74,12 +74,12 @@ def scenario(found: Scenario, file: Path) -> None:
         colours = [STRAIGHT, COLOURS["(7)"], "#56B4E9", "#0072B2", "#000000"]
         runs = [run for run in (found.plain, found.classical, *found.relaxed) if run is not None]
         ax = left.subplots()
-        index_axes(ax, runs, colours)
+        manipulability_axes(ax, runs, colours)
         ax.legend(loc="lower right", fontsize=8)
-        ax.set_title("a) index", loc="left")
+        ax.set_title("a) manipulability", loc="left")
         space = right.add_subplot(projection="3d")
         path_axes(space, found.relaxed, colours[2:])
-        space.set_title("b) way of the tool; the dot is its start", loc="left")
+        space.set_title("b) path of the tool; the dot is its start", loc="left")
         space.legend(loc="upper left", fontsize=8)
         save(figure, file)
 
@@ -99,10 +99,10 @@ def times(series: dict[str, Array], dt: float, file: Path) -> None:
 
 
 def obstacle(found: Obstacle, seconds: Sequence[Array], file: Path) -> None:
-    """Fig. 8: distance, index, computation time."""
+    """Fig. 8: distance, manipulability, computation time."""
     with rc_context(STYLE):
         figure = blank(11.5, 3.4)
-        near, index, took = figure.subplots(1, 3)
+        near, middle, took = figure.subplots(1, 3)
         colours = ("#E69F00", "#0072B2")
         for run, colour, dash in zip(found.runs, colours, DASHES, strict=False):
             near.plot(run.t[:-1], 1e3 * run.rollout["clearance"], color=colour, linestyle=dash, label=f"α = {run.strength:g}")
@@ -112,19 +112,19 @@ def obstacle(found: Obstacle, seconds: Sequence[Array], file: Path) -> None:
             near.text(near_end, 1e3 * value + 2, label, va="bottom", ha="right")
         near.set(
             xlabel="time [s]",
-            ylabel="least distance [mm]",
+            ylabel="minimum distance [mm]",
             ylim=(0, 1.05e3 * max(run.rollout["clearance"].max() for run in found.runs)),
         )
         near.set_title("a) robot to sphere", loc="left")
         near.legend(loc="upper right", fontsize=8)
-        index_axes(index, found.runs, colours)
-        index.set_title("b) index", loc="left")
+        manipulability_axes(middle, found.runs, colours)
+        middle.set_title("b) manipulability", loc="left")
         for values, run, colour in zip(seconds, found.runs, colours, strict=True):
             took.plot(config.DT * np.arange(1, len(values) + 1), 1e6 * values, color=colour, linewidth=0.9, label=name_of(run))
         took.axhline(1e6 * config.DT, color="black", linestyle="--", linewidth=1)
         took.set(xlabel="time [s]", ylabel="time of one step [µs]", yscale="log", ylim=(1, 2e4))
         took.set_title("c) computation; dashed: T", loc="left")
-        index.legend(loc="lower right", fontsize=8)
+        middle.legend(loc="lower right", fontsize=8)
         save(figure, file)
 
 
@@ -135,7 +135,7 @@ def comparison(found: Comparison, file: Path) -> None:
         axes = figure.subplots(2, 3).ravel()
         for ax, name in zip(axes, config.TABLE_1, strict=False):
             pair = (found.papers[name], found.one[name], found.most[name])
-            index_axes(ax, pair, ("#0072B2", "#D55E00", STRAIGHT))
+            manipulability_axes(ax, pair, ("#0072B2", "#D55E00", STRAIGHT))
             ax.set_title(name, loc="left")
             ax.legend(loc="lower right", fontsize=7.5)
         last = axes[5]
@@ -144,7 +144,7 @@ def comparison(found: Comparison, file: Path) -> None:
                 sound = [run for run in runs if run.sound]
                 last.plot([run.strength for run in sound], [run.mean for run in sound], color=colour, linestyle=dash)
             last.plot([], [], color=colour, label=name)
-        last.set(xscale="log", xlabel="α", ylabel="mean normalised index", ylim=(0.25, 1))
+        last.set(xscale="log", xlabel="α", ylabel="mean normalised manipulability", ylim=(0.25, 1))
         last.set_title("sound runs: (10) solid, (14) dashed", loc="left")
         last.legend(fontsize=7.5, ncols=3, loc="upper left")
         save(figure, file)
@@ -170,12 +170,12 @@ def convexity(table: Table, file: Path) -> None:
         right.plot(alphas, other, color="#D55E00", marker="^", markersize=4, label="(14)")
         right.set(xscale="log", xlabel="α", ylabel="chatter: share of joints and steps [%]")
         right.legend(fontsize=8, loc="upper left")
-        right.set_title("b) hard accelerations that change sign at once", loc="left")
+        right.set_title("b) large accelerations that change sign in one step", loc="left")
         save(figure, file)
 
 
 def hessians(runs: dict[tuple[str, str, float], Run], file: Path) -> None:
-    """(10) by the makers of the Hessian on scenario 2."""
+    """(10) with each method for the Hessian, on scenario 2."""
     names = [hessian for path, hessian, alpha in runs if path == "S2" and alpha == config.ALPHA]
     labels = {
         "bfgs": "BFGS, direct and damped",
@@ -190,11 +190,11 @@ def hessians(runs: dict[tuple[str, str, float], Run], file: Path) -> None:
             run = runs["S2", name, config.ALPHA]
             label, width = labels.get(name, name), 3.0 if name == "exact" else 1.5
             part = slice(0, run.steps + 1)
-            left.plot(run.t[part], run.index[part], color=colour, linestyle=dash, linewidth=width, label=label)
+            left.plot(run.t[part], run.manipulability[part], color=colour, linestyle=dash, linewidth=width, label=label)
             right.plot(run.t, 1e3 * run.deviation, color=colour, linestyle=dash, linewidth=width, label=label)
-        left.set(xlabel="time [s]", ylabel="normalised index m / m_max", ylim=(0, 1))
+        left.set(xlabel="time [s]", ylabel="normalised manipulability m / m_max", ylim=(0, 1))
         right.set(xlabel="time [s]", ylabel="deviation [mm]")
-        left.set_title(f"S2, α = {config.ALPHA:g}: index", loc="left")
+        left.set_title(f"S2, α = {config.ALPHA:g}: manipulability", loc="left")
         right.set_title("deviation", loc="left")
         left.legend(fontsize=8, ncols=2)
         save(figure, file)
@@ -220,8 +220,8 @@ def pareto(found: Fronts, name: str, file: Path) -> None:
                 axes[1][column].xaxis.set_minor_formatter(NullFormatter())
             else:
                 axes[1][column].set_xlim(-0.04e3 * tube, 1.25e3 * tube)
-        axes[0][0].set_ylabel("mean normalised index")
-        axes[1][0].set_ylabel("least normalised index")
+        axes[0][0].set_ylabel("mean m / m_max")
+        axes[1][0].set_ylabel("minimum m / m_max")
         handles, labels = axes[0][0].get_legend_handles_labels()
         figure.legend(handles, labels, loc="outside upper right", ncols=len(labels), fontsize=8)
         figure.suptitle(f"{name}; hollow: chatter, or (7) off its path", x=0.01, ha="left", fontsize=10)

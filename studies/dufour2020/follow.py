@@ -1,4 +1,4 @@
-"""One arm that follows courses by any formulation, and what came of it."""
+"""The arm, which follows courses with any formulation, and the results of its runs."""
 
 import time
 from dataclasses import dataclass, field
@@ -12,24 +12,24 @@ import manipplan as mp
 from studies.dufour2020 import config
 from studies.dufour2020.courses import Array, Course, load_courses
 
-#: The formulations with a strength of 1. `Controller`'s drive multiplies it: k₀, α or β of a run.
-FORMULAS: dict[str, mp.Formulation] = {
-    "(7)": mp.Classical(1.0),
-    "(10)": mp.Objective(1.0),
-    "(10) as it is": mp.Objective(1.0, convexify=False),
-    "(14)": mp.Equality(1.0),
-    "LogDrive": mp.LogDrive(1.0, rate=config.LOG_RATE),
+#: The formulations with a strength of 1. The drive of `Controller` multiplies it: k₀, α or β of a run.
+FORMULAS: dict[str, mp.formulations.Formulation] = {
+    "(7)": mp.formulations.Classical(1.0),
+    "(10)": mp.formulations.Objective(1.0),
+    "(10) as it is": mp.formulations.Objective(1.0, convexify=False),
+    "(14)": mp.formulations.Equality(1.0),
+    "LogDrive": mp.formulations.LogDrive(1.0, rate=config.LOG_RATE),
 }
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Run:
-    """A course as it was followed; the first `steps` + 1 samples are on the path, the rest settles at its end.
+    """Result of following a course; the first `steps` + 1 samples are on the path, then the arm settles at its end.
 
     Attributes:
-        course, formula, strength: what was run.
+        course, formula, strength: the course, the formulation and its parameter.
         t, q, qd: (N,) [s], (N, 7) [rad, rad/s].
-        index: (N,) manipulability by the arm's largest.
+        manipulability: (N,) divided by the arm's largest.
         poses, targets: (N, 4, 4).
         deviation, rotation: (N,) of the tool from its target [m, rad].
         rollout: the steps' reports.
@@ -41,7 +41,7 @@ class Run:
     t: Array
     q: Array
     qd: Array
-    index: Array
+    manipulability: Array
     poses: Array
     targets: Array
     deviation: Array
@@ -51,13 +51,13 @@ class Run:
 
     @property
     def mean(self) -> float:
-        """Mean normalised index along the path."""
-        return float(self.index[: self.steps + 1].mean())
+        """Mean normalised manipulability along the path."""
+        return float(self.manipulability[: self.steps + 1].mean())
 
     @property
     def least(self) -> float:
-        """Least normalised index along the path."""
-        return float(self.index[: self.steps + 1].min())
+        """Minimum normalised manipulability along the path."""
+        return float(self.manipulability[: self.steps + 1].min())
 
     @property
     def worst(self) -> float:
@@ -71,39 +71,39 @@ class Run:
 
     @property
     def reached(self) -> bool:
-        """Whether it ends at the final pose."""
+        """Whether the run ends at the final pose."""
         return bool(self.deviation[-1] <= config.REACHED[0] and self.rotation[-1] <= config.REACHED[1])
 
     @property
     def unsolved(self) -> int:
-        """Steps without a sound answer."""
+        """Number of steps without a valid solution."""
         return int(np.count_nonzero(self.rollout["status"]))
 
     @property
     def convexified(self) -> int:
-        """Steps whose cost was indefinite and made convex."""
+        """Number of steps whose cost was indefinite and made convex."""
         return int(np.count_nonzero(self.rollout["convexified"]))
 
     @property
     def acceleration(self) -> Array:
-        """(steps, 7) on the path [rad/s²]."""
+        """Joint accelerations (steps, 7) on the path [rad/s²]."""
         return np.asarray(np.diff(self.qd[: self.steps + 1], axis=0) / self.t[1])
 
     @property
     def chatter(self) -> float:
-        """Share of joints and steps where a hard acceleration follows its opposite."""
+        """Share of joints and steps in which a large acceleration follows one of the opposite sign."""
         hard = np.where(np.abs(self.acceleration) > config.ACCELERATION / 2, np.sign(self.acceleration), 0)
         return float((hard[1:] * hard[:-1] < 0).mean())
 
     @property
     def sound(self) -> bool:
-        """Whether it counts: reached, no braking, no chatter, and (7) kept its path."""
+        """Whether the run counts: it reached the end without braking and chatter, and (7) kept its path."""
         kept = self.formula != "(7)" or self.worst <= config.KEPT
         return self.reached and not self.unsolved and self.chatter <= config.CHATTER and kept
 
     @property
     def roughness(self) -> float:
-        """Root mean square of the joints' accelerations on the path [rad/s²]."""
+        """Root mean square of the joint accelerations on the path [rad/s²]."""
         return float(np.sqrt((self.acceleration**2).mean()))
 
 
@@ -118,17 +118,17 @@ class Arm:
 
     @cached_property
     def kinematics(self) -> mp.Kinematics:
-        """Of the six raw rows."""
+        """Kinematics of the six rows without weights."""
         return self.robot.kinematics(config.TASK)
 
     @cached_property
     def courses(self) -> dict[str, Course]:
-        """By name."""
+        """All courses by name."""
         return load_courses(self.kinematics)
 
     @cached_property
     def maxima(self) -> Array:
-        """Local maxima (STARTS,) of the index inside the position limits, largest first."""
+        """Local maxima (STARTS,) of the manipulability inside the position limits, largest first."""
         limits, kinematics = self.robot.limits, self.kinematics
         found = [
             -minimize(
@@ -144,7 +144,7 @@ class Arm:
 
     def controller(
         self,
-        formulation: mp.Formulation,
+        formulation: mp.formulations.Formulation,
         *,
         dt: float = config.DT,
         approach: float = config.DEAD_BEAT,
@@ -152,13 +152,13 @@ class Arm:
         avoidance: mp.Avoidance | None = None,
         compiled: bool = True,
     ) -> mp.Controller:
-        """The controller for these, made once."""
+        """The controller for these options, created once."""
         key = (formulation, dt, approach, tube, avoidance, compiled)
         if key not in self.made:
             self.made[key] = mp.Controller(
                 self.robot,
                 formulation,
-                dt,
+                dt=dt,
                 task=config.TASK,
                 approach=approach,
                 tolerance=mp.Tolerance(position=config.TUBES[0]) if tube else None,
@@ -174,14 +174,14 @@ class Arm:
         strength: float,
         *,
         tube: float | None = None,
-        formulation: mp.Formulation | None = None,
+        formulation: mp.formulations.Formulation | None = None,
         dt: float = config.DT,
         approach: float = config.DEAD_BEAT,
         avoidance: mp.Avoidance | None = None,
         compiled: bool = True,
         nudge: float = 0.0,
     ) -> Run:
-        """Follow the course `name` by FORMULAS[formula], or by `formulation` under that name, inside a tube [m] or none.
+        """Follow the course `name` with FORMULAS[formula], or with `formulation` under that name, inside a tube [m] if given.
 
         `nudge` [rad] is added to every joint of the first posture.
         """
@@ -211,7 +211,7 @@ class Arm:
             t=dt * np.arange(len(poses), dtype=np.float64),
             q=rollout.q,
             qd=rollout.qd,
-            index=self.kinematics.manipulability(rollout.q) / self.maxima[0],
+            manipulability=self.kinematics.manipulability(rollout.q) / self.maxima[0],
             poses=poses,
             targets=wanted,
             deviation=np.linalg.norm(poses[:, :3, 3] - wanted[:, :3, 3], axis=1),
@@ -252,7 +252,7 @@ class Arm:
 
 
 def timed(course: Course, dt: float, strength: float) -> tuple[Array, Array, Array, int]:
-    """Targets (N, 4, 4), stiffness and drive (N,) of every step, and how many are on the path: cubic timing, then settling."""
+    """Targets (N, 4, 4), stiffness and drive (N,) of every step, and the number of steps on the path, with cubic timing."""
     steps, more = round(course.duration / dt), round(config.SETTLING / dt)
     u = np.arange(1, steps + 1) / steps
     on_path = course.path(np.minimum(3 * u**2 - 2 * u**3, 1.0))
@@ -263,6 +263,6 @@ def timed(course: Course, dt: float, strength: float) -> tuple[Array, Array, Arr
 
 
 def angles(poses: Array, targets: Array) -> Array:
-    """Angle (N,) [rad] between the rotations of two rows of poses."""
+    """Angle (N,) [rad] between the rotations of two sequences of poses."""
     chord = np.linalg.norm(poses[:, :3, :3] - targets[:, :3, :3], axis=(1, 2)) / np.sqrt(8)
     return np.asarray(2 * np.arcsin(np.minimum(chord, 1.0)))

@@ -1,8 +1,8 @@
-"""Makes the joint paths of the study: `python -m studies.dufour2020.make_paths` writes paths/*.csv again.
+"""Generates the joint paths of the study: `python -m studies.dufour2020.make_paths` writes paths/*.csv again.
 
-The paper's paths are not public. Those of a "demonstration" stand for an arm that is led by hand: a smooth way through
-postures with the slow wobble of a hand on it, read at 10 Hz to 0.1 mrad. No person made them. Those of OMPL go around
-obstacles.
+The paper's paths are not public. A "demonstration" imitates an arm that is guided by hand: a smooth path through postures
+with the slow wobble of a hand, sampled at 10 Hz and rounded to 0.1 mrad. It is computed; nobody guided an arm. The paths of
+OMPL go around obstacles.
 """
 
 import numpy as np
@@ -33,7 +33,7 @@ def main() -> None:
 
 
 def demonstrated(robot: mp.Robot, demonstration: Demonstration) -> tuple[Array, Array]:
-    """Times (k,) [s] and postures (k, n) [rad] of a way through the postures, from rest to rest, with a wobble."""
+    """Times (k,) [s] and postures (k, n) [rad] of a path through the postures, from rest to rest, with a wobble."""
     via = np.array(demonstration.postures)
     along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(via, axis=0), axis=1))])
     curve = CubicSpline(along / along[-1], via)
@@ -47,9 +47,11 @@ def demonstrated(robot: mp.Robot, demonstration: Demonstration) -> tuple[Array, 
 
 
 def found(robot: mp.Robot, planned: Planned) -> tuple[Array, Array]:
-    """Times and postures of OMPL's path around the obstacles, evenly along it."""
+    """Times and postures of OMPL's path around the obstacles, at even steps along it."""
     scene = mp.Scene([mp.Box(size=size, position=position) for size, position in (TABLE, SHELF)])
-    path = mp.seed_path(robot, planned.start, planned.goal, scene, seed=planned.seed, clearance=planned.clearance)
+    path = mp.seed_path(
+        robot, planned.start, planned.goal, scene, seeding=mp.Seeding(seed=planned.seed), clearance=planned.clearance
+    )
     s = np.linspace(0.0, 1.0, PLANNED_SAMPLES)
     return s * planned.duration, path(s)
 

@@ -1,4 +1,4 @@
-"""Claim 1, the Hessian's makers, computation times, and what a time step changes."""
+"""Claim 1, the methods for the Hessian, computation times, and the effect of the time step."""
 
 from collections.abc import Callable
 from itertools import product
@@ -13,7 +13,7 @@ from studies.tables import Cell, Table
 
 HESSIANS = ("exact", "central", "sr1", "bfgs", "bfgs-literal")
 HESSIAN_ALPHAS = (config.ALPHA, 100e3)
-#: Head of the column beside a figure: the same from a start that is moved by next to nothing.
+#: Heading of the column next to a value: the same value for a start that is moved by a tiny amount.
 NUDGED = "the same, start moved by 10⁻¹⁰ rad"
 
 
@@ -56,11 +56,13 @@ def convexity(arm: Arm, comparison: Comparison) -> Table:
 
 
 def hessians(arm: Arm) -> tuple[Table, dict[tuple[str, str, float], Run]]:
-    """(10) with every way to make the Hessian."""
+    """(10) with every method for the Hessian."""
     runs, rows = {}, []
     for name, hessian, alpha in product(("S1", "S2"), HESSIANS, HESSIAN_ALPHAS):
         run, near = (
-            arm.follow(name, hessian, alpha, formulation=mp.Objective(1.0, hessian=hessian), compiled=False, nudge=nudge)
+            arm.follow(
+                name, hessian, alpha, formulation=mp.formulations.Objective(1.0, hessian=hessian), compiled=False, nudge=nudge
+            )
             for nudge in (0.0, config.NUDGE)
         )
         runs[name, hessian, alpha] = run
@@ -82,7 +84,7 @@ def hessians(arm: Arm) -> tuple[Table, dict[tuple[str, str, float], Run]]:
 
 def literal(arm: Arm) -> tuple[Table, dict[tuple[str, float], Run]]:
     """(20) as printed, solved as it is, on every path."""
-    printed = mp.Objective(1.0, hessian="bfgs-literal", convexify=False)
+    printed = mp.formulations.Objective(1.0, hessian="bfgs-literal", convexify=False)
     runs, rows = {}, []
     for name, alpha in product(arm.courses, config.LITERAL_ALPHAS):
         run, near = (
@@ -98,7 +100,7 @@ def literal(arm: Arm) -> tuple[Table, dict[tuple[str, float], Run]]:
 
 
 def real_time(arm: Arm, avoidance: mp.Avoidance, advance: Callable[[], None]) -> tuple[Table, dict[str, float]]:
-    """Step times on scenario 1 at 100 Hz and 1 kHz, and the share of the steps that took longer than T."""
+    """Step times on scenario 1 at 100 Hz and 1 kHz, and the share of steps that took longer than T."""
     strengths = {"(7)": 1.0, "(10)": config.ALPHA, "(14)": config.ONE_ALPHA, "LogDrive": config.LOG_WEIGHT}
     cases = [(formula, strength, None) for formula, strength in strengths.items()] + [("(10)", config.ALPHA, avoidance)]
     rows: list[tuple[Cell, ...]] = []
@@ -119,13 +121,13 @@ def real_time(arm: Arm, avoidance: mp.Avoidance, advance: Callable[[], None]) ->
 
 
 def time_step(arm: Arm) -> tuple[Table, dict[str, float]]:
-    """The same motion at 10 ms and at 1 ms? Largest difference of a joint on scenario 1 and 2 [rad]."""
-    alike: dict[str, tuple[mp.Formulation, float]] = {
-        "(10), T of the step": (mp.Objective(1.0), config.ALPHA),
-        "(10), T = 10 ms": (mp.Objective(1.0, sample_time=config.DT), config.ALPHA),
-        "(14), T of the step": (mp.Equality(1.0), config.ONE_ALPHA),
-        "(14), T = 10 ms": (mp.Equality(1.0, sample_time=config.DT), config.ONE_ALPHA),
-        "LogDrive": (mp.LogDrive(1.0, rate=config.LOG_RATE), config.LOG_WEIGHT),
+    """Whether the motion is the same at 10 ms and at 1 ms: largest difference of a joint on scenarios 1 and 2 [rad]."""
+    alike: dict[str, tuple[mp.formulations.Formulation, float]] = {
+        "(10), T of the step": (mp.formulations.Objective(1.0), config.ALPHA),
+        "(10), T = 10 ms": (mp.formulations.Objective(1.0, sample_time=config.DT), config.ALPHA),
+        "(14), T of the step": (mp.formulations.Equality(1.0), config.ONE_ALPHA),
+        "(14), T = 10 ms": (mp.formulations.Equality(1.0, sample_time=config.DT), config.ONE_ALPHA),
+        "LogDrive": (mp.formulations.LogDrive(1.0, rate=config.LOG_RATE), config.LOG_WEIGHT),
     }
     rows: list[tuple[Cell, ...]] = []
     apart: dict[str, float] = {}
@@ -144,7 +146,7 @@ def time_step(arm: Arm) -> tuple[Table, dict[str, float]]:
 
 
 def approaches(arm: Arm) -> Table:
-    """What the way back to the path changes: dead-beat, as in the paper, against the library's default."""
+    """Effect of the return to the path: dead-beat, as in the paper, against the library's default."""
     strengths = {"(10)": config.ALPHA, "(14)": config.ONE_ALPHA, "LogDrive": config.LOG_WEIGHT}
     rows = []
     for name in ("S1", "S2"):
@@ -165,7 +167,7 @@ def approaches(arm: Arm) -> Table:
 
 
 def all_courses(arm: Arm) -> tuple[Table, dict[str, dict[str, Run | None]]]:
-    """Every path by every formulation: (7) at its best sound k₀, the others at one parameter for all."""
+    """Every path with every formulation: (7) at its best sound k₀, the others at one parameter for all paths."""
     found: dict[str, dict[str, Run | None]] = {}
     for name in arm.courses:
         gains = sweep(arm, name, "(7)", config.GAINS)

@@ -1,4 +1,4 @@
-"""What a deviation buys: every formulation with a swept parameter, without a tube and inside three."""
+"""Manipulability against deviation: every formulation with a swept parameter, without a tube and inside three tubes."""
 
 from collections.abc import Callable
 
@@ -10,7 +10,7 @@ from studies.dufour2020.scenarios import sweep
 from studies.tables import Table
 
 SWEEPS = {"(7)": config.GAINS, "(10)": config.SWEEP, "(14)": config.SWEEP, "LogDrive": config.WEIGHTS}
-#: None: no tube; (7) knows none.
+#: None: no tube; (7) cannot use one.
 SPACES: tuple[float | None, ...] = (None, *config.TUBES)
 
 Fronts = dict[tuple[str, float | None, str], list[Run]]
@@ -29,7 +29,7 @@ def fronts(arm: Arm, names: tuple[str, ...], advance: Callable[[], None]) -> Fro
 
 
 def front_table(found: Fronts) -> Table:
-    """Every run."""
+    """Table of all runs."""
     rows = [
         (
             name,
@@ -60,7 +60,7 @@ def front_table(found: Fronts) -> Table:
 
 
 def tube_table(found: Fronts) -> Table:
-    """The largest mean index of the sound runs of each formulation inside each tube."""
+    """Largest mean and minimum manipulability of the sound runs of each formulation inside each tube."""
     rows = []
     for (name, tube, formula), runs in found.items():
         counted = [run for run in runs if run.sound and (tube is None or run.worst <= config.TUBE_SLACK * tube)]

@@ -16,7 +16,7 @@ TIMED = 20
 
 
 def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
-    """Make everything; returns the claims."""
+    """Make all tables and figures; returns the claims."""
     names = QUICK if quick else ("S1", "S2", *config.TABLE_1)
     whole, done, doing = STEPS + len(names) + (0 if quick else TIMED), 0, ""
 
@@ -54,7 +54,7 @@ def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
     advance("all paths")
     table, everything = numerics.all_courses(arm)
     table.write(out)
-    advance("way back to the path")
+    advance("return to the path")
     numerics.approaches(arm).write(out)
     advance("time step")
     numerics.time_step(arm)[0].write(out)
@@ -62,7 +62,7 @@ def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
     found = claims.claims(arm, first, second, sphere, comparison, everything, printed)
     found += claims.chaotic(convexity, hessians)
     claims.table(found).write(out)
-    advance("deviation against index")
+    advance("deviation against manipulability")
     fronts = pareto.fronts(arm, names, advance)
     pareto.front_table(fronts).write_csv(out)
     pareto.tube_table(fronts).write(out)

@@ -23,7 +23,7 @@ RUN_HEAD = (
 
 
 def run_row(run: Run) -> tuple[Cell, ...]:
-    """A run's line in a table."""
+    """The row of a run in a table."""
     millimetres, degrees = 1e3 * run.worst, float(np.rad2deg(run.turned))
     return run.course.name, run.formula, run.strength, run.mean, run.least, millimetres, degrees, run.roughness
 
@@ -36,13 +36,13 @@ def sweep(
 
 
 def best(runs: Sequence[Run]) -> Run | None:
-    """The sound run of the largest mean index; None where none is sound."""
+    """The sound run with the largest mean manipulability; None if no run is sound."""
     return max((run for run in runs if run.sound), key=lambda run: run.mean, default=None)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Scenario:
-    """Runs of a course: without the index (2), the best of (7), and (10) for every α of the study."""
+    """Runs of a course: (2), without manipulability, the best of (7), and (10) for every α of the study."""
 
     plain: Run
     classical: Run | None
@@ -57,7 +57,7 @@ class Scenario:
 
     @property
     def runs(self) -> tuple[Run, ...]:
-        """All of them."""
+        """All runs of the scenario."""
         return (self.plain, *([self.classical] if self.classical else []), *self.relaxed)
 
     @property
@@ -68,7 +68,7 @@ class Scenario:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Obstacle:
-    """Scenario 3: runs with α = 0 and α > 0 that avoid the sphere, the least distances [m] of the same without avoidance."""
+    """Scenario 3: runs with α = 0 and α > 0 that avoid the sphere, and the minimum distances [m] without avoidance."""
 
     runs: tuple[Run, ...]
     unguarded: tuple[float, ...]
@@ -85,7 +85,7 @@ class Obstacle:
             itself=False,
         )
         runs = tuple(arm.follow("S1", "(10)", alpha, avoidance=avoidance) for alpha in (0.0, config.ALPHA))
-        # a mere point is only seen, since no link ever comes to its centre
+        # a point only measures the distance, since no link reaches its centre
         point = mp.Sphere(radius=1e-6, position=sphere.position)
         seen = mp.Avoidance(scene=mp.Scene([point]), influence=2e-9, security=1e-9, damping=config.DAMPING, itself=False)
         free = [arm.follow("S1", "(10)", run.strength, avoidance=seen, compiled=False) for run in runs]
@@ -93,7 +93,7 @@ class Obstacle:
         return cls(runs=runs, unguarded=unguarded, avoidance=avoidance)
 
     def rows(self) -> list[tuple[Cell, ...]]:
-        """Place of the sphere, distances, index and deviation."""
+        """Position of the sphere, distances, manipulability and deviation."""
         place = ", ".join(f"{x:g}" for x in self.avoidance.scene.obstacles[0].position)
         return [
             (
@@ -111,14 +111,14 @@ class Obstacle:
 
 
 def obstacle_table(found: Sequence[Obstacle]) -> Table:
-    """Scenario 3 with every sphere."""
+    """Table of scenario 3 with every sphere."""
     head = ("sphere at [m]", "α", "least distance without avoidance [mm]", "with [mm]", "mean index", "minimum manipulability")
     return Table.of("scenario3", (*head, "deviation [mm]", "at the end [mm]"), [row for each in found for row in each.rows()])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Comparison:
-    """Scenario 4: sweeps of (10), solved as it is, and of (14) over the five paths."""
+    """Scenario 4: sweeps of (10), without convexification, and of (14) over the five paths."""
 
     objective: dict[str, list[Run]]
     equality: dict[str, list[Run]]
@@ -127,7 +127,7 @@ class Comparison:
 
     @classmethod
     def of(cls, arm: Arm) -> "Comparison":
-        """Run them."""
+        """Run the sweeps."""
         return cls(
             objective={name: sweep(arm, name, "(10) as it is", config.SWEEP) for name in config.TABLE_1},
             equality={name: sweep(arm, name, "(14)", config.SWEEP) for name in config.TABLE_1},
@@ -137,24 +137,24 @@ class Comparison:
 
     @property
     def own_alpha(self) -> float:
-        """The one α for (14) with the largest mean index over the paths among those at which all runs are sound."""
+        """Of all α at which (14) is sound on all paths, the one with the largest mean manipulability over the paths."""
         columns = list(zip(*self.equality.values(), strict=True))
         sound = [column for column in columns if all(run.sound for run in column)]
         return float(max(sound, key=lambda column: np.mean([run.mean for run in column]))[0].strength)
 
     @property
     def own(self) -> dict[str, Run]:
-        """(14) with it."""
+        """(14) with this α."""
         return {name: next(run for run in runs if run.strength == self.own_alpha) for name, runs in self.equality.items()}
 
     @property
     def most(self) -> dict[str, Run]:
-        """(10) with its best α."""
+        """(10) with the best α of each path."""
         found = {name: best(runs) for name, runs in self.objective.items()}
         return {name: run for name, run in found.items() if run is not None}
 
     def table(self) -> Table:
-        """Table 1: at the paper's values, and at the best of our sweeps."""
+        """Table 1: at the paper's values, and at the best values of our sweeps."""
         rows = []
         for name in config.TABLE_1:
             papers, one, most, own = self.papers[name], self.one[name], self.most[name], self.own[name]

@@ -13,13 +13,13 @@ from studies.guilamo2006.courses import Array
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Bodies:
-    """The links of a robot, each by the corners of its convex hull."""
+    """The links of a robot, each as the corners of its convex hull."""
 
     robot: mp.Robot
 
     @cached_property
     def corners(self) -> list[tuple[int, bool, Array]]:
-        """Of each geometry object its number, whether the arm moves it, and corners (k, 3) in its own frame."""
+        """For each geometry object: its number, whether the arm moves it, and its corners (k, 3) in its own frame."""
         found = []
         for number, each in enumerate(self.robot.geometry.geometryObjects):
             shape = each.geometry
@@ -34,7 +34,7 @@ class Bodies:
         return found
 
     def outlines(self, q: Array, axes: tuple[int, int]) -> list[tuple[bool, Array]]:
-        """Of each link whether it moves and the outline (k, 2) of its projection along the third axis, far ones first."""
+        """For each link: whether it moves, and the outline (k, 2) of its projection along the third axis; far links first."""
         model, geometry = self.robot.model, self.robot.geometry
         data, placed = model.createData(), pin.GeometryData(geometry)
         pin.updateGeometryPlacements(model, data, geometry, placed, q)

@@ -16,9 +16,9 @@ QUICK, FULL = "quick", "full"
 
 @dataclass(frozen=True, kw_only=True)
 class Claim:
-    """One figure: what the paper says, what is measured, and whether it holds (None: ours, no claim).
+    """One number: what the paper says, the measured value, and whether the claim holds (None: our own number, no claim).
 
-    `part` is "quick" for what --quick measures as well, "full" for what needs the full grid.
+    `part` is "quick" for a number that --quick measures as well, "full" for one that needs the full grid.
     """
 
     text: str
@@ -29,7 +29,7 @@ class Claim:
 
 
 def claims(results: Results) -> list[Claim]:
-    """All that do not depend on the machine's speed."""
+    """All claims that do not depend on the machine's speed."""
     found = [
         *_table_1(results, config.COARSE, QUICK),
         *_searches(results),
@@ -179,7 +179,7 @@ def _refinement(results: Results, grid: Grid, part: str) -> list[Claim]:
             ),
         ]
     line = results.courses[1]
-    index = results.best(line, grid).found.manipulability
+    shortest = results.best(line, grid).found.manipulability
     papers = results.restarted(line, grid, memoised=True).found.manipulability
     smooth = results.refined(line, grid).refinement.manipulability
     return [
@@ -194,7 +194,7 @@ def _refinement(results: Results, grid: Grid, part: str) -> list[Claim]:
         Claim(
             text=f"{tables.grid_name(grid)}, line: the same of the shortest optimal path",
             paper="ours",
-            value=runs.perturbation(index),
+            value=runs.perturbation(shortest),
             part=part,
         ),
         Claim(
@@ -294,7 +294,7 @@ def _full(results: Results) -> list[Claim]:
 
 
 def table(found: list[Claim]) -> Table:
-    """Paper against ours."""
+    """Table of the paper's statements and our values."""
     words = {True: "yes", False: "no", None: ""}
     rows = [(claim.text, claim.paper, _number(claim.value), words[claim.holds]) for claim in found]
     return Table.of("claims", ("claim", "paper", "ours", "holds"), rows)
@@ -305,12 +305,12 @@ def _number(value: float) -> str | float:
 
 
 def expected(*, quick: bool) -> list[tuple[str, float, float]]:
-    """Claim, ours and tolerance of expected.csv."""
+    """Claim, our value and tolerance from expected.csv."""
     with config.EXPECTED.open(newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["part"] == QUICK or not quick]
     return [(row["claim"], float(row["ours"]), float(row["tolerance"])) for row in rows]
 
 
 def differences(found: list[Claim], *, quick: bool) -> list[str]:
-    """What is not as expected.csv has it."""
+    """Differences from expected.csv."""
     return within({claim.text: claim.value for claim in found}, expected(quick=quick))

@@ -24,12 +24,12 @@ class Course:
 
     @cached_property
     def kinematics(self) -> mp.Kinematics:
-        """Of the study's task."""
+        """Kinematics of the study's task."""
         return self.robot.kinematics(config.TASK)
 
 
 def pose(position: ArrayLike, side: ArrayLike = config.SIDE) -> Array:
-    """The wrist at `position` (3,), the hand forward and horizontal, its x axis along `side` (3,)."""
+    """Pose of the wrist at `position` (3,), with the hand forward and horizontal and its x axis along `side` (3,)."""
     x, z = np.asarray(side, dtype=float), np.asarray(config.FORWARD)
     matrix = np.eye(4)
     matrix[:3, :3] = np.column_stack([x, np.cross(z, x), z])
@@ -50,7 +50,7 @@ def second_courses() -> tuple[Course, Course]:
 
 
 def second_scale(robot: mp.Robot) -> float:
-    """Length of the second robot's arm from shoulder to wrist by that of TALOS."""
+    """Arm length of the second robot, from shoulder to wrist, divided by that of TALOS."""
     return arm_length(robot, config.SECOND_SHOULDER) / arm_length(mp.load_robot(config.ROBOT), config.SHOULDER)
 
 

@@ -1,4 +1,4 @@
-"""The figures, in the manner of the paper's, in the library's style."""
+"""The figures, after those of the paper, in the library's style."""
 
 from pathlib import Path
 from typing import Any
@@ -21,12 +21,12 @@ BODY, MOVING, EDGE = "#E9E9E9", "#A9CCE3", "#7A7A7A"
 AXES = "xyz"
 FRONT, SIDE, TOP = (1, 2), (0, 2), (1, 0)
 MARKS = "os^Dv<>"
-#: What is shown of each axis [m].
+#: Range of each axis that is shown [m].
 SPANS = {0: (-0.45, 1.15), 1: (-0.65, 0.6), 2: (-0.45, 0.75)}
 
 
 def all_figures(results: Results, out: Path) -> None:
-    """Write them."""
+    """Write all figures."""
     circle, line = results.courses
     postures(results.best(circle), results.refined(circle).refinement.q, (("front", FRONT), ("side", SIDE)), out / "circle.png")
     postures(results.best(line), results.refined(line).refinement.q, (("front", FRONT), ("top", TOP)), out / "line.png")
@@ -37,7 +37,7 @@ def all_figures(results: Results, out: Path) -> None:
 
 
 def save(figure: Figure, file: Path) -> None:
-    """Write it as PNG."""
+    """Write the figure as PNG."""
     figure.savefig(file, dpi=DPI, metadata={"Software": None})
 
 
@@ -47,7 +47,7 @@ def blank(width: float, height: float) -> Figure:
 
 
 def postures(searched: Searched, q: Array, views: tuple[tuple[str, tuple[int, int]], ...], file: Path) -> None:
-    """Fig. 2, 4 and 6 to 8: four postures of the refined path (L, n), from two sides, with the path."""
+    """Fig. 2, 4 and 6 to 8: four postures of the refined path (L, n) in two views, with the path of the tool."""
     course = searched.sampled.course
     bodies = Bodies(robot=course.robot)
     # a circle ends where it begins
@@ -72,12 +72,12 @@ def postures(searched: Searched, q: Array, views: tuple[tuple[str, tuple[int, in
             if view is TOP:
                 row[0].invert_xaxis()  # from above, with x upwards, y points to the left
         for ax, k in zip(axes[0], places, strict=True):
-            ax.set_title(f"position {k}, index {course.kinematics.manipulability(q[k]):.3f}", loc="left", fontsize=9)
+            ax.set_title(f"position {k}, m = {course.kinematics.manipulability(q[k]):.3f}", loc="left", fontsize=9)
         save(figure, file)
 
 
 def curves(results: Results, file: Path) -> None:
-    """Fig. 3 and 5: index along circle and line."""
+    """Fig. 3 and 5: manipulability along circle and line."""
     with rc_context(STYLE):
         figure = blank(11, 4.2)
         axes: Any = figure.subplots(1, 2)
@@ -101,10 +101,10 @@ def curves(results: Results, file: Path) -> None:
             ax.axhline(best.found.minimum, color=OPTIMUM, linewidth=0.7)
             ax.xaxis.set_major_locator(MaxNLocator(integer=True))
             low = min(best.found.minimum, refined.min())
-            ax.set(xlabel="position", ylabel=f"index m [{course.kinematics.task.unit}]".replace("m^3", "m³"))
+            ax.set(xlabel="position", ylabel=f"manipulability m [{course.kinematics.task.unit}]".replace("m^3", "m³"))
             ax.set(ylim=(0.55 * low, 1.05 * top), xlim=(-0.5, len(places) - 0.5))
             ax.set_title(
-                f"{course.name}, ε = {best.epsilon:g}°, least {best.found.minimum:.4f}, refined {refined.min():.4f}",
+                f"{course.name}, ε = {best.epsilon:g}°, minimum {best.found.minimum:.4f}, refined {refined.min():.4f}",
                 loc="left",
                 fontsize=9,
             )
@@ -113,14 +113,14 @@ def curves(results: Results, file: Path) -> None:
 
 
 def layered(results: Results, file: Path) -> None:
-    """What the search does: candidates of each position in the order of their index, with the path among them."""
+    """How the search works: the candidates of each position, ordered by manipulability, and the path among them."""
     with rc_context(STYLE):
         figure = blank(11, 4.4)
         axes: Any = figure.subplots(1, 2)
         for ax, course in zip(axes, results.courses, strict=True):
             best = results.best(course, config.COARSE)
             mesh = _ranked(ax, best.sampled, best)
-            figure.colorbar(mesh, ax=ax, label="index m [m³]")
+            figure.colorbar(mesh, ax=ax, label="manipulability m [m³]")
             ax.set_title(
                 f"{course.name}, {best.sampled.layers.count} candidates, ε = {best.epsilon:g}°", loc="left", fontsize=9
             )
@@ -133,9 +133,9 @@ def _ranked(ax: Any, sampled: Sampled, best: Searched) -> Any:
     height = int(layers.sizes.max())
     image = np.full((height, len(layers.m)), np.nan)
     ranks, left = [], []
-    for k, (m, index) in enumerate(zip(layers.m, best.found.indices, strict=True)):
+    for k, (m, chosen) in enumerate(zip(layers.m, best.found.indices, strict=True)):
         image[: len(m), k] = np.sort(m)[::-1]
-        ranks.append(int(np.count_nonzero(m > m[index])) + 1)
+        ranks.append(int(np.count_nonzero(m > m[chosen])) + 1)
         left.append(int(np.count_nonzero(m >= best.found.minimum)))
     edges = np.arange(len(ranks) + 1) - 0.5
     mesh = ax.pcolormesh(edges, np.arange(height + 1) + 0.5, image, cmap="cividis", rasterized=True)
@@ -149,14 +149,14 @@ def _ranked(ax: Any, sampled: Sampled, best: Searched) -> Any:
         label="candidates not below the optimum",
     )
     ax.plot(ranks, "o-", color="white", markeredgecolor="black", markersize=3.5, linewidth=1, label="the path's rank")
-    ax.set(xlabel="position", ylabel="candidate, by falling index", yscale="log", ylim=(0.8, height))
+    ax.set(xlabel="position", ylabel="candidate, by falling manipulability", yscale="log", ylim=(0.8, height))
     ax.xaxis.set_major_locator(MaxNLocator(integer=True))
     ax.grid(visible=False)
     return mesh
 
 
 def sampling(results: Results, file: Path) -> None:
-    """Section VI: optimum, smallest ε and the paper's search, by ε and grid."""
+    """Section VI: optimum, smallest ε and the paper's search over ε and grid."""
     runs, circle = results.runs, results.courses[0]
     with rc_context(STYLE):
         figure = blank(11.5, 4.0)
@@ -200,10 +200,10 @@ def sampling(results: Results, file: Path) -> None:
             config.PAPER_CIRCLE["branches"] / config.PAPER_CIRCLE["starts"], color=STRAIGHT, linestyle="--", linewidth=1
         )
         work.text(config.EPSILONS[-1], 4.2, "paper", ha="right", va="bottom", fontsize=8)
-        work.set(xlabel="ε [°]", ylabel="branches for each new start", xscale="log", yscale="log")
+        work.set(xlabel="ε [°]", ylabel="branches per new start", xscale="log", yscale="log")
         _degrees(work)
         work.legend(fontsize=7.5, loc="upper left")
-        work.set_title("c) the paper's search, memoised; hollow: given up", loc="left", fontsize=9)
+        work.set_title("c) the paper's search, memoised; hollow: stopped", loc="left", fontsize=9)
         save(figure, file)
 
 

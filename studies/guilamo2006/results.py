@@ -1,4 +1,4 @@
-"""What the tables, figures and claims share: which courses, grids and ε are run."""
+"""Shared by tables, figures and claims: the courses, grids and ε that are run."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,7 +10,7 @@ from studies.guilamo2006.runs import Grid, Refined, Restarted, Runs, Sampled, Se
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Results:
-    """The study's runs; with `quick` those of the coarse grids alone."""
+    """The runs of the study; with `quick` only those of the coarse grids."""
 
     runs: Runs
     courses: tuple[Course, Course]
@@ -24,16 +24,16 @@ class Results:
 
     @property
     def table_grids(self) -> tuple[Grid, ...]:
-        """Those of Table I."""
+        """Grids of Table I."""
         return (config.COARSE,) if self.quick else (config.FULL, config.COARSE)
 
     @property
     def grids(self) -> tuple[Grid, ...]:
-        """Those of the sweep."""
+        """Grids of the sweep."""
         return config.GRIDS if self.quick else config.FULL_GRIDS
 
     def sample(self) -> None:
-        """Sample what is used most."""
+        """Sample the candidates that are used most."""
         for course in self.courses:
             for grid in self.table_grids:
                 self.runs.sampled(course, grid)
@@ -48,7 +48,7 @@ class Results:
         return self.runs.searched(sampled, tables.epsilon_of(course, sampled.grid), prefer)
 
     def refined(self, course: Course, grid: Grid | None = None) -> Refined:
-        """That, refined."""
+        """The exact optimum, refined."""
         return self.runs.refined(self.best(course, grid))
 
     def restarted(self, course: Course, grid: Grid | None = None, *, memoised: bool) -> Restarted:
@@ -59,12 +59,12 @@ class Results:
 
     @cached_property
     def branching(self) -> list[Restarted]:
-        """The paper's search on the circle over ε and grids."""
+        """The paper's search on the circle for all ε and grids."""
         return tables.branching_runs(self.runs, self.courses[0])
 
     @cached_property
     def refinable(self) -> list[Searched]:
-        """Searches that are refined."""
+        """The searches whose paths are refined."""
         return [self.best(course, grid) for grid in self.table_grids for course in self.courses]
 
     @cached_property
@@ -79,7 +79,7 @@ class Results:
 
     @cached_property
     def cycles(self) -> list[tuple[Searched, Searched]]:
-        """The circle, open and closed."""
+        """The circle as an open and as a closed path."""
         circle = self.courses[0]
         pairs = []
         for grid in self.table_grids:

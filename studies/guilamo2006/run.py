@@ -11,7 +11,7 @@ from studies.guilamo2006.runs import Runs, warm
 
 
 def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
-    """Make everything; returns the claims."""
+    """Make all tables and figures; returns the claims."""
     results = Results(runs=Runs(), courses=courses(), second=second_courses(), quick=quick)
     found: list[claims.Claim] = []
     command.in_stages(stages(results, out, found), tell)
@@ -19,7 +19,7 @@ def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
 
 
 def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[command.Stage]:
-    """What is done, each with about the seconds it takes on two idle cores."""
+    """The stages of the study, each with its approximate duration [s] on two idle cores."""
     runs, pair, quick = results.runs, results.courses, results.quick
     full = [] if quick else [("self-collisions", 10.0, lambda: tables.collisions_table(runs, pair).write(out))]
     return [

@@ -1,4 +1,4 @@
-"""Layers, searches and refinements of the study, each done once."""
+"""Layers, searches and refinements of the study; each is computed once."""
 
 import time
 from collections.abc import Callable
@@ -17,7 +17,7 @@ Kind = TypeVar("Kind")
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Sampled:
-    """Layers of a course on a grid, and how long [s] they took."""
+    """Layers of a course on a grid, and the computation time [s]."""
 
     course: Course
     grid: Grid
@@ -26,24 +26,24 @@ class Sampled:
 
     @property
     def per_position(self) -> int:
-        """Parameter samples that were considered at each position."""
+        """Number of parameter samples at each position."""
         return int(np.prod(self.grid))
 
     @property
     def widest(self) -> float:
-        """The largest step [degrees] of the grid over a joint that it samples."""
+        """The largest step [degrees] of the grid in a sampled joint."""
         limits = self.course.robot.limits
         spans = np.rad2deg(limits.upper - limits.lower)[: len(self.grid)]
         return float(max(span / (k - 1) for span, k in zip(spans, self.grid, strict=True)))
 
     def above(self, minimum: float) -> int:
-        """Starts that the paper's search needs for an optimum of `minimum`: candidates from there to the bound."""
+        """Number of starts that the paper's search needs for an optimum of `minimum`: candidates from there to the bound."""
         return sum(int(np.count_nonzero((m > minimum) & (m <= self.layers.bound))) for m in self.layers.m)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Searched:
-    """The exact search of layers with an ε [degrees], and how long [s] it took."""
+    """The exact search in layers with an ε [degrees], and the computation time [s]."""
 
     sampled: Sampled
     epsilon: float
@@ -53,7 +53,7 @@ class Searched:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Restarted:
-    """The paper's search with an ε [degrees], and how long [s] it took."""
+    """The paper's search with an ε [degrees], and the computation time [s]."""
 
     sampled: Sampled
     epsilon: float
@@ -63,18 +63,18 @@ class Restarted:
 
     @property
     def factor(self) -> float:
-        """Branches for each new start."""
+        """Branches per new start."""
         return self.found.branches / max(self.found.new_starts, 1)
 
     @property
     def ended(self) -> bool:
-        """Whether it came to an end of its own."""
+        """Whether the search finished before its limit on branches."""
         return self.found.status.ok
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Refined:
-    """A searched path, refined, and how long [s] it took."""
+    """A refined path, and the computation time [s]."""
 
     searched: Searched
     refinement: mp.Refinement
@@ -83,7 +83,7 @@ class Refined:
 
 @dataclass(frozen=True, kw_only=True)
 class Runs:
-    """All that was run, by its arguments: tables, figures and claims ask for the same without doing it again."""
+    """Cache of all runs by their arguments, shared by tables, figures and claims."""
 
     kept: dict[object, object] = field(default_factory=dict)
 
@@ -108,7 +108,7 @@ class Runs:
         return self._once(("sampled", course.name, grid, positions, closed, collisions), run)
 
     def searched(self, sampled: Sampled, epsilon: float, prefer: str = "shortest") -> Searched:
-        """The exact optimum, or why there is none."""
+        """The exact optimum, or the reason why there is none."""
 
         def run() -> Searched:
             began = time.perf_counter()
@@ -123,7 +123,7 @@ class Runs:
         return float("nan") if epsilon is None else float(np.rad2deg(epsilon[0]))
 
     def restarted(self, sampled: Sampled, epsilon: float, *, memoised: bool, most: int = config.MOST_BRANCHES) -> Restarted:
-        """The paper's search, given up after `most` branches."""
+        """The paper's search, stopped after `most` branches."""
 
         def run() -> Restarted:
             began = time.perf_counter()
@@ -146,7 +146,7 @@ class Runs:
         return self._once(("refined", searched), run)
 
     def thinned(self, sampled: Sampled, every: int) -> Sampled:
-        """Every so many candidates of each layer."""
+        """Layers with every `every`-th candidate only."""
 
         def run() -> Sampled:
             layers = sampled.layers
@@ -157,7 +157,7 @@ class Runs:
         return self._once(("thinned", sampled, every), run)
 
     def forget(self, sampled: Sampled) -> None:
-        """Drop layers, and what was searched in them, to free their memory."""
+        """Drop layers and the searches in them to free their memory."""
         searches = [value for value in self.kept.values() if getattr(value, "sampled", None) is sampled]
         gone = [sampled, *searches]
         for key, value in list(self.kept.items()):
@@ -171,7 +171,7 @@ class Runs:
 
 
 def warm(runs: Runs, course: Course) -> None:
-    """Compile everything once, so that no table counts the compiler's time."""
+    """Compile everything once, so that no table includes the compile time."""
     sampled = runs.sampled(course, (8, 5, 8))
     runs.searched(sampled, 30.0)
     runs.searched(sampled, 30.0, "first")
@@ -181,7 +181,7 @@ def warm(runs: Runs, course: Course) -> None:
 
 
 def still_torso(sampled: Sampled) -> tuple[Array, Array]:
-    """The largest index (L,) of all candidates, and of those with the torso upright to half a grid step; NaN where none."""
+    """The largest manipulability (L,) of all candidates, and of those whose torso is upright to half a grid step, or NaN."""
     limits = sampled.course.robot.limits
     half = np.array([(limits.upper[j] - limits.lower[j]) / (sampled.grid[j] - 1) / 2 for j in (0, 1)])
     every = np.array([m.max() for m in sampled.layers.m])
@@ -191,8 +191,8 @@ def still_torso(sampled: Sampled) -> tuple[Array, Array]:
     return every, np.array([m.max() if len(m) else np.nan for m in upright])
 
 
-def perturbation(index: Array) -> float:
-    """How far an index (L,) leaves a smooth curve, a polynomial of degree 5, at most, by the largest index."""
-    places = np.linspace(-1.0, 1.0, len(index))
-    smooth = np.polynomial.Polynomial.fit(places, index, 5)(places)
-    return float(np.abs(index - smooth).max() / index.max())
+def perturbation(m: Array) -> float:
+    """Largest deviation of m (L,) from a smooth curve, a polynomial of degree 5, divided by the largest m."""
+    places = np.linspace(-1.0, 1.0, len(m))
+    smooth = np.polynomial.Polynomial.fit(places, m, 5)(places)
+    return float(np.abs(m - smooth).max() / m.max())

@@ -11,7 +11,7 @@ NONE = "-"
 
 
 def grid_name(grid: Grid) -> str:
-    """A grid for people."""
+    """The name of a grid in tables and figures."""
     return " × ".join(str(each) for each in grid)
 
 
@@ -21,12 +21,12 @@ def epsilon_of(course: Course, grid: Grid) -> float:
 
 
 def most_of(grid: Grid) -> int:
-    """The branches after which the paper's search is given up."""
+    """The number of branches after which the paper's search is stopped."""
     return config.MOST_BRANCHES if grid == config.COARSE else config.MOST_BRANCHES_FULL
 
 
 def table_1(runs: Runs, courses: tuple[Course, ...], grids: tuple[Grid, ...]) -> Table:
-    """Table I: the paper's line, and ours for the paper's search, with and without memory, and the exact one."""
+    """Table I: the paper's rows, and ours for the paper's search, with and without memoisation, and for the exact search."""
     head = ("path", "search", "ε [°]", "considered per position", "valid", "per position", "positions", "new starts")
     rows: list[tuple[Cell, ...]] = [
         ("circle", "paper", 2, "306306", "59561", "~800-2000", 50, "9407", "36596", "~4", NONE, "1.5 min"),
@@ -63,12 +63,12 @@ def _exact_row(run: Searched) -> tuple[Cell, ...]:
 
 
 def seconds(value: float) -> str:
-    """A time for people."""
+    """The text of a duration."""
     return f"{1e3 * value:.2g} ms" if value < 0.1 else f"{value:.2g} s" if value < 10 else f"{value:.0f} s"
 
 
 def starts_table(runs: Runs, courses: tuple[Course, ...], grids: tuple[Grid, ...]) -> Table:
-    """How many starts the paper's search needs, which the exact optimum tells."""
+    """Number of starts that the paper's search needs, computed from the exact optimum."""
     rows = []
     for grid in grids:
         for course in courses:
@@ -129,7 +129,7 @@ def _sampling_row(runs: Runs, sampled: Sampled, name: str) -> tuple[Cell, ...]:
 
 
 def branching_runs(runs: Runs, course: Course) -> list[Restarted]:
-    """The paper's search over ε and the two coarse grids that are near the paper's size, memoised."""
+    """The paper's search, memoised, over ε and the coarse grids whose size is near the paper's."""
     found = []
     for grid in (config.GRIDS[1], config.COARSE, config.GRIDS[3]):
         sampled = runs.sampled(course, grid)
@@ -161,7 +161,7 @@ def branching_table(found: list[Restarted]) -> Table:
 
 
 def refinement_table(runs: Runs, searches: list[Searched]) -> Table:
-    """Discrete, resampled, refined, bound."""
+    """Minimum manipulability of the discrete, resampled and refined paths, and the bound."""
     rows = []
     for searched in searches:
         refined = runs.refined(searched)
@@ -212,7 +212,7 @@ def ties_table(runs: Runs, searches: list[Searched]) -> Table:
 
 
 def shorter(first: Searched, shortest: Searched) -> float:
-    """By how much [%]."""
+    """By how much the shortest path is shorter than the first one [%]."""
     return 100 * (1 - shortest.found.length / first.found.length)
 
 
@@ -250,7 +250,7 @@ def closed_table(pairs: list[tuple[Searched, Searched]]) -> Table:
 
 
 def collisions_table(runs: Runs, courses: tuple[Course, Course]) -> Table:
-    """What the filter for self-collision drops."""
+    """Effect of the filter for self-collisions."""
     rows = []
     circle, line = courses
     pairs = [(circle, each) for each in config.COMPARED_EPSILONS] + [(line, config.COARSE_EPSILON["line"])]
@@ -285,7 +285,7 @@ def collisions_table(runs: Runs, courses: tuple[Course, Course]) -> Table:
 
 
 def second_table(runs: Runs, courses: tuple[Course, ...]) -> Table:
-    """The second robot: optimum by ε, refined."""
+    """The second robot: optimum by ε, and refined."""
     rows = []
     for course in courses:
         sampled = runs.sampled(course, (config.SECOND_SAMPLES,))
@@ -322,7 +322,7 @@ def second_table(runs: Runs, courses: tuple[Course, ...]) -> Table:
 
 
 def positions_table(runs: Runs, course: Course, grids: tuple[Grid, ...]) -> Table:
-    """The smallest ε that connects the line by the number of its positions."""
+    """The smallest ε that connects the line, by number of positions."""
     rows = []
     for grid in grids:
         for times in (1, 2, 4) if grid == config.COARSE else (1, 2):

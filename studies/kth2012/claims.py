@@ -1,4 +1,4 @@
-"""The numbers of the thesis beside ours; those of expected.csv are asserted."""
+"""The numbers of the thesis compared with ours; those in expected.csv are asserted."""
 
 import csv
 from dataclasses import dataclass
@@ -13,15 +13,15 @@ from studies.kth2012.results import Results
 from studies.tables import Table
 
 QUICK, FULL = "quick", "full"
-#: A value above one printed with four decimals by no more than this is not above it.
+#: A value counts as above a value printed with four decimals only if it is larger by more than this.
 ROUNDING = 5e-5
 
 
 @dataclass(frozen=True, kw_only=True)
 class Claim:
-    """One figure: what the thesis says, what is computed, and whether it agrees (None: ours, no claim).
+    """One number: what the thesis says, the computed value, and whether both agree (None: our own number, no claim).
 
-    `part` is "quick" for what --quick computes as well.
+    `part` is "quick" for a number that --quick computes as well.
     """
 
     text: str
@@ -32,7 +32,7 @@ class Claim:
 
 
 def claims(results: Results) -> list[Claim]:
-    """All of them."""
+    """All claims."""
     found = [*_theorems(), *_postures(results), *_paths(results), *_third(results), *_classes(results)]
     if not results.quick:
         found += _full(results)
@@ -47,7 +47,7 @@ def _theorems() -> list[Claim]:
 
 
 def _printed(text: str, thesis: float, value: float, digits: int) -> Claim:
-    """A number printed with some digits; it holds when ours rounds to it."""
+    """A number printed with `digits` decimals; the claim holds if our value rounds to it."""
     return Claim(
         text=text, thesis=f"{thesis:.{digits}f}", value=value, holds=abs(value - thesis) <= 0.5 * 10**-digits * (1 + 1e-9)
     )
@@ -201,7 +201,7 @@ def _full(results: Results) -> list[Claim]:
 
 
 def table(found: list[Claim]) -> Table:
-    """Thesis against ours."""
+    """Table of the numbers of the thesis and ours."""
     words = {True: "yes", False: "no", None: ""}
     rows = [(claim.text, claim.thesis, _number(claim.value), words[claim.holds]) for claim in found]
     return Table.of("claims", ("figure", "thesis", "ours", "agrees"), rows)
@@ -212,12 +212,12 @@ def _number(value: float) -> str:
 
 
 def expected(*, quick: bool) -> list[tuple[str, float, float]]:
-    """Claim, ours and tolerance of expected.csv."""
+    """Claim, our value and tolerance from expected.csv."""
     with config.EXPECTED.open(newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["part"] == QUICK or not quick]
     return [(row["figure"], float(row["ours"]), float(row["tolerance"])) for row in rows]
 
 
 def differences(found: list[Claim], *, quick: bool) -> list[str]:
-    """What is not as expected.csv has it."""
+    """Differences from expected.csv."""
     return within({claim.text: claim.value for claim in found}, expected(quick=quick))

@@ -1,4 +1,4 @@
-"""Constants of the study; each says where the thesis has it, or that it is ours."""
+"""Constants of the study; a comment says where the thesis states each one, or that it is ours."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,8 +26,8 @@ TABLE_5_2 = {
 }
 FIGURE_5_4_RADIUS = 2.15
 FIGURE_5_5_RADII = (0.0, 0.75, 1.5, 2.25, 3.0)
-FIGURE_5_8_RADII = (1.4, 2.2)  # "two different radii"; which is not said
-ELLIPSE_SCALE = 1 / 3  # figures 5.5 and 5.9, by the factor 3 of their captions
+FIGURE_5_8_RADII = (1.4, 2.2)  # "two different radii"; the thesis does not name them
+ELLIPSE_SCALE = 1 / 3  # figures 5.5 and 5.9, from the factor 3 in their captions
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,16 +60,16 @@ TABLE_6_3 = (
 )
 TABLE_6_4 = (0.27, 0.92, 0.60, 0.50)
 
-# Ours from here on.
-LINKS = range(2, 9)  # of the theorems
+# The constants from here on are ours.
+LINKS = range(2, 9)  # numbers of links for the theorems
 START_DEGREES, STARTS = (3, 6), 10  # random starts; 60, and more degrees, in benchmarks/planar_suite.py
-MOST_DEGREE = 12  # of the convergence
+MOST_DEGREE = 12  # largest degree of the convergence study
 RATIO_LINKS, SHARE = (2, 3, 4, 5), 0.1  # proportions: every link is at least this share of the total
 MANY_LINKS = (3, 4, 5, 6, 7)
-PROVEN_LINKS = 4  # up to which all stationary postures are found
-POSTURE_STARTS = 60  # for the others
+PROVEN_LINKS = 4  # largest number of links for which all stationary postures are found
+POSTURE_STARTS = 60  # random starts for more links
 TWO_LINKS = PlanarArm([1.0, 1.0])
-TWO_LINK_ENDS = ((0.0, 0.4), (2.0, 2.5))  # [rad]; of the check in closed form
+TWO_LINK_ENDS = ((0.0, 0.4), (2.0, 2.5))  # [rad]; for the check in closed form
 OBSTACLE_DEGREE, FIRST_PATHS = 8, 4
 LINK_RADIUS, POST_RADIUS, CLEARANCE = 0.05, 0.1, 0.005  # [m]
 #: Posts in the way of the free optimum, (x, y) [m].

@@ -1,4 +1,4 @@
-"""What the figures share: arms, ellipses, the map of μ over θ_2 and θ_3, and how they are written."""
+"""Shared by the figures: arms, ellipses, the map of μ over θ_2 and θ_3, and writing files."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -15,7 +15,7 @@ from manipplan.viz.style import ARM, ELLIPSOID, JOINTS, OPTIMUM, SEED, STRAIGHT,
 from studies.kth2012 import config
 
 Array = NDArray[np.float64]
-DPI = 130  # of what is rasterised
+DPI = 130  # of the rasterised parts
 FORCE = JOINTS[3]
 FEASIBLE = "#000000"
 DEGREE_COLOURS = (STRAIGHT, *JOINTS[:5])
@@ -30,13 +30,13 @@ def blank(width: float, height: float) -> Figure:
 
 
 def save(figure: Figure, file: Path) -> None:
-    """Write it as SVG, the same bytes in every run."""
+    """Write the figure as SVG, with the same bytes in every run."""
     with rc_context({"svg.hashsalt": file.stem, "svg.fonttype": "path"}):
         figure.savefig(file, dpi=DPI, metadata={"Date": None, "Creator": None})
 
 
 def draw_arm(ax: Any, q: ArrayLike, arm: PlanarArm = config.ARM, *, colour: str = ARM, **options: Any) -> None:
-    """Links and joints."""
+    """Draw the links and joints."""
     points = arm.joint_positions(q)
     options = {"linewidth": 2.2, "markersize": 4.5, "alpha": 1.0, **options}
     ax.plot(*points.T, "-", color=colour, solid_capstyle="round", linewidth=options["linewidth"], alpha=options["alpha"])
@@ -46,7 +46,7 @@ def draw_arm(ax: Any, q: ArrayLike, arm: PlanarArm = config.ARM, *, colour: str 
 def draw_ellipse(
     ax: Any, ellipse: mp.Ellipsoid, centre: Array, *, colour: str, scale: float = config.ELLIPSE_SCALE, axes: bool = False
 ) -> None:
-    """An ellipse, scaled; a radius that is infinite is drawn as far as any figure reaches."""
+    """Draw a scaled ellipse; an infinite radius is cut off outside every figure."""
     radii = np.minimum(ellipse.radii * scale, 20.0)
     turn = np.linspace(0.0, 2 * np.pi, 181)
     ax.plot(*(centre[:, None] + ellipse.axes @ (radii[:, None] * [np.cos(turn), np.sin(turn)])), color=colour, linewidth=1.4)
@@ -56,7 +56,7 @@ def draw_ellipse(
 
 
 def workspace_axes(ax: Any, reach: float = 3.2) -> None:
-    """Equal axes in metres."""
+    """Axes with equal scales in metres."""
     ax.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="x [m]", ylabel="y [m]")
     ax.set_aspect("equal")
 
@@ -71,7 +71,7 @@ def angle_axes(ax: Any, low: Sequence[float], high: Sequence[float], every: floa
     ax.grid(visible=False)
 
 
-def index_map(ax: Any, low: Sequence[float], high: Sequence[float], points: int = 97, every: float = np.pi / 2) -> Any:
+def manipulability_map(ax: Any, low: Sequence[float], high: Sequence[float], points: int = 97, every: float = np.pi / 2) -> Any:
     """Filled contours of μ over θ_2 and θ_3 with crosses on singular postures."""
     second, third = np.linspace(low[0], high[0], points), np.linspace(low[1], high[1], points)
     q = np.stack(np.broadcast_arrays(0.0, second[None, :], third[:, None]), axis=-1)

@@ -1,4 +1,4 @@
-"""All figures, by the names of their files."""
+"""All figures, by file name."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -12,7 +12,7 @@ FULL_ONLY = ("torus", "convergence", "obstacles", "links")
 
 
 def figures(results: Results) -> dict[str, Callable[[Path], None]]:
-    """What writes each figure to a file."""
+    """The function that writes each figure to a file."""
     postures, paths, beyond = figures_postures, figures_paths, figures_beyond
     return {
         "figure2_1": figures_arm.schematic,

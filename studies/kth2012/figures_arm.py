@@ -1,4 +1,4 @@
-"""Figures of chapters 2 and 4: the arm, its ellipses, and what the condition number does not see."""
+"""Figures of chapters 2 and 4: the arm, its ellipses, and what the condition number does not show."""
 
 from pathlib import Path
 from typing import Any
@@ -70,7 +70,7 @@ def ellipses(file: Path) -> None:
 
 
 def rounder_and_larger() -> tuple[np.ndarray, np.ndarray]:
-    """Two postures: one with a rounder ellipse, the other with an ellipse that holds all of it."""
+    """Two postures: one with a rounder ellipse, the other with an ellipse that contains the first one."""
     angles = np.linspace(-np.pi, np.pi, 181)
     q = np.stack(np.broadcast_arrays(0.0, angles[:, None], angles[None, :]), axis=-1).reshape(-1, 3)
     mu, kappa = manipulability(UNIT, q), inverse_condition(UNIT, q)

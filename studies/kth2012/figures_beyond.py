@@ -1,4 +1,4 @@
-"""Figures of what the thesis leaves open."""
+"""Figures on the questions that the thesis leaves open."""
 
 from pathlib import Path
 from typing import Any
@@ -18,7 +18,7 @@ from studies.kth2012.drawing import (
     blank,
     draw_arm,
     draw_ellipse,
-    index_map,
+    manipulability_map,
     rc_context,
     save,
     workspace_axes,
@@ -27,7 +27,7 @@ from studies.kth2012.figures_paths import S, window
 from studies.kth2012.results import Results
 from studies.kth2012.tables_beyond import gap, links
 
-EVERY = 40  # points of a geodesic that are left out between two that are drawn
+EVERY = 40  # every 40th point of a geodesic is drawn
 
 
 def class_map(results: Results, file: Path) -> None:
@@ -38,7 +38,7 @@ def class_map(results: Results, file: Path) -> None:
         for ax, example in zip(axes, EXAMPLES, strict=True):
             found = sorted((each for each in results.classes if each.example is example), key=lambda each: each.found.g)
             low, high = window([each.found.q for each in found], 0.4)
-            filled = index_map(ax, low, high, every=np.pi)
+            filled = manipulability_map(ax, low, high, every=np.pi)
             for each, colour in zip(found, JOINTS, strict=False):
                 q = each.found.q[::EVERY]
                 ax.plot(q[:, 1], q[:, 2], color="white", linewidth=2.6)
@@ -53,14 +53,14 @@ def class_map(results: Results, file: Path) -> None:
 
 
 def turned(results: Results, file: Path) -> None:
-    """The first example: the best path to its goal, and to the goal a turn of θ_2 away."""
+    """The first example: the best path to its goal, and to the goal that differs by a full turn of θ_2."""
     plain, best = (results.best_crossing(FIRST, shifted=each).found.q[::EVERY] for each in (False, True))
     with rc_context(STYLE):
         figure = blank(9.4, 4.4)
         left, right = figure.subplots(1, 2)
         low, high = window([plain, best])
-        figure.colorbar(index_map(left, low, high, every=np.pi), ax=left, label="μ [m²]")
-        for q, colour, label in ((plain, STRAIGHT, "goal (6.10)"), (best, OPTIMUM, "goal with θ₂ less a turn")):
+        figure.colorbar(manipulability_map(left, low, high, every=np.pi), ax=left, label="μ [m²]")
+        for q, colour, label in ((plain, STRAIGHT, "goal (6.10)"), (best, OPTIMUM, "goal with θ₂ less a full turn")):
             left.plot(q[:, 1], q[:, 2], color="white", linewidth=2.8)
             left.plot(q[:, 1], q[:, 2], color=colour, label=label)
             left.plot(*q[-1, 1:], "o", color="black", zorder=6)
@@ -90,7 +90,7 @@ def convergence(results: Results, file: Path) -> None:
 
 
 def obstacles(results: Results, file: Path) -> None:
-    """Paths among posts: the arm at nine places, and the way of the tool."""
+    """Paths among posts: the arm at 13 places, and the path of the tool."""
     with rc_context(STYLE):
         figure = blank(9.6, 3.3)
         axes: Any = figure.subplots(1, len(config.POSTS), sharey=True)
@@ -112,7 +112,7 @@ def obstacles(results: Results, file: Path) -> None:
 
 
 def more_links(results: Results, file: Path) -> None:
-    """Optimal postures of more links, the total length the same in the picture."""
+    """Optimal postures of more links, drawn with the same total length."""
     with rc_context(STYLE):
         figure = blank(9.6, 2.7)
         found = links(results)

@@ -18,7 +18,7 @@ from studies.kth2012.drawing import (
     STYLE,
     blank,
     draw_arm,
-    index_map,
+    manipulability_map,
     rc_context,
     save,
     workspace_axes,
@@ -29,7 +29,7 @@ S = np.linspace(0.0, 1.0, 201)
 
 
 def window(curves: Sequence[np.ndarray], margin: float = 0.5) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Corners of a square that holds curves (m, 3) on the map."""
+    """Corners of a square that contains the curves (m, 3) on the map."""
     points = np.concatenate(curves)[:, 1:]
     low, high = points.min(axis=0), points.max(axis=0)
     half, middle = (high - low).max() / 2 + margin, (low + high) / 2
@@ -53,7 +53,7 @@ def _paths(paths: list[mp.JointPath], labels: list[str], colours: Sequence[str],
     with rc_context(STYLE):
         figure = blank(9.4, 4.5)
         left, right = figure.subplots(1, 2)
-        figure.colorbar(index_map(left, *window(curves)), ax=left, label="μ [m²]")
+        figure.colorbar(manipulability_map(left, *window(curves)), ax=left, label="μ [m²]")
         for k, (q, label, colour) in enumerate(zip(curves, labels, colours, strict=True)):
             dash = "--" if k == 0 else "-"
             left.plot(q[:, 1], q[:, 2], color="white", linewidth=2.8)
@@ -81,7 +81,7 @@ def _paths(paths: list[mp.JointPath], labels: list[str], colours: Sequence[str],
 
 
 def along(results: Results, file: Path) -> None:
-    """Figure 6.4: μ and κ along the line and the optimum, by the share of their length."""
+    """Figure 6.4: μ and κ along the line and the optimum, over the share of the path length."""
     with rc_context(STYLE):
         figure = blank(8.4, 3.3)
         axes: Any = figure.subplots(1, 2)
@@ -91,6 +91,6 @@ def along(results: Results, file: Path) -> None:
             for ax, measure in zip(axes, (manipulability, inverse_condition), strict=True):
                 ax.plot(share / share[-1], measure(UNIT, q), dash, color=colour, label=label)
         for ax, name in zip(axes, ("μ [m²]", "κ"), strict=True):
-            ax.set(xlabel="share of the path's length", ylabel=name, ylim=(0, None), xlim=(0, 1))
+            ax.set(xlabel="share of the path length", ylabel=name, ylim=(0, None), xlim=(0, 1))
         axes[0].legend(loc="lower right")
         save(figure, file)

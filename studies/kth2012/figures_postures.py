@@ -26,7 +26,7 @@ from studies.kth2012.drawing import (
     blank,
     draw_arm,
     draw_ellipse,
-    index_map,
+    manipulability_map,
     marked,
     radius_map,
     rc_context,
@@ -75,7 +75,7 @@ def spaces(file: Path, *, limited: bool) -> None:
 
 
 def outlines(arcs: tuple[Arc, ...]) -> list[np.ndarray]:
-    """Closed outlines (m, 2) from arcs that meet at their ends."""
+    """Closed outlines (m, 2) from arcs whose ends meet."""
     left = [arc(np.linspace(0.0, 1.0, 100)) for arc in arcs]
     loops = []
     while left:
@@ -96,7 +96,7 @@ def whole_map(results: Results, file: Path) -> None:
     with rc_context(STYLE):
         figure = blank(5.6, 4.6)
         ax: Any = figure.subplots()
-        filled = index_map(ax, *FULL)
+        filled = manipulability_map(ax, *FULL)
         figure.colorbar(filled, ax=ax, label="μ [m²]")
         q = results.free.q
         kinds = np.array([stationary_kind(UNIT, each) for each in q])
@@ -112,7 +112,7 @@ def whole_map(results: Results, file: Path) -> None:
 
 
 def by_radius(results: Results, file: Path) -> None:
-    """Figure 5.3: the best μ by the tool's distance."""
+    """Figure 5.3: the largest μ over the distance of the tool."""
     with rc_context(STYLE):
         figure = blank(5.6, 3.4)
         ax: Any = figure.subplots()
@@ -139,7 +139,7 @@ def feasible(results: Results, file: Path) -> None:
     with rc_context(STYLE):
         figure = blank(8.4, 3.9)
         left, right = figure.subplots(1, 2)
-        filled = index_map(left, *FULL)
+        filled = manipulability_map(left, *FULL)
         figure.colorbar(filled, ax=left, label="μ [m²]")
         for ax in (left, right):
             ax.contour(*radius_map(*FULL), [config.FIGURE_5_4_RADIUS], colors=FEASIBLE, linewidths=1.6)
@@ -175,7 +175,7 @@ def at_radii(results: Results, file: Path) -> None:
 
 
 def _towards(q: np.ndarray, direction: float) -> np.ndarray:
-    """A posture turned so that its tool lies in a direction from the base; as it is when the tool is at the base."""
+    """A posture turned so that its tool lies in a given direction from the base; unchanged if the tool is at the base."""
     x, y = UNIT.position(q)
     turned = q.copy()
     if np.hypot(x, y) > 1e-9:
@@ -188,7 +188,7 @@ def limited_map(results: Results, file: Path) -> None:
     with rc_context(STYLE):
         figure = blank(4.9, 3.9)
         ax: Any = figure.subplots()
-        figure.colorbar(index_map(ax, *INSIDE), ax=ax, label="μ [m²]")
+        figure.colorbar(manipulability_map(ax, *INSIDE), ax=ax, label="μ [m²]")
         marked(ax, results.free.best.q)
         save(figure, file)
 
@@ -199,7 +199,7 @@ def limited_feasible(results: Results, file: Path) -> None:
         figure = blank(8.4, 3.7)
         axes: Any = figure.subplots(1, 2)
         for ax, radius in zip(axes, config.FIGURE_5_8_RADII, strict=True):
-            filled = index_map(ax, *INSIDE)
+            filled = manipulability_map(ax, *INSIDE)
             ax.contour(*radius_map(*INSIDE), [radius], colors=FEASIBLE, linewidths=1.8)
             marked(ax, results.at_radius(radius, limited=True).best.q)
             ax.set_title(f"R = {radius:g} m", loc="left", fontsize=9)

@@ -1,12 +1,12 @@
-"""The best of all curves, not of polynomials: geodesics of the metric μ^(-2p) Σ dθ_i², by a method of their own.
+"""The best of all curves instead of polynomials: geodesics of the metric μ^(-2p) Σ dθ_i², by an independent method.
 
 g = ∫ ‖θ'‖/μ^p ds is the length of a curve in the metric λ I with λ = μ^(-2p). Its geodesics, in a parameter along which g
-grows evenly, obey
+grows evenly, satisfy
 
     θ'' = ½ ‖θ'‖² ∇φ - (∇φ · θ') θ',    φ = ln λ = -p ln μ².
 
-First a sine series is fitted to a first path and its energy ∫ λ ‖θ'‖² ds lowered; then SciPy solves the boundary value
-problem. Nothing of the path optimiser is used: index and gradient are the closed forms of `manipplan.planar`.
+First a sine series is fitted to a first path and its energy ∫ λ ‖θ'‖² ds is reduced; then SciPy solves the boundary value
+problem. The path optimiser is not used: manipulability and gradient are the closed forms of `manipplan.planar`.
 """
 
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ TOLERANCE = 1e-5
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Geodesic:
-    """A geodesic: q (m, n) [rad] at even steps of g, its g, and how much the speed of g varies along it, as a share."""
+    """A geodesic: q (m, n) [rad] at even steps of g, its g, and the relative variation of the speed of g along it."""
 
     arm: PlanarArm
     q: Array
@@ -35,17 +35,17 @@ class Geodesic:
 
     @property
     def length(self) -> float:
-        """In joint space [rad]."""
+        """Length in joint space [rad]."""
         return float(np.linalg.norm(np.diff(self.q, axis=0), axis=1).sum())
 
     @property
     def least(self) -> float:
-        """The least μ [m²]."""
+        """Minimum μ [m²]."""
         return float(manipulability(self.arm, self.q).min())
 
 
 def geodesic(arm: PlanarArm, first: mp.JointPath, power: float) -> Geodesic:
-    """The geodesic that a first path is drawn to. Raises RuntimeError where the boundary value problem is not solved."""
+    """The geodesic near a first path. Raises RuntimeError if the boundary value problem is not solved."""
     start, goal, n = first.start, first.goal, arm.n
     s, q, v = _smoothed(arm, first, power)
 
@@ -96,7 +96,7 @@ def _smoothed(arm: PlanarArm, first: mp.JointPath, power: float) -> tuple[Array,
             values.T @ (part[:, None] * slope) + 2 * slopes.T @ ((weights * density)[:, None] * v)
         ).ravel()
 
-    # not L-BFGS-B, whose threads wait for each other on a busy machine: ten times the time
+    # not L-BFGS-B: on a busy machine its threads wait for each other and it takes ten times as long
     lowered = minimize(energy, guess.ravel(), jac=True, method="CG", options={"maxiter": 300, "gtol": 1e-3})
     c = lowered.x.reshape(guess.shape)
     nodes = np.linspace(0.0, 1.0, NODES)

@@ -1,4 +1,4 @@
-"""Arms of more links than three: their optimal postures and a path each."""
+"""Arms with more than three links: their optimal postures, and one path per arm."""
 
 from dataclasses import dataclass
 
@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ManyLinks:
-    """An arm of n unit links: its best posture q (n,) with μ, whether that is proven, and an optimal path."""
+    """An arm of n unit links: its best posture q (n,) with μ, whether it is proven to be the best, and an optimal path."""
 
     arm: PlanarArm
     q: Array
@@ -31,23 +31,29 @@ class ManyLinks:
 
 
 def many_links(n: int) -> ManyLinks:
-    """Posture and path of n unit links; the ends of the path go on with the pattern of (6.12)."""
+    """Posture and path of n unit links; the ends of the path continue the pattern of (6.12)."""
     arm = PlanarArm(np.ones(n))
     q = best_posture(arm)
     bends = np.array([config.SECOND.start[1:], config.SECOND.goal[1:]])
     start, goal = (np.concatenate([[0.0 if k == 0 else config.SECOND.goal[0]], np.resize(bends[k], n - 1)]) for k in (0, 1))
-    path = mp.optimize_path(arm.robot(), start, goal, degree=config.BEST_DEGREE, power=config.TABLE_POWER)
+    path = mp.optimize_path(
+        arm.robot(),
+        start,
+        goal,
+        shape=mp.PathShape(degree=config.BEST_DEGREE),
+        objective=mp.PathObjective(power=config.TABLE_POWER),
+    )
     return ManyLinks(arm=arm, q=q, manipulability=float(manipulability(arm, q)), proven=n <= config.PROVEN_LINKS, path=path)
 
 
 def best_posture(arm: PlanarArm) -> Array:
-    """The posture (n,) of largest μ that bends to the left, of all stationary ones or of those that random starts find."""
+    """The posture (n,) with the largest μ that bends to the left, of all stationary ones or of those found by random starts."""
     q = stationary_postures(arm).best.q[0] if arm.n <= config.PROVEN_LINKS else _best_of_starts(arm)
     return q * float(np.sign(q[np.abs(q).argmax()]))
 
 
 def _best_of_starts(arm: PlanarArm) -> Array:
-    """The posture (n,) of largest μ from random starts."""
+    """The posture (n,) with the largest μ from random starts."""
 
     def cost(bent: Array) -> tuple[float, Array]:
         q = np.concatenate([[0.0], bent])

@@ -1,4 +1,4 @@
-"""Path polynomials Θ_i(t) = Σ_j a_ij t^j of (6.2), and what the thesis prints of them."""
+"""Path polynomials Θ_i(t) = Σ_j a_ij t^j of (6.2), and the means that the thesis prints."""
 
 from dataclasses import dataclass
 from math import comb
@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 def polynomial(a: ArrayLike) -> mp.JointPath:
-    """The path of coefficients a (n, k + 1)."""
+    """The path with coefficients a (n, k + 1)."""
     rows = np.asarray(a, dtype=float)
     k = rows.shape[1] - 1
     to_bernstein = [[comb(i, j) / comb(k, j) for j in range(k + 1)] for i in range(k + 1)]
@@ -32,7 +32,7 @@ class Means:
 
 
 def means(path: mp.JointPath) -> Means:
-    """Those of a path of the unit arm."""
+    """Means along a path of the unit arm."""
     s, weights = path.quadrature()
     q, by_length = path(s), weights * np.linalg.norm(path(s, 1), axis=1)
     mu, kappa = manipulability(ARM, q), inverse_condition(ARM, q)

@@ -1,4 +1,4 @@
-"""Postures, paths and geodesics of the study, each computed once."""
+"""Postures, paths and geodesics of the study; each is computed once."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -23,7 +23,7 @@ TURN = 2 * np.pi
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Crossing:
-    """A class of paths and its geodesic; `shift` (3,) turns are added to the example's goal."""
+    """A class of paths and its geodesic; `shift` (3,) full turns are added to the example's goal."""
 
     example: Example
     shift: tuple[int, int, int]
@@ -32,25 +32,25 @@ class Crossing:
 
     @property
     def stayed(self) -> bool:
-        """Whether the geodesic is of the class it was looked for in."""
+        """Whether the geodesic belongs to the class in which it was searched."""
         return classes.walk_of(self.found.q) == self.walk
 
 
 @dataclass(frozen=True, eq=False)
 class Results:
-    """All that was computed; tables, figures and claims ask for the same without doing it again."""
+    """Cache of all results, shared by tables, figures and claims."""
 
     quick: bool
     kept: dict[object, object] = field(default_factory=dict)
 
     @cached_property
     def robot(self) -> mp.Robot:
-        """The unit arm for the general machinery."""
+        """The unit arm as a robot for the general algorithms."""
         return mp.planar_arm(ARM.lengths, radius=config.LINK_RADIUS)
 
     @cached_property
     def kinematics(self) -> mp.Kinematics:
-        """Of the unit arm's position."""
+        """Kinematics of the unit arm's position."""
         return self.robot.kinematics()
 
     @cached_property
@@ -67,12 +67,18 @@ class Results:
         """The optimal path of a degree, by the general optimiser."""
 
         def run() -> mp.PathResult:
-            return mp.optimize_path(self.robot, example.start, example.goal, degree=degree, power=power)
+            return mp.optimize_path(
+                self.robot,
+                example.start,
+                example.goal,
+                shape=mp.PathShape(degree=degree),
+                objective=mp.PathObjective(power=power),
+            )
 
         return self.once(("path", example, degree, power), run)
 
     def multistart(self, example: Example, degree: int) -> float:
-        """The least g of random starts."""
+        """The smallest g from random starts."""
         return self.once(
             ("starts", example, degree),
             lambda: best_of_random_starts(example, degree, config.TABLE_POWER, config.STARTS),
@@ -80,12 +86,12 @@ class Results:
 
     @property
     def start_degrees(self) -> tuple[int, ...]:
-        """Degrees at which random starts are made."""
+        """Degrees for which random starts are run."""
         return config.START_DEGREES[:1] if self.quick else config.START_DEGREES
 
     @property
     def classes(self) -> tuple[Crossing, ...]:
-        """Classes with the goal as it is: all within one winding, that is with at most two steps more than the least."""
+        """Classes for the unshifted goal: all within one winding, that is with at most two steps more than the minimum."""
         found = []
         for example in config.EXAMPLES:
             goal = classes.cell(example.goal)
@@ -97,7 +103,7 @@ class Results:
 
     @property
     def torus(self) -> tuple[Crossing, ...]:
-        """Classes with at most two steps, to the goal and to all that differ from it by full turns."""
+        """Classes with at most two steps, to the goal and to all goals that differ from it by full turns."""
         found = []
         for example in config.EXAMPLES:
             goal = classes.cell(example.goal)
@@ -107,7 +113,7 @@ class Results:
         return tuple(found)
 
     def best_crossing(self, example: Example, *, shifted: bool) -> Crossing:
-        """The class of least g, to the goal itself or, `shifted`, to all goals."""
+        """The class with the smallest g, to the goal itself or, with `shifted`, to all goals."""
         rows = [each for each in (self.torus if shifted else self.classes) if each.example is example]
         return min(rows, key=lambda each: each.found.g)
 
@@ -123,15 +129,15 @@ class Results:
         return self.once(("class", example, walk), run)
 
     def limit(self, example: Example, power: float = config.TABLE_POWER) -> Geodesic:
-        """The geodesic that the paths of ever higher degree go to, from the path of the highest degree of the tables."""
+        """The geodesic to which paths of increasing degree converge, found from the path of highest degree in the tables."""
         return self.once(
             ("limit", example, power), lambda: geodesic(ARM, self.path(example, config.BEST_DEGREE, power).path, power)
         )
 
     def two_links(self) -> tuple[float, float, float]:
-        """g with p = 1 of two unit links: of the geodesic, of the optimal polynomial, and in closed form.
+        """g of two unit links with p = 1: of the geodesic, of the optimal polynomial, and in closed form.
 
-        μ = |sin θ_2|, so that the metric is (dθ_1² + dθ_2²)/sin² θ_2: the hyperbolic plane as a strip, which
+        μ = |sin θ_2|, so the metric is (dθ_1² + dθ_2²)/sin² θ_2: the strip model of the hyperbolic plane, which
         w = exp(θ_1 + i θ_2) maps to the upper half-plane, where cosh d = 1 + |w_1 - w_2|²/(2 Im w_1 Im w_2).
         """
 
@@ -139,24 +145,29 @@ class Results:
             start, goal = config.TWO_LINK_ENDS
             curve = geodesic(config.TWO_LINKS, mp.JointPath.line(start, goal), config.TEXT_POWER)
             robot = config.TWO_LINKS.robot()
-            path = mp.optimize_path(robot, start, goal, degree=config.MOST_DEGREE, power=config.TEXT_POWER)
+            path = mp.optimize_path(
+                robot,
+                start,
+                goal,
+                shape=mp.PathShape(degree=config.MOST_DEGREE),
+                objective=mp.PathObjective(power=config.TEXT_POWER),
+            )
             a, b = (np.exp(first + 1j * second) for first, second in config.TWO_LINK_ENDS)
             return curve.g, path.g, float(np.arccosh(1 + abs(a - b) ** 2 / (2 * a.imag * b.imag)))
 
         return self.once("two links", run)
 
     def shifted(self, example: Example) -> mp.PathResult:
-        """The best over goals that differ by full turns, by the general optimiser, with its rivals."""
+        """The best path over goals that differ by full turns, by the general optimiser, with its rivals."""
 
         def run() -> mp.PathResult:
             return mp.optimize_path(
                 self.robot,
                 example.start,
                 example.goal,
-                degree=config.BEST_DEGREE,
-                power=config.TABLE_POWER,
-                shifts="within-limits",
-                throw=False,
+                shape=mp.PathShape(degree=config.BEST_DEGREE),
+                objective=mp.PathObjective(power=config.TABLE_POWER),
+                seeding=mp.Seeding(shifts="within-limits"),
             )
 
         return self.once(("shifted", example), run)
@@ -170,23 +181,23 @@ class Results:
                 self.robot,
                 example.start,
                 example.goal,
-                degree=config.OBSTACLE_DEGREE,
-                power=config.TABLE_POWER,
+                shape=mp.PathShape(degree=config.OBSTACLE_DEGREE),
+                objective=mp.PathObjective(power=config.TABLE_POWER),
                 scene=mp.Scene(post),
                 clearance=config.CLEARANCE,
-                seeds=config.FIRST_PATHS,
+                seeding=mp.Seeding(count=config.FIRST_PATHS),
             )
 
         return self.once(("among", example, posts), run)
 
     def once(self, key: object, run: Callable[[], Kind]) -> Kind:
-        """Run what has this key when it has not been."""
+        """The result for this key; runs the function if there is none yet."""
         if key not in self.kept:
             self.kept[key] = run()
         return cast(Kind, self.kept[key])
 
 
 def signed(difference: float, digits: int) -> str:
-    """A difference for people: its sign and digits, and no sign where nothing is left of it."""
+    """Text of a difference: sign and digits; no sign if it rounds to zero."""
     rounded = round(difference, digits)
     return f"{rounded:+.{digits}f}" if rounded else f"{0:.{digits}f}"

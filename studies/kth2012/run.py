@@ -11,14 +11,14 @@ from studies.tables import Table
 
 
 def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
-    """Make everything; returns the claims."""
+    """Make all tables and figures; returns the claims."""
     results, found = Results(quick=quick), []
     command.in_stages(stages(results, out, found), tell)
     return found
 
 
 def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[command.Stage]:
-    """What is done, each with about the seconds it takes on two idle cores."""
+    """The stages of the study, each with its approximate duration [s] on two idle cores."""
     quick = results.quick
 
     def written(*tables: Table) -> None:

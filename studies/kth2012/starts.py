@@ -1,4 +1,4 @@
-"""The same polynomial problem from random starts, by another formulation and another solver: the study's own check."""
+"""The same polynomial problem from random starts, with another formulation and another solver: the study's own check."""
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -13,9 +13,9 @@ Array = NDArray[np.float64]
 
 
 def best_of_random_starts(example: Example, degree: int, power: float, count: int) -> float:
-    """The least g of polynomials from start to goal of `degree`, by BFGS from the line and from random coefficients.
+    """The smallest g of polynomials of `degree` from start to goal, by BFGS from the line and from random coefficients.
 
-    The basis is the line and integrals of Legendre polynomials; g itself is minimised, without an energy.
+    The basis is the line and integrals of Legendre polynomials; g itself is minimised, not an energy.
     """
     start, goal = np.array(example.start), np.array(example.goal)
     integrals = [legendre.legint(row, lbnd=-1) / 2 for row in np.eye(degree)[1:]]
@@ -40,6 +40,6 @@ def best_of_random_starts(example: Example, degree: int, power: float, count: in
         guess = rng.normal(size=3 * (degree - 1)) * (0.0, 0.6, 2.0)[min(k, 1 + k % 2)]
         found = minimize(cost, guess, args=coarse, jac=True, method="BFGS", options={"gtol": 1e-9, "maxiter": 400})
         checked = cost(found.x, *fine)[0]
-        if abs(checked - found.fun) < 1e-6 * checked:  # else it went through a singularity between the Gauss points
+        if abs(checked - found.fun) < 1e-6 * checked:  # otherwise the path crossed a singularity between the Gauss points
             best = min(best, checked)
     return best

@@ -1,4 +1,4 @@
-"""Tables of what the thesis leaves open: classes, shifted goals, convergence, posts, more links."""
+"""Tables on the questions that the thesis leaves open: classes, shifted goals, convergence, posts, more links."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ MARKS = {-1: "-2π", 0: "0", 1: "+2π"}
 
 
 def classes_table(results: Results) -> Table:
-    """Every class of the three examples within one winding, by falling quality."""
+    """Every class of the three examples within one winding, the best first."""
     rows = []
     for example in EXAMPLES:
         found = sorted((each for each in results.classes if each.example is example), key=lambda each: each.found.g)
@@ -22,7 +22,7 @@ def classes_table(results: Results) -> Table:
 
 
 def torus_table(results: Results) -> Table:
-    """The best goals among those that differ by full turns, and that of the example itself."""
+    """The best goals among those that differ by full turns, and the goal of the example itself."""
     rows = []
     for example in EXAMPLES:
         found = sorted((each for each in results.torus if each.example is example), key=lambda each: each.found.g)
@@ -34,11 +34,11 @@ def torus_table(results: Results) -> Table:
 
 
 def shifts_table(results: Results) -> Table:
-    """mp.optimize_path with shifts="within-limits" beside the thesis' goal."""
+    """mp.optimize_path with shifts="within-limits", compared with the goal of the thesis."""
     rows = []
     for example in EXAMPLES:
         plain, best = results.path(example, config.BEST_DEGREE), results.shifted(example)
-        as_good = [each for each in (best, *best.rivals) if each.g <= best.g * (1 + 1e-9)]  # θ_1 = π and -π are
+        as_good = [each for each in (best, *best.rivals) if each.g <= best.g * (1 + 1e-9)]  # θ_1 = π and -π are equally good
         shifts = [np.round((each.path.goal - np.array(example.goal)) / (2 * np.pi)).astype(int) for each in as_good]
         turns = min(shifts, key=lambda each: int(np.abs(each).sum()))
         limit = results.best_crossing(example, shifted=True).found.g
@@ -55,7 +55,7 @@ def _crossing(each: Crossing) -> tuple[str, ...]:
 
 
 def convergence_table(results: Results) -> Table:
-    """How far g is above the geodesic's by degree, for both exponents."""
+    """How far g is above that of the geodesic, by degree, for both exponents."""
     cases = [(example, power) for example in EXAMPLES for power in (config.TABLE_POWER, config.TEXT_POWER)]
     rows: list[tuple[str, ...]] = [("geodesic", *(f"{results.limit(*case).g:.8f}" for case in cases))]
     for degree in range(1, config.MOST_DEGREE + 1):
@@ -76,12 +76,12 @@ def two_links_table(results: Results) -> Table:
 
 
 def gap(results: Results, example: config.Example, power: float, degree: int) -> float:
-    """g of the optimal polynomial less that of the geodesic."""
+    """g of the optimal polynomial minus that of the geodesic."""
     return float(results.path(example, degree, power).g - results.limit(example, power).g)
 
 
 def obstacles_table(results: Results) -> Table:
-    """Paths among posts beside the free optimum."""
+    """Paths among posts, compared with the optimum without posts."""
     rows = []
     for example, posts in config.POSTS:
         free, found = results.path(example, config.OBSTACLE_DEGREE), results.among(example, posts)
@@ -113,12 +113,12 @@ def obstacles_table(results: Results) -> Table:
 
 
 def links(results: Results) -> list[ManyLinks]:
-    """Arms of more and more unit links."""
+    """Arms with an increasing number of unit links."""
     return [results.once(("links", n), lambda n=n: many_links(n)) for n in config.MANY_LINKS]
 
 
 def links_table(results: Results) -> Table:
-    """Optimal postures, and a path each."""
+    """Optimal postures, and one path per arm."""
     rows = []
     for each in links(results):
         bends = ", ".join(f"{x:.4f}" for x in each.q[1:])

@@ -33,27 +33,27 @@ def table_6_3(results: Results) -> Table:
     ours = results.path(THIRD, config.BEST_DEGREE).path.coefficients("monomial")
     rows = []
     for i, (printed, own) in enumerate(zip(config.TABLE_6_3, ours, strict=True), start=1):
-        index = "₁₂₃"[i - 1]
-        rows.append((f"a{index}ⱼ, thesis", *(f"{a:.2f}" for a in printed), f"{sum(printed):.2f}"))
-        rows.append((f"a{index}ⱼ, ours", *(f"{a:.2f}" for a in own), f"{own.sum():.2f}"))
+        joint = "₁₂₃"[i - 1]
+        rows.append((f"a{joint}ⱼ, thesis", *(f"{a:.2f}" for a in printed), f"{sum(printed):.2f}"))
+        rows.append((f"a{joint}ⱼ, ours", *(f"{a:.2f}" for a in own), f"{own.sum():.2f}"))
         rows.append(("difference", *(signed(b - a, 2) for a, b in zip(printed, own, strict=True)), ""))
     return Table.of("table6_3", ("j", *(str(j) for j in range(7)), "sum"), rows)
 
 
 def printed_path() -> mp.JointPath:
-    """The path of the coefficients in Table 6.3, as they are printed."""
+    """The path with the coefficients of Table 6.3 as printed."""
     return polynomial(config.TABLE_6_3)
 
 
 def corrected_path() -> mp.JointPath:
-    """The same, what rounding took from the goal put back into the linear terms."""
+    """The same path, with the rounding error at the goal corrected in the linear terms."""
     a = np.array(config.TABLE_6_3)
     a[:, 1] += np.array(THIRD.goal) - a.sum(axis=1)
     return polynomial(a)
 
 
 def costs_6_3(results: Results) -> Table:
-    """g and length of the path printed, of ours and of the line: what does not depend on the parametrisation."""
+    """g and length of the printed path, of ours and of the line; they do not depend on the parametrisation."""
     line, ours = (results.path(THIRD, degree) for degree in (1, config.BEST_DEGREE))
     printed, right = (mp.path_cost(each, results.kinematics, config.TABLE_POWER) for each in (printed_path(), corrected_path()))
     text = [results.path(THIRD, degree, config.TEXT_POWER) for degree in (1, config.BEST_DEGREE)]
@@ -68,7 +68,7 @@ def costs_6_3(results: Results) -> Table:
 
 
 def table_6_4(results: Results) -> Table:
-    """The ratios of the line and the optimum, as printed, recomputed, and by arc length."""
+    """The ratios between the line and the optimum: as printed, recomputed, and by arc length."""
     kept = ratios_6_4(results)
     first = "g/g_L, headed g_L/g"
     head = ("", first, "length_L/length", "∫μ_L/∫μ", "∫κ_L/∫κ")

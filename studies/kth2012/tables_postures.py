@@ -29,7 +29,7 @@ from studies.kth2012.many_links import best_posture
 from studies.kth2012.results import Results, signed
 from studies.tables import Table
 
-# (5.2) and (5.3) as printed: frequencies (θ_2, θ_3) and coefficients; μ̃ leaves the constant out.
+# (5.2) and (5.3) as printed: frequencies (θ_2, θ_3) and coefficients; μ̃ omits the constant.
 _FREQUENCIES = np.array([[1, 0], [2, 0], [0, 1], [0, 2], [2, 2], [2, 1], [1, 2]], dtype=float)
 _PRINTED = np.array([1, -1 / 2, 1, -1 / 2, -1, -1, -1])
 PRINTED_5_3 = TrigonometricPolynomial(frequencies=_FREQUENCIES, cosine=_PRINTED, sine=np.zeros(7))
@@ -41,7 +41,7 @@ EXACT = "identity of polynomials, exact"
 
 
 def printed_optimum() -> tuple[float, ...]:
-    """(θ_2, θ_3) with θ_2 > 0 at which (5.3) as printed is largest: the best of all its stationary points."""
+    """The maximum (θ_2, θ_3) of (5.3) as printed, with θ_2 > 0: the best of all its stationary points."""
     found = torus_zeros([PRINTED_5_3.derivative(0), PRINTED_5_3.derivative(1)])
     if not found.complete:
         raise RuntimeError("not all stationary points of (5.3) were found")
@@ -50,7 +50,7 @@ def printed_optimum() -> tuple[float, ...]:
 
 
 def printed_general(arm: PlanarArm, q: np.ndarray) -> np.ndarray:
-    """μ² (m,) as the first form of (5.2) is printed, at q (m, 3)."""
+    """μ² (m,) by the first form of (5.2) as printed, at q (m, 3)."""
     l1, l2, l3 = arm.lengths
     sizes = [l1 * l2 * l3**2, -(l1**2) * l2**2 / 2, l1 * l2**2 * l3, -(l2**2) * l3**2]
     sizes += [-(l1**2) * l3**2, -(l1**2) * l2 * l3, -l1 * l2 * l3**2]
@@ -59,14 +59,14 @@ def printed_general(arm: PlanarArm, q: np.ndarray) -> np.ndarray:
 
 
 def printed_trace(arm: PlanarArm, q: np.ndarray) -> float:
-    """tr(J Jᵀ) as (4.2) is printed, its innermost sum from m = i + 1."""
+    """tr(J Jᵀ) by (4.2) as printed, with the innermost sum from m = i + 1."""
     phi, size, n = np.cumsum(q), arm.lengths, arm.n
     terms = (size[p] * size[m] * np.cos(phi[m] - phi[p]) for i in range(n - 1) for p in range(i, n) for m in range(i + 1, n))
     return float(np.arange(1, n + 1) @ size**2 + 2 * sum(terms))
 
 
 def theorems() -> list[tuple[str, str, bool]]:
-    """Statement, how it is shown, whether it holds."""
+    """Each statement, how it is shown, and whether it holds."""
     rng = np.random.default_rng(0)
     links = f"n = {config.LINKS[0]} to {config.LINKS[-1]}"
     q = rng.uniform(-np.pi, np.pi, (200, 3))
@@ -150,7 +150,7 @@ def theorems_table(rows: list[tuple[str, str, bool]]) -> Table:
 
 
 def table_5_1(results: Results) -> Table:
-    """Thesis | ours | difference, and what (5.3) as printed gives."""
+    """Thesis, ours, difference, and the result of (5.3) as printed."""
     best = results.free.best
     ours = (best.radius[0], *np.abs(best.q[0, 1:]), best.manipulability[0])
     second, third = printed_optimum()
@@ -167,7 +167,7 @@ def table_5_1(results: Results) -> Table:
 
 
 def stationary_table(results: Results) -> Table:
-    """All stationary postures, of each and its mirror image one."""
+    """All stationary postures, one of each mirror pair."""
     found = results.free
     rows = []
     for q, mu, radius in zip(found.q, found.manipulability, found.radius, strict=True):
@@ -182,7 +182,7 @@ def stationary_table(results: Results) -> Table:
 
 
 def table_5_2(results: Results) -> Table:
-    """Thesis | ours for every radius."""
+    """Thesis and ours for every radius."""
     rows = []
     for radius, thesis in config.TABLE_5_2.items():
         ours = row_5_2(results, radius)
@@ -200,7 +200,7 @@ def row_5_2(results: Results, radius: float) -> tuple[float, ...]:
 
 
 def proportions_table(results: Results) -> Table:
-    """Equal links, and links in the best proportion, of total length n."""
+    """Equal links, and links with the best proportions, for a total length of n."""
     rows = []
     for n in config.RATIO_LINKS:
         found, equal = proportions(results, n), equal_links(results, n)
@@ -213,7 +213,7 @@ def proportions_table(results: Results) -> Table:
 
 
 def proportions(results: Results, n: int) -> Proportions:
-    """The best link lengths of total n [m]."""
+    """The best link lengths for a total length of n [m]."""
     return results.once(("lengths", n), lambda: optimal_lengths(n, total=float(n), least=config.SHARE * n))
 
 

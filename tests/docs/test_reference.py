@@ -10,17 +10,20 @@ import pytest
 import manipplan
 import manipplan.planar
 import manipplan.viz
+from manipplan import formulations
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 
 
 def documented():
-    """Full names of all autodoc entries of the reference, with how often each is there."""
+    """Full names of all autodoc entries and modules of the reference, with how often each is there."""
     names = []
     for page in sorted((DOCS / "reference").glob("*.md")):
         module = "manipplan"
-        for kind, name in re.findall(r"^\.\. (currentmodule|auto\w+):: (\S+)", page.read_text(encoding="utf-8"), re.MULTILINE):
+        for kind, name in re.findall(
+            r"^\.\. (currentmodule|py:module|auto\w+):: (\S+)", page.read_text(encoding="utf-8"), re.MULTILINE
+        ):
             if kind == "currentmodule":
                 module = name
             elif kind != "automodule":
@@ -32,6 +35,14 @@ def documented():
 def test_every_public_name_is_documented_once(module):
     found = documented()
     wanted = [f"{module.__name__}.{name}" for name in getattr(module, "__all__", ())]
+    assert {name: found[name] for name in wanted if found[name] != 1} == {}
+
+
+def test_every_formulation_is_documented_once():
+    found = documented()
+    own = [name for name, each in vars(formulations).items() if getattr(each, "__module__", "") == formulations.__name__]
+    wanted = [f"manipplan.formulations.{name}" for name in own if not name.startswith("_")]
+    assert len(wanted) == 7
     assert {name: found[name] for name in wanted if found[name] != 1} == {}
 
 
@@ -64,9 +75,10 @@ def test_every_work_that_is_cited_is_in_the_literature():
 
 def test_every_status_has_its_remedy_on_the_page():
     page = (DOCS / "howto" / "status.md").read_text(encoding="utf-8")
-    tables = dict(re.findall(r"\| \{py:class\}`~manipplan\.(\w+)` .*\n\|[-|]+\n((?:\|.*\n)+)", page))
-    for kind in (manipplan.Status, manipplan.SearchStatus, manipplan.TrackingStatus, manipplan.StepStatus):
-        rows = [row.split("|")[1:-1] for row in tables[kind.__name__].splitlines()]
+    tables = re.findall(r"\| (.*?) \| what .*\n\|[-|]+\n((?:\|.*\n)+)", page)
+    steps = "{py:class}`~manipplan.StepStatus`"
+    for kind, wanted in ((manipplan.Status, lambda head: head != steps), (manipplan.StepStatus, lambda head: head == steps)):
+        rows = [row.split("|")[1:-1] for head, table in tables if wanted(head) for row in table.splitlines()]
         assert [row[0].strip(" `") for row in rows] == [each.name for each in kind]
         if hasattr(next(iter(kind)), "ok"):
             assert {row[0].strip(" `"): row[2].strip() == "yes" for row in rows} == {each.name: each.ok for each in kind}

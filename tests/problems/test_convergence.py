@@ -123,7 +123,8 @@ def test_a_worker_gives_the_g_of_optimize_path_and_its_answers_are_kept(tmp_path
     assert list(found) == ["Haswell, machine code", "Haswell, virtual machine"]
     arm = mp.planar_arm([1.0, 1.0, 1.0])
     for k, given in enumerate(planar()):
-        wanted = mp.optimize_path(arm, given["start"], given["goal"], **given["options"])
+        shape, objective = mp.PathShape(degree=2), mp.PathObjective(power=1)
+        wanted = mp.optimize_path(arm, given["start"], given["goal"], shape=shape, objective=objective)
         for rows in found.values():
             assert rows[k]["g"] == pytest.approx(wanted.g, rel=1e-6)
             assert rows[k]["status"] == wanted.status.name
@@ -139,6 +140,18 @@ def test_a_worker_gives_the_g_of_optimize_path_and_its_answers_are_kept(tmp_path
         lambda: None,
     )
     assert [row["status"] for row in rows] == ["KEPT", "KEPT"]
+
+
+def test_options_are_grouped_for_this_version_and_flat_for_the_old_one(monkeypatch):
+    path = mp.JointPath.line([0.0, 1.5, -2.0], [np.pi, -2.0, 2.0])
+    options = {"degree": 3, "basis": "bspline", "pieces": 8, "power": 2, "time_limit": 30.0, "clearance": 0.01, "initial": path}
+    made = convergence.arguments(options)
+    assert sorted(made) == ["clearance", "objective", "seeding", "shape"]
+    assert (made["shape"].degree, made["shape"].basis, made["shape"].pieces) == (3, "bspline", 8)
+    assert (made["objective"].power, made["clearance"]) == (2, 0.01)
+    assert (made["seeding"].time_limit, made["seeding"].initial) == (30.0, path)
+    monkeypatch.delattr(mp, "PathObjective")
+    assert convergence.arguments(options) is options
 
 
 def test_the_same_version_twice_has_the_ratio_one_and_answers_a_refused_problem(tmp_path):

@@ -16,7 +16,7 @@ def free_pairs(problem, count):
         if scene.in_collision(robot, np.array([start, goal])).any():
             continue
         try:
-            seed = mp.seed_path(robot, start, goal, scene, time_limit=3.0)
+            seed = mp.seed_path(robot, start, goal, scene, seeding=mp.Seeding(time_limit=3.0))
         except mp.PlanningError:
             continue
         yield start, goal, seed

@@ -110,7 +110,7 @@ def test_the_first_pair_of_each_scene(arm, robots, scenes):
     for name in SCENES:
         _, _, start, goal = next(pair for pair in read_pairs() if pair[:2] == (arm, name))
         scene = scenes[arm, name]
-        plan = mp.plan(robots[arm], start, goal, scene, clearance=CLEARANCE, time_limit=30.0)
+        plan = mp.plan(robots[arm], start, goal, scene, clearance=CLEARANCE, seeding=mp.Seeding(time_limit=30.0))
         check(robots[arm], scene, start, goal, plan)
 
 
@@ -120,7 +120,7 @@ def test_all_pairs_with_obstacles(robots, scenes):
     for arm, name, start, goal in read_pairs():
         if name != "free":
             scene = scenes[arm, name]
-            plan = mp.plan(robots[arm], start, goal, scene, clearance=CLEARANCE, time_limit=60.0)
+            plan = mp.plan(robots[arm], start, goal, scene, clearance=CLEARANCE, seeding=mp.Seeding(time_limit=60.0))
             good, ratio = check(robots[arm], scene, start, goal, plan)
             optimised += good
             ratios.append(ratio)

@@ -13,7 +13,7 @@ lengths = st.lists(st.floats(0.1, 2.0), min_size=2, max_size=6)
 
 @settings(max_examples=40, deadline=None)
 @given(lengths, st.data())
-def test_planar_index_does_not_depend_on_the_first_angle(sizes, data):
+def test_planar_manipulability_does_not_depend_on_the_first_angle(sizes, data):
     """Theorem 4.2 of kth2012."""
     arm = mp.planar_arm(sizes)
     q = np.array(data.draw(st.lists(angles, min_size=arm.n, max_size=arm.n)))
@@ -25,7 +25,7 @@ def test_planar_index_does_not_depend_on_the_first_angle(sizes, data):
 
 @settings(max_examples=40, deadline=None)
 @given(lengths, st.floats(0.1, 10.0), st.data())
-def test_planar_index_scales_with_the_square_of_the_lengths(sizes, factor, data):
+def test_planar_manipulability_scales_with_the_square_of_the_lengths(sizes, factor, data):
     arm, larger = mp.planar_arm(sizes), mp.planar_arm(factor * np.array(sizes))
     q = data.draw(st.lists(angles, min_size=arm.n, max_size=arm.n))
     expected = factor**2 * arm.kinematics().manipulability(q)
@@ -34,7 +34,7 @@ def test_planar_index_scales_with_the_square_of_the_lengths(sizes, factor, data)
 
 @settings(max_examples=25, deadline=None)
 @given(lengths, st.data())
-def test_index_is_the_product_of_the_singular_values(sizes, data):
+def test_manipulability_is_the_product_of_the_singular_values(sizes, data):
     arm = mp.planar_arm(sizes)
     q = data.draw(st.lists(angles, min_size=arm.n, max_size=arm.n))
     singular = np.linalg.svd(arm.kinematics().jacobian(q))[1]
@@ -51,7 +51,7 @@ def test_retimed_motion_never_exceeds_a_limit(seed, degree, size):
     control = size * rng.normal(size=(2, degree + 1, 3))
     control[1, 0] = control[0, -1]
     path = mp.JointPath(breaks=[0.0, 0.4, 1.0], control=control)
-    trajectory = mp.retime(path, arm.limits)
+    trajectory = mp.retime(path, arm)
     use = limit_use(trajectory, arm.limits)
     assert max(use["velocity"].ratio, use["acceleration"].ratio) <= 1
     np.testing.assert_allclose(trajectory.q[-1], path.goal, atol=1e-9 * max(size, 1))

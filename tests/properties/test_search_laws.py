@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from manipplan.search import max_min, sweep
 from manipplan.search.guilamo import guilamo_search
 from manipplan.search.layers import Layers
-from manipplan.search.max_min import SearchStatus, max_min_search
+from manipplan.search.max_min import max_min_search
+from manipplan.support.status import Status
 
 GRAPHS = 1000
 
@@ -149,8 +150,8 @@ def test_anytime_results_close_in_on_the_optimum(closed, forced):
             assert result.minimum <= optimum <= max(result.certified_bound, optimum if result is results[-1] else -np.inf)
             assert result.connected == (len(result.q) > 0)
         for before, after in pairwise(results):
-            assert before.status is SearchStatus.IMPROVING
-            assert after.minimum >= before.minimum or after.status is SearchStatus.NOT_CONNECTED
+            assert before.status is Status.IMPROVING
+            assert after.minimum >= before.minimum or after.status is Status.NOT_CONNECTED
             assert after.certified_bound <= before.certified_bound
         steps += len(results) - 1
     assert steps > 0 or not forced

@@ -7,14 +7,16 @@ from hypothesis import strategies as st
 import manipplan as mp
 
 seeds = st.integers(0, 2**32 - 1)
+ARM = mp.planar_arm([1.0, 1.0, 1.0])
 
 
 def random_problem(seed, *, jerk, size=1.0):
     """A random path of two joined or one single polynomial, and limits of three joints."""
     rng = np.random.default_rng(seed)
     velocity, acceleration = rng.uniform(0.3, 5.0, (2, 3))
-    arm = mp.planar_arm([1.0, 1.0, 1.0]).with_limits(velocity=velocity, acceleration=acceleration)
-    limits = arm.limits.with_changes({"jerk": acceleration * rng.uniform(3, 100)}) if jerk else arm.limits
+    limits = ARM.with_limits(velocity=velocity, acceleration=acceleration).limits
+    if jerk:
+        limits = limits.with_changes({"jerk": acceleration * rng.uniform(3, 100)})
     control = size * rng.normal(size=(rng.integers(1, 3), rng.integers(2, 7), 3))
     if len(control) == 2:
         control[1, 0] = control[0, -1]
@@ -36,7 +38,7 @@ def worst(trajectory, limits):
 @given(seeds, st.booleans(), st.floats(-4, 3))
 def test_limits_hold_from_tiny_to_huge_paths(seed, jerk, magnitude):
     path, limits = random_problem(seed, jerk=jerk, size=10**magnitude)
-    trajectory = mp.retime(path, limits)
+    trajectory = mp.retime(path, ARM, limits=limits)
     assert worst(trajectory, limits) <= 1 + 1e-6
     assert mp.jerk_use(trajectory, limits).ratio <= 1 + 1e-9
     ends = [path.start, path.goal]
@@ -52,7 +54,7 @@ def test_time_scales_with_limits(seed, jerk, factor):
     faster = limits.with_changes(
         {"velocity": factor * limits.velocity, "acceleration": factor**2 * limits.acceleration, "jerk": factor**3 * limits.jerk}
     )
-    ratio = mp.retime(path, limits).duration / mp.retime(path, faster).duration
+    ratio = mp.retime(path, ARM, limits=limits).duration / mp.retime(path, ARM, limits=faster).duration
     np.testing.assert_allclose(ratio, factor, rtol=5e-3)
 
 
@@ -61,7 +63,7 @@ def test_time_scales_with_limits(seed, jerk, factor):
 def test_the_way_back_takes_as_long(seed, jerk):
     path, limits = random_problem(seed, jerk=jerk)
     back = mp.JointPath(breaks=1 - path.breaks[::-1], control=path.control[::-1, ::-1])
-    ratio = mp.retime(path, limits).duration / mp.retime(back, limits).duration
+    ratio = mp.retime(path, ARM, limits=limits).duration / mp.retime(back, ARM, limits=limits).duration
     np.testing.assert_allclose(ratio, 1, rtol=1e-2)
 
 
@@ -70,7 +72,7 @@ def test_the_way_back_takes_as_long(seed, jerk):
 def test_tighter_limits_never_make_it_faster(seed, jerk, kind, share):
     path, limits = random_problem(seed, jerk=jerk)
     tighter = limits.with_changes({kind: share * getattr(limits, kind)})
-    assert mp.retime(path, tighter).duration >= 0.99 * mp.retime(path, limits).duration
+    assert mp.retime(path, ARM, limits=tighter).duration >= 0.99 * mp.retime(path, ARM, limits=limits).duration
 
 
 @settings(max_examples=20, deadline=None)
@@ -79,6 +81,6 @@ def test_a_segment_takes_between_the_whole_at_both_limits(seed, begin, width, sh
     path, limits = random_problem(seed, jerk=False)
     part = mp.Segment(begin=begin, end=begin + width, velocity=share, acceleration=share**2)
     everywhere = mp.Segment(begin=0.0, end=1.0, velocity=share, acceleration=share**2)
-    free, held, slow = (mp.retime(path, limits, segments=each).duration for each in ([], [part], [everywhere]))
+    free, held, slow = (mp.retime(path, ARM, limits=limits, segments=each).duration for each in ([], [part], [everywhere]))
     assert 0.99 * free <= held <= 1.01 * slow
     np.testing.assert_allclose(slow, free / share, rtol=1e-2)

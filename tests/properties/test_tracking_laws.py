@@ -146,9 +146,9 @@ def conditioned(robot, q):
 def test_a_stiff_tracker_without_drive_is_the_pseudo_inverse(seed, prismatic):
     """(3) with Q_δ → ∞ is (2), on random arms."""
     robot, rng = free(chain(seed, prismatic)), np.random.default_rng(seed)
-    general = Controller(robot, mp.General(), 0.01, approach=np.inf, compiled=False)
-    driven = Controller(robot, mp.Equality(alpha=5e5), 0.01, approach=np.inf, compiled=False)
-    classical = Controller(robot, mp.Classical(), 0.01, approach=np.inf, compiled=False)
+    general = Controller(robot, mp.formulations.General(), dt=0.01, approach=np.inf, compiled=False)
+    driven = Controller(robot, mp.formulations.Equality(alpha=5e5), dt=0.01, approach=np.inf, compiled=False)
+    classical = Controller(robot, mp.formulations.Classical(), dt=0.01, approach=np.inf, compiled=False)
     for _ in range(3):
         q = rng.uniform(-2, 2, robot.n)
         singular = conditioned(robot, q)
@@ -161,14 +161,18 @@ def test_a_stiff_tracker_without_drive_is_the_pseudo_inverse(seed, prismatic):
         np.testing.assert_allclose(driven.step(q, np.zeros(robot.n), target, stiffness=1e8, drive=0.0), expected, atol=near)
 
 
-INVARIANT = [mp.LogDrive(), mp.Objective(alpha=2e3, sample_time=0.01), mp.Equality(alpha=5e5, sample_time=0.01)]
+INVARIANT = [
+    mp.formulations.LogDrive(),
+    mp.formulations.Objective(alpha=2e3, sample_time=0.01),
+    mp.formulations.Equality(alpha=5e5, sample_time=0.01),
+]
 
 
 def velocities(robot, formulation, q, steps=(0.01, 0.001)):
     """Of a step at each time step, with the target where the tool is."""
     target = robot.kinematics().pose(q)
     return [
-        Controller(robot, formulation, dt, compiled=False).step(q, np.zeros(robot.n), target, stiffness=10.0) for dt in steps
+        Controller(robot, formulation, dt=dt, compiled=False).step(q, np.zeros(robot.n), target, stiffness=10.0) for dt in steps
     ]
 
 
@@ -181,25 +185,43 @@ def test_the_velocity_does_not_depend_on_the_time_step(panda, formulation, rng):
         np.testing.assert_allclose(fast, slow, rtol=1e-9, atol=1e-12)
 
 
-@pytest.mark.parametrize("formulation", [mp.Objective(alpha=2e3), mp.Equality(alpha=5e5)], ids=str)
+@pytest.mark.parametrize("formulation", [mp.formulations.Objective(alpha=2e3), mp.formulations.Equality(alpha=5e5)], ids=str)
 def test_with_the_paper_s_alpha_it_does(panda, formulation):
     slow, fast = velocities(free(panda), formulation, panda.neutral)
     assert np.abs(fast - slow).max() > 0.1 * np.abs(slow).max()
 
 
-def test_the_velocity_of_log_drive_does_not_depend_on_the_unit_of_the_index(panda):
+def test_the_velocity_of_log_drive_does_not_depend_on_the_unit_of_manipulability(panda):
     """With rows twice as long, Q_δ a quarter and r twice, all of the cost is the same; Equality's is not."""
     robot, target = free(panda), panda.kinematics().pose(panda.neutral)
     answers = {}
-    for name, make in (("log", lambda r: mp.LogDrive(regularisation=r)), ("equality", lambda _: mp.Equality(alpha=5e5))):
+    for name, make in (
+        ("log", lambda r: mp.formulations.LogDrive(regularisation=r)),
+        ("equality", lambda _: mp.formulations.Equality(alpha=5e5)),
+    ):
         for scale in (1.0, 2.0):
             rows = scale * np.eye(6)
             rows[3:] *= 0.25
             task = mp.Task.custom(rows, length=0.25, name=f"scaled{scale:g}")
-            of = Controller(robot, make(1e-3 * scale), 0.01, task=task, compiled=False)
+            of = Controller(robot, make(1e-3 * scale), dt=0.01, task=task, compiled=False)
             answers[name, scale] = of.step(panda.neutral, np.zeros(7), target, stiffness=10.0 / scale**2)
     np.testing.assert_allclose(answers["log", 2.0], answers["log", 1.0], rtol=1e-6, atol=1e-9)
     assert np.abs(answers["equality", 2.0] - answers["equality", 1.0]).max() > 1e-3
+
+
+def test_the_velocity_of_log_drive_does_not_depend_on_the_unit_of_its_measure(planar, rng):
+    """Weights four times as large double the Frobenius norm; with r doubled, the step is the same. Equality's is not."""
+    robot = free(planar)
+    for q in planar.random_configuration(rng, size=3):
+        target, found = robot.kinematics().pose(q), {}
+        for scale in (1.0, 2.0):
+            for formulation in (mp.formulations.LogDrive(regularisation=0.5 * scale), mp.formulations.Equality(alpha=1e3)):
+                of = Controller(robot, formulation, dt=0.01, measure=mp.FrobeniusNorm(weights=scale**2), compiled=False)
+                found[type(formulation), scale] = of.step(q, np.zeros(3), target, stiffness=10.0)
+        log, equality = mp.formulations.LogDrive, mp.formulations.Equality
+        assert np.abs(found[log, 1.0]).max() > 1e-3
+        np.testing.assert_allclose(found[log, 2.0], found[log, 1.0], rtol=1e-6, atol=1e-9)
+        assert np.abs(found[equality, 2.0] - found[equality, 1.0]).max() > 1e-3
 
 
 # ---- whatever comes in
@@ -218,7 +240,7 @@ NUMBERS = st.sampled_from([0.0, 1.0, -1.0, 1e-300, 1e6, -1e12, np.inf, np.nan]) 
 @example(target=[0.0] * 16, stiffness=1.0, drive=1.0, seed=0)
 def test_nothing_that_a_step_is_given_exceeds_a_limit(planar, target, stiffness, drive, seed):
     """Targets that are no poses, and numbers that are none."""
-    controller = PLANAR.setdefault("controller", Controller(planar, mp.LogDrive(), 0.01, compiled=False))
+    controller = PLANAR.setdefault("controller", Controller(planar, mp.formulations.LogDrive(), dt=0.01, compiled=False))
     controller.reset()
     rng, limits = np.random.default_rng(seed), planar.limits
     q, qd = planar.random_configuration(rng), np.zeros(3)

@@ -60,14 +60,14 @@ def test_a_run_is_that_of_track(arm):
         arm.robot,
         course.path,
         course.start,
-        config.DT,
-        mp.Equality(config.ONE_ALPHA),
-        course.duration,
+        mp.formulations.Equality(config.ONE_ALPHA),
+        dt=config.DT,
+        duration=course.duration,
         task=config.TASK,
         stiffness=config.STIFFNESS,
         approach=config.DEAD_BEAT,
     )
-    assert tracked.status is mp.TrackingStatus.FOLLOWED
+    assert tracked.status is mp.Status.TRACKED
     steps = ours.steps + 1
     np.testing.assert_allclose(ours.q[:steps], tracked.q[:steps], atol=1e-6)
     np.testing.assert_allclose(ours.deviation[:steps], tracked.deviation[:steps], atol=1e-6)

@@ -29,7 +29,7 @@ def test_the_quick_study_makes_what_is_expected(tmp_path, capsys):
     assert report.count("<table>") == len(list(tmp_path.glob("*.md")))
     left = {file.stem for file in config.PAGES.iterdir()} - {file.stem for file in tmp_path.iterdir()}
     assert set(figures.FULL_ONLY) < left
-    assert set(re.findall(r">(\w+): --quick leaves it", report)) == left
+    assert set(re.findall(r">(\w+): left out by --quick", report)) == left
     assert not re.search(r'(?:src|href)="(?!data:)', report)
     for value in ("2.63463340", "2.2222", "Chapter 6"):
         assert value in report

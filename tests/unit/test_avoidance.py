@@ -95,7 +95,7 @@ def test_rows_hold_the_rates_of_the_distances(panda, rng):
         moving=["bar", "box", "ball"],
         links=["panda_link3", "panda_hand"],
     )
-    controller = Controller(robot, mp.General(), DT, avoidance=avoidance, compiled=False)
+    controller = Controller(robot, mp.formulations.General(), dt=DT, avoidance=avoidance, compiled=False)
     assert any(second not in OBSTACLES for _, second in controller.pairs)
     step, compared = 1e-5, 0
     for q in robot.random_configuration(rng, size=4):
@@ -126,7 +126,9 @@ def test_rows_hold_the_rates_of_the_distances(panda, rng):
 
 def test_rows_act_only_within_the_influence(arm):
     scene = mp.Scene([mp.Sphere(radius=0.05, position=(0.9, 0.2, 0.0), name="ball")])
-    controller = Controller(arm, mp.General(), DT, avoidance=mp.Avoidance(scene=scene, influence=0.3), compiled=False)
+    controller = Controller(
+        arm, mp.formulations.General(), dt=DT, avoidance=mp.Avoidance(scene=scene, influence=0.3), compiled=False
+    )
     assert controller.pairs == (("link1_0", "ball"), ("link2_0", "ball"), ("link3_0", "ball"))
     _, bound, least = rows(controller, np.zeros(3))
     expected = np.array([np.hypot(0.5, 0.2), np.hypot(0.2, 0.2), 0.2]) - 0.08
@@ -137,7 +139,7 @@ def test_rows_act_only_within_the_influence(arm):
 def test_a_moving_obstacle_rests_where_it_was_last(arm):
     scene = mp.Scene([mp.Sphere(radius=0.05, position=(0.9, 0.2, 0.0), name="ball")])
     avoidance = mp.Avoidance(scene=scene, influence=3.0, moving=["ball"])
-    controller = Controller(arm, mp.General(), DT, avoidance=avoidance, compiled=False)
+    controller = Controller(arm, mp.formulations.General(), dt=DT, avoidance=avoidance, compiled=False)
     _, rest, first = rows(controller, np.zeros(3))
     pose = pin.SE3(np.eye(3), np.array([0.9, 0.4, 0.0]))
     _, coming, _ = rows(controller, np.zeros(3), {"ball": (pose, [0.0, -1.0, 0.0, 0.0, 0.0, 0.0])})
@@ -166,7 +168,7 @@ def test_clearance_stays_above_the_security_distance(arm, stiffness, approach):
     """The tool is asked to go through a ball; accelerations are generous. No stiffness buys a contact."""
     scene = mp.Scene([mp.Sphere(radius=0.08, position=(0.55, 0.35, 0.0), name="ball")])
     avoidance = mp.Avoidance(scene=scene, influence=0.2, security=0.02)
-    controller = Controller(arm, mp.LogDrive(), DT, avoidance=avoidance, approach=approach, compiled=False)
+    controller = Controller(arm, mp.formulations.LogDrive(), dt=DT, avoidance=avoidance, approach=approach, compiled=False)
     q = np.array([-0.5, 1.2, 0.6])
     start = arm.kinematics().pose(q)[:2, 3]
     run = controller.rollout(q, up_and_down(arm, start, [0.55, 0.35], 400), stiffness=stiffness)
@@ -180,7 +182,7 @@ def test_clearance_stays_above_the_security_distance(arm, stiffness, approach):
 def test_a_jump_of_the_target_behind_an_obstacle_does_not_push_through_it(arm):
     scene = mp.Scene([mp.Box(size=(0.1, 0.6, 0.2), position=(0.65, 0.3, 0.0), name="wall")])
     avoidance = mp.Avoidance(scene=scene, influence=0.2, security=0.02)
-    controller = Controller(arm, mp.General(), DT, avoidance=avoidance, approach=np.inf, compiled=False)
+    controller = Controller(arm, mp.formulations.General(), dt=DT, avoidance=avoidance, approach=np.inf, compiled=False)
     target = np.eye(4)
     target[:2, 3] = [0.85, 0.2]
     q = np.array([0.6, 1.0, 0.5])
@@ -193,7 +195,7 @@ def test_a_ball_that_comes_is_evaded(arm):
     """0.3 m/s towards an arm that is asked to stay."""
     scene = mp.Scene([mp.Sphere(radius=0.05, position=(0.8, 0.8, 0.0), name="ball")])
     avoidance = mp.Avoidance(scene=scene, influence=0.15, security=0.02, moving=["ball"])
-    controller = Controller(arm, mp.LogDrive(), DT, avoidance=avoidance, compiled=False)
+    controller = Controller(arm, mp.formulations.LogDrive(), dt=DT, avoidance=avoidance, compiled=False)
     q, qd, least = np.array([0.2, 0.9, 0.4]), np.zeros(3), np.inf
     stay, speed = arm.kinematics().pose(q), np.array([-0.25, -0.15, 0, 0, 0, 0])
     for k in range(250):
@@ -205,7 +207,7 @@ def test_a_ball_that_comes_is_evaded(arm):
 
 def test_an_obstacle_in_contact_at_the_start_is_pushed_out_and_reported(arm):
     scene = mp.Scene([mp.Sphere(radius=0.05, position=(0.6, 0.06, 0.0), name="ball")])
-    controller = Controller(arm, mp.General(), DT, avoidance=mp.Avoidance(scene=scene), compiled=False)
+    controller = Controller(arm, mp.formulations.General(), dt=DT, avoidance=mp.Avoidance(scene=scene), compiled=False)
     stay = arm.kinematics().pose(np.zeros(3))
     run = controller.rollout(np.zeros(3), [stay] * 100)
     assert run["clearance"][0] == pytest.approx(0.06 - 0.08)
@@ -217,7 +219,7 @@ def test_the_arm_keeps_away_from_itself(panda):
     """The Panda's hand is asked to go into its own link."""
     robot = panda
     avoidance = mp.Avoidance(links=["panda_hand"], influence=0.08, security=0.02)
-    controller = Controller(robot, mp.General(), DT, avoidance=avoidance, compiled=False)
+    controller = Controller(robot, mp.formulations.General(), dt=DT, avoidance=avoidance, compiled=False)
     assert ("panda_hand_0", "panda_link2_0") in {pair[::-1] for pair in controller.pairs} | set(controller.pairs)
     target = np.array(robot.kinematics().pose(robot.neutral))
     target[:3, 3] = [0.0, 0.0, 0.35]
@@ -231,7 +233,7 @@ def test_a_tube_gives_way_to_an_obstacle_and_says_so(arm):
     scene = mp.Scene([mp.Sphere(radius=0.08, position=(0.55, 0.35, 0.0), name="ball")])
     avoidance = mp.Avoidance(scene=scene)
     tube = mp.Tolerance(position=0.01)
-    controller = Controller(arm, mp.LogDrive(), DT, avoidance=avoidance, tolerance=tube, compiled=False)
+    controller = Controller(arm, mp.formulations.LogDrive(), dt=DT, avoidance=avoidance, tolerance=tube, compiled=False)
     q = np.array([-0.5, 1.2, 0.6])
     start = arm.kinematics().pose(q)[:2, 3]
     run = controller.rollout(q, up_and_down(arm, start, [0.55, 0.35], 400))
@@ -267,19 +269,19 @@ def test_what_cannot_be_avoided_raises(given, message):
 def test_a_mesh_is_refused(tmp_path):
     file = tmp_path / "wedge.obj"
     file.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
-    with pytest.raises(mp.InvalidInputError, match="scene: .*spheres, capsules, boxes, cylinders, planes"):
+    with pytest.raises(mp.InvalidInputError, match="scene: .*spheres, capsules, boxes, cylinders or planes"):
         mp.Avoidance(scene=mp.Scene([mp.Mesh(file=file, name="wedge")]))
 
 
 def test_an_unknown_link_raises(arm):
     avoidance = mp.Avoidance(scene=mp.Scene([OBSTACLES["ball"]]), links=["link4"])
     with pytest.raises(mp.UnknownNameError, match="links: got 'link4'.*link1"):
-        Controller(arm, mp.General(), DT, avoidance=avoidance, compiled=False)
+        Controller(arm, mp.formulations.General(), dt=DT, avoidance=avoidance, compiled=False)
 
 
 def test_nothing_to_avoid_raises(arm):
     with pytest.raises(mp.InvalidInputError, match="avoidance: .*at least one obstacle"):
-        Controller(arm, mp.General(), DT, avoidance=mp.Avoidance(itself=False), compiled=False)
+        Controller(arm, mp.formulations.General(), dt=DT, avoidance=mp.Avoidance(itself=False), compiled=False)
 
 
 def test_an_arm_without_shapes_raises():
@@ -287,12 +289,12 @@ def test_an_arm_without_shapes_raises():
 
     avoidance = mp.Avoidance(scene=mp.Scene([OBSTACLES["ball"]]))
     with pytest.raises(mp.InvalidInputError, match="avoidance: got 'random'.*collision geometry"):
-        Controller(chain(0, [False] * 6), mp.General(), DT, avoidance=avoidance, compiled=False)
+        Controller(chain(0, [False] * 6), mp.formulations.General(), dt=DT, avoidance=avoidance, compiled=False)
 
 
 def test_unguarded_pairs_are_named_with_their_reason(panda):
     avoidance = mp.Avoidance(links=["panda_hand"])
-    controller = Controller(panda, mp.General(), DT, avoidance=avoidance, compiled=False)
+    controller = Controller(panda, mp.formulations.General(), dt=DT, avoidance=avoidance, compiled=False)
     assert controller.unguarded
     assert not set(controller.unguarded) & set(controller.pairs)
     assert all(reason for reason in controller.unguarded.values())

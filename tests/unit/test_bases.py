@@ -5,7 +5,7 @@ import pytest
 from numpy.polynomial import Chebyshev, Legendre, Polynomial
 
 import manipplan as mp
-from manipplan.cost.objective import PathObjective
+from manipplan.cost.integral import PathIntegral
 from manipplan.optimize.basis import BASES, SPLINES, named_basis
 from manipplan.optimize.program import PathProgram
 
@@ -119,7 +119,9 @@ def test_the_coefficients_of_table_6_3(planar):
     start, goal = np.array(START), np.sum(table, axis=1)
     printed = named_basis("monomial", 6).path(start, goal, np.array(table)[:, 2:])
     np.testing.assert_allclose(printed.coefficients(), table, atol=1e-12)
-    result = mp.optimize_path(planar, start, goal, degree=6, power=2, basis="monomial")
+    result = mp.optimize_path(
+        planar, start, goal, shape=mp.PathShape(degree=6, basis="monomial"), objective=mp.PathObjective(power=2)
+    )
     a = result.path.coefficients()
     np.testing.assert_allclose(a[:, 0], start, atol=1e-12)  # (6.14)
     np.testing.assert_allclose(a.sum(axis=1), goal, atol=1e-9)
@@ -128,30 +130,47 @@ def test_the_coefficients_of_table_6_3(planar):
 
 @pytest.mark.parametrize("name", [*ONE_PIECE, "bspline"])
 def test_degree_one_of_one_piece_is_the_straight_line(planar, name):
-    result = mp.optimize_path(planar, START, GOAL, degree=1, power=2, basis=name)
+    result = mp.optimize_path(
+        planar, START, GOAL, shape=mp.PathShape(degree=1, basis=name), objective=mp.PathObjective(power=2)
+    )
     assert result.status is mp.Status.OPTIMAL
     np.testing.assert_allclose(result.path.control, [[START, GOAL]], atol=1e-12)
 
 
 @pytest.mark.parametrize("power", [1, 2])
 def test_bases_of_one_piece_have_one_optimum(planar, power):
-    costs = [mp.optimize_path(planar, START, GOAL, degree=6, power=power, basis=name).g for name in (*ONE_PIECE, *SPLINES)]
-    np.testing.assert_allclose(costs, mp.optimize_path(planar, START, GOAL, degree=6, power=power).g, rtol=1e-8)
+    costs = [
+        mp.optimize_path(
+            planar, START, GOAL, shape=mp.PathShape(degree=6, basis=name), objective=mp.PathObjective(power=power)
+        ).g
+        for name in (*ONE_PIECE, *SPLINES)
+    ]
+    np.testing.assert_allclose(
+        costs,
+        mp.optimize_path(planar, START, GOAL, shape=mp.PathShape(degree=6), objective=mp.PathObjective(power=power)).g,
+        rtol=1e-8,
+    )
 
 
 def test_bases_of_one_piece_have_one_optimum_on_the_panda(panda):
     start, goal = np.array([0, -0.3, 0, -2.2, 0, 2, np.pi / 4]), np.array([1.2, 0.5, -0.4, -1.2, 0.6, 2.6, -0.5])
-    results = [mp.optimize_path(panda, start, goal, degree=5, basis=name) for name in ONE_PIECE]
+    results = [mp.optimize_path(panda, start, goal, shape=mp.PathShape(degree=5, basis=name)) for name in ONE_PIECE]
     assert all(each.status is mp.Status.OPTIMAL for each in results)
     np.testing.assert_allclose([each.g for each in results], results[0].g, rtol=1e-8)
 
 
 @pytest.mark.parametrize(("name", "degree", "limit"), [("bspline", 3, 1e-5), ("bspline", 5, 1e-7), ("composite", 3, 1e-6)])
 def test_more_pieces_come_to_the_optimum_of_high_degree(planar, name, degree, limit):
-    best = mp.optimize_path(planar, START, GOAL, degree=20, power=2).g
+    best = mp.optimize_path(planar, START, GOAL, shape=mp.PathShape(degree=20), objective=mp.PathObjective(power=2)).g
     excess = []
     for pieces in (1, 4, 16):
-        result = mp.optimize_path(planar, START, GOAL, degree=degree, power=2, basis=name, pieces=pieces)
+        result = mp.optimize_path(
+            planar,
+            START,
+            GOAL,
+            shape=mp.PathShape(degree=degree, basis=name, pieces=pieces),
+            objective=mp.PathObjective(power=2),
+        )
         assert result.status.ok
         excess.append(result.g / best - 1)
         assert abs(result.certificate.gap) < 1e-6
@@ -164,7 +183,8 @@ def test_more_pieces_come_to_the_optimum_of_high_degree(planar, name, degree, li
     ("name", "degree", "pieces"), [*((name, 6, 1) for name in ONE_PIECE), ("bspline", 3, 8), ("composite", 4, 4)]
 )
 def test_joint_limits_hold_on_the_whole_curve(planar, name, degree, pieces):
-    options = {"degree": degree, "basis": name, "pieces": pieces, "power": 2}
+    shape = mp.PathShape(degree=degree, basis=name, pieces=pieces)
+    options = {"shape": shape, "objective": mp.PathObjective(power=2)}
     free = mp.optimize_path(planar, (0.0, -1.1, -1.6), (np.pi / 2, 0.5, 1.5), **options)
     s = np.linspace(0.0, 1.0, 20_001)
     q = free.path(s)
@@ -183,12 +203,20 @@ def test_joint_limits_hold_on_the_whole_curve(planar, name, degree, pieces):
 def test_end_derivatives_are_met_in_every_basis(planar, name, degree, pieces):
     wanted = {"start_slope": [3.0, -1.0, 2.0], "goal_slope": [0.0, 0.0, 0.0], "start_bend": [0.0, 1.0, 0.0]}
     places = {"start_slope": (0.0, 1), "goal_slope": (1.0, 1), "start_bend": (0.0, 2)}
-    result = mp.optimize_path(planar, START, GOAL, degree=degree, power=2, basis=name, pieces=pieces, **wanted)
+    result = mp.optimize_path(
+        planar,
+        START,
+        GOAL,
+        shape=mp.PathShape(degree=degree, basis=name, pieces=pieces, **wanted),
+        objective=mp.PathObjective(power=2),
+    )
     assert result.status is mp.Status.OPTIMAL
     for key, value in wanted.items():
         np.testing.assert_allclose(result.path(*places[key]), value, atol=1e-8)
     if pieces == 1:
-        same = mp.optimize_path(planar, START, GOAL, degree=degree, power=2, **wanted)
+        same = mp.optimize_path(
+            planar, START, GOAL, shape=mp.PathShape(degree=degree, **wanted), objective=mp.PathObjective(power=2)
+        )
         assert result.g == pytest.approx(same.g, rel=1e-6)
 
 
@@ -215,10 +243,13 @@ def slalom(tmp_path_factory):
 def test_a_spline_follows_many_corners(slalom, name, degree, pieces):
     """The index of a gantry is constant, so g is the length; the shortest way, by the corners of the walls, is 4.14 m."""
     robot, scene, first = slalom
-    options = {"task": mp.Task.planar(), "scene": scene, "initial": first}
-    low = mp.optimize_path(robot, first.start, first.goal, degree=6, **options)
+    objective, seeding = mp.PathObjective(task=mp.Task.planar()), mp.Seeding(initial=first)
+    options = {"scene": scene, "objective": objective, "seeding": seeding}
+    low = mp.optimize_path(robot, first.start, first.goal, shape=mp.PathShape(degree=6), **options)
     assert low.status is mp.Status.SEED_IS_SAFE
-    result = mp.optimize_path(robot, first.start, first.goal, degree, basis=name, pieces=pieces, **options)
+    result = mp.optimize_path(
+        robot, first.start, first.goal, shape=mp.PathShape(degree=degree, basis=name, pieces=pieces), **options
+    )
     assert result.status.ok
     assert scene.collision_model(robot).path_is_free(result.path, 1e-3)
     assert result.certificate.clearance > 0
@@ -230,7 +261,7 @@ def test_a_spline_follows_many_corners(slalom, name, degree, pieces):
 @pytest.mark.parametrize("name", BASES)
 def test_no_small_change_lowers_the_energy(planar, name, rng):
     pieces = 5 if name in SPLINES else 1
-    program = PathProgram(PathObjective(kinematics=planar.kinematics(), power=2.0), named_basis(name, 4, pieces))
+    program = PathProgram(PathIntegral(kinematics=planar.kinematics(), power=2.0), named_basis(name, 4, pieces))
     start, goal, size = np.array(START), np.array(GOAL), program.basis.size
 
     def energy(path):
@@ -263,7 +294,7 @@ def test_no_small_change_lowers_the_energy(planar, name, rng):
 )
 def test_wrong_arguments(planar, change, message):
     with pytest.raises(mp.InvalidInputError, match=message):
-        mp.optimize_path(planar, START, GOAL, **change)
+        mp.optimize_path(planar, START, GOAL, shape=mp.PathShape(**change))
 
 
 def test_coefficients_of_a_wrong_kind(planar):

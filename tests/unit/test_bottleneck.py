@@ -10,7 +10,8 @@ import pytest
 
 import manipplan as mp
 from manipplan.search.layers import Layers
-from manipplan.search.max_min import SearchResult, SearchStatus, max_min_search
+from manipplan.search.max_min import SearchResult, max_min_search
+from manipplan.support.status import Status
 
 LINE = ([[[0.0]], [[0.1], [0.5]], [[0.2]]], [[3.0], [2.0, 9.0], [4.0]])
 
@@ -116,7 +117,7 @@ def test_result_of_a_line():
     np.testing.assert_array_equal(result.indices, [0, 0, 0])
     np.testing.assert_array_equal(result.manipulability, [3.0, 2.0, 4.0])
     assert (result.minimum, result.bound, result.gap, result.certified_gap) == (2.0, 3.0, 1.0, 0.0)
-    assert result.status is SearchStatus.OPTIMAL
+    assert result.status is Status.PROVEN_OPTIMAL
     assert result.status.ok
     assert result.connected
     assert (result.breaks_at, result.smallest_epsilon) == (None, None)
@@ -211,7 +212,7 @@ def test_a_gap_is_told_with_the_epsilon_that_closes_it():
     with pytest.raises(mp.PlanningError, match="no candidate of position 2 can be reached from position 1") as caught:
         max_min_search(each, [0.2, 0.4])
     result = caught.value.result
-    assert result.status is SearchStatus.NOT_CONNECTED
+    assert result.status is Status.NOT_CONNECTED
     assert not result.status.ok
     assert result.breaks_at == 2
     np.testing.assert_allclose(result.smallest_epsilon, 1.75 * np.array([0.2, 0.4]))
@@ -268,7 +269,7 @@ def test_anytime_tells_its_first_path_before_the_last():
     assert len(results) > 2
     assert any(result.connected for result in results[:-1])
     assert results[-1].minimum == exact.minimum == results[-1].certified_bound
-    assert results[-1].status is SearchStatus.OPTIMAL
+    assert results[-1].status is Status.PROVEN_OPTIMAL
     minima = [result.minimum for result in results]
     assert minima == sorted(minima)
     iterator = max_min_search(each, 0.15, anytime=True)

@@ -164,7 +164,7 @@ def test_follow_writes_all_files(six_file, seam, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("changes", "code", "message"),
     [
-        ({"positions": ["1"]}, 2, "n: got 1"),
+        ({"positions": ["1"]}, 2, "positions: got 1"),
         ({"epsilon": ["0"]}, 2, "epsilon: got 0.0"),
         ({"epsilon": ["1e-9"]}, 1, "can be reached from position"),
         ({"scene": ["no_such_scene.yaml"]}, 2, "scene: got 'no_such_scene.yaml'"),

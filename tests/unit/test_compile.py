@@ -15,7 +15,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.cost.density import energy_density
-from manipplan.cost.objective import PathObjective
+from manipplan.cost.integral import PathIntegral
 from manipplan.optimize.clearance import ClearanceRow, row_functions
 from manipplan.support import compiler as module
 from manipplan.support.cache_folder import is_private
@@ -221,8 +221,8 @@ def everything_compiled(robot, compiled):
     found = [kinematics.manipulability(q), kinematics.jacobian(np.tile(q, (2, 1)))]
     column = ClearanceRow(s=0.0, joint=3, point=np.ones(3), other=0, normal=np.eye(3)[0], offset=0.1, distance=0.0).column(3)
     found.append(np.array(row_functions(kinematics)[1](q, column)))
-    found.append(np.array(energy_density(PathObjective(kinematics=kinematics, power=1.0)).gradient(q, q, [1.0, 1.0])))
-    controller = mp.Controller(robot, mp.LogDrive(), 0.01, compiled=compiled)
+    found.append(np.array(energy_density(PathIntegral(kinematics=kinematics, power=1.0)).gradient(q, q, [1.0, 1.0])))
+    controller = mp.Controller(robot, mp.formulations.LogDrive(), dt=0.01, compiled=compiled)
     found.append(controller.step(q, np.zeros(3), kinematics.pose(q)))
     return found, controller
 
@@ -293,7 +293,7 @@ def test_libraries_that_can_never_be_loaded(folder, compiler, tmp_path):
         lambda: robot.kinematics(compiled=True).manipulability(np.zeros(3)),
         lambda: robot.kinematics(compiled=True).manipulability(np.zeros((2, 3))),
         lambda: row_functions(robot.kinematics(compiled=True)),
-        lambda: mp.Controller(robot, mp.LogDrive(), 0.01, compiled=True),
+        lambda: mp.Controller(robot, mp.formulations.LogDrive(), dt=0.01, compiled=True),
     ):
         with pytest.raises(mp.CompilerError, match="cannot be loaded"):
             ask()
@@ -340,7 +340,7 @@ def test_a_build_that_hangs_is_given_up_with_its_children(folder, compiler, shor
     assert not controller.compiled
     assert gone(child)
     with pytest.raises(mp.CompilerError, match="did not end within 1 s"):
-        mp.Controller(robot, mp.LogDrive(), 0.01, compiled=True)
+        mp.Controller(robot, mp.formulations.LogDrive(), dt=0.01, compiled=True)
     assert not list(folder.glob("building-*"))
 
 

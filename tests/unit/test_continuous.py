@@ -67,7 +67,14 @@ def test_a_thin_plate_between_checks_at_one_milliradian_is_found(tmp_path):
     assert found.at == pytest.approx((angle + 0.5), abs=5e-4)
     assert found.pair == ("b_0", "plate")
     with pytest.raises(mp.InvalidInputError, match=r"initial: got .*b_0 and plate.* at s = 0\.3"):
-        mp.optimize_path(robot, [-0.5], [0.5], task=mp.Task.direction((0.0, 1.0, 0.0)), scene=scene, initial=line)
+        mp.optimize_path(
+            robot,
+            [-0.5],
+            [0.5],
+            objective=mp.PathObjective(task=mp.Task.direction((0.0, 1.0, 0.0))),
+            scene=scene,
+            seeding=mp.Seeding(initial=line),
+        )
 
 
 def test_a_sliding_ball_has_the_closed_form(tmp_path):
@@ -177,7 +184,9 @@ def test_wrong_arguments(demo_problem, change, message):
 def test_seeds_are_proven(demo_problem):
     problem = demo_problem
     for seed in range(3):
-        path = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, seed=seed, clearance=0.005)
+        path = mp.seed_path(
+            problem.robot, problem.start, problem.goal, problem.scene, seeding=mp.Seeding(seed=seed), clearance=0.005
+        )
         model = problem.scene.collision_model(problem.robot)
         assert path_clearance(model, path, clearance=0.005, tolerance=None).proven
 
@@ -194,6 +203,6 @@ def test_a_tolerance_does_not_hide_what_can_be_proven(demo_problem):
 
 def test_a_certificate_proves_the_clearance_that_the_path_was_accepted_with(planar):
     scene = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
-    result = mp.optimize_path(planar, [0, 1.5, -2], [3.14, -2, 2], 5, scene=scene, clearance=0.02)
+    result = mp.optimize_path(planar, [0, 1.5, -2], [3.14, -2, 2], shape=mp.PathShape(degree=5), scene=scene, clearance=0.02)
     assert result.status.ok
     assert result.certificate.proven_clearance > 0.02

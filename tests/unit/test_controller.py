@@ -1,5 +1,8 @@
 """Controller: statuses, arguments, machine code against CasADi's virtual machine, rollout against single steps."""
 
+from dataclasses import dataclass
+
+import casadi as ca
 import numpy as np
 import pinocchio as pin
 import pytest
@@ -13,7 +16,33 @@ DT = 0.01
 REST = np.zeros(3)
 Q = np.array([0.3, 0.8, 0.7])
 compiler = pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler")
-FORMULATIONS = [mp.Classical(gain=0.1), mp.General(), mp.Objective(alpha=10.0), mp.Equality(alpha=100.0), mp.LogDrive()]
+FORMULATIONS = [
+    mp.formulations.Classical(gain=0.1),
+    mp.formulations.General(),
+    mp.formulations.Objective(alpha=10.0),
+    mp.formulations.Equality(alpha=100.0),
+    mp.formulations.LogDrive(),
+]
+
+
+@dataclass(frozen=True)
+class Near(mp.Measure):
+    """A measure of one's own: 1 at Q, less elsewhere."""
+
+    name, formula, source = "near", "exp(-‖q - Q‖²/4)", ""
+
+    def unit(self, task):
+        return "1"
+
+    def value(self, posture):
+        return ca.exp(-ca.sumsqr(posture.q - Q) / 4)
+
+
+@dataclass(frozen=True)
+class Depth(Near):
+    """One that is better when smaller."""
+
+    name, grows = "depth", False
 
 
 @pytest.fixture(scope="module")
@@ -30,7 +59,9 @@ def ball():
 def tracker(arm, ball):
     """With all that a controller can have; not compiled."""
     avoidance = mp.Avoidance(scene=ball, moving=["ball"])
-    return Controller(arm, mp.LogDrive(), DT, tolerance=mp.Tolerance(position=0.05), avoidance=avoidance, compiled=False)
+    return Controller(
+        arm, mp.formulations.LogDrive(), dt=DT, tolerance=mp.Tolerance(position=0.05), avoidance=avoidance, compiled=False
+    )
 
 
 @pytest.fixture
@@ -105,8 +136,8 @@ def test_a_state_that_is_no_number_gives_velocity_zero(controller, argument, bad
 
 def test_after_numbers_that_are_none_a_step_is_as_good_as_the_first(arm):
     """Nothing of them is remembered: neither the target, nor what bfgs learned."""
-    formulation = mp.Objective(alpha=10.0, hessian="bfgs")
-    fresh, hurt = (Controller(arm, formulation, DT, tolerance=mp.Tolerance(position=0.1), compiled=False) for _ in range(2))
+    formulation = mp.formulations.Objective(alpha=10.0, hessian="bfgs")
+    fresh, hurt = (Controller(arm, formulation, dt=DT, tolerance=mp.Tolerance(position=0.1), compiled=False) for _ in range(2))
     hurt.step(np.full(3, np.nan), REST, pose_of(arm))
     hurt.step(Q, REST, np.full((4, 4), np.nan))
     hurt.reset()
@@ -122,8 +153,8 @@ def test_after_numbers_that_are_none_a_step_is_as_good_as_the_first(arm):
 def test_what_the_solver_gives_up_brakes_in_machine_code_as_well(arm, rng):
     """The paper's (10) with a huge α is indefinite. CasADi's generated code then returns an error and writes no answer: the
     velocity of the step before must not come back as if it were solved."""
-    formulation, qd, given_up = mp.Objective(alpha=1e8, convexify=False), np.full(3, 0.5), 0
-    virtual, machine = (Controller(arm, formulation, DT, compiled=compiled) for compiled in (False, True))
+    formulation, qd, given_up = mp.formulations.Objective(alpha=1e8, convexify=False), np.full(3, 0.5), 0
+    virtual, machine = (Controller(arm, formulation, dt=DT, compiled=compiled) for compiled in (False, True))
     postures = [
         (np.array([0.7, -1.2, -2.3]), np.array([-2.4, 1.6, 2.1])),
         *arm.random_configuration(rng, size=400).reshape(-1, 2, 3),
@@ -144,11 +175,11 @@ def test_what_the_solver_gives_up_brakes_in_machine_code_as_well(arm, rng):
 
 @compiler
 def test_rollout_goes_on_where_the_solver_gives_up(arm):
-    formulation = mp.Objective(alpha=1e8, convexify=False)
+    formulation = mp.formulations.Objective(alpha=1e8, convexify=False)
     path = [pose_of(arm, np.array([-2.4, 1.6, 2.1]))] * 6
     runs = []
     for compiled in (False, True):
-        controller = Controller(arm, formulation, DT, compiled=compiled)
+        controller = Controller(arm, formulation, dt=DT, compiled=compiled)
         runs.append(controller.rollout([0.7, -1.2, -2.3], path, qd=np.full(3, 0.5), stiffness=1.0))
     assert runs[0]["status"][0] == mp.StepStatus.NOT_SOLVED
     assert runs[1].q[1:].any(axis=1).all()
@@ -222,32 +253,44 @@ def test_the_result_is_the_caller_s_own(controller):
         ({"approach": [1.0, 2.0]}, "approach: got"),
         ({"tolerance": 0.05}, "tolerance: got 0.05.*a Tolerance"),
         ({"avoidance": []}, r"avoidance: got \[\].*an? Avoidance"),
-        ({"formulation": mp.Classical(), "tolerance": mp.Tolerance(position=0.1)}, "tolerance: .*None with Classical"),
-        ({"formulation": mp.Classical(), "avoidance": mp.Avoidance()}, "avoidance: .*None with Classical"),
-        ({"task": mp.Task.pose()}, "task: .*at most as many rows as joints, 3"),
+        (
+            {"formulation": mp.formulations.Classical(), "tolerance": mp.Tolerance(position=0.1)},
+            "tolerance: .*None with Classical",
+        ),
+        ({"formulation": mp.formulations.Classical(), "avoidance": mp.Avoidance()}, "avoidance: .*None with Classical"),
+        ({"task": mp.Task.pose()}, "task: got 'pose'; allowed: at most 3 rows; with more rows than joints"),
+        ({"measure": "log_det"}, "measure: got 'log_det'; allowed: .*better when larger: yoshikawa, frobenius, inverse_cond"),
+        ({"measure": mp.ConditionNumber()}, "measure: got 'condition_number'; allowed: .*better when larger"),
+        ({"measure": mp.ForceTransmission(direction=(1.0, 0.0))}, "measure: got 'force_transmission'"),
+        ({"measure": Depth(), "formulation": mp.formulations.Classical()}, "measure: got 'depth'"),
+        ({"measure": "isotropi"}, "measure: got 'isotropi'.*did you mean isotropy"),
+        ({"measure": "velocity_transmission"}, "measure: .*needs a direction"),
+        ({"measure": mp.VelocityTransmission(direction=(1.0, 0.0, 0.0))}, "direction: .*2 numbers, one per task row"),
+        ({"measure": mp.FrobeniusNorm(weights=[1.0, 1.0])}, "weights: .*3 of them"),
+        ({"measure": 3}, "measure: got 3"),
     ],
 )
 def test_options_that_cannot_be_used_raise(arm, options, message):
-    given = {"robot": arm, "formulation": mp.General(), "dt": DT, "compiled": False, **options}
+    given = {"robot": arm, "formulation": mp.formulations.General(), "dt": DT, "compiled": False, **options}
     with pytest.raises(mp.InvalidInputError, match=message):
-        Controller(given.pop("robot"), given.pop("formulation"), given.pop("dt"), **given)
+        Controller(given.pop("robot"), given.pop("formulation"), dt=given.pop("dt"), **given)
 
 
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda: mp.Objective(alpha=-1.0), "alpha: got -1.0.*at least 0"),
-        (lambda: mp.Equality(alpha=-1.0), "alpha: got -1.0"),
-        (lambda: mp.Equality(alpha=np.nan), "alpha: got nan"),
-        (lambda: mp.Objective(alpha=1.0, sample_time=0.0), "sample_time: got 0.0"),
-        (lambda: mp.Objective(alpha=1.0, gradient="exat"), "gradient: got 'exat'.*did you mean exact"),
-        (lambda: mp.Objective(alpha=1.0, hessian="bfg"), "hessian: got 'bfg'.*did you mean bfgs"),
-        (lambda: mp.Objective(alpha=1.0, convexify=1), "convexify: got 1"),
-        (lambda: mp.LogDrive(weight=-1.0), "weight: got -1.0"),
-        (lambda: mp.LogDrive(rate=0.0), "rate: got 0.0"),
-        (lambda: mp.LogDrive(regularisation=0.0), "regularisation: got 0.0"),
-        (lambda: mp.Classical(gain=-1.0), "gain: got -1.0"),
-        (lambda: mp.Classical(damping=0.0), "damping: got 0.0"),
+        (lambda: mp.formulations.Objective(alpha=-1.0), "alpha: got -1.0.*at least 0"),
+        (lambda: mp.formulations.Equality(alpha=-1.0), "alpha: got -1.0"),
+        (lambda: mp.formulations.Equality(alpha=np.nan), "alpha: got nan"),
+        (lambda: mp.formulations.Objective(alpha=1.0, sample_time=0.0), "sample_time: got 0.0"),
+        (lambda: mp.formulations.Objective(alpha=1.0, gradient="exat"), "gradient: got 'exat'.*did you mean exact"),
+        (lambda: mp.formulations.Objective(alpha=1.0, hessian="bfg"), "hessian: got 'bfg'.*did you mean bfgs"),
+        (lambda: mp.formulations.Objective(alpha=1.0, convexify=1), "convexify: got 1"),
+        (lambda: mp.formulations.LogDrive(weight=-1.0), "weight: got -1.0"),
+        (lambda: mp.formulations.LogDrive(rate=0.0), "rate: got 0.0"),
+        (lambda: mp.formulations.LogDrive(regularisation=0.0), "regularisation: got 0.0"),
+        (lambda: mp.formulations.Classical(gain=-1.0), "gain: got -1.0"),
+        (lambda: mp.formulations.Classical(damping=0.0), "damping: got 0.0"),
         (mp.Tolerance, "tolerance: got None"),
         (lambda: mp.Tolerance(position=0.0), "position: got 0.0"),
         (lambda: mp.Tolerance(rotation=-0.1), "rotation: got -0.1"),
@@ -263,11 +306,11 @@ def test_values_that_cannot_be_used_raise(make, message):
 
 def test_a_jerk_limit_needs_a_velocity_limit(arm):
     with pytest.raises(mp.InvalidInputError, match="limits.velocity: .*for each joint with a jerk limit"):
-        Controller(arm.with_limits(velocity=[1.0, np.inf, 1.0], jerk=100.0), mp.General(), DT, compiled=False)
+        Controller(arm.with_limits(velocity=[1.0, np.inf, 1.0], jerk=100.0), mp.formulations.General(), dt=DT, compiled=False)
 
 
 def test_a_tolerance_needs_a_controller_with_one(arm):
-    controller = Controller(arm, mp.General(), DT, compiled=False)
+    controller = Controller(arm, mp.formulations.General(), dt=DT, compiled=False)
     with pytest.raises(mp.InvalidInputError, match="tolerance: .*made without a tolerance"):
         controller.step(Q, REST, pose_of(arm), tolerance=mp.Tolerance(position=0.1))
 
@@ -313,7 +356,7 @@ def test_shares_of_the_rows_make_a_box_inside_the_ball():
 def test_a_tolerance_of_rows_that_mix_raises(panda):
     mixed = mp.Task.custom([[1.0, 0, 0, 0, 0.5, 0], [0, 1.0, 0, 0, 0, 0]], length=1.0, name="mixed")
     with pytest.raises(mp.InvalidInputError, match="tolerance: got 'mixed'.*not both in one"):
-        Controller(panda, mp.General(), DT, task=mixed, tolerance=mp.Tolerance(position=0.1), compiled=False)
+        Controller(panda, mp.formulations.General(), dt=DT, task=mixed, tolerance=mp.Tolerance(position=0.1), compiled=False)
 
 
 def test_the_tolerance_of_one_step_does_not_stay(controller):
@@ -341,10 +384,54 @@ def test_report_holds_what_the_step_found(controller):
 
 
 def test_without_avoidance_the_clearance_is_infinite(arm):
-    controller = Controller(arm, mp.General(), DT, compiled=False)
+    controller = Controller(arm, mp.formulations.General(), dt=DT, compiled=False)
     controller.step(Q, REST, pose_of(arm))
     assert controller.report.clearance == np.inf
     assert controller.pairs == ()
+
+
+# ---- another measure than Yoshikawa's manipulability
+
+
+@pytest.mark.parametrize("measure", ["frobenius", mp.JointLimitPenalised(k=2.0), Near()], ids=str)
+def test_report_has_the_given_measure(arm, measure):
+    controller = Controller(arm, mp.formulations.LogDrive(), dt=DT, measure=measure, compiled=False)
+    kinematics = arm.kinematics(measure=measure)
+    controller.step(Q + 0.2, REST, pose_of(arm, Q + 0.2))
+    assert controller.kinematics.measure == kinematics.measure
+    assert controller.report.manipulability == pytest.approx(kinematics.manipulability(Q + 0.2))
+    assert controller.report.status == mp.StepStatus.SOLVED
+
+
+@pytest.mark.parametrize(
+    "formulation", [mp.formulations.Objective(1e3), mp.formulations.Equality(1e3), mp.formulations.LogDrive()], ids=str
+)
+def test_a_measure_of_one_s_own_is_raised_until_the_null_space_holds_no_more(arm, formulation):
+    """The tool stays where it is, and the joints come to rest where ∇m is orthogonal to the null space of J."""
+    start = np.array([1.6, -0.9, 1.9])
+    controller = Controller(arm, formulation, dt=DT, measure=Near(), compiled=False)
+    run = controller.rollout(start, np.repeat(pose_of(arm, start)[None], 400, axis=0))
+    assert (run["status"] == mp.StepStatus.SOLVED).all()
+    assert run["position_deviation"].max() < 1e-3
+    assert run["manipulability"][-1] > 1.2 * run["manipulability"][0]
+    assert np.abs(run.qd[-1]).max() < 1e-4
+    kinematics = arm.kinematics(measure=Near())
+    null = np.linalg.svd(kinematics.jacobian(run.q[-1]))[2][-1]
+    slope = kinematics.gradient(run.q[-1])
+    assert abs(null @ kinematics.gradient(start)) > 0.02
+    assert abs(null @ slope) < 1e-4 < np.linalg.norm(slope)
+
+
+@pytest.mark.parametrize("start", [[0.0, 0.0, 0.0], [0.3, 0.0, 0.0]])
+@pytest.mark.parametrize("measure", ["inverse_condition", "smallest_singular_value", "isotropy", "asada", "dynamic"])
+def test_a_measure_that_vanishes_drives_the_arm_out_of_a_singularity(arm, measure, start):
+    """With hardly any stiffness; the measure and its gradient may be zero or not defined there."""
+    controller = Controller(arm, mp.formulations.LogDrive(), dt=DT, measure=measure, stiffness=1e-3, compiled=False)
+    run = controller.rollout(start, np.repeat(pose_of(arm, np.array(start))[None], 200, axis=0))
+    assert (run["status"] == mp.StepStatus.SOLVED).all()
+    assert run["manipulability"][0] == pytest.approx(0, abs=1e-7)
+    assert run["manipulability"][-1] > 0.02
+    assert arm.kinematics().manipulability(run.q[-1]) > 0.03
 
 
 # ---- machine code and rollout
@@ -355,8 +442,8 @@ def test_without_a_compiler_a_compiled_controller_is_refused(arm, monkeypatch):
     find_compiler.cache_clear()
     try:
         with pytest.raises(mp.CompilerError, match="a controller of|there is no C compiler"):
-            Controller(arm, mp.General(), DT, compiled=True)
-        assert not Controller(arm, mp.General(), DT).compiled
+            Controller(arm, mp.formulations.General(), dt=DT, compiled=True)
+        assert not Controller(arm, mp.formulations.General(), dt=DT).compiled
     finally:
         find_compiler.cache_clear()
 
@@ -379,19 +466,28 @@ def in_steps(controller, q, path, **options):
 
 @pytest.mark.parametrize("formulation", FORMULATIONS, ids=str)
 def test_rollout_is_one_step_after_the_other(arm, formulation):
-    controller = Controller(arm, formulation, DT, compiled=False)
+    controller = Controller(arm, formulation, dt=DT, compiled=False)
     path = targets(arm, 60)
     assert_same_run(controller.rollout(Q, path), in_steps(controller, Q, path), near=1e-15)
 
 
 @compiler
-@pytest.mark.parametrize("formulation", [mp.LogDrive(), mp.Objective(alpha=10.0, hessian="bfgs")], ids=str)
-def test_machine_code_equals_the_virtual_machine(arm, ball, formulation):
+@pytest.mark.parametrize(
+    ("formulation", "measure"),
+    [
+        (mp.formulations.LogDrive(), None),
+        (mp.formulations.Objective(alpha=10.0, hessian="bfgs"), None),
+        (mp.formulations.LogDrive(), "isotropy"),
+    ],
+    ids=str,
+)
+def test_machine_code_equals_the_virtual_machine(arm, ball, formulation, measure):
     """Rollout in C, steps of machine code, and CasADi's virtual machine; limits, tube, ball and jerk are at work."""
     robot = arm.with_limits(jerk=800.0)
-    options = {"tolerance": mp.Tolerance(position=0.03), "avoidance": mp.Avoidance(scene=ball, moving=["ball"])}
-    machine = Controller(robot, formulation, DT, compiled=True, **options)
-    virtual = Controller(robot, formulation, DT, compiled=False, **options)
+    avoidance = mp.Avoidance(scene=ball, moving=["ball"])
+    options = {"tolerance": mp.Tolerance(position=0.03), "avoidance": avoidance, "measure": measure}
+    machine = Controller(robot, formulation, dt=DT, compiled=True, **options)
+    virtual = Controller(robot, formulation, dt=DT, compiled=False, **options)
     assert machine.compiled
     assert not virtual.compiled
     near = {"ball": (pin.SE3(np.eye(3), np.array([0.52, 0.8, 0.0])), np.array([0.05, -0.1, 0, 0, 0, 0]))}
@@ -408,7 +504,7 @@ def test_machine_code_equals_the_virtual_machine(arm, ball, formulation):
 
 
 def test_rollout_takes_stiffness_and_drive_of_each_step(arm):
-    controller = Controller(arm, mp.LogDrive(), DT, compiled=False)
+    controller = Controller(arm, mp.formulations.LogDrive(), dt=DT, compiled=False)
     path, drive, stiffness = targets(arm, 40), np.linspace(0, 1, 40), np.geomspace(1e4, 10, 40)
     run = controller.rollout(Q, path, stiffness=stiffness, drive=drive, qd=[0.1, 0.0, -0.1])
     controller.reset()
@@ -420,7 +516,9 @@ def test_rollout_takes_stiffness_and_drive_of_each_step(arm):
 
 
 def test_reset_forgets_what_was_learned(arm):
-    controller = Controller(arm.with_limits(jerk=200.0), mp.Objective(alpha=10.0, hessian="sr1"), DT, compiled=False)
+    controller = Controller(
+        arm.with_limits(jerk=200.0), mp.formulations.Objective(alpha=10.0, hessian="sr1"), dt=DT, compiled=False
+    )
     path = targets(arm, 20)
     first = controller.rollout(Q, path)
     assert controller._memory.any()
@@ -430,7 +528,7 @@ def test_reset_forgets_what_was_learned(arm):
 
 def test_the_last_acceleration_is_remembered_for_jerk_limits(arm):
     """From rest 200 rad/s³ allow 0.02 rad/s a step more than before; qdd says otherwise."""
-    controller = Controller(arm.with_limits(jerk=200.0), mp.General(), DT, compiled=False)
+    controller = Controller(arm.with_limits(jerk=200.0), mp.formulations.General(), dt=DT, compiled=False)
     far = pose_of(arm, np.array([2.0, 1.5, 1.0]))
     first = controller.step(Q, REST, far)
     assert np.abs(first).max() == pytest.approx(0.02)

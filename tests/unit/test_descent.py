@@ -12,7 +12,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.cost.density import length_density
-from manipplan.cost.objective import PathObjective
+from manipplan.cost.integral import PathIntegral
 from manipplan.optimize import descent, step_models
 from manipplan.optimize.basis import named_basis
 from manipplan.optimize.certificate import SINGLE, measure_optimality
@@ -31,7 +31,7 @@ CLEARANCE = 0.01
 def around_a_post(panda):
     """The example of docs/start.md, with everything that goes into its last descent."""
     result = mp.optimize_path(panda, START, GOAL, scene=mp.Scene([POST]), clearance=CLEARANCE)
-    program = PathProgram(PathObjective(kinematics=panda.kinematics(), power=1.0), named_basis("legendre", 6))
+    program = PathProgram(PathIntegral(kinematics=panda.kinematics(), power=1.0), named_basis("legendre", 6))
     surroundings = Surroundings(model=mp.Scene([POST]).collision_model(panda), clearance=CLEARANCE)
     coefficients = program.basis.fit(result.path, np.linspace(0.0, 1.0, 161))
     true, z = program.descent_program(np.array(START), np.array(GOAL), coefficients, surroundings)
@@ -108,18 +108,24 @@ def test_a_path_that_keeps_more_than_the_clearance_is_not_optimal(around_a_post)
 
 @pytest.mark.parametrize("options", [{}, {"degree": 9}, {"degree": 3, "basis": "bspline", "pieces": 8}])
 def test_optimising_the_result_again_lowers_g_by_nothing(panda, options):
-    scene = mp.Scene([POST])
-    first = mp.optimize_path(panda, START, GOAL, scene=scene, clearance=CLEARANCE, **options)
-    again = mp.optimize_path(panda, START, GOAL, scene=scene, clearance=CLEARANCE, initial=first.path, **options)
+    scene, shape = mp.Scene([POST]), mp.PathShape(**options)
+    first = mp.optimize_path(panda, START, GOAL, scene, shape=shape, clearance=CLEARANCE)
+    seeding = mp.Seeding(initial=first.path)
+    again = mp.optimize_path(panda, START, GOAL, scene, shape=shape, seeding=seeding, clearance=CLEARANCE)
     assert again.g == pytest.approx(first.g, rel=5e-4)
 
 
 def test_a_higher_degree_and_a_spline_are_never_worse(panda):
     scene = mp.Scene([POST])
-    costs = [mp.optimize_path(panda, START, GOAL, k, scene=scene, clearance=CLEARANCE).g for k in (6, 8, 12)]
+    costs = [
+        mp.optimize_path(panda, START, GOAL, shape=mp.PathShape(degree=k), scene=scene, clearance=CLEARANCE).g
+        for k in (6, 8, 12)
+    ]
     assert costs[1] <= costs[0] * (1 + 1e-6)
     assert costs[2] <= costs[1] * (1 + 1e-3)  # by way of degree 9
-    spline = mp.optimize_path(panda, START, GOAL, 3, scene=scene, clearance=CLEARANCE, basis="bspline", pieces=8)
+    spline = mp.optimize_path(
+        panda, START, GOAL, shape=mp.PathShape(degree=3, basis="bspline", pieces=8), scene=scene, clearance=CLEARANCE
+    )
     assert spline.g <= costs[0] * (1 + 1e-3)
 
 
@@ -198,7 +204,7 @@ def test_a_curve_may_come_as_near_to_a_limit_as_it_is():
     change = {"lower": [-np.inf, 0.0, 0.0], "upper": [np.inf, 0.71120776, 0.54381329]}
     arm = replace(arm, limits=arm.limits.with_changes(change, source="a test"))
     start, goal = [0.0, 0.59317156, 0.22661668], [3.43774942, 0.43372053, 0.4126402]
-    result = mp.optimize_path(arm, start, goal, degree=2, power=4)
+    result = mp.optimize_path(arm, start, goal, shape=mp.PathShape(degree=2), objective=mp.PathObjective(power=4))
     q = result.path(np.linspace(0.0, 1.0, 20001))
     assert (q < arm.limits.upper + 1e-7).all() and (q > arm.limits.lower - 1e-7).all()
     assert result.g < 0.216508 * 1.001
@@ -220,7 +226,7 @@ def test_machine_code_gives_the_same_bits_as_the_virtual_machine(panda):
     q, v = panda.random_configuration(rng, size=50), rng.standard_normal((50, panda.n))
     numbers = np.tile([100.0, 1.0], (50, 1))
     densities = [
-        BatchDensity.of(length_density(PathObjective(kinematics=panda.kinematics(compiled=compiled), power=1.0)))
+        BatchDensity.of(length_density(PathIntegral(kinematics=panda.kinematics(compiled=compiled), power=1.0)))
         for compiled in (True, False)
     ]
     for name in ("value", "gradient", "hessian"):

@@ -10,6 +10,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.support.compiler import find_compiler
+from manipplan.tracking import machine
 from manipplan.tracking.controller import Controller
 from manipplan.tracking.step import REPORT
 
@@ -42,7 +43,7 @@ def build(folder, by):
 
 
 def example_in_python(controller):
-    """What the example program does: 0.1 m along -x in a second; q, status and index after each step."""
+    """What the example program does: 0.1 m along -x in a second; q, status and manipulability after each step."""
     robot, steps = controller.robot, int(np.ceil(1 / controller.dt))
     q, qd, pose = robot.neutral, np.zeros(robot.n), np.array(robot.kinematics(controller.task).pose(robot.neutral))
     lines, start = [], pose[0, 3]
@@ -66,7 +67,7 @@ BUILDS = [
 def test_the_example_program_prints_what_python_computes(panda, tmp_path, by):
     """The Panda within a tube, at work on its limits of jerk."""
     tube = mp.Tolerance(position=0.02, rotation=0.1)
-    controller = Controller(panda, mp.LogDrive(), 0.002, tolerance=tube, compiled=False)
+    controller = Controller(panda, mp.formulations.LogDrive(), dt=0.002, tolerance=tube, compiled=False)
     files = controller.export_c(tmp_path / "controller")
     assert all(file.is_file() for file in files)
     folder = tmp_path / "elsewhere"  # nothing in it may point to where it was written
@@ -115,9 +116,9 @@ def pointer(array):
 
 
 CASES = {
-    "bfgs": (mp.Objective(alpha=10.0, hessian="bfgs"), {}),
+    "bfgs": (mp.formulations.Objective(alpha=10.0, hessian="bfgs"), {}),
     "moving obstacles": (
-        mp.LogDrive(),
+        mp.formulations.LogDrive(),
         {
             "avoidance": mp.Avoidance(
                 scene=mp.Scene(
@@ -131,14 +132,14 @@ CASES = {
             "tolerance": mp.Tolerance(position=0.03),
         },
     ),
-    "classical": (mp.Classical(gain=0.5), {"approach": np.inf}),
+    "classical": (mp.formulations.Classical(gain=0.5), {"approach": np.inf}),
 }
 
 
 @pytest.mark.parametrize("case", CASES)
 def test_the_exported_controller_is_python_s_step_by_step(arm, tmp_path, case):
     formulation, options = CASES[case]
-    controller = Controller(arm, formulation, DT, compiled=False, **options)
+    controller = Controller(arm, formulation, dt=DT, compiled=False, **options)
     exported = Exported(controller, tmp_path)
     q, qd, qdd, near = Q, np.zeros(3), np.zeros(3), np.inf
     pose = np.array(arm.kinematics().pose(Q))
@@ -163,7 +164,7 @@ def test_the_exported_controller_is_python_s_step_by_step(arm, tmp_path, case):
 
 
 def test_the_exported_controller_tells_a_bad_target_and_a_bad_state(arm, tmp_path):
-    exported = Exported(Controller(arm, mp.LogDrive(), DT, compiled=False), tmp_path)
+    exported = Exported(Controller(arm, mp.formulations.LogDrive(), dt=DT, compiled=False), tmp_path)
     pose, zero, tube = np.array(arm.kinematics().pose(Q)), np.zeros(3), [1e12, 1e12]
     speed = np.array([0.5, -0.5, 0.0])
     status, velocity, _ = exported.step(Q, speed, zero, np.full((4, 4), np.nan), 1e4, 1.0, tube, [])
@@ -179,7 +180,7 @@ def test_the_exported_controller_tells_a_bad_target_and_a_bad_state(arm, tmp_pat
 
 
 def test_two_exported_controllers_do_not_share_what_they_learn(arm, tmp_path):
-    controller = Controller(arm, mp.Objective(alpha=10.0, hessian="bfgs"), DT, compiled=False)
+    controller = Controller(arm, mp.formulations.Objective(alpha=10.0, hessian="bfgs"), dt=DT, compiled=False)
     first = Exported(controller, tmp_path)
     second = first.library.controller_new
     other = Exported.__new__(Exported)
@@ -196,7 +197,7 @@ def test_two_exported_controllers_do_not_share_what_they_learn(arm, tmp_path):
 
 
 def test_the_header_compiles_without_warnings_as_c_and_says_its_numbers(arm, tmp_path):
-    Controller(arm, mp.LogDrive(), DT, compiled=False).export_c(tmp_path)
+    Controller(arm, mp.formulations.LogDrive(), dt=DT, compiled=False).export_c(tmp_path)
     text = (tmp_path / "controller.h").read_text()
     assert "#define CONTROLLER_JOINTS 3" in text
     assert "#define CONTROLLER_DT 0.01" in text
@@ -210,4 +211,16 @@ def test_a_folder_that_cannot_be_written_raises(arm, tmp_path):
     taken = tmp_path / "file"
     taken.write_text("")
     with pytest.raises(mp.InvalidInputError, match="folder: "):
-        Controller(arm, mp.General(), DT, compiled=False).export_c(taken)
+        Controller(arm, mp.formulations.General(), dt=DT, compiled=False).export_c(taken)
+
+
+def test_generated_code_of_the_solver_is_changed_only_where_it_is_known(arm):
+    controller = Controller(arm, mp.formulations.LogDrive(), dt=DT, compiled=False)
+    step = machine.generated_source([controller.symbolic])
+    changed = controller.sources().step
+    assert changed.count("d_qp.x[0] = 0.0 / 0.0") == 1 and "0.0 / 0.0" not in step
+    for other in (step.replace("casadi_daqp_solve(d, arg", "casadi_daqp_solve(d,  arg"), step.replace("return -1", "return 1")):
+        with pytest.raises(mp.ManipplanError, match=r"CasADi .* other code for DAQP"):
+            machine._going_on(other)
+    closed_form = Controller(arm, mp.formulations.Classical(), dt=DT, compiled=False)
+    assert closed_form.sources().step == machine.generated_source([closed_form.symbolic])

@@ -88,7 +88,7 @@ def assert_along_line(poses, begin, end, position, rotation):
 
 def test_a_line(panda, start, line):
     told = []
-    plan = mp.follow(panda, line, 8, **FEW, progress=lambda share, text: told.append((share, text)))
+    plan = mp.follow(panda, line, positions=8, **FEW, progress=lambda share, text: told.append((share, text)))
     poses = assert_followed(panda, plan)
     assert_along_line(poses, start, line.end, *BETWEEN)
     shares = [share for share, _ in told]
@@ -102,7 +102,7 @@ def test_a_line(panda, start, line):
 
 def test_a_circle_ends_as_it_began(panda, start):
     centre = moved(start, [0, 0, -0.1])[:3, 3]
-    plan = mp.follow(panda, CartesianPath.circle(start, centre, [1, 0, 0]), 10, closed=True, **FEW)
+    plan = mp.follow(panda, CartesianPath.circle(start, centre, [1, 0, 0]), positions=10, closed=True, **FEW)
     poses = assert_followed(panda, plan)
     np.testing.assert_allclose(plan.trajectory.q[-1], plan.trajectory.q[0], atol=1e-6)
     spoke = poses[:, :3, 3] - centre
@@ -115,7 +115,9 @@ def test_a_circle_ends_as_it_began(panda, start):
 
 
 def test_a_seam_whose_torch_may_turn(panda, start, line):
-    plan = mp.follow(panda, line, 6, task=mp.Task.pointing(), samples=(16, 10), epsilon=0.7)
+    plan = mp.follow(
+        panda, line, positions=6, samples=(16, 10), epsilon=0.7, objective=mp.PathObjective(task=mp.Task.pointing())
+    )
     poses = assert_followed(panda, plan, axis=(0, 0, 1))
     free = np.array(poses)
     free[:, :3, :3] = start[:3, :3]  # the axis is judged alone
@@ -129,7 +131,9 @@ def test_a_seam_on_a_cylinder_with_a_turning_torch(panda, start):
     """The path itself turns about the free axis: that part of its rotation neither counts nor misleads."""
     centre = moved(start, [0, 0.1, 0])[:3, 3]
     path = CartesianPath.circle(start, centre, [0, 0, 1], 1.5, turning=True)
-    plan = mp.follow(panda, path, 6, task=mp.Task.pointing(), samples=(16, 10), epsilon=0.9)
+    plan = mp.follow(
+        panda, path, positions=6, samples=(16, 10), epsilon=0.9, objective=mp.PathObjective(task=mp.Task.pointing())
+    )
     poses = assert_followed(panda, plan, axis=(0, 0, 1))
     spoke = poses[:, :3, 3] - centre
     assert np.abs(np.linalg.norm(spoke[:, :2], axis=1) - 0.1).max() < BETWEEN[0]
@@ -138,8 +142,8 @@ def test_a_seam_on_a_cylinder_with_a_turning_torch(panda, start):
 @pytest.mark.parametrize("n", [3, 8])
 def test_a_tolerance_is_used_and_kept(panda, start, line, n):
     """Also where few positions leave a spline that would leave the tube between them."""
-    exact = mp.follow(panda, line, n, samples=48, epsilon=1.0)
-    plan = mp.follow(panda, line, n, samples=48, epsilon=1.0, tolerance=mp.Tolerance(position=0.01, rotation=0.1))
+    exact = mp.follow(panda, line, positions=n, samples=48, epsilon=1.0)
+    plan = mp.follow(panda, line, positions=n, samples=48, epsilon=1.0, tolerance=mp.Tolerance(position=0.01, rotation=0.1))
     poses = assert_followed(panda, plan)
     assert_along_line(poses, start, line.end, 0.01, 0.1)
     assert plan.deviation.position > 1e-3
@@ -147,7 +151,7 @@ def test_a_tolerance_is_used_and_kept(panda, start, line, n):
 
 
 def test_a_tolerance_of_rotation_alone_leaves_the_position_as_it_is(panda, start, line):
-    plan = mp.follow(panda, line, 4, samples=48, epsilon=1.0, tolerance=mp.Tolerance(rotation=0.05))
+    plan = mp.follow(panda, line, positions=4, samples=48, epsilon=1.0, tolerance=mp.Tolerance(rotation=0.05))
     poses = assert_followed(panda, plan)
     assert_along_line(poses, start, line.end, BETWEEN[0], 0.05)
     assert angles(poses[:, :3, :3], start[:3, :3]).max() > 0.01
@@ -155,12 +159,12 @@ def test_a_tolerance_of_rotation_alone_leaves_the_position_as_it_is(panda, start
 
 def test_an_obstacle_beside_the_path_is_missed_by_the_clearance(panda, start, line):
     """A ball where the free plan's elbow passes."""
-    free = mp.follow(panda, line, 6, **FEW)
+    free = mp.follow(panda, line, positions=6, **FEW)
     data = panda.model.createData()
     pin.forwardKinematics(panda.model, data, free.trajectory(free.trajectory.duration / 2))
     scene = mp.Scene([mp.Sphere(radius=0.06, position=data.oMi[4].translation.copy(), name="ball")])
     assert scene.in_collision(panda, free.trajectory(free.trajectory.duration / 2))
-    plan = mp.follow(panda, line, 6, scene=scene, clearance=0.02, **FEW)
+    plan = mp.follow(panda, line, positions=6, scene=scene, clearance=0.02, **FEW)
     poses = assert_followed(panda, plan, scene=scene, clearance=0.02)
     assert_along_line(poses, start, line.end, *BETWEEN)
     assert plan.report.clearance >= 0.02 - 1e-6
@@ -169,7 +173,7 @@ def test_an_obstacle_beside_the_path_is_missed_by_the_clearance(panda, start, li
 def test_six_joints_and_torque(ur5):
     begin = ur5.kinematics().pose([0.3, -1.2, 1.4, -1.0, -1.2, 0.4])
     path = CartesianPath.line(begin, moved(begin, [0.05, 0.15, 0.05]))
-    plan = mp.follow(ur5, path, 5, epsilon=0.5, torque=True)
+    plan = mp.follow(ur5, path, positions=5, epsilon=0.5, torque=True)
     poses = assert_followed(ur5, plan)
     assert_along_line(poses, begin, path.end, *BETWEEN)
     assert 0 < plan.report.limits["torque"].ratio <= 1 + 1e-6
@@ -178,7 +182,7 @@ def test_six_joints_and_torque(ur5):
 def test_two_positions_are_enough_for_a_winding_path(panda, start):
     """Both positions are the same pose: the way between them is made of knots, and it is the whole circle."""
     centre = moved(start, [0, 0, -0.08])[:3, 3]
-    plan = mp.follow(panda, CartesianPath.circle(start, centre, [1, 0, 0]), 2, **FEW)
+    plan = mp.follow(panda, CartesianPath.circle(start, centre, [1, 0, 0]), positions=2, **FEW)
     poses = assert_followed(panda, plan)
     spoke = poses[:, 1:3, 3] - centre[1:]
     assert np.abs(np.linalg.norm(spoke, axis=1) - 0.08).max() < BETWEEN[0]
@@ -189,17 +193,45 @@ def test_two_positions_are_enough_for_a_winding_path(panda, start):
 def test_a_tool_that_only_turns(panda, start):
     end = np.array(start)
     end[:3, :3] = start[:3, :3] @ pin.exp3(np.array([0.0, 0.3, 0.6]))
-    plan = mp.follow(panda, CartesianPath.line(start, end), 4, **FEW)
+    plan = mp.follow(panda, CartesianPath.line(start, end), positions=4, **FEW)
     poses = assert_followed(panda, plan)
     assert np.linalg.norm(poses[:, :3, 3] - start[:3, 3], axis=1).max() < BETWEEN[0]
     assert angles(poses[-1:, :3, :3], end[:3, :3]).max() < BETWEEN[1]
+
+
+def test_the_measure_of_the_objective_is_what_counts(panda, start, line):
+    """Its minimum is the largest among the samples and is raised further, by singular values of Pinocchio's Jacobians alone."""
+
+    def inverse_condition(jacobians):
+        values = np.linalg.svd(np.array([1.0] * 3 + [0.5] * 3)[:, None] * jacobians, compute_uv=False)
+        return values.min(axis=-1) / values.max(axis=-1)
+
+    def least(q):
+        data, frame = panda.model.createData(), panda.model.getFrameId(panda.tool)
+        jacobians = [pin.computeFrameJacobian(panda.model, data, each, frame, pin.LOCAL_WORLD_ALIGNED).copy() for each in q]
+        return inverse_condition(np.array(jacobians)).min()
+
+    usual = mp.follow(panda, line, positions=8, **FEW)
+    objective = mp.PathObjective(measure="inverse_condition", power=2.0, metric=np.arange(1.0, 8.0))
+    plan = mp.follow(panda, line, positions=8, objective=objective, **FEW)
+    assert plan.status is mp.Status.FOLLOWED
+    assert plan.search.minimum == pytest.approx(least(plan.search.q), rel=1e-6)
+    assert plan.search.minimum > 1.001 * least(usual.search.q)
+    assert usual.search.minimum > panda.kinematics().manipulability(plan.search.q).min()
+    assert plan.refinement.refined >= plan.search.minimum
+    t, _, poses, jacobians = motion(panda, plan)
+    assert_along_line(poses, start, line.end, *BETWEEN)
+    assert plan.report.measure == plan.result.measure.name == "inverse_condition"
+    assert plan.report.min_manipulability == pytest.approx(inverse_condition(jacobians).min(), rel=1e-3)
+    speed = np.sqrt(plan.trajectory(t, 1) ** 2 @ np.arange(1.0, 8.0))  # power and metric count in the g that is reported
+    assert plan.report.g == pytest.approx(np.trapezoid(speed / inverse_condition(jacobians) ** 2, t), rel=1e-3)
 
 
 # ---- what is not
 
 
 def test_steps_too_small_to_connect(panda, line):
-    plan = mp.follow(panda, line, 4, samples=8, epsilon=0.01, throw=False)
+    plan = mp.follow(panda, line, positions=4, samples=8, epsilon=0.01, throw=False)
     assert plan.status is mp.Status.NOT_CONNECTED and not plan.status.has_path
     assert plan.trajectory is None and plan.report is None
     smallest = plan.search.smallest_epsilon
@@ -208,22 +240,22 @@ def test_steps_too_small_to_connect(panda, line):
     with pytest.raises(mp.PlanningError, match="no trajectory to save"):
         plan.save("nowhere")
     with pytest.raises(mp.PlanningError, match="can be reached from position") as caught:
-        mp.follow(panda, line, 4, samples=8, epsilon=0.01)
-    assert isinstance(caught.value.result, mp.Plan)
+        mp.follow(panda, line, positions=4, samples=8, epsilon=0.01)
+    assert type(caught.value.result) is mp.PartialPlan
     assert caught.value.result.status is mp.Status.NOT_CONNECTED
-    again = mp.follow(panda, line, 4, samples=8, epsilon=1.001 * smallest, throw=False)
+    again = mp.follow(panda, line, positions=4, samples=8, epsilon=1.001 * smallest, throw=False)
     assert again.search.connected
 
 
 def test_a_path_out_of_reach_between_its_positions(panda, start):
     """Both ends are reached, the middle a metre further is not: knots cannot mend that, and the check tells."""
     path = CartesianPath.through([start, moved(start, [1.0, 0, 0]), moved(start, [0, 0.1, 0])])
-    plan = mp.follow(panda, path, 2, throw=False, **FEW)
+    plan = mp.follow(panda, path, positions=2, throw=False, **FEW)
     assert plan.status is mp.Status.CHECK_FAILED and not plan.status.has_path
     assert "leaves the path by" in plan.message and "Take more positions" in plan.message
     assert not plan.report.passed and "CHECK FAILED" in str(plan.report)
     with pytest.raises(mp.PlanningError, match="leaves the path by") as caught:
-        mp.follow(panda, path, 2, **FEW)
+        mp.follow(panda, path, positions=2, **FEW)
     assert caught.value.result.status is mp.Status.CHECK_FAILED
 
 
@@ -241,35 +273,35 @@ class OutAndBack(CartesianPath):
 def test_a_motion_that_would_turn_back_early(panda, start):
     """No position lies at the far end, and each pose of a spline that turns back before it is near the path."""
     tube = mp.Tolerance(position=0.01, rotation=0.1)
-    plan = mp.follow(panda, OutAndBack(start, 0.15), 4, samples=48, epsilon=1.0, tolerance=tube)
+    plan = mp.follow(panda, OutAndBack(start, 0.15), positions=4, samples=48, epsilon=1.0, tolerance=tube)
     poses = assert_followed(panda, plan)
     assert poses[:, 0, 3].max() - start[0, 3] > 0.14
-    far = mp.follow(panda, OutAndBack(start, 1.0), 2, throw=False, **FEW)
+    far = mp.follow(panda, OutAndBack(start, 1.0), positions=2, throw=False, **FEW)
     assert far.status is mp.Status.CHECK_FAILED  # out of reach
 
 
 def test_positions_inside_an_obstacle(panda, start, line):
     scene = mp.Scene([mp.Sphere(radius=0.05, position=line(0.5)[:3, 3], name="ball")])
     with pytest.raises(mp.InvalidInputError, match=r"path, position \d of 0 to 4 .*touches|comes nearer"):
-        mp.follow(panda, line, 5, scene=scene, **FEW)
+        mp.follow(panda, line, positions=5, scene=scene, **FEW)
 
 
 def test_an_obstacle_between_positions_fails_the_check(panda, start, line):
     """Thin enough to stand between two positions: candidates are free, the motion between them is not."""
     scene = mp.Scene([mp.Sphere(radius=0.01, position=line(0.5)[:3, 3], name="bead")])
-    plan = mp.follow(panda, line, 2, scene=scene, throw=False, **FEW)
+    plan = mp.follow(panda, line, positions=2, scene=scene, throw=False, **FEW)
     assert plan.status is mp.Status.CHECK_FAILED
     assert not plan.report.collision_free and not plan.report.passed
 
 
 def test_a_path_without_length(panda, start):
     with pytest.raises(mp.InvalidInputError, match="a path with a length of at least"):
-        mp.follow(panda, CartesianPath.line(start, start), 2, **FEW)
+        mp.follow(panda, CartesianPath.line(start, start), positions=2, **FEW)
 
 
 def test_limits_that_gravity_exceeds(panda, line):
     weak = panda.with_limits(effort=np.array([87.0, 3.0, 87, 87, 12, 12, 12]))
-    plan = mp.follow(weak, line, 4, torque=True, throw=False, **FEW)
+    plan = mp.follow(weak, line, positions=4, torque=True, throw=False, **FEW)
     assert plan.status is mp.Status.NO_TIMING
     assert plan.path is not None and "gravity alone loads" in plan.message
 
@@ -281,17 +313,19 @@ def test_limits_that_gravity_exceeds(panda, line):
         ({"robot": None}, "robot: got None"),
         ({"path": "path.csv"}, "path: got 'path.csv'"),
         ({"path": np.eye(4)}, "path: .*a CartesianPath"),
-        ({"n": 1}, "n: got 1"),
-        ({"n": -5}, "n: got -5"),
-        ({"n": "50"}, "n: got '50'"),
+        ({"positions": 1}, "positions: got 1"),
+        ({"positions": -5}, "positions: got -5"),
+        ({"positions": "50"}, "positions: got '50'"),
         ({"epsilon": 0.0}, "epsilon: got 0.0"),
         ({"epsilon": -0.1}, "epsilon: got -0.1"),
         ({"epsilon": np.nan}, "epsilon: got nan"),
         ({"epsilon": "0.1"}, "epsilon: got '0.1'"),
         ({"epsilon": None}, "epsilon: got None"),
         ({"epsilon": [0.1] * 6}, "epsilon: .*7 of them"),
-        ({"task": "pose"}, "task: got 'pose'"),
-        ({"task": mp.Task.orientation()}, "task: got 'orientation'"),
+        ({"objective": 1.0}, "objective: got 1.0; allowed: a PathObjective"),
+        ({"objective": None}, "objective: got None; allowed: a PathObjective"),
+        ({"objective": {"task": "pose"}}, "task: got 'pose'"),
+        ({"objective": {"task": mp.Task.orientation()}}, "task: got 'orientation'"),
         ({"samples": 0}, "samples: got 0"),
         ({"samples": "all"}, "samples: got 'all'"),
         ({"samples": (10, 10)}, "samples: .*one for each of"),
@@ -311,7 +345,33 @@ def test_limits_that_gravity_exceeds(panda, line):
 )
 def test_wrong_arguments_raise_before_work_starts(panda, line, change, message):
     told = []
-    arguments = {"robot": panda, "path": line, "n": 3, "throw": False, "progress": lambda *tell: told.append(tell), **change}
+    arguments = {
+        "robot": panda,
+        "path": line,
+        "positions": 3,
+        "throw": False,
+        "progress": lambda *tell: told.append(tell),
+        **change,
+    }
     with pytest.raises(mp.InvalidInputError, match=message):
+        if isinstance(arguments.get("objective"), dict):
+            arguments["objective"] = mp.PathObjective(**arguments["objective"])
         mp.follow(**{**FEW, **arguments})
+    assert told == []
+
+
+@pytest.mark.parametrize(
+    ("objective", "message"),
+    [
+        (
+            mp.PathObjective(measure="condition_number"),
+            "measure: got 'condition_number'; allowed: a measure that is at least zero",
+        ),
+        (mp.PathObjective(metric=[1.0, 2.0]), "metric: got"),
+    ],
+)
+def test_objectives_that_do_not_fit_are_refused_before_the_work(panda, line, objective, message):
+    told = []
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.follow(panda, line, objective=objective, progress=lambda *each: told.append(each))
     assert told == []

@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.search.guilamo import GuilamoStatus, guilamo_search
+from manipplan.search.guilamo import guilamo_search
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import max_min_search
+from manipplan.support.status import Status
 
 
 def layers(*each, **more):
@@ -20,7 +21,7 @@ def test_one_start_suffices_where_the_bound_is_reached():
     assert result.start == (1, 0)  # the layer whose best is the least, its best candidate
     assert (result.new_starts, result.branches) == (1, 2)
     np.testing.assert_array_equal(result.indices, [0, 0, 0])
-    assert (result.minimum, result.status) == (3.0, GuilamoStatus.FOUND)
+    assert (result.minimum, result.status) == (3.0, Status.PROVEN_OPTIMAL)
     assert result.status.ok
 
 
@@ -59,7 +60,7 @@ def test_memory_saves_what_back_tracking_repeats():
 def test_it_gives_up_after_so_many_branches():
     each = dead_end(4, 30)
     result = guilamo_search(each, 0.15, most_branches=100_000, throw=False)
-    assert result.status is GuilamoStatus.GAVE_UP
+    assert result.status is Status.GAVE_UP
     assert result.branches == 100_000
     assert result.q.shape == (0, 1)
     assert (len(result.indices), result.minimum) == (0, -np.inf)
@@ -72,9 +73,9 @@ def test_it_gives_up_after_so_many_branches():
 def test_every_candidate_up_to_the_bound_is_a_start_where_nothing_connects():
     each = layers([(0.0, 5.0), (0.1, 2.0)], [(9.0, 4.0), (9.1, 4.0)])
     result = guilamo_search(each, 0.5, throw=False)
-    assert result.status is GuilamoStatus.NOT_CONNECTED
+    assert result.status is Status.NOT_CONNECTED
     assert (result.new_starts, result.branches) == (3, 0)
-    with pytest.raises(mp.PlanningError, match="raise epsilon"):
+    with pytest.raises(mp.PlanningError, match="take a larger epsilon"):
         guilamo_search(each, 0.5)
 
 

@@ -81,21 +81,21 @@ def test_a_device_that_is_full(tmp_path):
 def test_seeds_are_bounded(planar, seed):
     pose = planar.kinematics(mp.Task.pose()).pose(planar.neutral)
     with pytest.raises(mp.InvalidInputError, match="seed: got .*a whole number, at least 0, at most 2147483647"):
-        mp.plan(planar, [0.0, 1.0, 1.0], [1.0, 1.0, 1.0], seed=seed)
+        mp.Seeding(seed=seed)
     with pytest.raises(mp.InvalidInputError, match="seed: got .*at most 2147483647"):
         mp.inverse_kinematics(planar, pose, seed=seed)
 
 
-def test_numbers_of_seeds_are_bounded(planar):
-    with pytest.raises(mp.InvalidInputError, match="seeds: got .*at most 10000"):
-        mp.plan(planar, [0.0, 1.0, 1.0], [1.0, 1.0, 1.0], seeds=10**19)
+def test_numbers_of_first_paths_are_bounded():
+    with pytest.raises(mp.InvalidInputError, match="count: got .*at most 10000"):
+        mp.Seeding(count=10**19)
 
 
 def test_motions_of_too_many_time_steps(planar):
     slow = planar.with_limits(velocity=1e-9)
     line = mp.JointPath.line([0.0, 1.0, 1.0], [1.0, 1.0, 1.0])
     with pytest.raises(mp.InvalidInputError, match="at most 1,000,000 time steps"):
-        mp.improve(slow, mp.retime(line, planar.limits, joint_names=planar.joint_names))
+        mp.improve(slow, mp.retime(line, planar))
     path = mp.CartesianPath.line(planar.kinematics().pose([0.0, 1.0, 1.0]), planar.kinematics().pose([0.1, 1.0, 1.0]))
     with pytest.raises(mp.InvalidInputError, match="at most 1,000,000 time steps"):
-        mp.track(planar, path, [0.0, 1.0, 1.0], 1e-9, mp.LogDrive(), duration=1.0)
+        mp.track(planar, path, [0.0, 1.0, 1.0], mp.formulations.LogDrive(), dt=1e-9, duration=1.0)

@@ -47,7 +47,7 @@ def test_a_demonstration_of_positions_alone_is_read(panda, recording, tmp_path):
 
 def test_a_planned_path_is_timed_first(panda):
     path = mp.JointPath.line(panda.neutral, panda.neutral + np.array([0.5, 0.3, 0.0, 0.4, 0.0, 0.2, 0.0]))
-    plan = mp.improve(panda, path, mp.Equality(5e5))
+    plan = mp.improve(panda, path, formulation=mp.formulations.Equality(5e5))
     assert plan.report.passed
 
 
@@ -74,3 +74,8 @@ def test_wrong_recordings_are_refused(panda, recording):
         mp.improve(panda, "nowhere.csv")
     with pytest.raises(mp.InvalidInputError, match="recorded"):
         mp.improve(panda, np.zeros((3, 7)))
+
+
+def test_an_objective_of_another_type_is_refused(panda, recording):
+    with pytest.raises(mp.InvalidInputError, match="objective: got 'yoshikawa'; allowed: a PathObjective"):
+        mp.improve(panda, recording, objective="yoshikawa")

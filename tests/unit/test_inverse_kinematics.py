@@ -132,7 +132,7 @@ def test_answers_are_sound(arm, rng, name):
     assert found.missing == 0.0
     sound(robot, found, poses)
     for k, each in enumerate(q):
-        assert apart(robot, found.of(k), each).min() < 1e-6
+        assert apart(robot, found.for_pose(k), each).min() < 1e-6
 
 
 @pytest.mark.parametrize("name", ["panda", "ur5", "xarm7", "kinova", "z1", "talos_right_arm", "tiago"])
@@ -380,13 +380,13 @@ def test_batches(panda, rng):
     poses = np.array([pose_of(panda, each) for each in q])
     poses[2, :3, 3] += 10.0
     found = mp.inverse_kinematics(panda, poses, samples=20)
-    assert set(found.pose_index) == {0, 1, 3} and found.of(2).shape == (0, 7)
+    assert set(found.pose_index) == {0, 1, 3} and found.for_pose(2).shape == (0, 7)
     for k in (0, 1, 3):
         alone = mp.inverse_kinematics(panda, poses[k], samples=20)
-        assert np.array_equal(alone.q, found.of(k)) and len(alone)
+        assert np.array_equal(alone.q, found.for_pose(k)) and len(alone)
     of_list = mp.inverse_kinematics(panda, [pin.SE3(pose) for pose in poses], samples=20)
     one = mp.inverse_kinematics(panda, pin.SE3(poses[1]), samples=20)
-    assert np.allclose(of_list.q, found.q, atol=1e-9) and np.allclose(one.q, found.of(1), atol=1e-9)
+    assert np.allclose(of_list.q, found.q, atol=1e-9) and np.allclose(one.q, found.for_pose(1), atol=1e-9)
     assert not len(mp.inverse_kinematics(panda, poses[:0], samples=20))
 
 

@@ -11,7 +11,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.robots.description import frame_index
+from manipplan.robots.model_tree import frame_index
 
 GOLDEN = [0.0, -0.3, 0.0, -2.2, 0.0, 2.0, np.pi / 4]
 

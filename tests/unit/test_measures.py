@@ -161,8 +161,8 @@ def test_ellipsoids(panda, rng):
     np.testing.assert_allclose(velocity.radii[::-1] * force.radii, 1.0)
     np.testing.assert_allclose(np.abs(np.sum(velocity.axes[:, ::-1] * force.axes, axis=0)), 1.0)
     assert velocity.volume == pytest.approx(4 / 3 * np.pi * kinematics.manipulability(q))
-    dynamic_index = panda.kinematics(mp.Task.position(), measure="dynamic").manipulability(q)
-    assert dynamic.volume == pytest.approx(4 / 3 * np.pi * dynamic_index)
+    dynamic_value = panda.kinematics(mp.Task.position(), measure="dynamic").manipulability(q)
+    assert dynamic.volume == pytest.approx(4 / 3 * np.pi * dynamic_value)
     torque = rng.normal(size=7)
     inside = jacobian @ np.linalg.solve(mass, torque / np.linalg.norm(torque))
     assert np.linalg.norm(np.linalg.solve(dynamic.axes * dynamic.radii, inside)) <= 1 + 1e-12

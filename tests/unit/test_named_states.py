@@ -28,26 +28,26 @@ def arm(two_link_urdf, tmp_path):
 
 
 def test_states_of_all_active_joints_are_known(arm):
-    assert list(arm.named_states) == ["home", "ready", "far"]
-    np.testing.assert_array_equal(arm.named_states["ready"], [-1.5, 0.3])
-    np.testing.assert_array_equal(arm.named_states["home"], [0.5, 0.1])  # not that of the gripper
+    assert list(arm.states) == ["home", "ready", "far"]
+    np.testing.assert_array_equal(arm.states["ready"], [-1.5, 0.3])
+    np.testing.assert_array_equal(arm.states["home"], [0.5, 0.1])  # not that of the gripper
     with pytest.raises(ValueError, match="read-only"):
-        arm.named_states["home"][0] = 1.0
+        arm.states["home"][0] = 1.0
 
 
 def test_another_name_is_told_with_the_nearest(arm, planar):
     with pytest.raises(mp.UnknownNameError, match=r"named state: got 'redy'; allowed: did you mean ready"):
-        arm.named_states["redy"]
+        arm.states["redy"]
     with pytest.raises(mp.UnknownNameError, match="read without an SRDF"):
-        planar.named_states["home"]
-    assert "redy" not in arm.named_states
-    assert arm.named_states.get("redy") is None
+        planar.states["home"]
+    assert "redy" not in arm.states
+    assert arm.states.get("redy") is None
 
 
 def test_states_follow_the_arm(arm):
     for other in (arm.with_limits(velocity=1.0), copy.deepcopy(arm), pickle.loads(pickle.dumps(arm)), arm.source.load()):
-        assert list(other.named_states) == ["home", "ready", "far"]
-        np.testing.assert_array_equal(other.named_states["ready"], [-1.5, 0.3])
+        assert list(other.states) == ["home", "ready", "far"]
+        np.testing.assert_array_equal(other.states["ready"], [-1.5, 0.3])
 
 
 @pytest.mark.parametrize(
@@ -64,7 +64,7 @@ def test_states_follow_the_arm(arm):
 )
 def test_states_are_those_pinocchio_reads(name, states):
     robot = mp.load_robot(name)
-    assert list(robot.named_states) == states
+    assert list(robot.states) == states
     if not states:
         return
     from manipplan.robots.catalog import CATALOG, _descriptions
@@ -73,7 +73,7 @@ def test_states_are_those_pinocchio_reads(name, states):
     pin.loadReferenceConfigurations(whole, str(_descriptions() / CATALOG[name].folder / CATALOG[name].srdf), False)
     for state in states:
         q = whole.referenceConfigurations[state]
-        for joint, value in zip(robot.joint_names, robot.named_states[state], strict=True):
+        for joint, value in zip(robot.joint_names, robot.states[state], strict=True):
             at = whole.joints[whole.getJointId(joint)]
             theirs = q[at.idx_q] if at.nq == 1 else np.arctan2(q[at.idx_q + 1], q[at.idx_q])
             assert np.cos(theirs - value) == pytest.approx(1.0, abs=1e-12) if at.nq == 2 else theirs == value
@@ -81,15 +81,15 @@ def test_states_are_those_pinocchio_reads(name, states):
 
 def test_a_plan_from_a_named_state(panda, tmp_path, capsys):
     """From the state of the catalogue's SRDF to one of a file, by the command."""
-    goal = panda.named_states["default"] + 0.2
-    panda.to_srdf(tmp_path / "own.srdf", {**panda.named_states, "aside": goal})
+    goal = panda.states["default"] + 0.2
+    panda.to_srdf(tmp_path / "own.srdf", {**panda.states, "aside": goal})
     names = ["--start", "default", "--goal", "aside", "--srdf", str(tmp_path / "own.srdf")]
     code = main(["plan", "panda", *names, "--out", str(tmp_path / "out")])
     assert code == 0, capsys.readouterr().err
     trajectory = mp.Trajectory.from_json(tmp_path / "out" / "trajectory.json")
-    np.testing.assert_allclose(trajectory.q[[0, -1]], [panda.named_states["default"], goal], atol=1e-9)
+    np.testing.assert_allclose(trajectory.q[[0, -1]], [panda.states["default"], goal], atol=1e-9)
     again = mp.Plan.load(tmp_path / "out")
-    np.testing.assert_array_equal(again.robot.named_states["aside"], goal)
+    np.testing.assert_array_equal(again.robot.states["aside"], goal)
     assert json.loads((tmp_path / "out" / "plan.json").read_text())["robot"]["source"]["name"] == "panda"
 
 
@@ -117,7 +117,7 @@ def test_the_srdf_that_is_written_is_read_by_pinocchio(panda, tmp_path, rng):
         for joint, value in zip(panda.joint_names, q, strict=True):
             assert whole.referenceConfigurations[name][whole.joints[whole.getJointId(joint)].idx_q] == value
     again = mp.load_robot("panda", srdf=file)
-    assert list(again.named_states) == list(states)
+    assert list(again.states) == list(states)
     assert again.disabled_pairs == panda.disabled_pairs
     assert again.joint_names == panda.joint_names
 

@@ -10,7 +10,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.cost.density import energy_density, length_density
-from manipplan.cost.objective import PathObjective
+from manipplan.cost.integral import PathIntegral
 from manipplan.measures.names import MEASURES
 from manipplan.optimize import basis, clearance
 from manipplan.optimize.clearance import row_functions
@@ -56,14 +56,16 @@ def test_straight_lines_have_the_thesis_values(planar, problem):
 
 
 def test_cost_equals_a_plain_sum(planar):
-    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2)
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2))
     assert result.g == pytest.approx(g_by_hand(planar, result.path, 2), rel=1e-8)
     assert result.length == pytest.approx(result.path.length)
 
 
 def test_the_thesis_comparison_of_section_6_3(planar):
     """Table 6.4 prints g / g_L = 0.27, under a column headed the other way round (ERRATA)."""
-    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], degree=6, power=2)
+    result = mp.optimize_path(
+        planar, [0, 1.5, -2], [np.pi, -2, 2], shape=mp.PathShape(degree=6), objective=mp.PathObjective(power=2)
+    )
     assert result.status is mp.Status.OPTIMAL
     assert result.g / result.seed_cost.g == pytest.approx(0.27, abs=0.006)
     assert result.seed_cost.length / result.length == pytest.approx(0.92, abs=0.006)
@@ -73,26 +75,38 @@ def test_the_thesis_comparison_of_section_6_3(planar):
 @pytest.mark.parametrize(("problem", "degree"), [(problem, degree) for problem in TABLES for degree in TABLES[problem]])
 def test_no_value_of_the_thesis_is_lower(planar, problem, degree):
     start, goal, *_ = THESIS[problem]
-    assert round(mp.optimize_path(planar, start, goal, degree=degree, power=2).g, 4) <= TABLES[problem][degree]
+    assert (
+        round(
+            mp.optimize_path(planar, start, goal, shape=mp.PathShape(degree=degree), objective=mp.PathObjective(power=2)).g, 4
+        )
+        <= TABLES[problem][degree]
+    )
 
 
 @pytest.mark.parametrize("case", BEST_OF_60)
 def test_g_is_the_best_of_sixty_random_starts(planar, case):
     problem, power, degree = case
     start, goal, *_ = THESIS[problem]
-    assert mp.optimize_path(planar, start, goal, degree=degree, power=power).g < BEST_OF_60[case] * (1 + 1e-6)
+    assert mp.optimize_path(
+        planar, start, goal, shape=mp.PathShape(degree=degree), objective=mp.PathObjective(power=power)
+    ).g < BEST_OF_60[case] * (1 + 1e-6)
 
 
 @pytest.mark.parametrize("power", [0.5, 1, 2])
 def test_higher_degrees_never_have_a_higher_g(planar, power):
     start, goal, *_ = THESIS["6.12"]
-    costs = [mp.optimize_path(planar, start, goal, degree=k, power=power).g for k in (1, 2, 3, 5, 8)]
+    costs = [
+        mp.optimize_path(planar, start, goal, shape=mp.PathShape(degree=k), objective=mp.PathObjective(power=power)).g
+        for k in (1, 2, 3, 5, 8)
+    ]
     assert (np.diff(costs) < 1e-6 * costs[-1]).all()
     assert costs[-1] < 0.95 * costs[0]
 
 
 def test_no_small_change_of_the_solution_lowers_g(planar, rng):
-    result = mp.optimize_path(planar, [0.0, 1.5, -2], [np.pi, -2, 2], degree=5, power=2)
+    result = mp.optimize_path(
+        planar, [0.0, 1.5, -2], [np.pi, -2, 2], shape=mp.PathShape(degree=5), objective=mp.PathObjective(power=2)
+    )
     for size in (1e-3, 1e-2):
         for _ in range(20):
             control = result.path.control.copy()
@@ -103,7 +117,7 @@ def test_no_small_change_of_the_solution_lowers_g(planar, rng):
 
 def test_the_descent_lowers_g_among_obstacles_too(planar):
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.0, 0.0), name="post")])
-    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2, scene=post)
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2), scene=post)
     assert result.g == result.history[-1].g
     assert result.g < min(step.g for step in result.history[:-1] if step.clearance > 0)
     assert post.collision_model(planar).path_is_free(result.path, 1e-3)
@@ -112,7 +126,7 @@ def test_the_descent_lowers_g_among_obstacles_too(planar):
 def test_a_dip_beside_a_row_gets_a_row_of_its_own(planar):
     """A path that dipped 46 mm into this post right beside a row was solved again and again without another one."""
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
-    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2, scene=post)
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2), scene=post)
     assert result.status is mp.Status.OPTIMAL
     assert result.g < 0.8 * result.seed_cost.g
 
@@ -153,7 +167,7 @@ def test_densities_have_exact_derivatives(name, measure, metric, kind, rng):
     robot = mp.planar_arm([1.0, 1.0, 1.0]) if name == "planar" else mp.load_robot(name)
     n = robot.n
     W = {None: None, "weights": np.diag(np.arange(1.0, n + 1)), "matrix": np.eye(n) + 0.3}[metric]
-    density = kind(PathObjective(kinematics=robot.kinematics(measure=measure), power=1.5, metric=W))
+    density = kind(PathIntegral(kinematics=robot.kinematics(measure=measure), power=1.5, metric=W))
     x, numbers = ca.SX.sym("x", 2 * n), [0.7, 1.5]  # g0 and the exponent
     value = ca.Function("value", [x], [density.value(x[:n], x[n:], numbers)])
     eps = 1e-6
@@ -174,17 +188,17 @@ def test_densities_have_exact_derivatives(name, measure, metric, kind, rng):
 def test_a_metric_is_a_change_of_joint_units(planar):
     """With W = diag(w²) g is that of the Euclidean norm of w θ, here by a plain sum; equal weights only scale it."""
     start, goal = [0, 1.5, -2], [np.pi, -2, 2]
-    plain = mp.optimize_path(planar, start, goal, power=2)
-    scaled = mp.optimize_path(planar, start, goal, power=2, metric=[9.0, 9.0, 9.0])
+    plain = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2))
+    scaled = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2, metric=[9.0, 9.0, 9.0]))
     assert scaled.g == pytest.approx(3 * plain.g, rel=1e-7)
     weights = np.array([9.0, 1.0, 0.25])
-    weighed = mp.optimize_path(planar, start, goal, power=2, metric=weights)
+    weighed = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2, metric=weights))
     s = np.linspace(0, 1, 100_001)
     v, index = weighed.path(s, 1), planar.kinematics().manipulability(weighed.path(s))
     assert weighed.g == pytest.approx(np.trapezoid(np.sqrt((weights * v**2).sum(axis=1)) / index**2, s), rel=1e-7)
     assert weighed.g < mp.path_cost(plain.path, planar.kinematics(), 2, metric=weights).g
     assert plain.g < mp.path_cost(weighed.path, planar.kinematics(), 2).g
-    full = mp.optimize_path(planar, start, goal, power=2, metric=np.diag(weights))
+    full = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2, metric=np.diag(weights)))
     assert full.g == weighed.g
     np.testing.assert_array_equal(full.metric, np.diag(weights))
 
@@ -193,29 +207,33 @@ def test_a_metric_is_a_change_of_joint_units(planar):
 def test_any_measure_that_grows_is_raised(planar, measure):
     """Its g is below those of the straight line and of the path that is best for Yoshikawa's index."""
     start, goal, *_ = THESIS["6.12"]
-    result = mp.optimize_path(planar, start, goal, power=1, measure=measure)
+    result = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=1, measure=measure))
     kinematics = planar.kinematics(measure=measure)
     assert result.status.ok
     assert result.measure.name == measure
     assert result.g == pytest.approx(mp.path_cost(result.path, kinematics, 1).g)
-    usual = mp.optimize_path(planar, start, goal, power=1)
+    usual = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=1))
     assert result.g <= mp.path_cost(usual.path, kinematics, 1).g * (1 + 1e-9)
     assert result.g < result.seed_cost.g
 
 
 def test_a_measure_with_a_direction(planar):
-    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], measure=mp.VelocityTransmission(direction=[1.0, 0.0]))
+    result = mp.optimize_path(
+        planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(measure=mp.VelocityTransmission(direction=[1.0, 0.0]))
+    )
     assert result.status.ok
     assert result.g < result.seed_cost.g
 
 
 def test_degree_one_is_the_straight_line(planar, demo_problem):
     detour = mp.JointPath.through([[0, 1.5, -2], [1.0, 1.0, 1.0], [np.pi, -2, 2]])
-    for options in ({}, {"initial": detour}, {"scene": mp.Scene()}):
-        result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], degree=1, power=2, **options)
+    for options in ({}, {"seeding": mp.Seeding(initial=detour)}, {"scene": mp.Scene()}):
+        result = mp.optimize_path(
+            planar, [0, 1.5, -2], [np.pi, -2, 2], shape=mp.PathShape(degree=1), objective=mp.PathObjective(power=2), **options
+        )
         assert result.path.degree == 1
         assert result.status in (mp.Status.OPTIMAL, mp.Status.SEED_IS_BETTER)
-    assert mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], degree=1).path.degree == 1
+    assert mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], shape=mp.PathShape(degree=1)).path.degree == 1
 
 
 @pytest.mark.parametrize("power", [0.5, 1.0, 2.0])
@@ -223,10 +241,10 @@ def test_degree_one_is_the_straight_line(planar, demo_problem):
 def test_a_path_that_is_singular_all_along_costs_no_time(planar, power, folded):
     """Its index is rounding errors, 1e-16 m^2, of which every finer panel sees others: halving went on for ever."""
     path = mp.JointPath.line([0.1, folded, 0.0], [0.9, folded, 0.0])
-    cost = PathObjective(kinematics=planar.kinematics(), power=power).cost(path)
+    cost = PathIntegral(kinematics=planar.kinematics(), power=power).cost(path)
     assert cost.g == np.inf
     assert cost.min_manipulability < 1e-12
-    plan = mp.plan(planar, path.start, path.goal, power=power, throw=False)
+    plan = mp.plan(planar, path.start, path.goal, objective=mp.PathObjective(power=power), throw=False)
     assert plan.report.seed_g == np.inf
     assert plan.report.min_manipulability < 1e-12
 
@@ -245,18 +263,24 @@ def test_an_interior_singularity_is_seen():
 
 
 def test_a_full_turn_to_the_same_place_is_a_shift(planar):
-    result = mp.optimize_path(planar, [2 * np.pi, 1.0, 1.0], [0.0, 1.0, 1.0], power=2, shifts="within-limits")
+    result = mp.optimize_path(
+        planar,
+        [2 * np.pi, 1.0, 1.0],
+        [0.0, 1.0, 1.0],
+        objective=mp.PathObjective(power=2),
+        seeding=mp.Seeding(shifts="within-limits"),
+    )
     assert np.abs(result.path.goal - [2 * np.pi, 1.0, 1.0]).max() > 1
 
 
 def test_joint_limits_hold_on_the_whole_curve(planar):
     start, goal, *_ = THESIS["6.12"]
-    free = mp.optimize_path(planar, start, goal, power=2)
+    free = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2))
     low, high = free.path.bounds()
     ends = np.minimum(start, goal), np.maximum(start, goal)
     assert max((ends[0] - low).max(), (high - ends[1]).max()) > 0.1, "the limits below must bind"
     tight = planar.with_limits(lower=0.3 * low + 0.7 * ends[0] - 1e-3, upper=0.3 * high + 0.7 * ends[1] + 1e-3)
-    held = mp.optimize_path(tight, start, goal, power=2)
+    held = mp.optimize_path(tight, start, goal, objective=mp.PathObjective(power=2))
     low, high = held.path.bounds()
     assert held.status is mp.Status.OPTIMAL
     assert max(tight.limits.outside(low).max(), tight.limits.outside(high).max()) < 1e-7
@@ -266,8 +290,10 @@ def test_joint_limits_hold_on_the_whole_curve(planar):
 def test_shifted_goals_find_a_better_turn(planar):
     """The first path of section 6.2 is much better with a goal 2π away (ERRATA)."""
     start, goal, *_ = THESIS["6.10"]
-    plain = mp.optimize_path(planar, start, goal, power=2)
-    shifted = mp.optimize_path(planar, start, goal, power=2, shifts="within-limits")
+    plain = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2))
+    shifted = mp.optimize_path(
+        planar, start, goal, objective=mp.PathObjective(power=2), seeding=mp.Seeding(shifts="within-limits")
+    )
     assert shifted.g < 0.9 * plain.g
     turns = (shifted.path.goal - np.array(goal)) / (2 * np.pi)
     np.testing.assert_allclose(turns, np.round(turns), atol=1e-12)
@@ -275,17 +301,17 @@ def test_shifted_goals_find_a_better_turn(planar):
 
 def test_rivals_are_other_paths_best_first(planar):
     start, goal, *_ = THESIS["6.10"]
-    best = mp.optimize_path(planar, start, goal, power=2, seeds=8)
+    best = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2), seeding=mp.Seeding(count=8))
     costs = [each.g for each in (best, *best.rivals)]
     assert len(costs) > 1
     assert costs == sorted(costs)
-    assert best.g == pytest.approx(mp.optimize_path(planar, start, goal, power=2).g, rel=1e-6)
+    assert best.g == pytest.approx(mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2)).g, rel=1e-6)
     s = np.linspace(0, 1, 201)
     for first, second in itertools.combinations((best, *best.rivals), 2):
         apart = np.linalg.norm(first.path(s)[:, None] - second.path(s)[None], axis=2).min(axis=1).max()
         assert apart > 1e-2, "one and the same path"
     assert all(rival.rivals == () for rival in best.rivals)
-    again = mp.optimize_path(planar, start, goal, power=2, seeds=8)
+    again = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2), seeding=mp.Seeding(count=8))
     assert [each.g for each in (again, *again.rivals)] == costs
 
 
@@ -293,7 +319,8 @@ def test_rivals_are_other_paths_best_first(planar):
 def around_a_post(planar):
     """A post that the arm can pass on the inner or the outer side, or turn away from the long way round."""
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
-    options = {"power": 2, "scene": post, "seeds": 6, "shifts": "within-limits"}
+    seeding = mp.Seeding(count=6, shifts="within-limits")
+    options = {"scene": post, "objective": mp.PathObjective(power=2), "seeding": seeding}
     bounded = planar.with_limits(lower=np.full(3, -np.pi), upper=np.full(3, 1.5 * np.pi))
     return bounded, options, mp.optimize_path(bounded, [0, 1.5, -2], [np.pi, -2, 2], **options)
 
@@ -307,7 +334,10 @@ def test_shifted_goals_and_several_classes_among_obstacles(around_a_post):
     assert [each.g for each in every] == sorted(each.g for each in every)
     model = options["scene"].collision_model(robot)
     assert all(model.path_is_free(each.path, 1e-3) for each in every)
-    assert best.g <= mp.optimize_path(robot, [0, 1.5, -2], [np.pi, -2, 2], power=2, scene=options["scene"]).g
+    assert (
+        best.g
+        <= mp.optimize_path(robot, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2), scene=options["scene"]).g
+    )
 
 
 @pytest.mark.parametrize("kind", [ThreadPoolExecutor, ProcessPoolExecutor])
@@ -346,10 +376,11 @@ ORDERS = {"start_slope": (0.0, 1), "goal_slope": (1.0, 1), "start_bend": (0.0, 2
 @pytest.mark.parametrize(("conditions", "least"), ENDS)
 def test_end_derivatives_are_met(planar, conditions, least):
     start, goal = [0, 1.5, -2], [np.pi, -2, 2]
-    free = mp.optimize_path(planar, start, goal, degree=8, power=2)
+    free = mp.optimize_path(planar, start, goal, shape=mp.PathShape(degree=8), objective=mp.PathObjective(power=2))
     costs = []
     for degree in (least, least + 1, least + 3, 12):
-        result = mp.optimize_path(planar, start, goal, degree=degree, power=2, **conditions)
+        shape = mp.PathShape(degree=degree, **conditions)
+        result = mp.optimize_path(planar, start, goal, shape=shape, objective=mp.PathObjective(power=2))
         assert result.status is mp.Status.OPTIMAL
         for name, value in conditions.items():
             np.testing.assert_allclose(result.path(*ORDERS[name]), value, atol=1e-8)
@@ -357,38 +388,52 @@ def test_end_derivatives_are_met(planar, conditions, least):
         costs.append(result.g)
     assert (np.diff(costs[1:]) < 1e-6).all()
     assert free.g * (1 - 1e-4) < costs[-1] < 1.3 * free.g
+    too_low = mp.PathShape(degree=least - 1, **conditions)
     with pytest.raises(mp.InvalidInputError, match=f"degree: got {least - 1}; allowed: at least {least}"):
-        mp.optimize_path(planar, start, goal, degree=least - 1, power=2, **conditions)
+        mp.optimize_path(planar, start, goal, shape=too_low, objective=mp.PathObjective(power=2))
 
 
 def test_end_derivatives_among_obstacles_and_limits(planar):
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
     rest = {"start_slope": np.zeros(3), "goal_slope": np.zeros(3)}
     start, goal = [0, 1.5, -2], [np.pi, -2, 2]
-    result = mp.optimize_path(planar, start, goal, degree=9, power=2, scene=post, **rest)
+    result = mp.optimize_path(
+        planar, start, goal, post, shape=mp.PathShape(degree=9, **rest), objective=mp.PathObjective(power=2)
+    )
     assert result.status.ok
     assert post.collision_model(planar).path_is_free(result.path, 1e-3)
     np.testing.assert_allclose(result.path([0.0, 1.0], 1), 0, atol=1e-8)
     # the only cubic of these ends runs through the post; the seed is free, but has other ends, and says so
-    cubic = mp.optimize_path(planar, start, goal, degree=3, power=2, scene=post, **rest)
+    cubic = mp.optimize_path(
+        planar, start, goal, post, shape=mp.PathShape(degree=3, **rest), objective=mp.PathObjective(power=2)
+    )
     assert cubic.status is mp.Status.ENDS_NOT_MET
     assert post.collision_model(planar).path_is_free(cubic.path, 1e-3)
     narrow = planar.with_limits(lower=[-0.1, -2.1, -2.1], upper=[np.pi + 0.1, 1.6, 2.1])
-    wild = mp.optimize_path(narrow, start, goal, degree=4, power=2, start_slope=[0, 30.0, 0], throw=False)
+    wild = mp.optimize_path(
+        narrow,
+        start,
+        goal,
+        shape=mp.PathShape(degree=4, start_slope=[0, 30.0, 0]),
+        objective=mp.PathObjective(power=2),
+        throw=False,
+    )
     assert wild.status is mp.Status.ENDS_NOT_MET
 
 
 def test_a_certificate_is_measured_on_the_path(planar):
     start, goal, *_ = THESIS["6.12"]
     narrow = planar.with_limits(lower=[-3.0, -1.2, -1.7], upper=[3.0, 0.6, 2.0])
-    result = mp.optimize_path(narrow, start, goal, power=2)
+    result = mp.optimize_path(narrow, start, goal, objective=mp.PathObjective(power=2))
     certificate = result.certificate
     assert certificate.status is result.status
     assert certificate.solver.startswith("no step lowers g after")
     assert certificate.projected_gradient < 1e-5, "beside the limits that bind"
     assert (certificate.complementarity, certificate.active_clearance) == (0.0, 0.0)
     assert certificate.g == result.g
-    assert certificate.unconstrained_g == pytest.approx(mp.optimize_path(planar, start, goal, power=2).g, rel=1e-6)
+    assert certificate.unconstrained_g == pytest.approx(
+        mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2)).g, rel=1e-6
+    )
     assert certificate.gap == pytest.approx(result.g / certificate.unconstrained_g - 1)
     assert certificate.gap > 1e-3, "the limits bind"
     q = result.path(np.linspace(0, 1, 20_001))
@@ -414,9 +459,11 @@ def test_a_certificate_is_measured_on_the_path(planar):
 
 
 def test_without_constraints_that_bind_the_gap_is_zero(planar):
-    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2)
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2))
     assert result.certificate.gap == pytest.approx(0, abs=1e-7)
-    line = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2, degree=1)
+    line = mp.optimize_path(
+        planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2), shape=mp.PathShape(degree=1)
+    )
     assert line.certificate.gap == pytest.approx(0, abs=1e-9)
     assert line.certificate.solver == ""
     arm = mp.planar_arm([1.0, 1.0])
@@ -429,7 +476,9 @@ def test_a_certificate_names_the_nearest_pair(planar):
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
     start, goal = [0, 1.5, -2], [np.pi, -2, 2]
     for degree in (6, 1):  # an optimised path, and the safe seed
-        result = mp.optimize_path(planar, start, goal, degree=degree, power=2, scene=post)
+        result = mp.optimize_path(
+            planar, start, goal, shape=mp.PathShape(degree=degree), objective=mp.PathObjective(power=2), scene=post
+        )
         certificate, model = result.certificate, post.collision_model(planar)
         every = [model.distances(q).min() for q in result.path(np.linspace(0, 1, 4001))]
         assert certificate.clearance == pytest.approx(min(every), abs=1e-4)
@@ -443,8 +492,8 @@ def test_a_certificate_names_the_nearest_pair(planar):
 
 def test_a_singular_start_is_told(planar):
     with pytest.raises(mp.PlanningError, match="manipulability is zero"):
-        mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], degree=1)
-    result = mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], degree=1, throw=False)
+        mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], shape=mp.PathShape(degree=1))
+    result = mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], shape=mp.PathShape(degree=1), throw=False)
     assert result.min_manipulability == pytest.approx(0, abs=1e-12)
 
 
@@ -496,55 +545,72 @@ def test_a_row_is_the_distance_that_coal_measures(demo_problem, rng):
 
 def test_an_initial_path_is_used(planar):
     detour = mp.JointPath.through([[0, 1.5, -2], [1.0, 1.0, 1.0], [np.pi, -2, 2]])
-    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2, initial=detour)
+    result = mp.optimize_path(
+        planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2), seeding=mp.Seeding(initial=detour)
+    )
     assert {"straight", "path"} <= {step.first for step in result.history} <= {"straight", "even pace", "path"}
     assert result.g <= result.seed_cost.g
+
+
+#: Groups of options; where one has a wrong value, it raises when it is made, or where the robot is known.
+GROUPS = {"objective": mp.PathObjective, "shape": mp.PathShape, "seeding": mp.Seeding}
 
 
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"degree": 0}, "degree: got 0.*at least 1"),
-        ({"degree": 2.5}, "degree"),
-        ({"degree": 21}, "degree.*at most 20"),
-        ({"power": 0}, "power: got 0"),
-        ({"power": np.nan}, "power"),
-        ({"shifts": "all"}, "shifts: got 'all'.*within-limits"),
+        ({"shape": {"degree": 0}}, "degree: got 0.*at least 1"),
+        ({"shape": {"degree": 2.5}}, "degree"),
+        ({"shape": {"degree": 21}}, "degree.*at most 20"),
+        ({"objective": {"power": 0}}, "power: got 0"),
+        ({"objective": {"power": np.nan}}, "power"),
+        ({"seeding": {"shifts": "all"}}, "shifts: got 'all'.*within-limits"),
         ({"clearance": -0.1}, "clearance"),
         ({"start": [0, 1.5]}, "start"),
         ({"goal": [0, 1.5, np.nan]}, "goal.*finite"),
         ({"goal": [0.0, 1.5, -2.0]}, "goal.*differs from start"),
-        ({"task": mp.Task.pose()}, "task.*at most 3 rows"),
-        ({"start_slope": [0.0, 1.0]}, r"start_slope.*shape \(3,\)"),
-        ({"goal_bend": [0.0, 1.0, np.inf]}, "goal_bend.*finite"),
-        ({"degree": 2, "start_slope": [0.0] * 3, "goal_slope": [0.0] * 3}, "degree: got 2; allowed: at least 3"),
-        ({"seeds": 0}, "seeds: got 0.*at least 1"),
-        ({"seeds": 2, "initial": mp.JointPath.line([0.0, 1.5, -2.0], [np.pi, -2.0, 2.0])}, "seeds: got 2.*initial"),
-        ({"shifts": "within-limits", "initial": mp.JointPath.line([0.0, 1.5, -2.0], [np.pi, -2.0, 2.0])}, "shifts.*initial"),
+        ({"objective": {"task": mp.Task.pose()}}, "task.*at most 3 rows"),
+        ({"shape": {"start_slope": [0.0, 1.0]}}, r"start_slope.*shape \(3,\)"),
+        ({"shape": {"goal_bend": [0.0, 1.0, np.inf]}}, "goal_bend.*finite"),
+        ({"shape": {"degree": 2, "start_slope": [0.0] * 3, "goal_slope": [0.0] * 3}}, "degree: got 2; allowed: at least 3"),
+        ({"seeding": {"count": 0}}, "count: got 0.*at least 1"),
+        (
+            {"seeding": {"count": 2, "initial": mp.JointPath.line([0.0, 1.5, -2.0], [np.pi, -2.0, 2.0])}},
+            "count: got 2.*initial",
+        ),
+        (
+            {"seeding": {"shifts": "within-limits", "initial": mp.JointPath.line([0.0, 1.5, -2.0], [np.pi, -2.0, 2.0])}},
+            "shifts.*initial",
+        ),
         ({"executor": 4}, "executor: got 4.*Executor"),
-        ({"time_limit": 0}, "time_limit"),
-        ({"metric": [1.0, 1.0]}, "metric.*3 weights above zero.*positive definite"),
-        ({"metric": [1.0, 1.0, 0.0]}, "metric.*3 weights above zero"),
-        ({"metric": [[1, 2, 0], [2, 1, 0], [0, 0, 1]]}, "metric.*positive definite"),
-        ({"metric": [[1, 1, 0], [0, 1, 0], [0, 0, 1]]}, "metric.*symmetric"),
-        ({"metric": [1.0, np.nan, 1.0]}, "metric.*finite"),
-        ({"metric": "heavy"}, "metric.*real numbers"),
-        ({"metric": [1e308, 1e308, 1e308]}, "metric.*below 1e.150"),
-        ({"metric": [1e-18, 1e-18, 1e-18]}, "metric.*at least 1e-12"),
+        ({"seeding": {"time_limit": 0}}, "time_limit"),
+        ({"objective": {"metric": [1.0, 1.0]}}, "metric.*3 weights above zero.*positive definite"),
+        ({"objective": {"metric": [1.0, 1.0, 0.0]}}, "metric.*3 weights above zero"),
+        ({"objective": {"metric": [[1, 2, 0], [2, 1, 0], [0, 0, 1]]}}, "metric.*positive definite"),
+        ({"objective": {"metric": [[1, 1, 0], [0, 1, 0], [0, 0, 1]]}}, "metric.*symmetric"),
+        ({"objective": {"metric": [1.0, np.nan, 1.0]}}, "metric.*finite"),
+        ({"objective": {"metric": "heavy"}}, "metric.*real numbers"),
+        ({"objective": {"metric": [1e308, 1e308, 1e308]}}, "metric.*below 1e.150"),
+        ({"objective": {"metric": [1e-18, 1e-18, 1e-18]}}, "metric.*at least 1e-12"),
         ({"clearance": 0.05}, "clearance: got 0.05; allowed: 0 without a scene.*scene=Scene"),
-        ({"measure": "log_det"}, "measure: got 'log_det'.*at least zero and better when larger: yoshikawa"),
-        ({"measure": "condition_number"}, "measure: got 'condition_number'.*better when larger"),
-        ({"measure": "force_transmission"}, "measure.*direction"),
-        ({"measure": mp.ForceTransmission(direction=[1, 0])}, "measure: got 'force_transmission'.*better when larger"),
-        ({"measure": mp.VelocityTransmission(direction=[1, 0, 0])}, "direction.*2 numbers"),
-        ({"measure": "yosikawa"}, "yoshikawa"),
-        ({"initial": mp.JointPath.line([0, 0, 0], [1, 1, 1])}, "initial"),
+        ({"objective": {"measure": "log_det"}}, "measure: got 'log_det'.*at least zero and better when larger: yoshikawa"),
+        ({"objective": {"measure": "condition_number"}}, "measure: got 'condition_number'.*better when larger"),
+        ({"objective": {"measure": "force_transmission"}}, "measure.*direction"),
+        (
+            {"objective": {"measure": mp.ForceTransmission(direction=[1, 0])}},
+            "measure: got 'force_transmission'.*better when larger",
+        ),
+        ({"objective": {"measure": mp.VelocityTransmission(direction=[1, 0, 0])}}, "direction.*2 numbers"),
+        ({"objective": {"measure": "yosikawa"}}, "yoshikawa"),
+        ({"seeding": {"initial": mp.JointPath.line([0, 0, 0], [1, 1, 1])}}, "initial"),
     ],
 )
 def test_wrong_arguments(planar, change, message):
     arguments = {"start": [0.0, 1.5, -2.0], "goal": [np.pi, -2.0, 2.0], **change}
     with pytest.raises(mp.InvalidInputError, match=message):
-        mp.optimize_path(planar, arguments.pop("start"), arguments.pop("goal"), **arguments)
+        mp.optimize_path(
+            planar, **{name: GROUPS[name](**value) if name in GROUPS else value for name, value in arguments.items()}
+        )
 
 
 def test_an_executor_that_takes_no_work(planar):
@@ -557,7 +623,9 @@ def test_an_executor_that_takes_no_work(planar):
 @pytest.mark.parametrize("scene", [None, mp.Scene()])
 def test_an_index_that_is_zero_everywhere_is_told_without_warnings(planar, scene):
     """All three rows of position on an arm that moves in a plane."""
-    result = mp.optimize_path(planar, [0.0, 1.5, -2.0], [1.0, 1.2, 1.0], task=mp.Task.position(), scene=scene, throw=False)
+    result = mp.optimize_path(
+        planar, [0.0, 1.5, -2.0], [1.0, 1.2, 1.0], objective=mp.PathObjective(task=mp.Task.position()), scene=scene, throw=False
+    )
     assert result.status is mp.Status.SINGULAR
     assert result.min_manipulability == 0
 
@@ -565,7 +633,7 @@ def test_an_index_that_is_zero_everywhere_is_told_without_warnings(planar, scene
 def test_where_the_straight_line_is_best_it_is_optimal(planar):
     """The power is so low that g is the length; rounding must not decide what the status says."""
     for goal in ([1.0, 1.2, 1.0], [2.0, -1.2, 0.3], [0.3, 2.0, -1.0]):
-        result = mp.optimize_path(planar, [0.0, 1.5, -2.0], goal, power=1e-300)
+        result = mp.optimize_path(planar, [0.0, 1.5, -2.0], goal, objective=mp.PathObjective(power=1e-300))
         assert result.status is mp.Status.OPTIMAL
         assert result.g == pytest.approx(np.linalg.norm(np.subtract(goal, [0.0, 1.5, -2.0])), rel=1e-12)
 
@@ -573,5 +641,5 @@ def test_where_the_straight_line_is_best_it_is_optimal(planar):
 def test_the_unconstrained_optimum_is_never_above_the_path(planar):
     """The path crosses a singularity, which a power below 1 forgives; the least energy nearby lies elsewhere."""
     arm = mp.planar_arm([1.0, 1.0])
-    result = mp.optimize_path(arm, [0.0, -2.0], [1.0, 2.0], 4, power=0.5)
+    result = mp.optimize_path(arm, [0.0, -2.0], [1.0, 2.0], shape=mp.PathShape(degree=4), objective=mp.PathObjective(power=0.5))
     assert result.certificate.gap >= -1e-9

@@ -9,7 +9,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.cost.density import ENERGY_REGULARISATION, energy_density, length_density
-from manipplan.cost.objective import PathObjective
+from manipplan.cost.integral import PathIntegral
 from manipplan.kinematics.view import steady
 from manipplan.optimize.clearance import row_functions
 
@@ -35,7 +35,7 @@ def test_machine_code_equals_the_virtual_machine(density, name, rng):
     robot = mp.load_robot(name)
     at = points(robot, rng)
     fast, slow = (
-        density(PathObjective(kinematics=robot.kinematics(compiled=compiled), power=1.0)) for compiled in (True, False)
+        density(PathIntegral(kinematics=robot.kinematics(compiled=compiled), power=1.0)) for compiled in (True, False)
     )
     for part in ("value", "gradient", "hessian"):
         expected = np.array(getattr(slow, part)(*at))
@@ -59,7 +59,7 @@ def test_the_density_is_speed_over_index(name, planar, rng):
 
     robot = planar if name == "planar" else mp.load_robot(name)
     kinematics = robot.kinematics(mp.Task.planar() if name == "planar" else mp.Task.pose(length=0.5), compiled=False)
-    energy = energy_density(PathObjective(kinematics=kinematics, power=1.0))
+    energy = energy_density(PathIntegral(kinematics=kinematics, power=1.0))
     rows = np.array([1, 1, 1, 0.5, 0.5, 0.5])
     data = robot.model.createData()
     for q, v in zip(robot.random_configuration(rng, size=20), rng.normal(size=(20, robot.n)), strict=True):
@@ -82,7 +82,7 @@ def test_the_steady_view_has_true_derivatives(panda, rng):
     chain = panda.kinematics().symbolic.chain
     jacobian, motion = steady(chain, mp.Task.pose(length=0.5))
     factor = Factor.of(jacobian, 1e3 * ENERGY_REGULARISATION)
-    bend, slope = ca.hessian(ca.log(factor.index), chain.q)
+    bend, slope = ca.hessian(ca.log(factor.manipulability), chain.q)
     error = ca.Function("error", [chain.q], [slope - log_gradient(factor, motion), bend - log_hessian(factor, motion)])
     for q in panda.random_configuration(rng, size=10):
         for each in error(q):
@@ -92,7 +92,9 @@ def test_the_steady_view_has_true_derivatives(panda, rng):
 @pytest.mark.compiler
 def test_paths_are_the_same_compiled_or_not(panda, rng):
     start, goal = panda.random_configuration(rng, size=2)
-    fast, slow = (mp.optimize_path(panda, start, goal, degree=5, compiled=compiled) for compiled in (True, False))
+    fast, slow = (
+        mp.optimize_path(panda, start, goal, shape=mp.PathShape(degree=5), compiled=compiled) for compiled in (True, False)
+    )
     assert fast.status is mp.Status.OPTIMAL
     assert fast.g == pytest.approx(slow.g, rel=1e-9)
     assert fast.g < 0.99 * fast.seed_cost.g
@@ -102,9 +104,9 @@ def test_paths_are_the_same_compiled_or_not(panda, rng):
 @pytest.mark.usefixtures("no_compiler", "folder")
 def test_without_a_compiler():
     arm = mp.planar_arm([1.0, 1.0, 1.0])
-    assert mp.optimize_path(arm, START, GOAL, power=2).status is mp.Status.OPTIMAL
+    assert mp.optimize_path(arm, START, GOAL, objective=mp.PathObjective(power=2)).status is mp.Status.OPTIMAL
     with pytest.raises(mp.CompilerError, match="there is no C compiler; install one with: "):
-        mp.optimize_path(arm, START, GOAL, power=2, compiled=True)
+        mp.optimize_path(arm, START, GOAL, objective=mp.PathObjective(power=2), compiled=True)
 
 
 def test_compiled_has_to_be_known(planar):
@@ -116,7 +118,9 @@ def test_compiled_has_to_be_known(planar):
 def test_a_second_process_and_another_power_and_degree_find_the_library(folder):
     code = (
         "import manipplan as mp; arm = mp.planar_arm([1.0, 1.0, 1.0]);"
-        "r = mp.optimize_path(arm, [0.0, 1.5, -2.0], [3.1, -2.0, 2.0], degree={}, power={}, compiled=True); print(r.g)"
+        "shape, objective = mp.PathShape(degree={}), mp.PathObjective(power={});"
+        "ends = [0.0, 1.5, -2.0], [3.1, -2.0, 2.0];"
+        "print(mp.optimize_path(arm, *ends, shape=shape, objective=objective, compiled=True).g)"
     )
 
     def files_after(degree, power):
@@ -141,7 +145,7 @@ def test_a_polish_believes_no_coarse_rule(panda):
     rng = np.random.default_rng(2012)
     pairs = [panda.random_configuration(rng, size=2) for _ in range(81)]
     for k in (20, 80):
-        result = mp.optimize_path(panda, *pairs[k], degree=5)
+        result = mp.optimize_path(panda, *pairs[k], shape=mp.PathShape(degree=5))
         s, weights = result.path.quadrature(panels=4000)
         plain = weights @ (np.linalg.norm(result.path(s, 1), axis=1) / panda.kinematics().manipulability(result.path(s)))
         assert result.g == pytest.approx(plain, rel=1e-6)

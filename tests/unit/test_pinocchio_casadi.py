@@ -5,7 +5,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.robots.description import frame_index
+from manipplan.robots.model_tree import frame_index
 from manipplan.support.compiler import find_compiler
 from manipplan.symbolic.pinocchio_casadi import _bridge, bindings_installed
 

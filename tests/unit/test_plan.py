@@ -7,6 +7,9 @@ import pytest
 
 import manipplan as mp
 
+#: Groups of options; where one has a wrong value, it raises when it is made.
+GROUPS = {"objective": mp.PathObjective, "shape": mp.PathShape, "seeding": mp.Seeding}
+
 
 def test_the_demo_plan_keeps_its_promises(demo_problem, demo_plan):
     report = demo_plan.report
@@ -50,8 +53,8 @@ def test_a_broken_report_is_told(tmp_path):
 
 def test_clearance_is_kept(planar):
     scene = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
-    near = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], scene, power=2.0)
-    wide = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], scene, power=2.0, clearance=0.12)
+    near = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], scene, objective=mp.PathObjective(power=2.0))
+    wide = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], scene, objective=mp.PathObjective(power=2.0), clearance=0.12)
     assert near.report.clearance < 0.1
     assert wide.report.clearance >= 0.12 - 1e-6
 
@@ -64,10 +67,10 @@ def test_torque_is_reported_and_kept(demo_problem):
 def test_planar_arm_among_obstacles(planar):
     """The free optimum of (6.13) passes (0, 2.2) m; a post there is avoided."""
     scene = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
-    free = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2.0)
+    free = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2.0))
     tool = planar.kinematics().pose(free.path(np.linspace(0, 1, 500)))[:, :2, 3]
     assert np.linalg.norm(tool - [0.03, 2.2], axis=1).min() < 0.05
-    plan = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], scene, power=2.0)
+    plan = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], scene, objective=mp.PathObjective(power=2.0))
     assert plan.report.collision_free
     tool = planar.kinematics().pose(plan.path(np.linspace(0, 1, 500)))[:, :2, 3]
     assert np.linalg.norm(tool - [0.03, 2.2], axis=1).min() > 0.12
@@ -95,7 +98,13 @@ def test_a_singular_start_is_planned_and_told(planar, tmp_path):
 
 def test_progress_tells_each_step(planar):
     told = []
-    mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], power=2.0, progress=lambda share, text: told.append((share, text)))
+    mp.plan(
+        planar,
+        [0, 1.5, -2],
+        [np.pi, -2, 2],
+        objective=mp.PathObjective(power=2.0),
+        progress=lambda share, text: told.append((share, text)),
+    )
     shares, texts = zip(*told, strict=True)
     assert list(shares) == sorted(shares)
     assert shares[0] == 0.0 and shares[-1] == 1.0
@@ -106,7 +115,12 @@ def test_progress_tells_each_step(planar):
 
 
 def test_the_measure_and_metric_that_counted_are_reported(planar):
-    plan = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], measure="smallest_singular_value", metric=[4.0, 1.0, 1.0], power=2.0)
+    plan = mp.plan(
+        planar,
+        [0, 1.5, -2],
+        [np.pi, -2, 2],
+        objective=mp.PathObjective(measure="smallest_singular_value", metric=[4.0, 1.0, 1.0], power=2.0),
+    )
     kinematics = planar.kinematics(measure="smallest_singular_value")
     path = plan.trajectory.path()
     s, weights = path.quadrature(panels=80)
@@ -114,7 +128,7 @@ def test_the_measure_and_metric_that_counted_are_reported(planar):
     g = weights @ (speed / kinematics.manipulability(path(s)) ** 2)
     assert plan.report.measure == plan.result.measure.name == "smallest_singular_value"
     assert plan.report.g == pytest.approx(g, rel=1e-6)
-    assert plan.report.index_unit == "m"
+    assert plan.report.measure_unit == "m"
     assert plan.report.min_manipulability == pytest.approx(
         kinematics.manipulability(path(np.linspace(0, 1, 5000))).min(), rel=1e-3
     )
@@ -122,8 +136,10 @@ def test_the_measure_and_metric_that_counted_are_reported(planar):
 
 def test_several_first_paths_and_shifted_goals(planar):
     start, goal = [0, -3.0, -2.0], [np.pi, 0.1, 1.4]
-    one = mp.plan(planar, start, goal, power=2.0)
-    more = mp.plan(planar, start, goal, power=2.0, shifts="within-limits", seeds=2)
+    one = mp.plan(planar, start, goal, objective=mp.PathObjective(power=2.0))
+    more = mp.plan(
+        planar, start, goal, objective=mp.PathObjective(power=2.0), seeding=mp.Seeding(shifts="within-limits", count=2)
+    )
     assert more.report.g < 0.8 * one.report.g  # a turn of one joint is much better (ERRATA)
     assert more.result.rivals
     turns = (more.path.goal - goal) / (2 * np.pi)
@@ -152,15 +168,15 @@ def test_jerk_of_a_plan_is_reported_where_it_is_limited(demo_problem):
         ({"goal": [0.0, 1.76, 0, -0.1, 0, 1.5, 0]}, "goal.*free configuration.*post overlap by"),
         ({"clearance": -1}, "clearance"),
         ({"clearance": 0.5}, "start.*the required clearance is 0.5"),
-        ({"degree": 0}, "degree"),
-        ({"power": -1}, "power"),
-        ({"seed": -1}, "seed"),
-        ({"time_limit": 0}, "time_limit"),
-        ({"task": "pose"}, "task"),
+        ({"shape": {"degree": 0}}, "degree"),
+        ({"objective": {"power": -1}}, "power"),
+        ({"seeding": {"seed": -1}}, "seed"),
+        ({"seeding": {"time_limit": 0}}, "time_limit"),
+        ({"objective": {"task": "pose"}}, "task"),
         ({"start": [True] * 7}, "start.*real numbers"),
         ({"goal": [1j] * 7}, "goal.*real numbers"),
-        ({"degree": "6"}, "degree: got '6'"),
-        ({"time_limit": np.inf}, "time_limit"),
+        ({"shape": {"degree": "6"}}, "degree: got '6'"),
+        ({"seeding": {"time_limit": np.inf}}, "time_limit"),
     ],
 )
 @pytest.mark.parametrize("throw", [True, False])
@@ -176,7 +192,7 @@ def test_wrong_arguments_raise_at_once(demo_problem, change, message, throw):
             demo_problem.scene,
             throw=throw,
             progress=lambda *told: steps.append(told),
-            **arguments,
+            **{name: GROUPS[name](**value) if name in GROUPS else value for name, value in arguments.items()},
         )
     needs_shapes = "free configuration" in message or "required clearance" in message
     assert len(steps) <= (2 if needs_shapes else 0)
@@ -188,9 +204,9 @@ def test_an_unreachable_goal_is_told(planar):
     # a second wall between the two on the other side
     cage = mp.Scene([*wall.obstacles, mp.Box(size=(5.0, 0.02, 1.0), position=(2.6, 0.0, 0.0), name="shelf")])
     with pytest.raises(mp.PlanningError, match=r"no path from start to goal .*time_limit") as caught:
-        mp.plan(planar, start, goal, cage, time_limit=0.5)
+        mp.plan(planar, start, goal, cage, seeding=mp.Seeding(time_limit=0.5))
     assert caught.value.result.status is mp.Status.NO_PATH
-    failed = mp.plan(planar, start, goal, cage, time_limit=0.5, throw=False)
+    failed = mp.plan(planar, start, goal, cage, seeding=mp.Seeding(time_limit=0.5), throw=False)
     assert failed.trajectory is None
     assert not failed.status.has_path
     with pytest.raises(mp.PlanningError, match="no trajectory to save"):
@@ -238,19 +254,23 @@ def test_unlimited_speed_is_told_before_work_starts(panda):
 
 def test_seed_path_is_deterministic_and_free(demo_problem):
     problem = demo_problem
-    first = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, seed=3)
-    second = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, seed=3)
+    first = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, seeding=mp.Seeding(seed=3))
+    second = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, seeding=mp.Seeding(seed=3))
     np.testing.assert_array_equal(first.control, second.control)
     assert problem.scene.collision_model(problem.robot).path_is_free(first, 1e-3)
-    other = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, seed=4)
+    other = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, seeding=mp.Seeding(seed=4))
     assert abs(other.length - first.length) > 1e-6
     with pytest.raises(mp.UnknownNameError, match="RRTConnect"):
-        mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, planner="RRTconnect", time_limit=3)
+        mp.seed_path(
+            problem.robot, problem.start, problem.goal, problem.scene, seeding=mp.Seeding(planner="RRTconnect", time_limit=3)
+        )
 
 
 def test_whole_numbers_serve_where_numbers_are_asked_for(demo_problem):
     problem = demo_problem
-    path = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, time_limit=5, clearance=0)
+    path = mp.seed_path(
+        problem.robot, problem.start, problem.goal, problem.scene, seeding=mp.Seeding(time_limit=5), clearance=0
+    )
     assert len(path.control) > 1
 
 

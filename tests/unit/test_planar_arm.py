@@ -26,7 +26,7 @@ def test_positions_and_jacobian_are_those_of_the_robot(rng):
         np.testing.assert_allclose(ODD.pose_jacobian(q), jacobian[[0, 1, 5]], atol=1e-12)
 
 
-def test_index_gradient_and_hessian_are_those_of_the_general_kinematics(rng):
+def test_manipulability_gradient_and_hessian_are_those_of_the_general_kinematics(rng):
     kinematics = ODD.robot().kinematics(mp.Task.planar())
     q = rng.uniform(-3, 3, (30, 4))
     np.testing.assert_allclose(planar.manipulability(ODD, q), kinematics.manipulability(q), atol=1e-12)

@@ -44,7 +44,7 @@ def space():
 @pytest.fixture(scope="module")
 def planar_plan(planar):
     ball = mp.Sphere(radius=0.2, position=(0.5, -0.9, 0.0), name="ball")
-    return mp.plan(planar, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], mp.Scene([ball]), power=2.0)
+    return mp.plan(planar, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], mp.Scene([ball]), objective=mp.PathObjective(power=2.0))
 
 
 @pytest.fixture(scope="module")
@@ -55,7 +55,7 @@ def tracked(planar):
     end[:3, 3] += (-0.3, 0.4, 0.0)
     tube = mp.Tolerance(position=0.02)
     path = mp.CartesianPath.line(pose, end)
-    return mp.track(planar, path, start, 0.01, mp.LogDrive(), duration=1.0, tolerance=tube), path
+    return mp.track(planar, path, start, mp.formulations.LogDrive(), dt=0.01, duration=1.0, tolerance=tube), path
 
 
 def every_obstacle(tmp_path):
@@ -105,9 +105,9 @@ def test_joints_as_share_of_their_range(demo_plan, flat, planar_plan):
         viz.plot_joints(demo_plan.trajectory, order=4)
 
 
-def test_index_over_the_length_with_its_least_and_a_bound(demo_plan, flat):
+def test_manipulability_over_the_length_with_its_least_and_a_bound(demo_plan, flat):
     kinematics = demo_plan.robot.kinematics()
-    viz.plot_index(kinematics, {"ours": demo_plan.path, "again": demo_plan.trajectory}, bound=0.02, ax=flat)
+    viz.plot_manipulability(kinematics, {"ours": demo_plan.path, "again": demo_plan.trajectory}, bound=0.02, ax=flat)
     ours, dot = flat.lines[:2]
     s = np.linspace(0.0, 1.0, len(ours.get_xdata()))
     np.testing.assert_allclose(ours.get_ydata(), kinematics.manipulability(demo_plan.path(s)))
@@ -119,14 +119,14 @@ def test_index_over_the_length_with_its_least_and_a_bound(demo_plan, flat):
     assert "yoshikawa [m⁶]" in flat.get_ylabel()
     assert [text.get_text() for text in flat.get_legend().get_texts()][-2:] == ["straight", "bound"]
     with pytest.raises(mp.InvalidInputError, match="paths"):
-        viz.plot_index(kinematics, {}, ax=flat)
+        viz.plot_manipulability(kinematics, {}, ax=flat)
     with pytest.raises(mp.InvalidInputError, match="7 joints"):
-        viz.plot_index(kinematics, {"other": mp.JointPath.line([0.0], [1.0])}, ax=flat)
+        viz.plot_manipulability(kinematics, {"other": mp.JointPath.line([0.0], [1.0])}, ax=flat)
 
 
 def test_equal_curves_are_drawn_once(planar, flat):
     line = mp.JointPath.line([0.1, 0.5, 0.5], [1.0, 1.0, 1.0])
-    viz.plot_index(planar.kinematics(), {"seed": line}, ax=flat)
+    viz.plot_manipulability(planar.kinematics(), {"seed": line}, ax=flat)
     assert [text.get_text() for text in flat.get_legend().get_texts()] == ["seed, straight"]
 
 
@@ -487,7 +487,9 @@ def test_what_cannot_be_animated_is_said_before_anything_is_drawn(planar_plan, t
     with pytest.raises(mp.InvalidInputError, match="can be written"):
         viz.animate(planar_plan, tmp_path / "nowhere" / "plan.gif")
     with pytest.raises(mp.PlanningError, match="no trajectory"):
-        viz.animate(replace(planar_plan, trajectory=None), tmp_path / "plan.gif")
+        viz.animate(
+            mp.PartialPlan(robot=planar_plan.robot, scene=planar_plan.scene, status=mp.Status.NO_PATH), tmp_path / "plan.gif"
+        )
     with pytest.raises(mp.InvalidInputError, match="plan"):
         viz.animate(planar_plan.trajectory, tmp_path / "plan.gif")
     monkeypatch.setenv("PATH", str(tmp_path))

@@ -15,10 +15,10 @@ ROOMS = re.findall(r"^\| `(\w+)/` \|", CONTRIBUTING.read_text(), flags=re.MULTIL
 CONVENIENCES = {
     "robots.robot.Robot.default_task",
     "robots.robot.Robot.kinematics",
-    "robots.robot.Robot._kinematics",
-    "jobs.result.Plan.save",
-    "jobs.result.Plan.show",
-    "jobs.result.Plan.record",
+    "support.display.Pictured._repr_html_",
+    "jobs.result.PartialPlan.save",
+    "jobs.result.PartialPlan.show",
+    "jobs.result.PartialPlan.record",
 }
 
 

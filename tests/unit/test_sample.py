@@ -94,7 +94,7 @@ def six_layers(six, **options):
     start = np.array(six.kinematics().pose(SIX))
     scene = mp.Scene([mp.Sphere(radius=0.15, position=start[:3, 3] + [0.1, 0.25, 0.0], name="ball")])
     path = CartesianPath.line(start, moved(start, [-0.1, 0.1, 0.0]))
-    return mp.sample_layers(six, path, **{"n": 6, "task": mp.Task.pointing(), "samples": 60, "scene": scene, **options})
+    return mp.sample_layers(six, path, **{"positions": 6, "task": mp.Task.pointing(), "samples": 60, "scene": scene, **options})
 
 
 def assert_same_layers(one, other):
@@ -173,7 +173,7 @@ def test_a_closed_path_does_not_repeat_its_first_position(six):
 
 
 def test_another_measure_is_the_candidates_index(six):
-    layers = six_layers(six, measure="frobenius", samples=6, task=None, n=2)
+    layers = six_layers(six, measure="frobenius", samples=6, task=None, positions=2)
     weights = np.array([1.0] * 3 + [0.5] * 3)[:, None]
     norm = np.linalg.norm(weights * jacobians(six, layers.q[1]), axis=(1, 2))
     np.testing.assert_allclose(layers.m[1], norm, rtol=1e-9)
@@ -270,12 +270,12 @@ def test_memory_is_refused_before_work_starts(six):
     ("change", "message"),
     [
         ({"samples": 10**12}, "samples: got 1000000000000; allowed: fewer"),
-        ({"n": 10**12}, "n: got 1000000000000; allowed: fewer"),
+        ({"positions": 10**12}, "positions: got 1000000000000; allowed: fewer"),
     ],
 )
 def test_a_grid_larger_than_memory_is_refused_before_it_is_made(panda, line, change, message):
     with pytest.raises(mp.InvalidInputError, match=message):
-        mp.sample_layers(panda, line, **{"n": 3, **change})
+        mp.sample_layers(panda, line, **{"positions": 3, **change})
 
 
 def test_a_position_out_of_reach_is_named_with_the_distance(planar):
@@ -333,10 +333,10 @@ def test_a_pose_with_nan_is_refused(planar):
     [
         ({"robot": "panda"}, "robot: got 'panda'"),
         ({"path": np.eye(4)}, "path: .*a CartesianPath"),
-        ({"n": 1}, "n: got 1; allowed: .*at least 2"),
-        ({"n": 2.0}, "n: got 2.0"),
-        ({"n": "many"}, "n: got 'many'"),
-        ({"n": True}, "n: got True"),
+        ({"positions": 1}, "positions: got 1; allowed: .*at least 2"),
+        ({"positions": 2.0}, "positions: got 2.0"),
+        ({"positions": "many"}, "positions: got 'many'"),
+        ({"positions": True}, "positions: got True"),
         ({"samples": 0}, "samples: got 0"),
         ({"samples": (3, 3)}, r"samples: got \(3, 3\)"),
         ({"samples": "fine"}, "samples: got 'fine'"),
@@ -361,7 +361,7 @@ def test_a_pose_with_nan_is_refused(planar):
 )
 def test_wrong_arguments(panda, line, change, message):
     with pytest.raises(mp.InvalidInputError, match=message):
-        mp.sample_layers(**{"robot": panda, "path": line, "n": 2, "samples": 4, "collisions": False, **change})
+        mp.sample_layers(**{"robot": panda, "path": line, "positions": 2, "samples": 4, "collisions": False, **change})
 
 
 @pytest.mark.parametrize(

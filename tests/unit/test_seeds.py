@@ -15,21 +15,31 @@ import pytest
 import manipplan as mp
 from manipplan.collision.model import CollisionModel
 from manipplan.optimize.problem import initial_path
-from manipplan.seeds.objective import index_objective, motion_cost
-from manipplan.seeds.ompl import OPTIMISING, PLANNERS
+from manipplan.seeds.objective import motion_cost, ompl_objective
+from manipplan.seeds.seeding import OPTIMISING, PLANNERS
 
 START, GOAL = [0, 1.5, -2], [np.pi, -2, 2]
 POST = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+#: What the optimising planners lower: the length, or g with power 2.
+OBJECTIVES = {"length": None, "manipulability": mp.PathObjective(power=2)}
 
 
 def test_the_cost_of_a_motion_is_that_of_its_straight_path(planar, ur5, rng):
     for robot, power, middle in ((planar, 2.0, [0.0, 1.2, 1.0]), (ur5, 1.0, [0.0, -1.2, 1.5, -1.0, -1.2, 0.0])):
-        kinematics = robot.kinematics()
+        integral = mp.PathObjective(power=power).integral(robot)
         for _ in range(5):
             first, second = middle + 0.5 * rng.uniform(-1, 1, (2, robot.n))
-            expected = mp.path_cost(mp.JointPath.line(first, second), kinematics, power, panels=400).g
-            assert motion_cost(kinematics, power, first, second) == pytest.approx(expected, rel=2e-3)
-    assert motion_cost(kinematics, 1.0, first, first) == 0.0
+            expected = mp.path_cost(mp.JointPath.line(first, second), robot.kinematics(), power, panels=400).g
+            assert motion_cost(integral, first, second) == pytest.approx(expected, rel=2e-3)
+    assert motion_cost(integral, first, first) == 0.0
+
+
+def test_the_cost_of_a_motion_counts_the_metric_and_the_measure(planar):
+    first, second, weights = np.array([0.0, 1.2, 1.0]), np.array([0.3, 1.5, 0.4]), np.array([4.0, 1.0, 0.25])
+    integral = mp.PathObjective(measure="smallest_singular_value", metric=weights, power=2.0).integral(planar)
+    kinematics = planar.kinematics(measure="smallest_singular_value")
+    expected = mp.path_cost(mp.JointPath.line(first, second), kinematics, 2.0, metric=weights, panels=400).g
+    assert motion_cost(integral, first, second) == pytest.approx(expected, rel=2e-3)
 
 
 def test_ompl_asks_the_objective_and_adds_its_costs(planar):
@@ -50,27 +60,28 @@ def test_ompl_asks_the_objective_and_adds_its_costs(planar):
         state = space.allocState()
         state[0:3] = [float(x) for x in point]
         path.append(state)
-    cost = path.cost(index_objective(information, planar.kinematics(), 2.0)).value()
+    cost = path.cost(ompl_objective(information, mp.PathObjective(power=2.0).integral(planar))).value()
     assert cost == pytest.approx(mp.path_cost(mp.JointPath.through(points), planar.kinematics(), 2).g, rel=1e-3)
 
 
 @pytest.mark.parametrize("planner", OPTIMISING)
-def test_an_index_aware_search_finds_a_lower_g(planar, planner):
-    g = {}
-    for objective in ("length", "index"):
-        path = mp.seed_path(planar, START, GOAL, planner=planner, objective=objective, power=2, checks=20_000, time_limit=30.0)
-        g[objective] = mp.path_cost(path, planar.kinematics(), 2).g
-    least = mp.optimize_path(planar, START, GOAL, degree=10, power=2, seeds=4).g
-    assert 0.999 * least < g["index"] < min(0.5 * g["length"], 1.4 * least)
+def test_a_search_with_an_objective_finds_a_lower_g(planar, planner):
+    seeding, g = mp.Seeding(planner=planner, time_limit=30.0), {}
+    for name, objective in OBJECTIVES.items():
+        path = mp.seed_path(planar, START, GOAL, seeding=seeding, objective=objective, checks=20_000)
+        g[name] = mp.path_cost(path, planar.kinematics(), 2).g
+    least = mp.optimize_path(
+        planar, START, GOAL, shape=mp.PathShape(degree=10), objective=mp.PathObjective(power=2), seeding=mp.Seeding(count=4)
+    ).g
+    assert 0.999 * least < g["manipulability"] < min(0.5 * g["length"], 1.4 * least)
 
 
 def test_among_obstacles_the_gain_survives_what_makes_a_path_simpler(planar):
-    options = {"scene": POST, "planner": "BITstar", "power": 2, "time_limit": 60.0}
-    g = {
-        each: mp.path_cost(mp.seed_path(planar, START, GOAL, objective=each, **options), planar.kinematics(), 2).g
-        for each in ("length", "index")
-    }
-    assert g["index"] < 0.8 * g["length"]
+    seeding, g = mp.Seeding(planner="BITstar", time_limit=60.0), {}
+    for name, objective in OBJECTIVES.items():
+        path = mp.seed_path(planar, START, GOAL, POST, seeding=seeding, objective=objective)
+        g[name] = mp.path_cost(path, planar.kinematics(), 2).g
+    assert g["manipulability"] < 0.8 * g["length"]
 
 
 REPEAT = """
@@ -80,7 +91,8 @@ arm = mp.planar_arm([1.0, 1.0, 1.0])
 post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
 found = {}
 for planner in sys.argv[1:]:
-    path = mp.seed_path(arm, [0, 1.5, -2], [3.14, -2, 2], post, planner, 5, checks=8000, time_limit=60.0)
+    seeding = mp.Seeding(planner=planner, seed=5, time_limit=60.0)
+    path = mp.seed_path(arm, [0, 1.5, -2], [3.14, -2, 2], post, seeding=seeding, checks=8000)
     found[planner] = path.control.tolist()
 print(json.dumps(found))
 """
@@ -109,7 +121,7 @@ def test_the_time_limit_holds_where_checks_are_slow(planar, planner, monkeypatch
     monkeypatch.setattr(CollisionModel, "in_collision", slow)
     began = time.monotonic()
     try:
-        mp.seed_path(planar, START, GOAL, POST, planner, time_limit=0.6)
+        mp.seed_path(planar, START, GOAL, POST, seeding=mp.Seeding(planner=planner, time_limit=0.6))
     except mp.PlanningError as error:
         assert "allow more time" in str(error)
     assert time.monotonic() - began < 0.6 + 0.6
@@ -117,16 +129,20 @@ def test_the_time_limit_holds_where_checks_are_slow(planar, planner, monkeypatch
 
 def test_too_few_checks_are_told(planar):
     with pytest.raises(mp.PlanningError, match=r"by BITstar with 50 checks; allow more of them \(checks\)"):
-        mp.seed_path(planar, START, GOAL, POST, "BITstar", checks=50)
+        mp.seed_path(planar, START, GOAL, POST, seeding=mp.Seeding(planner="BITstar"), checks=50)
 
 
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"objective": "indx"}, "objective: got 'indx'.*index"),
-        ({"objective": "index"}, "planner: got 'RRTConnect'; allowed: one that optimises.*BITstar"),
+        ({"objective": "length"}, "objective: got 'length'; allowed: a PathObjective"),
+        ({"objective": mp.PathObjective(measure="log_det")}, "measure: got 'log_det'.*better when larger"),
+        ({"objective": mp.PathObjective(metric=[1.0, 1.0])}, "metric.*3 weights above zero"),
+        ({"seeding": "BITstar"}, "seeding: got 'BITstar'; allowed: a Seeding"),
+        ({"seeding": mp.Seeding(count=2)}, r"seeding\.count: got 2; allowed: 1: seed_path looks for one path"),
+        ({"seeding": mp.Seeding(shifts="within-limits")}, r"seeding\.shifts: got 'within-limits'; allowed: 'none'"),
+        ({"seeding": mp.Seeding(initial=mp.JointPath.line(START, GOAL))}, r"seeding\.initial: .*allowed: None"),
         ({"checks": 0}, "checks: got 0"),
-        ({"power": 0.0}, "power: got 0.0"),
         ({"clearance": 3.0}, "(start|goal): .* apart, the required clearance is 3 m"),
         ({"start": [np.nan, 0, 0]}, "start.*finite"),
     ],
@@ -139,14 +155,16 @@ def test_wrong_arguments(planar, change, message):
 
 def test_a_recorded_motion_is_a_first_path(planar, tmp_path):
     seed = mp.seed_path(planar, START, GOAL, POST)
-    motion = mp.retime(seed, planar.with_limits(velocity=1.0, acceleration=2.0).limits, joint_names=planar.joint_names)
+    motion = mp.retime(seed, planar.with_limits(velocity=1.0, acceleration=2.0))
     start, goal = motion.q[0], motion.q[-1]
     motion.to_csv(tmp_path / "motion.csv")
     motion.to_json(tmp_path / "motion.json")
     motion.to_npz(tmp_path / "motion.npz")
     motion.to_ros(tmp_path / "motion.yaml")
     results = [
-        mp.optimize_path(planar, start, goal, power=2, scene=POST, initial=first)
+        mp.optimize_path(
+            planar, start, goal, objective=mp.PathObjective(power=2), scene=POST, seeding=mp.Seeding(initial=first)
+        )
         for first in (motion, str(tmp_path / "motion.csv"))
     ]
     assert results[0].status is mp.Status.OPTIMAL
@@ -179,7 +197,7 @@ def test_wrong_first_paths(planar, tmp_path):
         ),
     ):
         with pytest.raises(mp.InvalidInputError, match=message):
-            mp.optimize_path(planar, START, GOAL, scene=POST, initial=initial)
+            mp.optimize_path(planar, START, GOAL, scene=POST, seeding=mp.Seeding(initial=initial))
 
 
 INTERRUPTED = """
@@ -189,11 +207,12 @@ arm = mp.planar_arm([1.0, 1.0, 1.0])
 post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
 ends = [0, 1.5, -2], [3.14, -2, 2]
 first = mp.seed_path(arm, *ends, post)
-mp.optimize_path(arm, *ends, 4, scene=post, initial=first)
+given = {"shape": mp.PathShape(degree=4), "seeding": mp.Seeding(initial=first)}
+mp.optimize_path(arm, *ends, post, **given)
 threading.Timer(float(sys.argv[1]), lambda: os.kill(os.getpid(), signal.SIGINT)).start()
 began, results = time.monotonic(), 0
 while time.monotonic() - began < 20:
-    result = mp.optimize_path(arm, *ends, 4, power=2, scene=post, initial=first)
+    result = mp.optimize_path(arm, *ends, post, objective=mp.PathObjective(power=2), **given)
     results += 1
     if result.status is mp.Status.INTERRUPTED:
         assert post.collision_model(arm).path_is_free(result.path, 1e-3)
@@ -228,7 +247,9 @@ def test_an_interrupt_between_two_solves(planar, monkeypatch, sigint):
 
     monkeypatch.setattr(local, "descend", interrupted)
     seed = mp.seed_path(planar, START, GOAL, POST)
-    result = mp.optimize_path(planar, START, GOAL, power=2, scene=POST, initial=seed)
+    result = mp.optimize_path(
+        planar, START, GOAL, objective=mp.PathObjective(power=2), scene=POST, seeding=mp.Seeding(initial=seed)
+    )
     assert len(calls) == 3
     assert result.status is mp.Status.INTERRUPTED
     assert not result.status.ok
@@ -236,7 +257,7 @@ def test_an_interrupt_between_two_solves(planar, monkeypatch, sigint):
     assert result.g <= result.seed_cost.g
     calls.clear()
     with pytest.raises(KeyboardInterrupt):
-        mp.plan(planar, START, GOAL, POST, power=2)
+        mp.plan(planar, START, GOAL, POST, objective=mp.PathObjective(power=2))
 
 
 def test_an_interrupt_of_the_measurement_keeps_the_path(planar, monkeypatch, sigint):
@@ -244,7 +265,7 @@ def test_an_interrupt_of_the_measurement_keeps_the_path(planar, monkeypatch, sig
     from manipplan.optimize.local import LocalSearch
 
     monkeypatch.setattr(LocalSearch, "unconstrained_g", lambda *_: signal.raise_signal(signal.SIGINT))
-    result = mp.optimize_path(planar, START, GOAL, power=2)
+    result = mp.optimize_path(planar, START, GOAL, objective=mp.PathObjective(power=2))
     assert result.status is mp.Status.INTERRUPTED
     assert result.g < result.seed_cost.g
     assert np.isnan(result.certificate.unconstrained_g)
@@ -257,9 +278,9 @@ def test_an_interrupt_of_a_solve_is_quiet(planar, sigint):
         "import manipplan as mp\n"
         "arm = mp.planar_arm([1.0] * 5)\n"
         "threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
-        "began, result = time.monotonic(), None\n"
+        "began, result, shape = time.monotonic(), None, mp.PathShape(degree=14)\n"
         "while time.monotonic() - began < 20 and (result is None or result.status is not mp.Status.INTERRUPTED):\n"
-        "    result = mp.optimize_path(arm, [0.1, 1.5, -2, 1, 1], [3, -2, 2, 1, -1], 14, compiled=False)\n"
+        "    result = mp.optimize_path(arm, [0.1, 1.5, -2, 1, 1], [3, -2, 2, 1, -1], shape=shape, compiled=False)\n"
         "print(result.status.name)\n"
     )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False)
@@ -311,8 +332,8 @@ def test_a_seed_that_keeps_its_aspect_crosses_no_singularity(ur5):
     crossing = 0
     for row in rows[4:8]:
         start, goal = (np.array(row[end].split(), dtype=float) for end in ("start", "goal"))
-        free = mp.seed_path(ur5, start, goal, scene, time_limit=30.0)
-        kept = mp.seed_path(ur5, start, goal, scene, same_aspect=True, time_limit=30.0)
+        free = mp.seed_path(ur5, start, goal, scene, seeding=mp.Seeding(time_limit=30.0))
+        kept = mp.seed_path(ur5, start, goal, scene, same_aspect=True, seeding=mp.Seeding(time_limit=30.0))
         crossing += len(det_signs(ur5, free)) > 1
         assert len(det_signs(ur5, kept)) == 1
         assert not scene.in_collision(ur5, kept(kept.fine_samples(1e-3))).any()

@@ -6,6 +6,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
+from manipplan.measures.names import MEASURES
 from manipplan.tracking.controller import Controller
 from manipplan.tracking.convex import convexified
 from manipplan.tracking.formulations import NUDGE
@@ -16,7 +17,7 @@ GOLDEN = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 2.0, np.pi / 4])
 
 
 def controller(robot, formulation, **options):
-    return Controller(robot, formulation, options.pop("dt", DT), compiled=False, **{"approach": np.inf, **options})
+    return Controller(robot, formulation, dt=options.pop("dt", DT), compiled=False, **{"approach": np.inf, **options})
 
 
 def moved(pose, rng, size):
@@ -58,55 +59,66 @@ def error_of(robot, q, target, task=None):
 def log_slope(kinematics, q, regularisation):
     """∇ log sqrt(det(J Jᵀ + r² I)) by central differences."""
 
-    def log_index(each):
+    def log_m(each):
         jacobian = kinematics.jacobian(each)
         return np.linalg.slogdet(jacobian @ jacobian.T + regularisation**2 * np.eye(len(jacobian)))[1] / 2
 
-    return np.array([(log_index(q + move) - log_index(q - move)) / 2e-5 for move in 1e-5 * np.eye(len(q))])
+    return np.array([(log_m(q + move) - log_m(q - move)) / 2e-5 for move in 1e-5 * np.eye(len(q))])
 
 
-def quadratic(robot, formulation, q):
+def log_slope_of_measure(kinematics, q, regularisation):
+    """∇ log sqrt(m² + r²) by central differences."""
+    moves = 1e-5 * np.eye(len(q))
+    logs = [np.log(kinematics.manipulability(q + sign * moves) ** 2 + regularisation**2) / 2 for sign in (1, -1)]
+    return (logs[0] - logs[1]) / 2e-5
+
+
+def quadratic(kinematics, formulation, q):
     """H and g that each formulation adds, by its equation."""
-    kinematics = robot.kinematics()
-    m, slope, n = kinematics.manipulability(q), kinematics.gradient(q), robot.n
-    if isinstance(formulation, mp.Objective):  # (11)
+    m, slope, n = kinematics.manipulability(q), kinematics.gradient(q), len(q)
+    if isinstance(formulation, mp.formulations.Objective):  # (11)
         time = formulation.sample_time or DT
         return -formulation.alpha * time**2 * kinematics.hessian(q), -formulation.alpha * time * slope
-    if isinstance(formulation, mp.Equality):  # (16)
+    if isinstance(formulation, mp.formulations.Equality):  # (16)
         time = formulation.sample_time or DT
         return formulation.alpha * time**2 * np.outer(slope, slope), -formulation.alpha * m * time * slope
-    if isinstance(formulation, mp.LogDrive):
-        pull = log_slope(kinematics, q, formulation.regularisation) + NUDGE
+    if isinstance(formulation, mp.formulations.LogDrive):
+        of_log = log_slope if kinematics.measure == mp.Yoshikawa() else log_slope_of_measure
+        pull = of_log(kinematics, q, formulation.regularisation) + NUDGE
         return formulation.weight * np.outer(pull, pull), -formulation.weight * formulation.rate * pull
     return np.zeros((n, n)), np.zeros(n)
 
 
 @pytest.mark.parametrize(
-    "formulation",
+    ("formulation", "measure"),
     [
-        mp.General(),
-        mp.Objective(alpha=2e3),
-        mp.Objective(alpha=2e3, sample_time=0.004),
-        mp.Equality(alpha=5e5),
-        mp.Equality(alpha=5e5, sample_time=0.004),
-        mp.LogDrive(),
-        mp.LogDrive(weight=3.0, rate=2.0),
+        (mp.formulations.General(), None),
+        (mp.formulations.Objective(alpha=2e3), None),
+        (mp.formulations.Objective(alpha=2e3, sample_time=0.004), None),
+        (mp.formulations.Equality(alpha=5e5), None),
+        (mp.formulations.Equality(alpha=5e5, sample_time=0.004), None),
+        (mp.formulations.Equality(alpha=5e5), "frobenius"),
+        (mp.formulations.LogDrive(), None),
+        (mp.formulations.LogDrive(weight=3.0, rate=2.0), None),
+        (mp.formulations.LogDrive(), "frobenius"),
     ],
     ids=str,
 )
-def test_cost_equals_the_expanded_formula(panda, formulation, rng):
+def test_cost_equals_the_expanded_formula(panda, formulation, measure, rng):
     weights = rng.uniform(0.5, 2.0, 7)
-    of = controller(panda, formulation, weights=weights)
+    of, kinematics = controller(panda, formulation, weights=weights, measure=measure), panda.kinematics(measure=measure)
     for _ in range(5):
         q, qd, target = state(panda, rng)
         share = rng.uniform(0, 1)
         found = problem(of, q, qd, target, stiffness=300.0, drive=share)
         jacobian, rate = panda.kinematics().jacobian(q), error_of(panda, q, target) / DT
-        bend, pull = quadratic(panda, formulation, q)
+        bend, pull = quadratic(kinematics, formulation, q)
         hessian = np.diag(weights) + 300.0 * jacobian.T @ jacobian + share * bend
         gradient = share * pull - 300.0 * jacobian.T @ rate
         assert np.linalg.eigvalsh(hessian)[0] > 0  # else the cost would have been made convex
-        near = 1e-4 if isinstance(formulation, mp.LogDrive) else 1e-7  # its regularisation counts near singularities
+        near = (
+            1e-4 if isinstance(formulation, mp.formulations.LogDrive) else 1e-7
+        )  # its regularisation counts near singularities
         np.testing.assert_allclose(found["h"], hessian, atol=near * np.abs(hessian).max())
         np.testing.assert_allclose(found["g"].ravel(), gradient, atol=near * np.abs(gradient).max())
 
@@ -114,7 +126,7 @@ def test_cost_equals_the_expanded_formula(panda, formulation, rng):
 def test_log_drive_regularises_the_singular_values_of_the_task_s_jacobian(panda, rng):
     """Of a position; those of a whole pose are seen from the middle of the arm."""
     task = mp.Task.position()
-    of = controller(panda, mp.LogDrive(weight=1.0, rate=1.0, regularisation=0.2), task=task)
+    of = controller(panda, mp.formulations.LogDrive(weight=1.0, rate=1.0, regularisation=0.2), task=task)
     for _ in range(5):
         q, qd, _ = state(panda, rng)
         found = problem(of, q, qd, panda.kinematics().pose(q))["g"].ravel()
@@ -123,7 +135,7 @@ def test_log_drive_regularises_the_singular_values_of_the_task_s_jacobian(panda,
 
 def test_a_deviation_is_corrected_no_faster_than_it_can_be_braked(panda, rng):
     """ṙ T = (target - last target) + κ (last target - tool), κ = min(1, T sqrt(2 a / |e|))."""
-    of = controller(panda, mp.General(), approach=3.0)
+    of = controller(panda, mp.formulations.General(), approach=3.0)
     for size in (1e-6, 1e-3, 0.2):
         q, qd, last = state(panda, rng, size)
         target = moved(last, rng, 1e-3)
@@ -142,17 +154,18 @@ def test_a_deviation_is_corrected_no_faster_than_it_can_be_braked(panda, rng):
 
 def test_classical_with_gain_zero_is_the_pseudo_inverse(panda, rng):
     """(2) with z = 0."""
-    of = controller(panda, mp.Classical())
+    of = controller(panda, mp.formulations.Classical())
     for _ in range(10):
         q, qd, target = state(panda, rng)
         expected = np.linalg.pinv(panda.kinematics().jacobian(q)) @ error_of(panda, q, target) / DT
         np.testing.assert_allclose(problem(of, q, qd, target)["velocity"].ravel(), expected, rtol=1e-7, atol=1e-7)
 
 
-def test_classical_projects_the_gradient_into_the_null_space(panda, rng):
+@pytest.mark.parametrize("measure", [None, "isotropy"])
+def test_classical_projects_the_gradient_into_the_null_space(panda, measure, rng):
     """(7), with I_n."""
-    of = controller(panda, mp.Classical(gain=20.0))
-    kinematics = panda.kinematics()
+    of = controller(panda, mp.formulations.Classical(gain=20.0), measure=measure)
+    kinematics = panda.kinematics(measure=measure)
     for _ in range(10):
         q, qd, target = state(panda, rng)
         jacobian = kinematics.jacobian(q)
@@ -163,7 +176,7 @@ def test_classical_projects_the_gradient_into_the_null_space(panda, rng):
 
 
 def test_classical_cuts_its_velocity_to_the_bounds(panda, rng):
-    of = controller(panda, mp.Classical())
+    of = controller(panda, mp.formulations.Classical())
     q, qd, target = state(panda, rng, 0.5)
     found = problem(of, q, qd, target)
     low, high = found["lbx"].ravel(), found["ubx"].ravel()
@@ -187,7 +200,11 @@ def solved_by(solver, program):
     return answer if other.stats()["success"] else np.full(len(answer), np.nan)
 
 
-@pytest.mark.parametrize("formulation", [mp.Objective(alpha=2e3), mp.Equality(alpha=5e5), mp.LogDrive()], ids=str)
+@pytest.mark.parametrize(
+    "formulation",
+    [mp.formulations.Objective(alpha=2e3), mp.formulations.Equality(alpha=5e5), mp.formulations.LogDrive()],
+    ids=str,
+)
 @pytest.mark.parametrize("tube", [False, True])
 def test_three_solvers_of_the_same_problem_agree(panda, formulation, tube, rng):
     """With bounds of the joints and walls of the tube active; of the other three one may stop before 1e-6 or give up."""
@@ -215,14 +232,14 @@ def test_three_solvers_of_the_same_problem_agree(panda, formulation, tube, rng):
 
 
 def test_without_active_bounds_the_answer_is_the_minimum_of_the_cost(panda, rng):
-    of = controller(panda.with_limits(velocity=1e4, acceleration=np.inf, jerk=np.inf), mp.LogDrive())
+    of = controller(panda.with_limits(velocity=1e4, acceleration=np.inf, jerk=np.inf), mp.formulations.LogDrive())
     for _ in range(10):
         q, qd, target = state(panda, rng, 1e-3)
         found = problem(of, q, qd, target)
         np.testing.assert_allclose(of.step(q, qd, target), np.linalg.solve(found["h"], -found["g"].ravel()), rtol=1e-8)
 
 
-# ---- gradient and Hessian of the index
+# ---- gradient and Hessian of the manipulability
 
 
 def learn(of, positions):
@@ -241,9 +258,9 @@ def walk(rng, size=0.02):
 
 def test_central_differences_equal_the_exact_derivatives(panda, rng):
     """(17) and (19) against (18) and our Hessian, seen through H and g with Q_δ so small that the drive is all."""
-    exact = controller(panda, mp.Objective(alpha=1.0, sample_time=1.0, convexify=False))
+    exact = controller(panda, mp.formulations.Objective(alpha=1.0, sample_time=1.0, convexify=False))
     central = controller(
-        panda, mp.Objective(alpha=1.0, sample_time=1.0, gradient="central", hessian="central", convexify=False)
+        panda, mp.formulations.Objective(alpha=1.0, sample_time=1.0, gradient="central", hessian="central", convexify=False)
     )
     for _ in range(5):
         q, qd, _ = state(panda, rng)
@@ -254,8 +271,56 @@ def test_central_differences_equal_the_exact_derivatives(panda, rng):
         np.testing.assert_allclose(b["g"], a["g"], atol=1e-7)
 
 
+#: Every measure that a controller can raise, for two rows.
+RAISED = [
+    mp.VelocityTransmission(direction=(1.0, -2.0)) if kind is mp.VelocityTransmission else kind()
+    for kind in MEASURES.values()
+    if kind.grows
+]
+
+
+@pytest.mark.parametrize("measure", RAISED, ids=lambda each: each.name)
+def test_a_step_has_the_derivatives_of_its_measure(planar, measure, rng):
+    """Those of `Kinematics`, seen through H and g with Q_δ so small that the drive is all."""
+    of = controller(planar, mp.formulations.Objective(alpha=1.0, sample_time=1.0, convexify=False), measure=measure)
+    kinematics = planar.kinematics(measure=measure, compiled=False)
+    assert of.kinematics.measure == measure
+    for _ in range(5):
+        q, qd, _ = state(planar, rng)
+        slope, bend = kinematics.gradient(q), kinematics.hessian(q)
+        found = problem(of, q, qd, kinematics.pose(q), stiffness=1e-12)
+        np.testing.assert_allclose(found["g"].ravel(), -slope, atol=1e-9 * np.abs(slope).max())
+        np.testing.assert_allclose(found["h"], np.eye(3) - bend, atol=1e-9 * (1 + np.abs(bend).max()))
+
+
+@pytest.mark.parametrize("measure", RAISED[1:], ids=lambda each: each.name)
+def test_log_drive_pulls_along_the_regularised_logarithm_of_its_measure(planar, measure, rng):
+    """-∇ log sqrt(m² + r²), with r as large as m is in one configuration."""
+    kinematics = planar.kinematics(measure=measure, compiled=False)
+    large = float(kinematics.manipulability([0.3, 0.8, 0.7]))
+    of = controller(planar, mp.formulations.LogDrive(weight=1.0, rate=1.0, regularisation=large), measure=measure)
+    for _ in range(5):
+        q, qd, _ = state(planar, rng)
+        expected = log_slope_of_measure(kinematics, q, large)
+        found = problem(of, q, qd, kinematics.pose(q))["g"].ravel()
+        np.testing.assert_allclose(found, -expected, atol=1e-5 * (1 + np.abs(expected).max()))
+
+
+@pytest.mark.parametrize("measure", ["frobenius", "isotropy"])
+def test_central_differences_of_a_measure_equal_its_exact_derivatives(planar, measure, rng):
+    central = mp.formulations.Objective(alpha=1.0, sample_time=1.0, gradient="central", hessian="central", convexify=False)
+    exact = mp.formulations.Objective(alpha=1.0, sample_time=1.0, convexify=False)
+    both = [controller(planar, formulation, measure=measure) for formulation in (exact, central)]
+    for _ in range(3):
+        q, qd, _ = state(planar, rng)
+        a, b = (problem(of, q, qd, planar.kinematics().pose(q), stiffness=1e-12) for of in both)
+        assert np.abs(a["g"]).max() > 0.01
+        np.testing.assert_allclose(b["h"], a["h"], atol=1e-5 * (1 + np.abs(a["h"]).max()))
+        np.testing.assert_allclose(b["g"], a["g"], atol=1e-6 * (1 + np.abs(a["g"]).max()))
+
+
 def test_bfgs_stays_negative_semidefinite(panda, rng):
-    of = controller(panda, mp.Objective(alpha=1.0, hessian="bfgs"))
+    of = controller(panda, mp.formulations.Objective(alpha=1.0, hessian="bfgs"))
     steps = learn(of, walk(rng))
     assert not steps[0][0].any()
     for hessian, _ in steps[1:]:
@@ -263,9 +328,9 @@ def test_bfgs_stays_negative_semidefinite(panda, rng):
         assert np.linalg.eigvalsh(hessian)[-1] <= 1e-12 * np.abs(hessian).max()
 
 
-def test_bfgs_satisfies_the_secant_equation_where_the_index_is_concave_enough(panda, rng):
+def test_bfgs_satisfies_the_secant_equation_where_the_manipulability_is_concave_enough(panda, rng):
     """Undamped, H_m s = y; elsewhere Powell's damping gives way."""
-    of = controller(panda, mp.Objective(alpha=1.0, hessian="bfgs"))
+    of = controller(panda, mp.formulations.Objective(alpha=1.0, hessian="bfgs"))
     positions = walk(rng)
     steps = learn(of, positions)
     undamped = 0
@@ -279,7 +344,7 @@ def test_bfgs_satisfies_the_secant_equation_where_the_index_is_concave_enough(pa
 
 
 def test_sr1_satisfies_the_secant_equation(panda, rng):
-    of = controller(panda, mp.Objective(alpha=1.0, hessian="sr1"))
+    of = controller(panda, mp.formulations.Objective(alpha=1.0, hessian="sr1"))
     positions = walk(rng)
     steps = learn(of, positions)
     for k in range(1, len(steps)):
@@ -287,9 +352,9 @@ def test_sr1_satisfies_the_secant_equation(panda, rng):
 
 
 def test_sr1_learns_a_constant_hessian_exactly():
-    """After n independent steps; the index of two links is sin, so each step is small beside its curvature."""
+    """After n independent steps; the manipulability of two links is sin, so each step is small beside its curvature."""
     arm = mp.planar_arm([1.0, 1.0, 1.0])
-    of = controller(arm, mp.Objective(alpha=1.0, hessian="sr1"), task=mp.Task.planar())
+    of = controller(arm, mp.formulations.Objective(alpha=1.0, hessian="sr1"), task=mp.Task.planar())
     q = np.array([0.3, 0.8, 0.7])
     positions = [q, *(q + 1e-5 * (np.arange(3) <= k) for k in range(3))]
     found = [h for h, _ in learn(of, positions)][-1]
@@ -298,7 +363,7 @@ def test_sr1_learns_a_constant_hessian_exactly():
 
 def test_literal_bfgs_is_formula_20(panda, rng):
     """H ← (I - ρ s yᵀ) H (I - ρ y sᵀ) + ρ s sᵀ, from the identity, as printed."""
-    of = controller(panda, mp.Objective(alpha=1.0, hessian="bfgs-literal", convexify=False))
+    of = controller(panda, mp.formulations.Objective(alpha=1.0, hessian="bfgs-literal", convexify=False))
     positions = walk(rng)
     steps = learn(of, positions)
     expected = np.eye(7)
@@ -312,7 +377,7 @@ def test_literal_bfgs_is_formula_20(panda, rng):
 
 @pytest.mark.parametrize("hessian", ["bfgs", "sr1", "bfgs-literal"])
 def test_what_was_learned_is_kept_while_the_arm_rests(panda, rng, hessian):
-    of = controller(panda, mp.Objective(alpha=1.0, hessian=hessian))
+    of = controller(panda, mp.formulations.Objective(alpha=1.0, hessian=hessian))
     positions = walk(rng)
     steps = learn(of, [*positions, positions[-1]])
     assert steps[-2][0].any()
@@ -356,7 +421,7 @@ def test_convexified_makes_positive_definite_by_a_diagonal(n, scale, rng):
 
 
 def test_an_indefinite_cost_is_made_convex_and_reported(panda):
-    of = controller(panda, mp.Objective(alpha=1e7))
+    of = controller(panda, mp.formulations.Objective(alpha=1e7))
     pose = panda.kinematics().pose(GOLDEN)
     plain = np.eye(7) - 1e7 * DT**2 * panda.kinematics().hessian(GOLDEN)
     assert np.linalg.eigvalsh(plain)[0] < 0
@@ -369,7 +434,7 @@ def test_an_indefinite_cost_is_made_convex_and_reported(panda):
 
 def test_the_paper_s_indefinite_cost_never_breaks_a_limit(panda, rng):
     """Solved as it is, its answers may be unsound: then the arm brakes."""
-    of = controller(panda, mp.Objective(alpha=1e8, convexify=False))
+    of = controller(panda, mp.formulations.Objective(alpha=1e8, convexify=False))
     q, qd = GOLDEN, np.zeros(7)
     for _ in range(100):
         before, qd = qd, of.step(q, qd, panda.kinematics().pose(GOLDEN), stiffness=1.0)

@@ -8,6 +8,7 @@ import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -98,7 +99,9 @@ def loaded(make, name, tmp_path):
 def avoiding(robot, scene, compiled):
     """A controller that keeps the arm away from itself and from one moving obstacle."""
     avoidance = mp.Avoidance(scene=scene, moving=list(scene.names), itself=True)
-    return mp.Controller(robot, mp.LogDrive(), DT, task=mp.Task.planar(), avoidance=avoidance, compiled=compiled)
+    return mp.Controller(
+        robot, mp.formulations.LogDrive(), dt=DT, task=mp.Task.planar(), avoidance=avoidance, compiled=compiled
+    )
 
 
 def scene_of(name):
@@ -268,16 +271,20 @@ def test_the_log_of_a_command_shows_control_characters_as_escapes():
     assert logging.getLogger("manipplan").name == "manipplan"
 
 
+def straight_plan(robot, scene):
+    """The plan of a plain arm, given to a robot some of whose joint names are refused in a motion."""
+    arm = mp.planar_arm([0.4, 0.4, 0.4])
+    plan = mp.plan(arm, [0.1, 0.2, 0.3], [0.6, 0.5, 0.4], shape=mp.PathShape(degree=1))
+    return replace(plan, robot=robot, scene=scene)
+
+
 @pytest.mark.parametrize("kind", ["a script", "the end of a string"])
 def test_pages_show_names_as_text(kind, tmp_path):
     from manipplan.viz.viewer.motion import Motion
     from manipplan.viz.viewer.plan_viewer import about
 
     robot, mark = loaded(urdf, HOSTILE[kind], tmp_path)
-    path = mp.JointPath.line([0.1, 0.2, 0.3], [0.6, 0.5, 0.4])
-    motion = mp.retime(path, robot.limits)
-    scene = scene_of(HOSTILE[kind].replace("@MARK@", str(mark)))
-    plan = mp.Plan(robot=robot, scene=scene, status=mp.Status.OPTIMAL, path=path, trajectory=motion)
+    plan = straight_plan(robot, scene_of(HOSTILE[kind].replace("@MARK@", str(mark))))
     page = Path(plan.record(tmp_path / "page.html")).read_text()
     for text in (page, about(Motion.of(plan))):
         assert html.escape(robot.name) in text
@@ -290,9 +297,7 @@ def test_the_viewer_takes_no_markdown_with_names(tmp_path, monkeypatch):
     import viser
 
     robot, _ = loaded(urdf, HOSTILE["Markdown"], tmp_path)
-    path = mp.JointPath.line([0.1, 0.2, 0.3], [0.6, 0.5, 0.4])
-    motion = mp.retime(path, robot.limits)
-    plan = mp.Plan(robot=robot, scene=mp.Scene(), status=mp.Status.OPTIMAL, path=path, trajectory=motion)
+    plan = straight_plan(robot, mp.Scene())
     shown = []
     for name in ("add_markdown", "add_html"):
         add = getattr(viser.GuiApi, name)

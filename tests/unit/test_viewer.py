@@ -71,7 +71,7 @@ def page(shown, open_page):
 def plan():
     arm = mp.planar_arm([1.0, 1.0, 1.0])
     scene = mp.Scene([mp.Box(size=(0.3, 0.3, 0.3), position=(0.0, -2.0, 0.0), name="block")])
-    return mp.plan(arm, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], scene, power=2.0)
+    return mp.plan(arm, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], scene, objective=mp.PathObjective(power=2.0))
 
 
 @pytest.fixture(scope="module")
@@ -80,12 +80,12 @@ def shown(plan):
         yield page
 
 
-def moved(robot, start=None, scene=None):
-    """A plan that was not optimised, from one posture to another nearby."""
+def moved(plan, robot, start=None, scene=None):
+    """A plan that was not optimised, from one posture to another nearby; its figures are those of the given plan."""
     start = robot.neutral if start is None else np.asarray(start)
     path = mp.JointPath.line(start, robot.random_configuration(np.random.default_rng(1)) * 0.3 + start * 0.7)
-    motion = mp.retime(path, robot.limits, joint_names=robot.joint_names)
-    return mp.Plan(robot=robot, scene=scene or mp.Scene(), status=Status.OPTIMAL, path=path, trajectory=motion)
+    motion, result = mp.retime(path, robot), replace(plan.result, path=path, seed=path, task=robot.default_task)
+    return replace(plan, robot=robot, scene=scene or mp.Scene(), path=path, trajectory=motion, result=result)
 
 
 def picture(page):
@@ -154,8 +154,8 @@ def test_the_slider_moves_the_robot(shown, page):
         )
         before = drawn(page, differs_from=before)
     assert f"{shown.time:.2f} of {shown.motion.trajectory.duration:.2f} s" in page.content()
-    index = float(shown.motion.kinematics.manipulability(shown.motion.trajectory(1.13)))
-    assert f"{index:.4g} m²" in page.content()
+    value = float(shown.motion.kinematics.manipulability(shown.motion.trajectory(1.13)))
+    assert f"{value:.4g} m²" in page.content()
     ellipsoid, jacobian = shown.stage.ellipsoid.mesh, shown.motion.position.jacobian(shown.motion.trajectory(1.13))
     np.testing.assert_allclose(ellipsoid.scale[:2], shown.motion.scale * np.linalg.svd(jacobian)[1], rtol=1e-9)
     np.testing.assert_allclose(ellipsoid.position, shown.motion.position.pose(shown.motion.trajectory(1.13))[:3, 3], atol=1e-9)
@@ -280,7 +280,7 @@ def project(camera, page, point):
 def test_the_arm_follows_among_obstacles_with_a_prismatic_joint():
     robot = mp.load_robot("tiago")
     assert "prismatic" in robot.joint_types
-    live = viewer.follow_target(robot, mp.Classical(gain=1.0), port=0, open_browser=False)
+    live = viewer.follow_target(robot, mp.formulations.Classical(gain=1.0), port=0, open_browser=False)
     try:
         goal = live.target
         goal[:3, 3] += [0.02, 0.05, -0.05]
@@ -291,16 +291,16 @@ def test_the_arm_follows_among_obstacles_with_a_prismatic_joint():
     with pytest.raises(mp.InvalidInputError, match="Classical"):
         viewer.follow_target(
             robot,
-            mp.Classical(gain=1.0),
+            mp.formulations.Classical(gain=1.0),
             scene=mp.Scene([mp.Sphere(radius=0.1, position=(1, 1, 1))]),
             port=0,
             open_browser=False,
         )
 
 
-def test_visual_meshes_stand_where_pinocchio_puts_them():
+def test_visual_meshes_stand_where_pinocchio_puts_them(plan):
     robot = mp.load_robot("panda")
-    plan = moved(robot)
+    plan = moved(plan, robot)
     appearance = appearance_of(robot)
     assert appearance.origin == "visual meshes"
     assert max(len(body.faces) for body in appearance.bodies) <= 1.01 * MOST
@@ -343,11 +343,11 @@ BOX = '<{0}><geometry><box size="0.4 0.1 0.1"/></geometry></{0}>'
         ("", "", "rods from joint to joint"),
     ],
 )
-def test_what_cannot_be_read_is_replaced_and_told(tmp_path, caplog, visual, collision, origin):
+def test_what_cannot_be_read_is_replaced_and_told(plan, tmp_path, caplog, visual, collision, origin):
     file = tmp_path / "arm.urdf"
     file.write_text(ARM.format(visual=visual, collision=collision))
     robot = mp.Robot.from_urdf(file, tool="tip")
-    plan = moved(robot, start=[0.1, 0.1, 0.1])
+    plan = moved(plan, robot, start=[0.1, 0.1, 0.1])
     with caplog.at_level(logging.INFO, logger="manipplan"), plan.show(port=0, open_browser=False) as page:
         told = appearance_of(robot).origin
         assert origin in told
@@ -356,7 +356,7 @@ def test_what_cannot_be_read_is_replaced_and_told(tmp_path, caplog, visual, coll
         assert ("nearest joint limit", "out, 0.100 m away") in page.motion.values(0.0)
 
 
-def test_every_kind_of_obstacle_is_drawn(tmp_path):
+def test_every_kind_of_obstacle_is_drawn(plan, tmp_path):
     trimesh.creation.box((0.2, 0.2, 0.2)).export(tmp_path / "part.stl")
     scene = mp.Scene(
         [
@@ -367,7 +367,7 @@ def test_every_kind_of_obstacle_is_drawn(tmp_path):
             mp.Plane(position=(0.0, 0.0, -0.3), name="ground"),
         ]
     )
-    plan = moved(mp.planar_arm([0.4, 0.4]), scene=scene)
+    plan = moved(plan, mp.planar_arm([0.4, 0.4]), scene=scene)
     with plan.show(port=0, open_browser=False) as page:
         lower, upper = surface(page, "/obstacles/3/0")
         size = 0.2 * (np.cos(0.5) + np.sin(0.5))
@@ -461,10 +461,16 @@ def test_other_bad_arguments(plan, argument, value):
 
 
 def test_a_plan_without_a_motion_is_an_error(plan):
-    failed = mp.Plan(robot=plan.robot, scene=plan.scene, status=Status.NO_PATH, message="the goal is in the wall")
-    for show in (lambda: failed.show(port=0), lambda: failed.record("x.html")):
-        with pytest.raises(mp.PlanningError, match="no motion to show: the goal is in the wall"):
+    failed = mp.PartialPlan(robot=plan.robot, scene=plan.scene, status=Status.NO_PATH, message="the goal is in the wall")
+    for work, show in (
+        ("no trajectory to show", lambda: failed.show(port=0)),
+        ("no trajectory to record", lambda: failed.record("x.html")),
+        ("no motion to show", lambda: viewer.show(failed, port=0)),
+        ("no motion to show", lambda: viewer.record(failed, "x.html")),
+    ):
+        with pytest.raises(mp.PlanningError, match=f"{work}: the goal is in the wall") as caught:
             show()
+        assert caught.value.result is failed
 
 
 def test_a_speed_that_is_none_does_not_end_the_play(plan):
@@ -517,7 +523,7 @@ def test_the_address_of_ipv6_is_one(plan):
 
 
 def test_a_motion_of_other_joints_is_told(plan):
-    other = moved(mp.planar_arm([1.0, 1.0])).trajectory
+    other = moved(plan, mp.planar_arm([1.0, 1.0])).trajectory
     with pytest.raises(
         mp.InvalidInputError, match=r"plan.trajectory: got 'a motion of 2 joints'; allowed: one of the robot's 3"
     ):

@@ -2,13 +2,13 @@
 Do not believe us: check a plan with Pinocchio alone
 ====================================================
 
-A plan comes with a report and a certificate. Before it runs on a machine you may
-want to check them by means that are not ours. This page reads both, then computes
-the figures again with NumPy and Pinocchio only, from the exported file.
+A plan comes with a report and a certificate. Before you run the plan on a robot, you
+may want to check both with independent tools. This page prints both, then computes the
+numbers again from the exported file, with NumPy and Pinocchio only.
 """
 
 # %%
-# A plan among a few boxes, written to files.
+# Plan a motion among a few boxes and save the plan.
 
 import json
 import tempfile
@@ -37,21 +37,21 @@ folder = Path(tempfile.mkdtemp())
 print("files:", ", ".join(file.name for file in plan.save(folder)))
 
 # %%
-# The **report** is measured on the finished trajectory. The **certificate** is
-# about the path: how it came about, whether the first-order conditions of a local
-# optimum hold, g and how far it is above the optimum without limits and obstacles
-# (the gap), the least distance that is *proven* for the whole curve, and the limits
-# that it comes nearest to. An optimum among obstacles touches its clearance: here
-# 10 mm, and the 0.05 mm that the optimiser adds so that the proof succeeds.
+# The **report** is measured on the finished trajectory. The **certificate** describes
+# the path: how it was found, whether the first-order conditions of a local optimum
+# hold, g and how far it is above the optimum without limits and obstacles (the gap),
+# the minimum distance that is *proven* for the whole curve, and the limits that the
+# path comes closest to. An optimal path among obstacles runs at the clearance: here 10
+# mm, plus the 0.05 mm that the optimiser adds so that the proof succeeds.
 
 print(plan.report)
 print()
 print(plan.result.certificate)
 
 # %%
-# **Now without manipplan.** What is read: the CSV, the report's JSON, and the arm's
-# model. The motion between samples is the cubic spline of positions and velocities,
-# as a joint trajectory controller plays it.
+# **Now without manipplan.** The inputs are the CSV file, the report's JSON file, and
+# the model of the arm. Between the samples, the motion is the cubic spline through the
+# positions and velocities, which is what a joint trajectory controller executes.
 
 table = np.genfromtxt(folder / "trajectory.csv", delimiter=",", names=True)
 report = json.loads((folder / "report.json").read_text())
@@ -78,18 +78,18 @@ Q, V, A = (x.reshape(-1, len(names)) for x in (position, velocity, acceleration)
 model = robot.model  # a pinocchio.Model: the URDF with the fingers locked
 data = model.createData()
 tool = model.getFrameId(robot.tool)
-length = 0.5  # [m] weighs rotation against translation; the report's task says so
+length = 0.5  # [m] weight of rotation against translation, as in the report
 weights = np.array([1, 1, 1, length, length, length])[:, None]
 
 
-def index(x):
+def manipulability(x):
     J = weights * pin.computeFrameJacobian(
         model, data, x, tool, pin.LOCAL_WORLD_ALIGNED
     )
     return np.sqrt(np.linalg.det(J @ J.T))
 
 
-m = np.array([index(x) for x in Q])
+m = np.array([manipulability(x) for x in Q])
 torque = np.array([pin.rnea(model, data, *row) for row in zip(Q, V, A, strict=True)])
 g = (np.linalg.norm(np.diff(Q, axis=0), axis=1) * (1 / m[1:] + 1 / m[:-1]) / 2).sum()
 checks = {
@@ -118,9 +118,10 @@ assert (Q - model.lowerPositionLimit >= -1e-9).all() and (
 ).all()
 
 # %%
-# **The clearance**, with the arm's own meshes instead of the primitives that the
-# planner uses: the meshes are inside the primitives, so the true distance has to be
-# larger than what is proven. Coal measures every mesh against the two boxes.
+# **The clearance** is measured with the arm's own meshes instead of the primitives that
+# the planner uses. The meshes are inside the primitives, so the true distance has to be
+# larger than the proven one. Coal computes the distance from every mesh to the two
+# boxes.
 
 
 geometry, placed = robot.geometry, pin.GeometryData(robot.geometry)
@@ -169,7 +170,7 @@ top.axhline(
     linestyle=":",
     label="minimum manipulability of the report",
 )
-top.set(ylabel="index by Pinocchio [m⁶]", ylim=(0, 1.15 * m.max()))
+top.set(ylabel="m by Pinocchio [m⁶]", ylim=(0, 1.15 * m.max()))
 top.set(xlim=(0, times[-1]))
 top.legend(frameon=False, fontsize=8)
 bottom.plot(times[some], 1e3 * mesh, color="#D55E00")
@@ -184,7 +185,6 @@ bottom.legend(frameon=False, fontsize=8)
 plt.show()
 
 # %%
-# When a figure disagrees: check first that the tool frame, the characteristic
-# length and the payload are the same. A report whose ``passed`` is false says which
-# check failed in its first lines; such a plan is returned only with
-# ``throw=False``.
+# If a number disagrees, first check that the tool frame, the characteristic length and
+# the payload are the same. If ``passed`` is false, the first lines of the report say
+# which check failed. Such a plan is returned only with ``throw=False``.

@@ -2,18 +2,18 @@
 Sweep on a Dask cluster
 =======================
 
-One plan takes a second; a study of a cell takes thousands of them: every pick with
-every place, several robots, several mounting positions. Everything here that does
-many independent things takes an ``executor=``, any of ``concurrent.futures``. A
-Dask client's ``get_executor()`` is one, and behind it may be this machine or a
-hundred others.
+One plan takes a second; the study of a robot cell needs thousands of them: every pick
+with every place, several robots, several mounting positions. Every function that does
+many independent computations takes an ``executor=`` with the interface of
+``concurrent.futures``. A Dask client's ``get_executor()`` returns one. Its workers may
+run on this machine or on a hundred others.
 """
 
 # %%
-# A cluster. Here the scheduler and two workers are processes of this machine,
-# started as on others: ``dask scheduler`` on one of them, ``dask worker
-# tcp://...:8786`` on each of the rest, and ``Client("tcp://...:8786")`` where you
-# sit. Nothing else on this page changes.
+# Start the cluster. Here the scheduler and two workers are processes on this machine.
+# On several machines, run ``dask scheduler`` on one of them and ``dask worker
+# tcp://...:8786`` on each of the others, and create ``Client("tcp://...:8786")`` in
+# your own script. Nothing else on this page changes.
 
 import subprocess
 import sys
@@ -46,10 +46,11 @@ executor = client.get_executor()
 print(f"{len(client.scheduler_info()['workers'])} workers")
 
 # %%
-# **One problem, many first paths.** ``seeds=`` first paths are looked for and solved
-# side by side. The result does not depend on where that happens, so it is the same as
-# without an executor. A problem as small as this one is not worth the way: it shows
-# how the call looks. The first call also loads the library on the workers.
+# **One problem, many first paths.** With ``mp.Seeding(count=4)`` the planner looks for
+# four first paths and optimises them in parallel. The result does not depend on where
+# they are optimised, so it is the same as without an executor. A problem as small as
+# this one is not worth the overhead; it only shows the call. The first call also loads
+# the library on the workers.
 
 arm = mp.planar_arm([1.0, 1.0, 1.0])
 posts = [(0.0, 2.3), (-1.9, 0.5), (1.2, -1.6)]
@@ -62,12 +63,17 @@ scene = mp.Scene(
     ]
 )
 start, goal = [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0]
-options = {"degree": 8, "power": 2, "scene": scene, "clearance": 0.02, "seeds": 4}
+options = {
+    "objective": mp.PathObjective(power=2),
+    "shape": mp.PathShape(degree=8),
+    "seeding": mp.Seeding(count=4),
+    "clearance": 0.02,
+}
 begin = time.perf_counter()
-here = mp.optimize_path(arm, start, goal, **options)
+here = mp.optimize_path(arm, start, goal, scene, **options)
 alone = time.perf_counter() - begin
 begin = time.perf_counter()
-there = mp.optimize_path(arm, start, goal, executor=executor, **options)
+there = mp.optimize_path(arm, start, goal, scene, executor=executor, **options)
 print(
     f"here {alone:.1f} s, on the cluster {time.perf_counter() - begin:.1f} s; "
     f"{len(there.rivals)} rivals"
@@ -76,12 +82,12 @@ print(f"g {here.g:.9f} and {there.g:.9f}")
 assert np.isclose(here.g, there.g, rtol=1e-9)
 
 # %%
-# **Many problems.** A sweep is a function and a list. Here: where should a UR5
-# stand, so that its way from one place of a table to another is farthest from
-# singularities? A task is one row of the map, so that it takes about a second and
-# loads the robot once; it returns numbers, not robots, so that little travels.
-# Start and goal are the configurations of the two poses that have the same sign of
-# det J and are nearest to each other.
+# **Many problems.** A sweep is a function and a list of arguments. Here: where should a
+# UR5 be mounted, so that its path from one place of a table to another stays farthest
+# from singularities? Each task computes one row of the map, so it takes about a second
+# and loads the robot only once. It returns numbers, not robots, so little data is
+# transferred. Start and goal are the configurations of the two poses that have the same
+# sign of det J and are nearest to each other.
 
 
 def row_of_map(y, xs):
@@ -103,7 +109,9 @@ def case(robot, kinematics, x, y):
     distance = np.linalg.norm(starts[:, None] - goals, axis=2)
     distance[signs[0][:, None] != signs[1]] = np.inf
     first, last = np.unravel_index(distance.argmin(), distance.shape)
-    result = mp.optimize_path(robot, starts[first], goals[last], degree=4, throw=False)
+    result = mp.optimize_path(
+        robot, starts[first], goals[last], shape=mp.PathShape(degree=4), throw=False
+    )
     return result.g, result.min_manipulability
 
 
@@ -124,8 +132,8 @@ for row, column in zip(*np.unravel_index(order[:5], table.shape[:2]), strict=Tru
     print(f"({xs[column]:5.2f}, {ys[row]:5.2f})  {g:8.1f}  {least:12.4f}")
 
 # %%
-# A row computed here is the same to rounding: nothing depends on the worker. In the
-# picture white is out of reach.
+# A row computed in this process is the same up to rounding: the result does not depend
+# on the worker. White places in the figure are out of reach.
 
 row, column = np.unravel_index(order[0], table.shape[:2])
 assert np.allclose(
@@ -163,14 +171,14 @@ ax.legend(fontsize=8, loc="upper left", ncols=2)
 plt.show()
 
 # %%
-# ``mp.sample_layers`` and ``mp.follow`` take the same ``executor=``. When the
-# cluster is done with:
+# ``mp.sample_layers`` and ``mp.follow`` take the same ``executor=``. Shut the cluster
+# down when you no longer need it:
 
 client.shutdown()
 print("workers ended with", [worker.wait(timeout=30) for worker in workers])
 
 # %%
-# When it fails: workers need the same versions of manipplan, CasADi and Pinocchio
-# as the client (Dask warns of differences), and files that a scene names, such as
-# meshes, at the same paths. Compiled objectives are kept in the cache folder of
-# each machine, so the first case on a new worker takes some seconds longer.
+# If it fails: the workers need the same versions of manipplan, CasADi and Pinocchio as
+# the client (Dask warns if they differ). Files that a scene refers to, such as meshes,
+# must have the same paths on all machines. Compiled objectives are kept in the cache
+# folder of each machine, so the first case on a new worker takes some seconds longer.

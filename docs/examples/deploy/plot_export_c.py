@@ -2,10 +2,11 @@
 Export C for a controller
 =========================
 
-The machine that drives the robot runs C, perhaps without an operating system that
-knows Python. ``Controller.export_c`` writes the whole control step as a C project:
-kinematics, limits and the QP solver, without allocation in a step. This page writes
-it, builds it with CMake, runs it, and compares each digit with Python.
+The computer that drives the robot runs C, perhaps without an operating system that
+supports Python. ``Controller.export_c`` writes the whole control step as a C project:
+kinematics, limits and the QP solver, without memory allocation in a step. This page
+writes the project, builds it with CMake, runs it, and compares the results with Python,
+digit by digit.
 """
 
 import shutil
@@ -20,22 +21,22 @@ import manipplan as mp
 
 robot = mp.load_robot("panda")
 tube = mp.Tolerance(position=0.02, rotation=0.1)
-controller = mp.Controller(robot, mp.LogDrive(), 0.01, tolerance=tube)
+controller = mp.Controller(robot, mp.formulations.LogDrive(), dt=0.01, tolerance=tube)
 folder = Path(tempfile.mkdtemp()) / "controller"
 for file in controller.export_c(folder):
     if file.parent == folder:
         print(f"{file.name:16s} {file.stat().st_size:7d} bytes")
 
 # %%
-# The interface is one function. Everything that it needs is in the folder, the
-# solver (DAQP) as a static library.
+# The interface is one function. The folder contains everything that it needs; the
+# solver (DAQP) is a static library.
 
 header = (folder / "controller.h").read_text()
 print(header[header.index("int controller_step") : header.index("/* Many steps")])
 
 # %%
-# ``example.c`` is a client: the tool of the arm moves along 10 cm in one second. It
-# prints the joints after each step, with 17 digits.
+# ``example.c`` is a client that moves the tool by 10 cm in one second. It prints the
+# joint angles after each step, with 17 digits.
 
 if not (shutil.which("cmake") and shutil.which("cc")):
     raise SystemExit(
@@ -55,29 +56,29 @@ printed = run(folder / "build" / "example")
 table = np.array(
     [[float(word) for word in line.split()] for line in printed.splitlines()]
 )
-q_c, status_c, index_c = table[:, : robot.n], table[:, robot.n], table[:, robot.n + 1]
+q_c, status_c, m_c = table[:, : robot.n], table[:, robot.n], table[:, robot.n + 1]
 print(f"{len(table)} steps; the last: {q_c[-1].round(6)}")
 
 # %%
-# The same steps in Python.
+# The same steps, computed in Python.
 
 q, qd = robot.neutral.copy(), np.zeros(robot.n)
 pose = robot.kinematics().pose(q)
 controller.reset()
-q_python, index_python = np.empty_like(q_c), np.empty(len(q_c))
+q_python, m_python = np.empty_like(q_c), np.empty(len(q_c))
 for k in range(len(q_c)):
     u = (k + 1) / len(q_c)
     target = pose.copy()
     target[0, 3] -= 0.1 * u * u * (3 - 2 * u)
     qd = controller.step(q, qd, target)
     q = q + 0.01 * qd
-    q_python[k], index_python[k] = q, controller.report.manipulability
+    q_python[k], m_python[k] = q, controller.report.manipulability
 difference = np.abs(q_c - q_python).max()
 print(
     f"largest difference between C and Python in {len(q_c)} steps: {difference:.1e} "
     "rad,"
 )
-print(f"and of the index {np.abs(index_c - index_python).max():.1e} m^6")
+print(f"and in the manipulability {np.abs(m_c - m_python).max():.1e} m^6")
 assert (status_c == 0).all() and difference < 1e-12
 
 t = 0.01 * np.arange(1, len(q_c) + 1)
@@ -95,21 +96,20 @@ for joint, name in enumerate(robot.joint_names):
     )
 left.set(
     xlabel="time [s]",
-    ylabel="joints, from the start [rad]",
-    title="lines: Python, dots: the exported C",
+    ylabel="joint angle from the start [rad]",
+    title="lines: Python, dots: exported C",
 )
 left.legend(frameon=False, fontsize=8, ncols=2)
 right.semilogy(
     t, np.maximum(np.abs(q_c - q_python).max(axis=1), 1e-17), color="#0072B2"
 )
-right.axhline(1e-12, color="0.4", linestyle=":", label="asserted")
+right.axhline(1e-12, color="0.4", linestyle=":", label="asserted bound")
 right.set(xlabel="time [s]", ylabel="largest difference [rad]", ylim=(1e-18, 1e-11))
 right.legend(frameon=False, fontsize=8)
 plt.show()
 
 # %%
-# How long a step takes in C: a client that calls ``controller_rollout``
-# and reads the clock.
+# Time of one step in C: this client calls ``controller_rollout`` and reads the clock.
 
 client = r"""
 #include "controller.h"

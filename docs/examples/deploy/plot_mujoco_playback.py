@@ -2,13 +2,15 @@
 Play a motion in MuJoCo
 =======================
 
-A plan keeps velocity, acceleration and jerk limits. Does a simulated arm under a servo follow it, and what torque does that
-take? The simulator is MuJoCo, which shares no code with the planner: it gets the robot's URDF and a CSV file.
+A plan keeps the velocity, acceleration and jerk limits. Can a simulated arm with servo
+control follow it, and which torques does this take? The simulator is MuJoCo, which
+shares no code with the planner: its inputs are the robot's URDF and a CSV file.
 """
 
 # %%
-# The plan is that of the Panda among five boxes. Beside it the planner's first path, the seed, is timed within the same
-# limits. Both are written as CSV: time, positions, velocities and accelerations of all samples.
+# The plan is that of the Panda among five boxes. For comparison, the planner's first
+# path, the seed, is timed within the same limits. Both are written as CSV: time,
+# positions, velocities and accelerations of all samples.
 import csv
 import tempfile
 import xml.etree.ElementTree as ET
@@ -29,20 +31,22 @@ plan = mp.plan(
 )
 folder = Path(tempfile.mkdtemp())
 plan.trajectory.to_csv(folder / "optimised.csv")
-mp.retime(plan.result.seed, robot.limits, joint_names=robot.joint_names).to_csv(
-    folder / "seed.csv"
-)
+mp.retime(plan.result.seed, robot).to_csv(folder / "seed.csv")
 
 # %%
-# MuJoCo's compiler reads the URDF. Meshes are left out, since the motion was checked for collision already, and the fingers
-# are fixed. A servo drives each joint: a position and a velocity actuator, kp (q* - q) + kv (q̇* - q̇), with the torque that
-# holds the arm against gravity added, and all of it together cut off at the joint's effort limit. This is what the
-# position interface of an industrial arm does.
+# MuJoCo's compiler reads the URDF. Meshes are left out, because the motion was already
+# checked for collisions, and the fingers are fixed. A servo drives each joint: a
+# position actuator and a velocity actuator, kp (q* - q) + kv (q̇* - q̇), plus the
+# torque that holds the arm against gravity. The sum is cut off at the joint's effort
+# limit. This is what the position interface of an industrial arm does.
 BANDWIDTH = 50.0  # of the servos [rad/s], about 8 Hz
 
 
 def simulated_arm(urdf, fixed, effort, start):
-    """A MuJoCo model of the arm with one critically damped servo a joint; the gains follow from its inertia at `start`."""
+    """A MuJoCo model of the arm with one critically damped servo per joint.
+
+    The gains follow from the joint inertias at `start`.
+    """
     root = ET.parse(urdf).getroot()
     for link in root.iter("link"):
         for part in [*link.findall("visual"), *link.findall("collision")]:
@@ -94,9 +98,11 @@ def recorded(file):
 
 
 def play(model, file, *, feed_forward=False):
-    """Follow the file's motion; times (k,) [s], tracking errors (k, n) [rad] and torques (k, n) [N m].
+    """Follow the file's motion and record the tracking errors and torques.
 
-    With `feed_forward` the torques that the motion itself takes are added to the servos': M(q) q̈*, Coriolis and centrifugal.
+    Returns times (k,) [s], tracking errors (k, n) [rad] and torques (k, n) [N m].
+    With `feed_forward`, the torques that the motion itself needs are added to those of
+    the servos: M(q) q̈*, Coriolis and centrifugal torques.
     """
     t, q, qd = recorded(file)
     motion = CubicHermiteSpline(t[:, 0], q, qd)
@@ -126,14 +132,16 @@ runs = {
 }
 
 # %%
-# A servo alone knows nothing of the torque that the next acceleration takes, and lags behind. With the accelerations of the
-# motion as torque feed-forward most of that is gone.
+# A servo alone does not know the torque that the next acceleration needs, so it lags
+# behind. Torque feed-forward from the accelerations of the motion removes most of this
+# error.
 for name, (times, errors, torques) in runs.items():
     share = np.abs(torques) / robot.limits.effort
     joint = robot.joint_names[int(share.max(axis=0).argmax())]
     print(f"{name}: {times[-1]:.2f} s")
     print(
-        f"  tracking error: mean {1e3 * np.abs(errors).mean():.2f}, at most {1e3 * np.abs(errors).max():.2f} mrad"
+        f"  tracking error: mean {1e3 * np.abs(errors).mean():.2f}, at most "
+        f"{1e3 * np.abs(errors).max():.2f} mrad"
     )
     print(f"  torque: at most {100 * share.max():.0f} % of the effort limit, {joint}")
     assert share.max() < 1
@@ -141,11 +149,13 @@ largest = {name: np.abs(errors).max() for name, (_, errors, _) in runs.items()}
 assert largest["optimised, with feed-forward"] < largest["optimised"] / 3
 
 # %%
-# No torque reaches its limit, so the motion is not distorted by one. The optimised path is not the one with less torque:
-# both are timed to be as fast as the same limits let them be, and it moves the heavy joints faster. Where torque matters,
-# ``mp.plan(..., torque=True)`` keeps the effort limits, and lower ``acceleration`` limits lower it further.
+# No torque reaches its limit, so the limits do not distort the motion. The optimised
+# path does not need less torque than the seed: both are timed to be as fast as the same
+# limits allow, and the optimised path moves the heavy joints faster. Where torque
+# matters, ``mp.plan(..., torque=True)`` keeps the effort limits, and lower
+# ``acceleration`` limits reduce the torque further.
 #
-# Above the largest error of any joint, below the largest share of an effort limit.
+# Top: largest tracking error of any joint. Bottom: largest share of an effort limit.
 figure, (above, below) = plt.subplots(
     2, 1, figsize=(8.0, 5.0), sharex=True, layout="constrained"
 )

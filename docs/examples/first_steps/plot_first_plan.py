@@ -2,12 +2,13 @@
 A Panda among five boxes
 ========================
 
-From a start and a goal to a trajectory that a robot could play: what ``make demo`` plans, step by step.
+Plan a trajectory from a start to a goal, step by step: this is the problem that ``make
+demo`` solves.
 """
 
 # %%
-# The robot comes from the catalogue. Its fingers are locked, and its acceleration
-# and jerk limits are those that the maker publishes.
+# The robot comes from the catalogue. Its fingers are locked. The acceleration and jerk
+# limits are those that the manufacturer publishes.
 import matplotlib.pyplot as plt
 
 import manipplan as mp
@@ -17,7 +18,7 @@ robot = mp.load_robot("panda")
 print(robot)
 
 # %%
-# Obstacles are shapes with a position of their centre in metres.
+# Obstacles are shapes. ``position`` is the centre of the shape in metres.
 scene = mp.Scene(
     [
         mp.Box(size=(0.9, 1.4, 0.05), position=(0.5, 0.0, -0.03), name="table"),
@@ -31,20 +32,21 @@ start = [-0.18, 0.07, -0.53, -2.09, -0.28, 1.93, -0.86]
 goal = [-1.53, -0.03, 2.63, -2.03, -0.5, 2.14, -0.63]
 
 # %%
-# One call finds a collision-free seed, improves it, times it, and checks the result
-# again. The motion keeps 10 mm from every obstacle and between the arm's own links.
+# One call finds a collision-free seed path, optimises it, times it, and checks the
+# result. The motion keeps a clearance of 10 mm to every obstacle and between the arm's
+# own links.
 plan = mp.plan(robot, start, goal, scene, clearance=0.01)
 print(plan.report)
 
 # %%
-# The straight motion would pass close to a singularity, and the planner's own path
-# is not much better. The optimised path stays far from both.
+# The straight line in joint space passes close to a singularity, and the planner's seed
+# path is not much better. The optimised path stays far from singularities.
 _ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 
 # %%
-# The trajectory is a cubic spline in time: positions, velocities and accelerations
-# at any moment.
+# The trajectory is a cubic spline in time. It gives positions, velocities and
+# accelerations at any time.
 trajectory = plan.trajectory
 print("duration [s]:", round(trajectory.duration, 3))
-print("joint speeds after half the time [rad/s]:")
+print("joint velocities at half the duration [rad/s]:")
 print(trajectory(trajectory.duration / 2, order=1).round(3))

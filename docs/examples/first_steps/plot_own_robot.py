@@ -2,16 +2,16 @@
 Load my own URDF
 ================
 
-You have the URDF of an arm, and perhaps the SRDF that MoveIt's setup assistant
-wrote. You want to plan with it. This page writes a small arm of six joints as text,
-loads it, reads the table that comes out, plans a motion, and shows what goes wrong
-most often.
+You have the URDF of an arm, and perhaps the SRDF that MoveIt's setup assistant wrote,
+and you want to plan with it. This page writes the URDF of a small arm with six joints,
+loads it, explains the table that is printed, plans a motion, and shows the most common
+errors.
 """
 
 # %%
-# The arm: six revolute joints, links made of cylinders and spheres (no mesh files),
-# and a frame ``torch`` 12 cm beyond the last joint. A URDF of a maker looks the
-# same, only longer.
+# The arm has six revolute joints, links made of cylinders (no mesh files), and a frame
+# ``torch`` 12 cm beyond the last joint. A manufacturer's URDF has the same structure
+# but is longer.
 
 import tempfile
 from pathlib import Path
@@ -76,9 +76,10 @@ urdf = folder / "welder.urdf"
 urdf.write_text(f'<robot name="welder">{text}\n</robot>\n')
 
 # %%
-# The SRDF says which pairs of links need no check against each other. Links on both
-# sides of a joint are left out by themselves. The base and the upper arm never meet
-# either, whatever the shoulder does: that saves a distance in every check.
+# The SRDF lists the pairs of links that need no collision check. Pairs of neighbouring
+# links are left out automatically. The base and the upper arm cannot collide either, at
+# any shoulder angle. Leaving out this pair saves one distance computation in every
+# check.
 
 srdf = folder / "welder.srdf"
 srdf.write_text("""<robot name="welder">
@@ -89,10 +90,10 @@ robot = mp.Robot.from_urdf(urdf, tool="torch", srdf=srdf)
 print(robot)
 
 # %%
-# Read the last lines: they say where each number comes from. A URDF has no
+# The last lines of the table say where each number comes from. A URDF has no
 # acceleration limits, so the default lets each joint reach full speed in 0.2 s, and
-# there is no jerk limit. Give what the data sheet says; one number serves all
-# joints.
+# there is no jerk limit. Pass the values of the data sheet instead. A single number
+# applies to all joints.
 
 robot = mp.Robot.from_urdf(
     urdf, tool="torch", srdf=srdf, acceleration=[6, 6, 8, 12, 12, 15], jerk=200.0
@@ -102,16 +103,16 @@ print(
 )
 
 # %%
-# Is the model the arm that you have? Compare one pose with the maker's: here all
-# joints are zero and the arm stands upright, so that the height of the tool is the
-# sum of the offsets.
+# Does the model match your arm? Compare one pose with the manufacturer's data. Here all
+# joints are at zero and the arm stands upright, so the height of the tool is the sum of
+# the offsets.
 
 height = robot.kinematics().pose(np.zeros(6))[2, 3]
 print(f"height of the torch: {height:.3f} m")
 assert np.isclose(height, 0.15 + 0.20 + 0.45 + 0.20 + 0.20 + 0.08 + 0.12)
 
 # %%
-# A plan, past a post. The picture shows the arm from its start (light) to its goal
+# Plan a motion past a post. The figure shows the arm from its start (light) to its goal
 # (dark).
 
 start, goal = [-1.2, 0.5, 1.0, 0.2, 0.9, 0.0], [1.2, 0.6, 1.2, -0.4, 0.7, 0.5]
@@ -127,8 +128,8 @@ assert plan.report.passed
 _ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 
 # %%
-# What goes wrong most often. Each message names the argument, what was given, and
-# what is allowed.
+# The most common errors. Each message names the argument, the value that was given, and
+# the values that are allowed.
 
 
 def attempt(what, call):
@@ -139,12 +140,14 @@ def attempt(what, call):
         print(f"{what}:\n  {type(error).__name__}: {message}\n")
 
 
-attempt("a frame that is not there", lambda: mp.Robot.from_urdf(urdf, tool="tourch"))
+attempt("a frame that does not exist", lambda: mp.Robot.from_urdf(urdf, tool="tourch"))
 attempt(
-    "a joint misspelt",
+    "a misspelt joint",
     lambda: mp.Robot.from_urdf(urdf, tool="torch", joints=["turn", "sholder"]),
 )
-attempt("a file that is not there", lambda: mp.Robot.from_urdf(folder / "welder.udrf"))
+attempt(
+    "a file that does not exist", lambda: mp.Robot.from_urdf(folder / "welder.udrf")
+)
 attempt(
     "a start outside the limits", lambda: mp.plan(robot, [4.0, 0, 0, 0, 0, 0], goal)
 )

@@ -2,9 +2,9 @@
 Trajectories in and out of files
 ================================
 
-A motion comes from somewhere and has to go somewhere: a recording as CSV, a
-controller that wants ROS messages, a script that wants NumPy. This page writes one
-trajectory in each format, reads it back, and shows what a broken file says.
+Motions are exchanged in files: a recording as CSV, ROS messages for a controller, a
+NumPy archive for a script. This page writes one trajectory in each format, reads it
+back, and shows the error messages for broken files.
 """
 
 import tempfile
@@ -19,14 +19,14 @@ robot = mp.load_robot("ur5")
 path = mp.JointPath.line(
     [0.0, -1.4, 1.4, -1.6, -1.5, 0.0], [1.2, -1.0, 0.9, -1.2, -1.3, 0.6]
 )
-trajectory = mp.retime(path, robot.limits, joint_names=robot.joint_names)
+trajectory = mp.retime(path, robot)
 print(
     f"{trajectory.duration:.3f} s, {len(trajectory.t)} samples of {trajectory.n} joints"
 )
 
 # %%
-# Four formats. CSV for people and spreadsheets, JSON for programs, YAML as ROS 2
-# takes a ``trajectory_msgs/JointTrajectory``, and a NumPy archive. Each holds
+# There are four formats: CSV for people and spreadsheets, JSON for programs, YAML with
+# a ROS 2 ``trajectory_msgs/JointTrajectory`` message, and a NumPy archive. Each stores
 # times, positions and velocities with all digits.
 
 folder = Path(tempfile.mkdtemp())
@@ -67,9 +67,9 @@ print(
 )
 
 # %%
-# Between the samples the motion is the cubic spline of positions and velocities:
-# what a joint trajectory controller plays. So a file gives the same motion as the
-# object, at any time. ``order`` asks for derivatives.
+# Between the samples, the motion is the cubic spline through the positions and
+# velocities. This is what a joint trajectory controller executes, so a file gives the
+# same motion as the object at any time. ``order`` selects the derivative.
 
 read = mp.Trajectory.from_csv(folder / "motion.csv")
 t = np.linspace(0, read.duration, 400)
@@ -83,9 +83,9 @@ panels[0].legend(frameon=False, fontsize=7)
 plt.show()
 
 # %%
-# **A recording** of times and positions alone is read, too; its velocities are
-# those of the spline through the samples. Here the motion is sampled at 50 Hz and
-# read again.
+# **A recording** with only times and positions can be read, too. Its velocities are
+# those of the spline through the samples. Here the motion is sampled at 50 Hz and read
+# again.
 
 t = np.arange(0, trajectory.duration, 0.02)
 header = ",".join(["time", *(f"q_{name}" for name in robot.joint_names)])
@@ -104,7 +104,7 @@ print(
 )
 
 # %%
-# **A broken file** is refused, and the message says what is wanted.
+# **A broken file** is rejected, and the message says what is expected.
 
 (folder / "broken.csv").write_text("t,joint_1,joint_2\n0,0.1,0.2\n1,0.3,0.4\n")
 (folder / "newer.json").write_text('{"format": "manipplan-trajectory", "version": 99}')

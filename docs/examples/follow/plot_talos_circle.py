@@ -2,11 +2,10 @@
 A circle with the arm of TALOS
 ==============================
 
-A humanoid's hand is to move around a circle 20 cm wide, and come back to the
-configuration in which it began, so that the motion can be repeated for ever. The
-arm has seven joints, so each pose has infinitely many configurations. The task is
-that of :cite:t:`guilamo2006`; :doc:`a study </studies/guilamo2006>` repeats their
-whole table.
+A humanoid moves its hand around a circle with a diameter of 20 cm and comes back to the
+first configuration, so that the motion can be repeated. The arm has seven joints, so
+each pose has infinitely many configurations. The task is taken from
+:cite:t:`guilamo2006`; :doc:`a study </studies/guilamo2006>` repeats their whole table.
 """
 
 import matplotlib.pyplot as plt
@@ -33,21 +32,21 @@ circle = mp.CartesianPath.circle(pose, centre, axis=(1.0, 0.0, 0.0))
 print(f"length of the circle: {circle.length:.3f} m")
 
 # %%
-# What the arm has to spare is one joint. ``samples`` is how finely it is sampled:
-# its step has to be below the ε of the search, which is how far a joint may move
-# from one position to the next.
+# The arm has one redundant joint. ``samples`` is the number of values at which it is
+# sampled. The step between two values has to be below the ε of the search, which is the
+# largest motion of a joint from one position to the next.
 
 positions, epsilon = 40, np.deg2rad(10.0)
 layers = mp.sample_layers(robot, circle, positions, samples=240, closed=True)
 print(
-    f"{layers.count} candidates that are inside the limits and do not touch the "
-    f"robot itself, of {layers.considered}"
+    f"{layers.count} candidates that are inside the limits and free of "
+    f"self-collision, of {layers.considered}"
 )
 
 # %%
-# The search is exact: of all continuous cycles through these candidates none has a
-# higher minimum manipulability. ``bound`` is what no motion can exceed, continuous or not.
-# ``refine`` goes on between the samples.
+# The search is exact: no continuous cycle through these candidates has a larger minimum
+# manipulability. No motion, continuous or not, can exceed ``bound``. ``refine``
+# improves the path between the samples.
 
 found = mp.max_min_search(layers, epsilon)
 refined = mp.refine(layers, found)
@@ -55,14 +54,14 @@ print(refined)
 assert found.connected and refined.refined >= found.minimum
 step = np.abs(np.diff(np.vstack([refined.q, refined.q[:1]]), axis=0)).max()
 print(
-    f"largest step of a joint: {np.rad2deg(step):.2f} degrees, the last to the "
-    "first included; allowed: 10"
+    f"largest step of a joint: {np.rad2deg(step):.2f} degrees, including the step "
+    "from the last to the first position; allowed: 10"
 )
 assert step < epsilon
 
 # %%
-# All candidates by position and by the angle of the joint that was sampled,
-# coloured by their index, with the path through them.
+# All candidates by position and angle of the sampled joint, coloured by manipulability,
+# with the path through them.
 
 [name] = mp.inverse_kinematics(robot, pose, samples=240).parameter_names
 joint = robot.joint_names.index(name)
@@ -76,7 +75,7 @@ dots = left.scatter(
     cmap="viridis",
     rasterized=True,
 )
-figure.colorbar(dots, ax=left, label="index [m⁶]")
+figure.colorbar(dots, ax=left, label="manipulability [m⁶]")
 left.plot(refined.q[:, joint], color="#D55E00", linewidth=2.5)
 left.set(
     xlabel="position on the circle",
@@ -87,10 +86,11 @@ viz.plot_layers(layers, refined, ax=right)
 plt.show()
 
 # %%
-# What to do when nothing connects: the message names the positions between which
-# the layers break and the smallest ε that would connect them. More ``samples``
-# bring candidates nearer together, more positions make the steps smaller. A circle
-# that is partly out of reach is refused at once, with how far off the arm stays:
+# If no path is found, the message names the positions between which the layers are not
+# connected and the smallest ε that would connect them. More ``samples`` bring the
+# candidates closer together; more positions make the steps smaller. A circle that is
+# partly out of reach is rejected at once, and the message says how far away the arm
+# stays:
 
 far = pose.copy()
 far[:3, 3] += [0.45, 0.0, 0.0]

@@ -2,15 +2,15 @@
 Weld a seam with a free tool axis
 =================================
 
-The torch of a UR5 follows a seam of 60 cm. A pose has six numbers, and so has the
-arm: if the whole pose is prescribed there is nothing to choose but one of eight
-postures. But the torch is round: its turn about its own axis does not matter. That
-one freedom makes the difference.
+The torch of a UR5 follows a seam of 60 cm. A pose has six numbers and the arm has six
+joints: if the whole pose is prescribed, the only choice is one of eight postures. But
+the torch is round, so its rotation about its own axis does not matter. This one degree
+of freedom makes the difference.
 """
 
 # %%
-# The torch is mounted at 45 degrees to the flange, as torches are, so that a turn
-# about it moves the whole wrist. Cables keep every joint within half a turn.
+# The torch is mounted at 45 degrees to the flange, as usual, so a rotation about its
+# axis moves the whole wrist. Cables limit every joint to half a turn in each direction.
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -33,10 +33,10 @@ seam = mp.CartesianPath.line(start, end)
 print(f"length of the seam: {seam.length:.3f} m")
 
 # %%
-# ``Task.pointing`` leaves the turn about an axis of the tool free. All
-# configurations at 30 positions of the seam are enumerated, the turn in steps of 4
-# degrees. The search finds the continuous motion whose minimum manipulability is the highest,
-# ``refine`` raises it between the samples.
+# ``Task.pointing`` leaves the rotation about an axis of the tool free. All
+# configurations at 30 positions of the seam are enumerated, with the rotation in steps
+# of 4 degrees. The search finds the continuous motion with the largest minimum
+# manipulability, and ``refine`` raises it between the samples.
 
 task = mp.Task.pointing(axis)
 positions, epsilon = 30, np.deg2rad(9)
@@ -46,34 +46,41 @@ refined = mp.refine(layers, found)
 print(f"{layers.count} candidates; {refined}")
 
 # %%
-# With the turn held where it is in the first pose, judged by the same index. There
-# is no parameter to sample, only the eight postures.
+# For comparison, the rotation is held as in the first pose, and the motion is evaluated
+# with the same measure. There is no parameter to sample, only the eight postures.
 
 held = mp.max_min_search(
     mp.sample_layers(robot, seam, positions), epsilon, prefer="first"
 )
-index_held = robot.kinematics(task).manipulability(held.q)
+m_held = robot.kinematics(task).manipulability(held.q)
 print(
-    f"minimum manipulability with the turn held: {index_held.min():.4f} m^5, free: "
+    f"minimum manipulability with fixed rotation: {m_held.min():.4f} m^5, free: "
     f"{refined.refined:.4f} m^5"
 )
-assert refined.refined > index_held.min()
+assert refined.refined > m_held.min()
 
 # %%
-# Grey: the candidates. No motion can be above the highest of them at the worst
-# position, which is the bound.
+# Grey: the candidates. The bound is the largest candidate at the worst position; no
+# motion can exceed it.
 
 fig, ax = plt.subplots(figsize=(7.5, 4), layout="constrained")
 viz.plot_layers(layers, refined, ax=ax)
-ax.plot(index_held, color="#009E73", linestyle="--", label="turn held")
+ax.plot(m_held, color="#009E73", linestyle="--", label="fixed rotation")
 ax.legend(loc="lower left", fontsize=8)
 plt.show()
 
 # %%
-# The whole job in one call: the motion, timed, and compared with the seam pose by
-# pose. The deviation says that the point and the axis are kept.
+# The whole job in one call: the motion is planned, timed, and compared with every pose
+# of the seam. The deviation shows that the point and the axis are kept.
 
-plan = mp.follow(robot, seam, positions, task=task, samples=90, epsilon=epsilon)
+plan = mp.follow(
+    robot,
+    seam,
+    positions=positions,
+    samples=90,
+    epsilon=epsilon,
+    objective=mp.PathObjective(task=task),
+)
 print(plan.report)
 print(plan.deviation)
 assert plan.report.passed and plan.deviation.position < 1e-4
@@ -81,29 +88,29 @@ _ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 # sphinx_gallery_thumbnail_number = 2
 
 # %%
-# How the torch turns about itself along the seam.
+# Rotation of the torch about its axis along the seam.
 
 s = np.linspace(0, 1, 200)
 poses = robot.kinematics().pose(plan.trajectory(s * plan.trajectory.duration))
-sideways = poses[:, :3, 1]  # the flange's y axis is square to the torch
+sideways = poses[:, :3, 1]  # the flange's y axis, perpendicular to the torch
 turn = np.unwrap(np.arctan2(sideways[:, 1], sideways[:, 0])) - np.arctan2(
     start[1, 1], start[0, 1]
 )
 travelled = np.linalg.norm(poses[:, :3, 3] - start[:3, 3], axis=1)
 fig, ax = plt.subplots(figsize=(7.5, 2.8), layout="constrained")
-ax.plot(100 * travelled, np.rad2deg(turn), color="#0072B2", label="as chosen")
-ax.axhline(0, color="#009E73", label="held")
+ax.plot(100 * travelled, np.rad2deg(turn), color="#0072B2", label="free rotation")
+ax.axhline(0, color="#009E73", label="fixed rotation")
 ax.set(
-    xlabel="way along the seam [cm]",
-    ylabel="turn about the\ntorch's axis [degrees]",
+    xlabel="distance along the seam [cm]",
+    ylabel="rotation about the\ntorch's axis [degrees]",
     xlim=(0, None),
 )
 ax.legend(frameon=False, fontsize=8)
 plt.show()
 
 # %%
-# What to do when it fails: *no continuous motion* names the positions between which
-# the candidates break apart and the smallest ε that would join them. More
-# ``samples`` and more positions help; a seam that crosses the arm's shoulder may
-# have to be welded in two parts. A tolerance (``tolerance=mp.Tolerance(...)``) buys
-# more index where the seam allows it.
+# If it fails: the message *no continuous motion* names the positions between which the
+# candidates are not connected and the smallest ε that would connect them. More
+# ``samples`` and more positions help. A seam that passes the arm's shoulder may have to
+# be welded in two parts. A tolerance (``tolerance=mp.Tolerance(...)``) gives more
+# manipulability where the seam allows it.

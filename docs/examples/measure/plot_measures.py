@@ -2,14 +2,14 @@
 Ellipsoids and measures
 =======================
 
-What a posture is good for: where the tool is fast, where it is strong, and what it
-can accelerate.
+What a posture is good for: in which directions the tool is fast, in which it is strong,
+and how fast it can accelerate.
 """
 
 # %%
-# The planar arm of three links. Velocity and force ellipsoids have the same axes
-# and inverse radii: where the tool is fast it is weak. Their shape tells at a
-# glance what a single index hides.
+# A planar arm with three links. The velocity and force ellipsoids have the same axes
+# and inverse radii: in a direction in which the tool is fast, it is weak. Their shape
+# shows at a glance what a single number hides.
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -52,7 +52,7 @@ for ax, (name, q) in zip(panels, postures.items(), strict=True):
         label="force",
         axes=True,
     )
-    ax.set_title(f"{name}: index {kin.manipulability(q):.2f} m²", fontsize=10)
+    ax.set_title(f"{name}: m = {kin.manipulability(q):.2f} m²", fontsize=10)
     ax.set_aspect("equal")
     ax.set_xlabel("x [m]")
 panels[0].set_ylabel("y [m]")
@@ -60,8 +60,8 @@ panels[0].legend(loc="upper left", frameon=False)
 figure.tight_layout()
 
 # %%
-# The Panda in space: velocity in green, and in blue the accelerations that joint
-# torques of norm 1 give from rest, which count the links' inertia as well.
+# The Panda in space: velocity in green, and in blue the accelerations from rest for
+# joint torques of norm 1, which also depend on the inertia of the links.
 
 panda = mp.load_robot("panda")
 position = panda.kinematics(mp.Task.position())
@@ -87,7 +87,7 @@ ax.locator_params(nbins=4)
 # sphinx_gallery_thumbnail_number = 2
 
 # %%
-# Every measure on the same posture.
+# Every measure at the same posture.
 
 for name in mp.available_measures():
     if "transmission" in name:
@@ -108,9 +108,9 @@ for measure in (
     )
 
 # %%
-# Along one joint, here the elbow, the measures do not agree on where the arm is best.
-# The Frobenius norm adds up the speeds of all directions, so that it is highest next
-# to the limit, where the other three have fallen already.
+# Along one joint, here the elbow, the measures disagree about where the arm is best.
+# The Frobenius norm adds up the speeds of all directions, so it is largest near the
+# limit, where the other three have already dropped.
 
 bend = np.linspace(panda.limits.lower[3], panda.limits.upper[3], 300)
 many = np.tile(q, (300, 1))
@@ -124,7 +124,7 @@ for name, line in (
 ):
     values = panda.kinematics(mp.Task.position(), measure=name).manipulability(many)
     ax.plot(bend, values / values.max(), line, label=name)
-    print(f"{name:24s} highest at {bend[values.argmax()]:6.2f} rad")
-ax.set(xlabel="elbow angle [rad]", ylabel="share of its largest value", ylim=(0, 1.05))
+    print(f"{name:24s} largest at {bend[values.argmax()]:6.2f} rad")
+ax.set(xlabel="elbow angle [rad]", ylabel="share of the maximum", ylim=(0, 1.05))
 ax.legend(frameon=False, fontsize=8)
 figure.tight_layout()

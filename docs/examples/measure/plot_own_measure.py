@@ -2,17 +2,18 @@
 Add your own measure
 ====================
 
-The twelve measures of the library may not be the one that your task needs. A
-measure is a class with two methods: its value as a CasADi expression, and its unit.
-Gradient, Hessian, machine code, batches and the path optimiser come by themselves.
+If none of the library's twelve measures fits your task, write your own. A measure is a
+class with two methods: its value as a CasADi expression, and its unit. You get the
+gradient, the Hessian, machine code, batches and the path optimiser without further
+code.
 """
 
 # %%
-# The task of this page: an arm that deburrs presses along the tool's axis z and
-# slides along x. It should be **strong** in z and **fast** in x at once. With the
-# rows of the position Jacobian, (a J Jᵀ a)^(1/2) is how fast joints of unit speed
-# move the tool along a; the ratio below is large where sliding is fast and pressing
-# is strong.
+# The task of this page: an arm that deburrs presses along the tool's axis z and slides
+# along x. It should be **strong** in z and **fast** in x at the same time. With the
+# rows of the position Jacobian, (aᵀ J Jᵀ a)^(1/2) is the speed of the tool along a for
+# joint velocities of norm 1. The ratio below is large where sliding is fast and
+# pressing is strong.
 
 from dataclasses import dataclass
 
@@ -25,7 +26,7 @@ import manipplan as mp
 
 @dataclass(frozen=True, kw_only=True)
 class SlideAndPress(mp.Measure):
-    """sqrt(xᵀ J Jᵀ x) / sqrt(zᵀ J Jᵀ z + floor²), times Yoshikawa's index."""
+    """sqrt(xᵀ J Jᵀ x) / sqrt(zᵀ J Jᵀ z + floor²), times Yoshikawa's measure."""
 
     floor: float = (
         0.05  # [m] keeps the measure smooth where pressing is infinitely strong
@@ -46,8 +47,8 @@ class SlideAndPress(mp.Measure):
 
 
 # %%
-# It is used like any other. The library differentiates it; finite differences check
-# that.
+# Use it like any other measure. The library differentiates it; here finite differences
+# check the derivatives.
 
 robot = mp.load_robot("panda")
 task = mp.Task.position()
@@ -83,26 +84,27 @@ assert np.allclose(gradient, differences, atol=1e-7)
 assert np.allclose(hessian, curvature, atol=1e-6)
 
 # %%
-# Optimise a path for it, and compare with the path that is best for Yoshikawa's
-# index. ``grows = True``, the default of a measure, says that larger is better,
-# which the optimiser needs. ``compiled=False`` spares the compiler, which pays only
-# when the same robot and measure are used again and again.
+# Optimise a path for it, and compare it with the path that is best for Yoshikawa's
+# manipulability. ``grows = True``, the default of a measure, says that larger is
+# better, which the optimiser needs. ``compiled=False`` skips the compilation, which
+# pays off only if the same robot and measure are used many times.
 
 start, goal = (
     [-0.6, -0.2, 0.1, -2.3, 0.0, 2.1, 0.8],
     [0.7, 0.3, 0.2, -1.9, 0.2, 2.3, 0.8],
 )
-options = {"task": task, "power": 2, "compiled": False}
-ours = mp.optimize_path(robot, start, goal, measure=measure, **options)
-theirs = mp.optimize_path(robot, start, goal, **options)
-print(f"{ours.status.name}; least value on the path {ours.min_manipulability:.4f}")
+for_ours = mp.PathObjective(power=2, task=task, measure=measure)
+for_theirs = mp.PathObjective(power=2, task=task)
+ours = mp.optimize_path(robot, start, goal, objective=for_ours, compiled=False)
+theirs = mp.optimize_path(robot, start, goal, objective=for_theirs, compiled=False)
+print(f"{ours.status.name}; minimum on the path {ours.min_manipulability:.4f}")
 g_theirs = mp.path_cost(theirs.path, kinematics, 2).g
 print(f"g by our measure: {ours.g:.3f} on our path, {g_theirs:.3f} on Yoshikawa's path")
 assert ours.g < g_theirs
 
 # %%
-# What it means in numbers: speed along x and force along z for joints of unit speed
-# and unit torque.
+# The effect in numbers: the speed along x for joint velocities of norm 1, and the force
+# along z for joint torques of norm 1.
 
 s = np.linspace(0, 1, 300)
 position = robot.kinematics(task)
@@ -128,7 +130,7 @@ figure.legend(
 plt.show()
 
 # %%
-# When it fails: a measure that is not differentiable somewhere (``fabs``,
-# ``if_else``) stops the optimiser there, so round it off, as the floor above does.
-# One that is better when smaller needs ``grows = False``; it can be evaluated, not
-# maximised: take its inverse.
+# If it fails: a measure that is not differentiable somewhere (``fabs``, ``if_else``)
+# stops the optimiser there, so smooth it, as the floor above does. A measure for which
+# smaller is better needs ``grows = False``. It can be evaluated but not maximised; use
+# its inverse instead.

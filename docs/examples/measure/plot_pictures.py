@@ -2,8 +2,9 @@
 Every picture
 =============
 
-Each function of `viz` on one page. All draw into Matplotlib axes: those given as `ax=`, or those of a new figure, which they
-return. Everything is drawn as vectors; save a figure with `savefig("picture.svg")` or `.pdf`.
+This page shows every function of `viz`. All of them draw into Matplotlib axes: those
+given as `ax=`, or those of a new figure, which they return. Everything is drawn as
+vectors; save a figure with `savefig("picture.svg")` or `.pdf`.
 """
 
 import tempfile
@@ -20,17 +21,18 @@ from manipplan.jobs.demo import panda_among_boxes
 # %%
 # A plan in one figure
 # --------------------
-# What `plan.save` writes as plan.png.
+# The figure that `plan.save` writes to plan.png.
 problem = panda_among_boxes()
 robot, scene = problem.robot, problem.scene
 plan = mp.plan(robot, problem.start, problem.goal, scene)
 _ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 
 # %%
-# The arm among what stands around it
-# -----------------------------------
-# Obstacles are drawn as what they are, with their names. The arm has its links at the start (light) and at the goal (dark),
-# and is a skeleton between. The green ellipsoids show how fast the tool can move in each direction.
+# The arm among obstacles
+# -----------------------
+# Obstacles are drawn with their shapes and names. The arm is drawn with its links at
+# the start (light) and at the goal (dark), and as a skeleton in between. The green
+# ellipsoids show how fast the tool can move in each direction.
 shapes = mp.Scene(
     [
         mp.Plane(name="floor", position=(0.0, 0.0, -0.06)),
@@ -54,15 +56,19 @@ shapes = mp.Scene(
 ax = viz.plot_arm(
     robot, plan.path, shapes, seed=plan.result.seed, names=("optimised", "seed")
 )
-print("free:", shapes.path_clearance(robot, plan.path).proven)
+print("collision-free:", shapes.path_clearance(robot, plan.path).proven)
 
 # %%
-# A planar arm is seen from above.
+# A planar arm is drawn from above.
 planar = mp.planar_arm([1.0, 1.0, 1.0])
 wall = mp.Plane(name="wall", position=(-2.4, 0.0, 0.0), rotation=(0.0, np.pi / 2, 0.0))
 ball = mp.Sphere(radius=0.25, position=(0.9, -0.9, 0.0), name="ball")
 flat = mp.plan(
-    planar, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], mp.Scene([wall, ball]), power=2.0
+    planar,
+    [0.0, 1.5, -2.0],
+    [np.pi, -2.0, 2.0],
+    mp.Scene([wall, ball]),
+    objective=mp.PathObjective(power=2.0),
 )
 ax = viz.plot_planar_arm(
     planar, flat.path, flat.scene, seed=flat.result.seed, names=("optimised", "seed")
@@ -71,24 +77,28 @@ ax = viz.plot_planar_arm(
 # %%
 # Joints
 # ------
-# Positions, velocities, accelerations or jerks, with the limits as dashed lines in the joint's colour, or as a share of them.
+# Positions, velocities, accelerations or jerks, with the limits as dashed lines in the
+# joint's colour, or as shares of the limits.
 # sphinx_gallery_thumbnail_number = 3
 _, (left, right) = plt.subplots(1, 2, figsize=(11, 4), layout="constrained")
 viz.plot_joints(plan.trajectory, robot.limits, ax=left)
 _ = viz.plot_joints(plan.trajectory, robot.limits, order=1, share=True, ax=right)
 
 # %%
-# Index and singular values
-# -------------------------
+# Manipulability and singular values
+# ----------------------------------
 kinematics = robot.kinematics()
 _, (left, right) = plt.subplots(1, 2, figsize=(11, 4), layout="constrained")
-viz.plot_index(kinematics, {"optimised": plan.path, "seed": plan.result.seed}, ax=left)
+viz.plot_manipulability(
+    kinematics, {"optimised": plan.path, "seed": plan.result.seed}, ax=left
+)
 _ = viz.plot_singular_values(kinematics, plan.path, ax=right)
 
 # %%
 # Ellipsoids
 # ----------
-# One of any kind, here of velocity and force at a posture of the planar arm, and those along a path.
+# Left: single ellipsoids, here of velocity and force at a posture of the planar arm.
+# Right: ellipsoids along a path.
 figure = plt.figure(figsize=(11, 4.4), layout="constrained")
 figure.get_layout_engine().set(wspace=0.12)  # room for the label of z
 left, right = figure.add_subplot(1, 2, 1), figure.add_subplot(1, 2, 2, projection="3d")
@@ -117,9 +127,10 @@ left.legend()
 _ = viz.plot_ellipsoids(robot.kinematics(mp.Task.position()), plan.path, 9, ax=right)
 
 # %%
-# The way of the tool
-# -------------------
-# A circle followed inside a tube of 2 cm, which the arm uses to stay able to move.
+# The path of the tool
+# --------------------
+# A circle followed inside a tube of 2 cm, which the arm uses to stay away from
+# singularities.
 start = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 2.0, 0.785])
 near = kinematics.pose(start)
 circle = mp.CartesianPath.circle(
@@ -127,7 +138,13 @@ circle = mp.CartesianPath.circle(
 )
 tube = mp.Tolerance(position=0.02, rotation=0.1)
 tracking = mp.track(
-    robot, circle, start, 0.01, mp.LogDrive(), duration=4.0, tolerance=tube
+    robot,
+    circle,
+    start,
+    mp.formulations.LogDrive(),
+    dt=0.01,
+    duration=4.0,
+    tolerance=tube,
 )
 figure = plt.figure(figsize=(11, 4.4), layout="constrained")
 figure.get_layout_engine().set(wspace=0.12)  # room for the label of z
@@ -137,10 +154,12 @@ way.locator_params(nbins=4)
 _ = viz.plot_deviation(tracking, tolerance=tube, ax=figure.add_subplot(1, 2, 2))
 
 # %%
-# How an answer was found
-# -----------------------
-# The layered search: each dot is a configuration that reaches a position of the path; the line is the continuous path whose
-# minimum manipulability is the highest. The optimiser: g after each solve, filled where that path was free.
+# How a solution was found
+# ------------------------
+# Left, the layered search: each dot is a configuration that reaches a position of the
+# path; the line is the continuous path with the largest minimum manipulability. Right,
+# the optimiser: g after each solve, with filled markers where the path was
+# collision-free.
 seam = mp.CartesianPath.line(
     near,
     near @ np.array([[1, 0, 0, 0.0], [0, 1, 0, 0.25], [0, 0, 1, 0.1], [0, 0, 0, 1]]),
@@ -154,7 +173,8 @@ _ = viz.plot_convergence(plan.result, ax=right)
 # %%
 # In motion
 # ---------
-# `viz.animate` writes a GIF, or with ffmpeg an MP4: the suffix says which. Three of its frames:
+# `viz.animate` writes a GIF, or an MP4 with ffmpeg; the suffix of the file selects the
+# format. Three frames of the animation:
 figure, panels = plt.subplots(3, 1, figsize=(7, 10), layout="constrained")
 with tempfile.TemporaryDirectory() as folder:
     film = Path(folder) / "plan.gif"

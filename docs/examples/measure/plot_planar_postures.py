@@ -2,10 +2,10 @@
 The best posture of a planar arm, with proof
 ============================================
 
-For the planar arm much is known in closed form. Which posture has the highest
-index, at a given distance or under given limits? Here *all* stationary postures are
-found, and it is proven that none is missing, so the best of them is the best there
-is.
+For the planar arm much is known in closed form. Which posture has the largest
+manipulability, at a given distance or within given limits? This page finds *all*
+stationary postures and proves that none is missing, so the best of them is the global
+optimum.
 """
 
 import matplotlib.pyplot as plt
@@ -16,22 +16,22 @@ from manipplan import planar
 arm = planar.PlanarArm([1.0, 1.0, 1.0])
 
 # %%
-# All stationary postures of three unit links, the best first. ``complete`` says
-# that they are proven to be all.
+# All stationary postures of three unit links, the best first. ``complete`` says that
+# the list is proven to be complete.
 
 free = planar.stationary_postures(arm)
 print(f"complete: {free.complete}; {len(free)} postures")
-for q, index, radius, kappa in zip(
+for q, m, radius, kappa in zip(
     free.q, free.manipulability, free.radius, free.inverse_condition, strict=True
 ):
     print(
-        f"q {np.rad2deg(q).round(2)}°  index {index:.4f} m²  distance {radius:.4f} "
-        f"m  1/condition {kappa:.3f}"
+        f"q {np.rad2deg(q).round(2)}°  manipulability {m:.4f} m²  distance "
+        f"{radius:.4f} m  1/condition {kappa:.3f}"
     )
 assert free.complete
 
 # %%
-# Brute force agrees, from below.
+# Random sampling agrees: it comes close to the optimum and stays below it.
 
 rng = np.random.default_rng(0)
 sampled = planar.manipulability(arm, rng.uniform(-np.pi, np.pi, (200_000, 3))).max()
@@ -42,7 +42,7 @@ print(
 assert sampled <= free.bound
 
 # %%
-# With the tool at a fixed distance, and with limits.
+# The best postures with the tool at a fixed distance, and with joint limits.
 
 distances = np.linspace(0.05, 2.95, 59)
 best = [planar.stationary_postures(arm, radius=r).best for r in distances]
@@ -50,7 +50,7 @@ limited = planar.stationary_postures(
     arm, lower=[-np.pi, -0.5, -0.5], upper=[np.pi, 0.9, 0.9]
 ).best
 print(
-    f"with joints 2 and 3 in [-0.5, 0.9] rad: index {limited.manipulability[0]:.4f} "
+    f"with joints 2 and 3 in [-0.5, 0.9] rad: m = {limited.manipulability[0]:.4f} "
     f"m² at {limited.q[0].round(3)} rad"
 )
 
@@ -86,7 +86,7 @@ right.axvline(
 )
 right.set(
     xlabel="distance of the tool from the base [m]",
-    ylabel="highest index [m²]",
+    ylabel="largest manipulability [m²]",
     xlim=(0, 3),
     ylim=(0, None),
 )
@@ -94,12 +94,12 @@ right.legend(frameon=False, fontsize=8)
 plt.show()
 
 # %%
-# **Which link lengths?** With a total of 3 m and links of at least 0.3 m: a long
-# first and last link beat equal ones.
+# **Which link lengths are best?** With a total of 3 m and links of at least 0.3 m, a
+# long first and a long last link are better than equal links.
 
 proportions = planar.optimal_lengths(3, total=3.0, least=0.3)
 print(
-    f"lengths {proportions.lengths.round(3)} m: index "
+    f"lengths {proportions.lengths.round(3)} m: manipulability "
     f"{proportions.manipulability:.4f} m², equal lengths {free.bound:.4f} m²"
 )
 print(f"no arm of this total length exceeds {proportions.bound:.4f} m²")

@@ -2,9 +2,9 @@
 Where in the workspace the arm is good
 ======================================
 
-Where to bolt the arm down, or at which height to put the table? A map of the index
-over the workspace answers that. This page evaluates a million configurations and
-looks at a slice of them.
+Where should the arm be mounted, or how high should the table be? A map of the
+manipulability over the workspace answers this. This page evaluates a million
+configurations and shows a slice through the workspace.
 """
 
 import time
@@ -19,37 +19,37 @@ kinematics = robot.kinematics(mp.Task.position())
 
 # %%
 # A million random configurations inside the limits. All methods take arrays of any
-# leading shape. Where there is a C compiler, large batches run in vectorised
-# machine code over all cores.
+# leading shape. If a C compiler is available, large batches run in vectorised machine
+# code on all cores.
 
 rng = np.random.default_rng(0)
 q = robot.random_configuration(rng, size=1_000_000)
 kinematics.manipulability(q[:20_000])  # the first large batch compiles
 begin = time.perf_counter()
-index = kinematics.manipulability(q)
+m = kinematics.manipulability(q)
 seconds = time.perf_counter() - begin
 print(
-    f"{len(q):,} indices in {1e3 * seconds:.0f} ms, {len(q) / seconds / 1e6:.0f} "
-    "million a second"
+    f"{len(q):,} manipulabilities in {1e3 * seconds:.0f} ms, "
+    f"{len(q) / seconds / 1e6:.0f} million per second"
 )
 begin = time.perf_counter()
 position = kinematics.pose(q)[:, :3, 3]
 print(f"poses in {1e3 * (time.perf_counter() - begin):.0f} ms")
 
 # %%
-# How the index is spread: most random configurations are mediocre, and singular
-# ones are not rare.
+# The distribution of the manipulability: most random configurations are mediocre, and
+# singular ones are not rare.
 
-low, high = np.quantile(index, [0.05, 0.95])
+low, high = np.quantile(m, [0.05, 0.95])
 print(
     f"5 % are below {low:.4f} m³, 5 % above {high:.4f} m³, the largest is "
-    f"{index.max():.4f} m³"
+    f"{m.max():.4f} m³"
 )
 
 # %%
-# The arm turns about its first axis, so distance from that axis and height say it
-# all. In each cell of 2.5 cm: the highest index that any of its configurations has,
-# and the share of configurations that are nearly singular.
+# The arm turns about its first axis, so the distance from that axis and the height
+# describe a place completely. Each cell of 2.5 cm shows the largest manipulability of
+# its configurations, and the share of nearly singular configurations.
 
 reach, height = np.hypot(position[:, 0], position[:, 1]), position[:, 2]
 edges = np.arange(0.0, 0.95, 0.025), np.arange(-0.6, 1.25, 0.025)
@@ -58,26 +58,26 @@ shape = len(edges[0]) - 1, len(edges[1]) - 1
 inside = (columns[0] < shape[0]) & (columns[1] >= 0) & (columns[1] < shape[1])
 cell = np.ravel_multi_index([c[inside] for c in columns], shape)
 highest = np.full(np.prod(shape), np.nan)
-np.fmax.at(highest, cell, index[inside])
+np.fmax.at(highest, cell, m[inside])
 count = np.bincount(cell, minlength=highest.size)
-poor = np.bincount(
-    cell, weights=index[inside] < low, minlength=highest.size
-) / np.maximum(count, 1)
+poor = np.bincount(cell, weights=m[inside] < low, minlength=highest.size) / np.maximum(
+    count, 1
+)
 poor[count < 20] = np.nan
 best = np.unravel_index(np.nanargmax(highest), shape)
 print(
     f"best cell: {edges[0][best[0]]:.2f} m from the axis, {edges[1][best[1]]:.2f} m "
-    f"high, index {np.nanmax(highest):.4f} m³"
+    f"high, manipulability {np.nanmax(highest):.4f} m³"
 )
 
 figure, (left, middle, right) = plt.subplots(
     1, 3, figsize=(11.5, 4.4), layout="constrained", width_ratios=(1, 1, 1)
 )
-left.hist(index, bins=120, color="#0072B2")
-left.set(xlabel="index [m³]", ylabel="configurations", xlim=(0, None))
+left.hist(m, bins=120, color="#0072B2")
+left.set(xlabel="manipulability [m³]", ylabel="configurations", xlim=(0, None))
 for ax, values, label in (
-    (middle, highest, "highest index [m³]"),
-    (right, poor, "share of nearly singular ones"),
+    (middle, highest, "largest manipulability [m³]"),
+    (right, poor, "share of nearly singular configurations"),
 ):
     image = ax.pcolormesh(
         *edges, values.reshape(shape).T, cmap="viridis" if ax is middle else "magma_r"
@@ -91,7 +91,7 @@ for ax, values, label in (
 plt.show()
 
 # %%
-# Read it so: put the work where the middle picture is bright. Near the edge of the
-# reach every configuration is poor, whatever the elbow does. For a task that needs
-# orientation as well use ``Task.pose()``; for one wall or table, ask
+# How to read it: put the work where the middle map is bright. Near the edge of the
+# reach every configuration is poor, at any angle of the elbow. For a task that also
+# needs the orientation, use ``Task.pose()``; for a single wall or table, ask
 # ``mp.inverse_kinematics`` for the poses on it.

@@ -2,9 +2,9 @@
 What to choose: power, degree, measure, shifts
 ==============================================
 
-``optimize_path`` has few numbers to choose. On the planar arm of three unit links
-each answer takes less than a second, so this page tries them: what each does to the
-path, and what it costs.
+``optimize_path`` has few parameters. On a planar arm with three unit links each run
+takes less than a second, so this page varies them and shows what each does to the path
+and what it costs.
 """
 
 import matplotlib.pyplot as plt
@@ -19,7 +19,7 @@ s = np.linspace(0, 1, 400)
 
 
 def mean(path, measure="yoshikawa"):
-    """By arc length: what a path's own parameter does has no meaning."""
+    """Mean along the path by arc length; the path's own parameter has no meaning."""
     speed = np.linalg.norm(path(s, 1), axis=1)
     return np.average(
         arm.kinematics(measure=measure).manipulability(path(s)), weights=speed
@@ -27,15 +27,21 @@ def mean(path, measure="yoshikawa"):
 
 
 # %%
-# **Power.** The path minimises g = ∫ ‖q'‖ / m^power ds. With a power near 0 it is
-# the shortest path; the higher the power, the more length it pays to stay where the
-# index is high.
+# **Power.** The path minimises g = ∫ ‖q'‖ / m^power ds. With a power near 0 it is the
+# shortest path. The higher the power, the longer the detours that the path makes to
+# stay where the manipulability is large.
 
 by_power = {
-    power: mp.optimize_path(arm, start, goal, degree=8, power=power)
+    power: mp.optimize_path(
+        arm,
+        start,
+        goal,
+        shape=mp.PathShape(degree=8),
+        objective=mp.PathObjective(power=power),
+    )
     for power in (0.25, 1, 2, 4, 8)
 }
-print("power  length [rad]  minimum manipulability [m²]  mean index [m²]")
+print("power  length [rad]  minimum manipulability [m²]      mean m [m²]")
 for power, result in by_power.items():
     print(
         f"{power:5g}  {result.length:12.3f}  {result.min_manipulability:16.3f}  "
@@ -46,27 +52,41 @@ assert by_power[8].length > by_power[0.25].length and mean(by_power[8].path) > m
 )
 
 # %%
-# **Degree.** Of the polynomial of each joint. g falls with the degree until there
-# is nothing left to gain; a degree of 5 to 8 does for most paths without obstacles.
+# **Degree.** This is the degree of the polynomial of each joint. g falls with the
+# degree until nothing more can be gained. A degree of 5 to 8 is enough for most paths
+# without obstacles.
 
 by_degree = {
-    degree: mp.optimize_path(arm, start, goal, degree=degree, power=2)
+    degree: mp.optimize_path(
+        arm,
+        start,
+        goal,
+        shape=mp.PathShape(degree=degree),
+        objective=mp.PathObjective(power=2),
+    )
     for degree in range(1, 11)
 }
 print("degree:", *(f"{degree:7d}" for degree in by_degree))
 print("g:     ", *(f"{result.g:7.3f}" for result in by_degree.values()))
 
 # %%
-# **Measure.** What m is. Yoshikawa's index is a volume; the inverse condition asks
-# for a round ellipsoid; the smallest singular value for a fast slowest direction. A
-# path that is best for one is judged here by all.
+# **Measure.** This is the definition of m. Yoshikawa's manipulability measures the
+# volume of the velocity ellipsoid, the inverse condition its roundness, and the
+# smallest singular value the speed in the slowest direction. Each path is optimised for
+# one measure and evaluated by all of them. The table lists the means along the path.
 
 names = ("yoshikawa", "inverse_condition", "smallest_singular_value")
 by_measure = {
-    name: mp.optimize_path(arm, start, goal, degree=8, power=2, measure=name)
+    name: mp.optimize_path(
+        arm,
+        start,
+        goal,
+        shape=mp.PathShape(degree=8),
+        objective=mp.PathObjective(power=2, measure=name),
+    )
     for name in names
 }
-print(f"{'means; path for':25s}  length" + "".join(f"{name:>25s}" for name in names))
+print(f"{'path optimised for':25s}  length" + "".join(f"{name:>25s}" for name in names))
 for name, result in by_measure.items():
     values = [mean(result.path, other) for other in names]
     print(
@@ -75,12 +95,19 @@ for name, result in by_measure.items():
     )
 
 # %%
-# **Shifts.** A goal a full turn away is the same posture.
-# ``shifts="within-limits"`` tries every such goal inside the joint limits; the
-# torus has shorter ways round, and ways through better postures. The joints of this
-# arm turn without end, so there are 27 goals.
+# **Shifts.** A goal that differs by full turns of a joint is the same posture.
+# ``mp.Seeding(shifts="within-limits")`` tries every such goal inside the limits. Some
+# of these goals have shorter paths, or paths through better postures. The joints of
+# this arm turn without limits, so there are 27 goals.
 
-shifted = mp.optimize_path(arm, start, goal, degree=8, power=2, shifts="within-limits")
+shifted = mp.optimize_path(
+    arm,
+    start,
+    goal,
+    shape=mp.PathShape(degree=8),
+    objective=mp.PathObjective(power=2),
+    seeding=mp.Seeding(shifts="within-limits"),
+)
 turns = np.round((shifted.path.goal - goal) / (2 * np.pi)).astype(int)
 print(
     f"g {by_power[2].g:.3f} -> {shifted.g:.3f} with the goal shifted by {turns} "
@@ -89,21 +116,19 @@ print(
 assert shifted.g < by_power[2].g
 
 # %%
-# The paths in the plane of the joints 2 and 3, over the index, which does not
-# depend on joint 1: dark is singular.
+# The paths in the plane of joints 2 and 3. The background is the manipulability, which
+# does not depend on joint 1: dark is singular.
 
 edge = np.linspace(-np.pi, 2 * np.pi, 241)
 second, third = np.meshgrid(edge, edge)
-index = kinematics.manipulability(
-    np.stack([np.zeros_like(second), second, third], axis=-1)
-)
+m = kinematics.manipulability(np.stack([np.zeros_like(second), second, third], axis=-1))
 figure, (left, right) = plt.subplots(
     1, 2, figsize=(11, 4.6), layout="constrained", width_ratios=(1.15, 1)
 )
 image = left.pcolormesh(
-    second, third, index, cmap="gray", shading="gouraud", rasterized=True
+    second, third, m, cmap="gray", shading="gouraud", rasterized=True
 )
-figure.colorbar(image, ax=left, label="index [m²]")
+figure.colorbar(image, ax=left, label="manipulability [m²]")
 lines = {f"power {power:g}": by_power[power] for power in (0.25, 2, 8)} | {
     "power 2, shifted goal": shifted
 }
@@ -126,11 +151,12 @@ left.set(
     xlim=(inside[:, 0].min() - 0.6, inside[:, 0].max() + 0.6),
     ylim=(inside[:, 1].min() - 0.6, inside[:, 1].max() + 0.6),
 )
-right.set(xlabel="s", ylabel="index [m²]", ylim=(0, None))
+right.set(xlabel="s", ylabel="manipulability [m²]", ylim=(0, None))
 right.legend(fontsize=8, frameon=False)
 plt.show()
 
 # %%
-# Start with ``power=1``. Raise it to 2 or 4 where the minimum manipulability matters more than
-# the time; beyond that a path hardly changes, and numbers grow large. Use shifts
-# for arms whose joints turn far, and seeds among obstacles.
+# Start with ``mp.PathObjective(power=1)``. Raise the power to 2 or 4 where the minimum
+# manipulability matters more than the time. Beyond that the path hardly changes, and g
+# becomes very large. Use ``shifts`` of ``mp.Seeding`` for arms whose joints have a wide
+# range, and its ``count`` among obstacles.

@@ -2,20 +2,22 @@
 Ways round two posts, and their rivals
 ======================================
 
-Between the same two configurations an arm can pass a post on either side, and turn
-a joint one way or the other. Each way has an optimum of its own. Several first
-paths are looked for, those of one class are solved once; the best has its rivals.
+Between the same two configurations, an arm can pass a post on either side and turn a
+joint in either direction. Each of these ways has its own optimum. The planner looks for
+several first paths and optimises one path per class. The best one is the result; the
+others are its rivals.
 """
 
 # %%
-# The arm, two posts, and two configurations between which there are several ways.
+# The joints of the arm turn 4.5 rad in each direction. There are two posts, and several
+# ways lead from the start to the goal.
 
 import matplotlib.pyplot as plt
 import numpy as np
 
 import manipplan as mp
 
-arm = mp.planar_arm([1.0, 1.0, 1.0])
+arm = mp.planar_arm([1.0, 1.0, 1.0]).with_limits(lower=-4.5, upper=4.5)
 posts = [(0.0, 2.3), (-1.9, 0.5)]
 scene = mp.Scene(
     [
@@ -28,19 +30,17 @@ scene = mp.Scene(
 start, goal = [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0]
 
 # %%
-# ``seeds=2`` looks for two first paths to each goal; ``shifts`` adds the goals a full
-# turn away in any joint, which are the same posture.
+# The seeding looks for two first paths to each goal (``count=2``). ``shifts`` adds the
+# goals that differ by a full turn of any joint, which are the same posture.
 
 best = mp.optimize_path(
     arm,
     start,
     goal,
-    degree=8,
-    power=2,
-    scene=scene,
+    scene,
+    objective=mp.PathObjective(power=2),
+    seeding=mp.Seeding(count=2, shifts="within-limits"),
     clearance=0.02,
-    seeds=2,
-    shifts="within-limits",
 )
 print(best.certificate)
 print()
@@ -53,8 +53,8 @@ for rank, result in enumerate([best, *best.rivals[:9]]):
 assert all(rival.g >= best.g for rival in best.rivals)
 
 # %%
-# Where the tool goes, and the index along the way. A rival can be shorter and still
-# be worse: it comes nearer to a singularity.
+# The path of the tool, and the manipulability along it. A rival can be shorter and
+# still be worse, because it comes closer to a singularity.
 kinematics = arm.kinematics()
 s = np.linspace(0, 1, 400)
 fig, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2), layout="constrained")
@@ -72,12 +72,12 @@ left.plot(
     markersize=5,
 )
 left.set(aspect="equal", xlabel="x [m]", ylabel="y [m]")
-left.set_title("the tool among two posts", loc="left")
-right.set(xlabel="s", ylabel="index m [m²]", ylim=(0, None))
+left.set_title("path of the tool and the two posts", loc="left")
+right.set(xlabel="s", ylabel="manipulability m [m²]", ylim=(0, None))
 right.legend(fontsize=8)
 plt.show()
 
 # %%
-# When the best one is not the one you want, because a cable would wind up or a post
-# is nearer than you like, take a rival: it is a full result, with path and
-# certificate. More ``seeds`` find more classes, at the price of a solve for each.
+# If the best path is not the one you want, because a cable would wind up or a post is
+# too close, take a rival: it is a full result, with path and certificate. A larger
+# ``count`` finds more classes and costs one more optimisation per class.

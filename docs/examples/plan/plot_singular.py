@@ -2,10 +2,10 @@
 When every path is singular
 ===========================
 
-A UR5 has six joints and a pose has six numbers, so its configurations fall into
-regions between which every motion crosses a singularity. Then g is infinite
-whatever the path. The planner says so; this page shows what it says, why, and what
-to do.
+A UR5 has six joints and a pose has six numbers, so its configurations form regions, and
+every motion from one region to another crosses a singularity. Then g is infinite for
+every path. The planner reports this. This page shows the message, the cause, and the
+remedy.
 """
 
 import matplotlib.pyplot as plt
@@ -16,10 +16,10 @@ import manipplan as mp
 robot = mp.load_robot("ur5")
 kinematics = robot.kinematics()
 start = np.array([0.4, -1.2, 1.5, -1.8, -1.3, 0.7])
-goal = np.array([1.4, -0.5, -1.3, 0.3, -1.2, 0.5])  # somebody chose elbow down
+goal = np.array([1.4, -0.5, -1.3, 0.3, -1.2, 0.5])  # elbow down
 
 # %%
-# With ``throw=False`` the result comes back, and its status says what is wrong and
+# With ``throw=False`` the result is returned, and its status says what is wrong and
 # what would help.
 
 result = mp.optimize_path(robot, start, goal, throw=False)
@@ -29,8 +29,8 @@ print("g:", result.g)
 assert result.status is mp.Status.SINGULAR and np.isinf(result.g)
 
 # %%
-# Why: det J has different signs at the two ends, so on the way it has to be zero
-# somewhere.
+# The cause: det J has different signs at start and goal, so it is zero somewhere along
+# the path.
 
 signs = {
     name: np.sign(np.linalg.det(kinematics.jacobian(q)))
@@ -39,11 +39,11 @@ signs = {
 print({name: f"{sign:+.0f}" for name, sign in signs.items()})
 
 # %%
-# The remedy: the tool's pose is what matters, and other configurations reach it.
-# Take those with the sign of the start, and of these the one to which the path of
-# least g leads. The same sign is needed, but not enough: the index of this arm is a
-# product of three factors, one each of shoulder, elbow and wrist, and a change of
-# two of them leaves the sign as it was.
+# The remedy: only the pose of the tool matters, and other configurations reach it. Take
+# those with the same sign as the start, and choose the one whose path has the smallest
+# g. The same sign is necessary, but not sufficient: det J of this arm is a product of
+# three factors, one each for shoulder, elbow and wrist, and if two of them change their
+# signs, the sign of det J stays the same.
 
 solutions = mp.inverse_kinematics(robot, kinematics.pose(goal)).q
 same = np.array(
@@ -55,8 +55,8 @@ same = np.array(
 )
 nearest = same[np.argsort(np.linalg.norm(same - start, axis=1))][:6]
 print(
-    f"{len(solutions)} configurations reach the goal's pose, {len(same)} of them on "
-    "the side of the start"
+    f"{len(solutions)} configurations reach the goal's pose, {len(same)} of "
+    "them with the same sign of det J as the start"
 )
 tried = [mp.optimize_path(robot, start, q, throw=False) for q in nearest]
 for candidate in tried:
@@ -69,8 +69,7 @@ assert np.isfinite(best.g)
 assert np.allclose(kinematics.pose(best.path.goal), kinematics.pose(goal), atol=1e-9)
 
 # %%
-# The sign of det J and the index along both paths: the first one touches zero, the
-# second one does not.
+# det J along both paths: the first one crosses zero, the second one does not.
 
 s = np.linspace(0, 1, 800)
 fig, ax = plt.subplots(figsize=(7.5, 3.6), layout="constrained")
@@ -91,16 +90,16 @@ ax.legend(frameon=False)
 plt.show()
 
 # %%
-# **Which limit binds?** A path can also be worse than need be because of a limit.
-# The certificate says how near it comes to each, and by how much g is above that of
-# the same problem without limits: the gap. On a planar arm, joint 3 is held below a
-# stop:
+# **Which limit is active?** A limit can also make a path worse. The certificate gives
+# the distance of the path to each limit, and how much larger g is than for the same
+# problem without limits: the gap. Here a mechanical stop limits joint 3 of a planar
+# arm:
 
 arm = mp.planar_arm([1.0, 1.0, 1.0])
 start, goal = [2.0, -2.6, 1.3], [-1.8, 2.0, 0.2]
-free = mp.optimize_path(arm, start, goal, power=2)
+free = mp.optimize_path(arm, start, goal, objective=mp.PathObjective(power=2))
 stopped = arm.with_limits(lower=-3.1, upper=[3.1, 3.1, 1.4])
-held = mp.optimize_path(stopped, start, goal, power=2)
+held = mp.optimize_path(stopped, start, goal, objective=mp.PathObjective(power=2))
 for name, result in (("no limits", free), ("joint 3 below 1.4 rad", held)):
     print(
         f"{name:22s} g {result.g:.3f}, gap {result.certificate.gap:7.2%}, joint 3 "

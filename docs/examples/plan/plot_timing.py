@@ -2,10 +2,11 @@
 Time a path: jerk, torque, and how fast the tool may go
 =======================================================
 
-You have a path, from any planner or file, and want the fastest motion along it that
-your arm can play. ``mp.retime`` knows limits of velocity, acceleration, jerk and
-torque, slower parts, and the tool's speed. What comes out is checked: no limit is
-exceeded.
+You have a path from any planner or file, and you want the fastest motion along it that
+your arm can execute. ``mp.retime`` keeps the robot's velocity, acceleration and jerk
+limits, or the ``limits=`` that you pass instead. On request it also limits the torques,
+the speed in parts of the path, and the speed of the tool. The result is checked: no
+limit is exceeded.
 """
 
 import matplotlib.pyplot as plt
@@ -20,9 +21,9 @@ limits = robot.limits
 print("jerk limits [rad/s³]:", limits.jerk)
 
 # %%
-# One option at a time. Without jerk limits acceleration jumps, which excites an
-# arm; with them the motion takes a little longer. A path through corners stops at
-# each.
+# Compare the options one at a time. Without jerk limits, the acceleration jumps, which
+# excites vibrations of the arm. With them, the motion takes a little longer. A path
+# with corners stops at each corner.
 
 no_jerk = robot.with_limits(jerk=np.inf).limits
 gentle = robot.with_limits(
@@ -31,16 +32,18 @@ gentle = robot.with_limits(
 slow_end = mp.Segment(begin=0.7, end=1.0, velocity=0.3)
 careful = mp.Segment(begin=0.3, end=0.6, tool_speed=0.25)
 motions = {
-    "velocity and acceleration": mp.retime(path, no_jerk),
-    "and jerk of the data sheet": mp.retime(path, limits),
-    "and a twentieth of that jerk": mp.retime(path, gentle),
-    "and the last part at 30 % speed": mp.retime(path, gentle, segments=[slow_end]),
-    "and the tool below 0.25 m/s in the middle": mp.retime(
-        path, gentle, segments=[careful], robot=robot
+    "velocity and acceleration": mp.retime(path, robot, limits=no_jerk),
+    "and jerk of the data sheet": mp.retime(path, robot, limits=limits),
+    "and a twentieth of that jerk": mp.retime(path, robot, limits=gentle),
+    "and the last part at 30 % speed": mp.retime(
+        path, robot, limits=gentle, segments=[slow_end]
     ),
-    "data sheet, and torque": mp.retime(path, limits, torque_model=robot.model),
-    "data sheet, straight by way of two corners": mp.retime(
-        mp.JointPath.through(path([0.0, 0.3, 0.7, 1.0])), limits
+    "and the tool below 0.25 m/s in the middle": mp.retime(
+        path, robot, limits=gentle, segments=[careful]
+    ),
+    "data sheet, and torque": mp.retime(path, robot, limits=limits, torque=True),
+    "data sheet, straight lines, two corners": mp.retime(
+        mp.JointPath.through(path([0.0, 0.3, 0.7, 1.0])), robot, limits=limits
     ),
 }
 print(
@@ -60,13 +63,12 @@ assert (
 assert mp.jerk_use(motions["and a twentieth of that jerk"], gentle).ratio <= 1 + 1e-9
 
 # %%
-# A jerk of "inf" means that acceleration jumps somewhere. The torque of all these
-# motions is within the effort limits already, so that asking for it changes little
-# here; with a heavy load in the hand it does. The two tighter parts are timed with
-# the low jerk limit.
+# A jerk of "inf" means that the acceleration jumps somewhere. The torques of all these
+# motions are already within the effort limits, so ``torque=True`` changes little here.
+# With a heavy payload it changes more. The two motions with a slower part are timed
+# with the low jerk limit.
 #
-# Above the speed of the tool by time, below the largest share of an acceleration
-# limit.
+# Top: speed of the tool over time. Bottom: largest share of an acceleration limit.
 
 velocity = robot.kinematics(mp.Task.position())
 
@@ -109,17 +111,17 @@ bottom.set(
 plt.show()
 
 # %%
-# **Begin or end moving.** ``start_speed`` and ``end_speed`` are norms of the joint
-# velocity along the path. More than the limits allow is refused, with the most that
-# they do.
+# **Begin or end in motion.** ``start_speed`` and ``end_speed`` are norms of the joint
+# velocity along the path. A speed above the limits is rejected, and the message gives
+# the largest speed that the limits allow.
 
-moving = mp.retime(path, no_jerk, start_speed=0.5)
+moving = mp.retime(path, robot, limits=no_jerk, start_speed=0.5)
 print(
     f"starting at 0.5 rad/s: {moving.duration:.3f} s instead of "
     f"{motions['velocity and acceleration'].duration:.3f} s"
 )
 try:
-    mp.retime(path, no_jerk, end_speed=50.0, joint_names=robot.joint_names)
+    mp.retime(path, robot, limits=no_jerk, end_speed=50.0)
 except mp.InvalidInputError as error:
     print(error)
 
@@ -129,6 +131,6 @@ except mp.InvalidInputError as error:
 
 weak = robot.with_limits(effort=np.where(np.arange(7) == 1, 5.0, limits.effort)).limits
 try:
-    mp.retime(path, weak, torque_model=robot.model, joint_names=robot.joint_names)
+    mp.retime(path, robot, limits=weak, torque=True)
 except mp.PlanningError as error:
     print(error)

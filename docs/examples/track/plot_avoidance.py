@@ -2,10 +2,10 @@
 A controller in a loop, with something in the way
 =================================================
 
-Your robot's interface wants joint velocities every few milliseconds, from where the
-tool should be now. You have a target, perhaps from a teleoperation device or a
-camera, and things that move about. ``mp.Controller`` gives the velocities, keeps
-the limits, keeps away, and raises the index meanwhile.
+Your robot's interface needs joint velocities every few milliseconds. You have a target
+pose of the tool, perhaps from a teleoperation device or a camera, and moving obstacles.
+``mp.Controller`` computes the velocities, keeps the limits, avoids the obstacles, and
+raises the manipulability.
 """
 
 import time
@@ -22,8 +22,9 @@ q = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 2.0, 0.785])
 start = kinematics.pose(q)
 
 # %%
-# The controller is built once. A ball moves; the floor stands still. Within
-# ``influence`` things may approach only so fast, down to ``security``.
+# The controller is built once. The ball moves; the floor does not. Below the distance
+# ``influence``, the speed at which an obstacle and the arm may approach is limited, and
+# the limit falls to zero at ``security``.
 
 ball = mp.Sphere(radius=0.07, position=(0.60, 0.45, 0.62), name="ball")
 scene = mp.Scene([ball, mp.Plane(position=(0.0, 0.0, -0.02), name="floor")])
@@ -38,17 +39,17 @@ avoidance = mp.Avoidance(
 )
 tube = mp.Tolerance(position=0.05, rotation=0.3)
 controller = mp.Controller(
-    robot, mp.LogDrive(), dt, tolerance=tube, avoidance=avoidance
+    robot, mp.formulations.LogDrive(), dt=dt, tolerance=tube, avoidance=avoidance
 )
 print(f"compiled: {controller.compiled}; {len(controller.pairs)} pairs are kept apart")
 
 # %%
-# The loop: the tool is to go sideways and back while the ball flies through the
-# wrist's place. At each step the controller gets the state, the target, and where
-# the ball is and how fast.
+# The loop: the tool moves sideways and back while the ball flies through the place of
+# the wrist. At each step the controller gets the state, the target, and the position
+# and velocity of the ball.
 
 steps = 1200
-log = {name: np.empty(steps) for name in ("index", "clearance", "deviation", "solved")}
+log = {name: np.empty(steps) for name in ("m", "clearance", "deviation", "solved")}
 trace, balls = np.empty((steps, 3)), np.empty((steps, 3))
 qd = np.zeros(robot.n)
 speed = np.array([0.0, -0.20, 0.0])
@@ -67,19 +68,19 @@ for k in range(steps):
     largest = np.maximum(largest, np.abs(command - qd) / dt / robot.limits.acceleration)
     q, qd = q + dt * command, command
     trace[k], balls[k] = kinematics.pose(q)[:3, 3], centre
-    log["index"][k], log["clearance"][k] = report.manipulability, report.clearance
+    log["m"][k], log["clearance"][k] = report.manipulability, report.clearance
     log["deviation"][k] = np.linalg.norm(trace[k] - target[:3, 3])
     log["solved"][k] = report.status is mp.StepStatus.SOLVED
 print(
-    f"{int(log['solved'].sum())} of {steps} steps solved; least distance "
+    f"{int(log['solved'].sum())} of {steps} steps solved; minimum distance "
     f"{1e3 * log['clearance'].min():.1f} mm"
 )
 print(f"largest share of an acceleration limit: {largest.max():.4f}")
 assert log["clearance"].min() > 0 and largest.max() <= 1 + 1e-6
 
 # %%
-# How long a step takes, measured on this machine while this page was built: the
-# call from Python, and inside a rollout in C.
+# Time of one step, measured on the machine that built this page: called from Python,
+# and inside a rollout in C.
 
 
 around = {"ball": (place, [*speed, 0.0, 0.0, 0.0])}
@@ -99,7 +100,8 @@ controller.rollout(q, targets)
 print(f"one step in a rollout: {1e6 * (time.perf_counter() - begin) / 2000:.0f} µs")
 
 # %%
-# The ball comes, the arm gives way inside its tube, and then returns to its target.
+# The ball approaches, the arm gives way inside its tube, and then it returns to its
+# target.
 
 t = dt * np.arange(steps)
 figure, panels = plt.subplots(
@@ -107,21 +109,21 @@ figure, panels = plt.subplots(
 )
 panels[0].plot(t, 1e3 * log["clearance"], color="#D55E00")
 panels[0].axhline(30, color="0.4", linestyle=":", label="security distance")
-panels[0].set(ylabel="least distance [mm]", ylim=(0, None), xlim=(0, t[-1]))
+panels[0].set(ylabel="minimum distance [mm]", ylim=(0, None), xlim=(0, t[-1]))
 panels[1].plot(t, 1e3 * log["deviation"], color="#0072B2")
 panels[1].axhline(50, color="0.4", linestyle=":", label="tube")
 panels[1].set(ylabel="deviation [mm]", ylim=(0, None))
-panels[2].plot(t, log["index"], color="#009E73")
+panels[2].plot(t, log["m"], color="#009E73")
 panels[2].set(
-    xlabel="time [s]", ylabel="index [m⁶]", ylim=(0, 1.15 * log["index"].max())
+    xlabel="time [s]", ylabel="manipulability [m⁶]", ylim=(0, 1.15 * log["m"].max())
 )
 for ax in panels[:2]:
     ax.legend(frameon=False, fontsize=8)
 plt.show()
 
 # %%
-# A bad message must not stop a robot: with a target that is no number the
-# controller brakes within all limits and says so.
+# A bad message must not break the control loop: if the target is not a number, the
+# controller brakes within all limits and reports it.
 
 controller.step(q, qd, np.full((4, 4), np.nan), obstacles=around)
 print(controller.report.status.name)

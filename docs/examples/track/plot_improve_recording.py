@@ -2,17 +2,16 @@
 Improve a recorded path
 =======================
 
-Somebody has led the arm by hand, or a planner of another kind has made a motion,
-and you have it as a CSV file: times and joint angles. The tool's way is what you
-want; how the elbow moved meanwhile is chance. ``mp.improve`` follows the recorded
-poses inside a tolerance and uses what the arm has to spare to stay farther from
-singularities.
+Someone has guided the arm by hand, or another planner has made a motion, and you have
+it as a CSV file with times and joint angles. You want to keep the path of the tool; how
+the elbow moved is arbitrary. ``mp.improve`` follows the recorded poses inside a
+tolerance and uses the arm's redundancy to stay farther from singularities.
 """
 
 # %%
-# The recording of this page is made up: a Panda's hand is led along an arc near the
-# edge of its reach, sampled at 50 Hz with the noise of a hand. Yours has the same
-# columns: ``time`` [s], then ``q_<joint>`` [rad].
+# The recording of this page is synthetic: a Panda's hand is guided along an arc near
+# the edge of its reach, sampled at 50 Hz, with noise as from a human hand. Your file
+# has the same columns: ``time`` [s], then ``q_<joint>`` [rad].
 
 import tempfile
 from pathlib import Path
@@ -38,8 +37,8 @@ np.savetxt(file, np.column_stack([t, q]), delimiter=",", header=header, comments
 print(file.read_text()[:220], "...")
 
 # %%
-# One call. The tube is 2 cm and 0.2 rad wide; the recording is slowed down first if
-# it is faster than the arm's limits allow.
+# One call improves the recording. The tolerance is 2 cm and 0.2 rad. If the recording
+# is faster than the arm's limits allow, it is slowed down first.
 
 tube = mp.Tolerance(position=0.02, rotation=0.2)
 plan = mp.improve(robot, file, tolerance=tube)
@@ -47,22 +46,21 @@ print(plan.report)
 assert plan.status.ok
 
 # %%
-# Before and after. The upper picture is the index, the middle one how far the tool
-# is from the recorded poses, and the lower one which joints move otherwise. A step
-# knows the tool's motion to first order, so that the wall of the tube is kept to
-# some micrometres.
+# Before and after. Top: manipulability. Middle: deviation of the tool from the recorded
+# poses. Bottom: change of each joint. A control step models the motion of the tool to
+# first order, so the tolerance is kept up to some micrometres.
 
 recorded = mp.Trajectory.from_csv(file)
-index = robot.kinematics().manipulability
+manipulability = robot.kinematics().manipulability
 tracking = plan.tracking
-before = index(recorded(np.linspace(0, recorded.duration, 400)))
-after = index(plan.trajectory(np.linspace(0, plan.trajectory.duration, 400)))
+before = manipulability(recorded(np.linspace(0, recorded.duration, 400)))
+after = manipulability(plan.trajectory(np.linspace(0, plan.trajectory.duration, 400)))
 print(
     f"minimum manipulability: {before.min():.4f} -> {after.min():.4f} m^6;  mean: "
     f"{before.mean():.4f} -> {after.mean():.4f} m^6"
 )
 print(
-    f"largest deviation: {1e3 * tracking.deviation.max():.3f} mm; the tube: "
+    f"largest deviation: {1e3 * tracking.deviation.max():.3f} mm; tolerance: "
     f"{1e3 * tube.position:.0f} mm"
 )
 assert after.min() > before.min() and after.mean() > before.mean()
@@ -74,7 +72,7 @@ figure, (top, middle, bottom) = plt.subplots(
 )
 top.plot(share, before, color="#E69F00", label="recorded")
 top.plot(share, after, color="#0072B2", label="improved")
-top.set(ylabel="index [m⁶]", ylim=(0, 1.15 * after.max()), xlim=(0, 1))
+top.set(ylabel="manipulability [m⁶]", ylim=(0, 1.15 * after.max()), xlim=(0, 1))
 top.legend(frameon=False)
 middle.plot(tracking.t / tracking.t[-1], 1e3 * tracking.deviation, color="#0072B2")
 middle.axhline(1e3 * tube.position, color="0.4", linestyle=":", label="tolerance")
@@ -89,15 +87,16 @@ for joint in np.argsort(-np.abs(change).max(axis=0)):
     )
 low, high = bottom.get_ylim()
 bottom.set(ylim=(low - 0.35 * (high - low), high))  # room for the legend
-bottom.set(xlabel="share of the time", ylabel="change of joint [rad]")
+bottom.set(xlabel="share of the duration", ylabel="change of joint [rad]")
 bottom.legend(frameon=False, ncols=4, fontsize=8, loc="lower center")
 plt.show()
 
 # %%
-# The result goes back to a file that a controller reads:
-# ``plan.trajectory.to_csv``, ``to_json``, ``to_ros``.
+# Write the result to a file for a controller with ``plan.trajectory.to_csv``,
+# ``to_json`` or ``to_ros``.
 #
-# What to do when it fails: *NOT_BETTER* says that the tube leaves nothing to gain,
-# so allow more tolerance, or a task with fewer rows (``task=mp.Task.position()`` if
-# the orientation was chance, too). *NOT_FOLLOWED* says that the limits do not let
-# the arm stay in the tube: allow more time (``duration=``) or more tolerance.
+# If it fails: *NOT_BETTER* means that nothing can be gained inside the tolerance, so
+# allow more tolerance, or a task with fewer rows
+# (``objective=mp.PathObjective(task=mp.Task.position())`` if the orientation is
+# arbitrary, too). *NOT_FOLLOWED* means that the arm cannot stay inside the tolerance
+# within its limits: allow more time (``duration=``) or more tolerance.

@@ -79,7 +79,7 @@ def _rods(robot: Robot) -> tuple[Body, ...]:
     """A capsule from each joint to the next, and from the last to the tool."""
     import coal
 
-    from manipplan.robots.description import frame_index
+    from manipplan.robots.model_tree import frame_index
 
     model = robot.model
     tool = model.frames[frame_index(model, robot.tool)]

@@ -15,7 +15,7 @@ from manipplan.support.checks import Array, instance, number, pose_matrix
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller
-from manipplan.tracking.formulations import Classical, Formulation, LogDrive
+from manipplan.tracking.formulations import Formulation, LogDrive
 from manipplan.tracking.step import StepStatus
 from manipplan.viz import style
 from manipplan.viz.motions import linear_kinematics
@@ -71,7 +71,7 @@ def follow_target(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     q = robot.configuration("start", robot.neutral if start is None else start)
     avoidance = Avoidance(scene=scene) if scene.obstacles else None
-    controller = Controller(robot, formulation or LogDrive(), dt, task=task, avoidance=avoidance)
+    controller = Controller(robot, formulation or LogDrive(), dt=dt, task=task, avoidance=avoidance)
     viewer = LiveViewer(controller, q, scene, port=port, host=host)
     if open_browser:
         viewer.open()
@@ -173,7 +173,7 @@ class LiveViewer(Page):
             self._target = dragged
 
     def _fill_panel(self) -> None:
-        gui, drives = self.server.gui, not isinstance(self.controller.formulation, Classical)
+        gui, drives = self.server.gui, self.controller.formulation.solves_qp
         gui.add_markdown("Drag the arrows at the tool; the arm follows within its limits.")
         back = gui.add_button("Back to the start", icon="player-skip-back")
         raises = gui.add_checkbox("raise the manipulability", initial_value=True, visible=drives)
@@ -208,17 +208,17 @@ class LiveViewer(Page):
             self.robot.place(q)
             self.ellipsoid.place(q)
             if figures and len(self._past) > 1:
-                t, index = np.array(self._past).T
-                curve = Curve(name="measure", colour=style.OPTIMUM, values=index)
-                self._picture.content = Chart(t=t, curves=[curve], label=style.index_label(self._kinematics)).html(now)
-                self._values.content = table(self._rows(q, index[-1]))
+                t, m = np.array(self._past).T
+                curve = Curve(name="measure", colour=style.OPTIMUM, values=m)
+                self._picture.content = Chart(t=t, curves=[curve], label=style.measure_label(self._kinematics)).html(now)
+                self._values.content = table(self._rows(q, m[-1]))
 
-    def _rows(self, q: Array, index: float) -> list[tuple[str, str]]:
+    def _rows(self, q: Array, m: float) -> list[tuple[str, str]]:
         pose, status = self._position.pose(q), self.controller.report.status
         distance = float(np.linalg.norm(pose[:3, 3] - self._target[:3, 3]))
         turned = np.rad2deg(np.linalg.norm(pin.log3(pose[:3, :3].T @ self._target[:3, :3])))
         away = f"{1e3 * distance:.1f} mm" + (f", {turned:.1f}°" if self._turns else "")
-        rows = [("measure now", f"{index:.4g}"), ("tool to target", away)]
+        rows = [("measure now", f"{m:.4g}"), ("tool to target", away)]
         rows += limits_now(self.controller.robot, q, self._qd)
         if status is not StepStatus.SOLVED:
             rows.append(("step", f"{status.name.lower().replace('_', ' ')}: the arm brakes"))

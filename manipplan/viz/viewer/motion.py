@@ -32,14 +32,14 @@ class Course:
         name: name in the legend.
         at: function from times (...) [s] to configurations (..., n).
         q: (k, n) configurations.
-        index: (k,) values of the measure.
+        manipulability: (k,) values of the measure.
         tool: (k, 3) tool positions [m].
     """
 
     name: str
     at: Callable[[float], Array]
     q: Array
-    index: Array
+    manipulability: Array
     tool: Array
 
 
@@ -72,21 +72,21 @@ class Motion:
     @classmethod
     def of(cls, plan: "Plan") -> "Motion":
         """The motion of a plan; raises PlanningError when it has none."""
-        from manipplan.jobs.result import Plan
+        from manipplan.jobs.result import PartialPlan, Plan
 
-        instance("plan", plan, Plan)
-        robot, trajectory, result = plan.robot, plan.trajectory, plan.result
-        if trajectory is None:
+        instance("plan", plan, PartialPlan)
+        if not isinstance(plan, Plan):
             raise PlanningError(f"there is no motion to show: {plan.message or plan.status.value}", plan)
+        robot, trajectory, result = plan.robot, plan.trajectory, plan.result
         if trajectory.n != robot.n:
             raise InvalidInputError("plan.trajectory", f"a motion of {trajectory.n} joints", f"one of the robot's {robot.n}")
-        kinematics = robot.kinematics(result.task, measure=result.measure) if result is not None else robot.kinematics()
+        kinematics = robot.kinematics(result.task, measure=result.measure)
         position = linear_kinematics(robot)
         t = np.linspace(0.0, trajectory.duration, SAMPLES)
 
         def course(name: str, at: Callable[..., Array]) -> Course:
             q = at(t)
-            return Course(name=name, at=at, q=q, index=kinematics.manipulability(q), tool=position.pose(q)[:, :3, 3])
+            return Course(name=name, at=at, q=q, manipulability=kinematics.manipulability(q), tool=position.pose(q)[:, :3, 3])
 
         (name, _), *others = named_paths(plan).items()
         ours = course(name, trajectory)
@@ -121,20 +121,20 @@ class Motion:
 
     def least(self) -> list[tuple[str, str]]:
         """Names and values of the minimum manipulability of the motion and of the seed."""
-        k = int(self.ours.index.argmin())
-        rows = [("minimum m", f"{self._index(self.ours.index[k])} at {self.t[k]:.2f} s")]
+        k = int(self.ours.manipulability.argmin())
+        rows = [("minimum m", f"{self._with_unit(self.ours.manipulability[k])} at {self.t[k]:.2f} s")]
         if self.seed is not None:
-            rows.append((f"minimum m, {self.seed.name}", self._index(self.seed.index.min())))
+            rows.append((f"minimum m, {self.seed.name}", self._with_unit(self.seed.manipulability.min())))
         return rows
 
     def values(self, t: float) -> list[tuple[str, str]]:
         """Names and values of the panel at time t [s]."""
         q, qd = self.trajectory(t), self.trajectory(t, order=1)
-        now = self._index(float(self.kinematics.manipulability(q)))
+        now = self._with_unit(float(self.kinematics.manipulability(q)))
         rows = [("time", f"{t:.2f} of {self.trajectory.duration:.2f} s"), ("measure now", now)]
         return rows + self.least() + limits_now(self.robot, q, qd)
 
-    def _index(self, value: float) -> str:
+    def _with_unit(self, value: float) -> str:
         unit = style.raised(self.kinematics.measure.unit(self.kinematics.task))
         return f"{value:.4g} {unit}".rstrip()
 

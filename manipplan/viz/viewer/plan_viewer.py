@@ -158,10 +158,10 @@ class PlanViewer(Page):
 def chart_of(motion: Motion) -> Chart:
     """The measure over time, of the motion and of the seed."""
     curves = [
-        Curve(name=course.name, colour=colour, values=np.nan_to_num(course.index, posinf=0.0))
+        Curve(name=course.name, colour=colour, values=np.nan_to_num(course.manipulability, posinf=0.0))
         for course, colour in zip(motion.courses, (style.OPTIMUM, style.SEED), strict=False)
     ]
-    return Chart(t=motion.t, curves=curves, label=style.index_label(motion.kinematics))
+    return Chart(t=motion.t, curves=curves, label=style.measure_label(motion.kinematics))
 
 
 def about(motion: Motion) -> str:

@@ -54,7 +54,7 @@ def record(plan: "Plan", file: str | Path, *, rate: float = 25.0) -> Path:
         times = np.append(np.arange(0.0, motion.trajectory.duration, 1.0 / rate), motion.trajectory.duration)
         for t, wait in zip(times, np.append(np.diff(times), PAUSE), strict=True):
             stage.place(float(t))
-            label.text = f"{t:.2f} s, measure {float(np.interp(t, motion.t, motion.ours.index)):.3g}"
+            label.text = f"{t:.2f} s, measure {float(np.interp(t, motion.t, motion.ours.manipulability)):.3g}"
             label.position = stage.ellipsoid.mesh.position
             serializer.insert_sleep(float(wait))
         html = serializer.as_html()

@@ -2,7 +2,7 @@
 
 import pinocchio as pin
 
-from manipplan.robots import description
+from manipplan.robots import model_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.errors import FileFormatError
 
@@ -25,7 +25,7 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
             folders = [str(folder) for folder in (*source.package_dirs, *file.parents)]
             whole = pin.buildModelFromUrdf(str(file))
             geometry = pin.buildGeomFromUrdf(whole, str(file), kind, package_dirs=folders)
-        geometry = description.reduce(description.plain_angles(whole), geometry, robot.joint_names, robot.locked)[1]
+        geometry = model_tree.reduce(model_tree.plain_angles(whole), geometry, robot.joint_names, robot.locked)[1]
     except (ValueError, RuntimeError, IndexError, FileFormatError) as error:
         return None, f"the visual meshes of {file.name} cannot be read: {' '.join(str(error).split())[:160]}"
     return geometry, ""

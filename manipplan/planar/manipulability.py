@@ -57,10 +57,10 @@ def manipulability_gradient(arm: PlanarArm, q: ArrayLike) -> Array:
 
 def manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
     """∇²μ = (∇²μ² / 2 - ∇μ ∇μᵀ) / μ, (..., n, n) [m²], at q (..., n). Raises like `manipulability_gradient`."""
-    index = _regular(arm, q)
+    m = _regular(arm, q)
     slope = manipulability_gradient(arm, q)
     bend = squared_manipulability_hessian(arm, q) / 2 - slope[..., :, None] * slope[..., None, :]
-    return np.asarray(bend / index[..., None, None])
+    return np.asarray(bend / m[..., None, None])
 
 
 def frobenius_norm(arm: PlanarArm, q: ArrayLike) -> Array:
@@ -93,10 +93,10 @@ def _half_trace(arm: PlanarArm, q: ArrayLike) -> Array:
 
 
 def _regular(arm: PlanarArm, q: ArrayLike) -> Array:
-    index = manipulability(arm, q)
-    if (index <= 1e-12 * arm.lengths.sum() ** 2).any():
+    m = manipulability(arm, q)
+    if (m <= 1e-12 * arm.lengths.sum() ** 2).any():
         raise InvalidInputError("q", q, "postures that are not singular: at a singular one μ has no derivative, but μ² does")
-    return index
+    return m
 
 
 def _cross(r: Array) -> Array:

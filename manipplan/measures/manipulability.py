@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from manipplan.measures.measure import JacobianMeasure, Posture, row_unit
 from manipplan.support.checks import number, number_array, positive_array
 from manipplan.support.errors import InvalidInputError
-from manipplan.symbolic.derivatives import Factor, index_gradient, index_hessian, log_gradient, log_hessian
+from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian, manipulability_gradient, manipulability_hessian
 from manipplan.symbolic.task import Task
 
 #: ρ of the regularised form m_ρ = sqrt(det(J Jᵀ + ρ² I)), in units of the Jacobian's rows.
@@ -48,10 +48,10 @@ class Yoshikawa(JacobianMeasure):
         return yoshikawa(posture.isometric)
 
     def gradient(self, posture: Posture) -> ca.SX:
-        return index_gradient(*posture.smooth, self.regularisation)
+        return manipulability_gradient(*posture.smooth, self.regularisation)
 
     def hessian(self, posture: Posture) -> ca.SX:
-        return index_hessian(*posture.smooth, self.regularisation)
+        return manipulability_hessian(*posture.smooth, self.regularisation)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -157,7 +157,7 @@ class Isotropy(JacobianMeasure):
         m = posture.jacobian.shape[0]
         factor = Factor.of(posture.jacobian, self.regularisation)
         trace = ca.sumsqr(posture.jacobian)
-        value = m * factor.index ** (2 / m) / trace
+        value = m * factor.manipulability ** (2 / m) / trace
         slope = 2 / m * log_gradient(factor, posture.motion) - ca.gradient(ca.log(trace), posture.q)
         return factor, value, value * slope
 

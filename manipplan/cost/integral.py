@@ -1,0 +1,207 @@
+"""The integral g = ∫ ‖θ'‖ / μ^p ds of kth2012 along a path, by adaptive quadrature, and the path's minimum manipulability."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.cost.metric import metric_matrix
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.paths.joint import JointPath
+from manipplan.paths.rounding import gauss_rule
+from manipplan.support.checks import Array
+from manipplan.support.display import one_line
+
+#: Manipulability below this share of the path's maximum counts as zero.
+SINGULAR = 1e-9
+#: Panels are halved until their halves agree with them to this share of g ...
+ACCURACY = 1e-10
+#: ... at most this number of times.
+HALVINGS = 25
+#: More than 2^NOISE times the initial number of panels fail this test only where the integrand consists of rounding errors.
+NOISE = 6
+#: Gauss points per panel.
+POINTS = 10
+#: Panels on which g is minimised: initial number, error per panel as a share of g on the path where a descent begins,
+#: maximum number of halvings, and number of panels above which none is halved.
+RULE_PANELS, RULE_ACCURACY, RULE_HALVINGS, MOST_RULE_PANELS = 12, 1e-9, 12, 200
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True)
+class PathCost:
+    """g and the minimum manipulability of one path.
+
+    Attributes:
+        g: ∫ ‖q'‖_W / m^p ds, (6.6) in kth2012; inf when the path meets a singularity.
+        length: ∫ ‖q'‖ ds [rad], (6.5), without W.
+        min_manipulability: the minimum of m, found by ever finer grids around its dips.
+        at: the parameter s where m has its minimum.
+    """
+
+    g: float
+    length: float
+    min_manipulability: float
+    at: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PathIntegral:
+    """The integral g = ∫ ‖q'‖_W / m^p ds of one arm.
+
+    Attributes:
+        kinematics: provides the measure m.
+        power: p > 0.
+        metric: W (n, n), symmetric and positive definite; None: the identity.
+    """
+
+    kinematics: Kinematics
+    power: float
+    metric: Array | None = None
+
+    def cost(self, path: JointPath) -> PathCost:
+        """g and the minimum manipulability of a path, as in `path_cost`."""
+        return path_cost(path, self.kinematics, self.power, metric=self.metric)
+
+    def panels(self, path: JointPath, edges: Array | None = None) -> Array:
+        """Edges (k + 1,) of quadrature panels for the descent from a path, narrow where m has a dip.
+
+        A panel is halved, together with its two neighbours, until its two halves change its integral by at most
+        RULE_ACCURACY of g. Halving starts from `edges`, such as those of other paths; default: RULE_PANELS of equal width,
+        split at the breaks of the path. With more than MOST_RULE_PANELS panels it stops.
+        """
+        if edges is None:
+            edges = np.unique(np.concatenate([np.linspace(0.0, 1.0, RULE_PANELS + 1), path.breaks]))
+        for _ in range(RULE_HALVINGS):
+            middle = (edges[:-1] + edges[1:]) / 2
+            whole = self._panels(path, edges)
+            parts = self._panels(path, np.sort(np.concatenate([edges, middle]))).reshape(-1, 2).sum(axis=1)
+            with np.errstate(invalid="ignore"):  # inf - inf on a singular path
+                rough = ~(np.abs(whole - parts) <= RULE_ACCURACY * parts.sum())
+            if not rough.any() or len(edges) > MOST_RULE_PANELS:
+                break
+            rough[1:] |= rough[:-1].copy()  # the neighbours as well: a dip moves with the path
+            rough[:-1] |= rough[1:].copy()
+            edges = np.sort(np.concatenate([edges, middle[rough]]))
+        return edges
+
+    def on_panels(self, path: JointPath, edges: Array) -> float:
+        """g of a path from the Gauss points of the panels between edges (k + 1,)."""
+        return float(self._panels(path, edges).sum())
+
+    def _panels(self, path: JointPath, edges: Array) -> Array:
+        """The integral over each panel (k,)."""
+        s, weights = gauss(edges)
+        density = _weighed_speed(path, s.ravel(), self.kinematics, self.power, self.metric)
+        return np.asarray((weights * density.reshape(s.shape)).sum(axis=1))
+
+    def constant_speed(self, path: JointPath, count: int) -> Array:
+        """Parameters s (count,) at equal shares of g, or of length where m vanishes on most of the path."""
+        s = np.linspace(0.0, 1.0, 1001)
+        density = _weighed_speed(path, s, self.kinematics, self.power, self.metric)
+        median = np.median(density)
+        # capped, so that the parameters do not all cluster near a singularity
+        density = np.minimum(density, 1e3 * median) if np.isfinite(median) else speeds(path(s, 1), self.metric)
+        gained = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2)])
+        return np.interp(np.linspace(0.0, gained[-1], count), gained, s)
+
+
+def gauss(edges: Array) -> tuple[Array, Array]:
+    """Gauss points and weights (k, POINTS) of the panels between edges (k + 1,)."""
+    nodes, weights = gauss_rule(POINTS)
+    half = np.diff(edges)[:, None] / 2
+    return np.clip(edges[:-1, None] + half * (1 + nodes), 0.0, 1.0), half * weights
+
+
+def speeds(v: Array, metric: Array | None) -> Array:
+    """‖v‖_W = sqrt(vᵀ W v) of rows v (m, n), (m,); Euclidean for None."""
+    if metric is None:
+        return np.asarray(np.linalg.norm(v, axis=1))
+    return np.asarray(np.sqrt(np.einsum("mi,ij,mj->m", v, metric, v)))
+
+
+def path_cost(
+    path: JointPath, kinematics: Kinematics, power: float, *, metric: ArrayLike | None = None, panels: int = 40
+) -> PathCost:
+    """Compute g, on panels of ten Gauss points that are halved where that still changes g, and the minimum manipulability.
+
+    Args:
+        path: the path.
+        kinematics: provides the measure.
+        power: exponent of the measure.
+        metric: W in ‖q'‖_W, weights (n,) or a matrix (n, n); None: the identity.
+        panels: initial number of panels.
+
+    Raises:
+        InvalidInputError: `metric` is not a metric.
+    """
+    matrix = metric_matrix("metric", metric, path.n)
+    least, at, largest = _minimum_manipulability(path, kinematics)
+    # a singularity, which Gauss points can miss, makes the integral diverge for p >= 1
+    singular = power >= 1 and least <= SINGULAR * largest
+    g = np.inf if singular else _adaptive(path, kinematics, power, matrix, panels)
+    return PathCost(g=g, length=path.length, min_manipulability=least, at=at)
+
+
+def _weighed_speed(path: JointPath, s: Array, kinematics: Kinematics, power: float, metric: Array | None) -> Array:
+    """h = ‖q'‖_W / m^p at s (m,), whose integral is g; inf at a singular configuration."""
+    with np.errstate(divide="ignore"):
+        return np.asarray(speeds(path(s, 1), metric) / kinematics.manipulability(path(s)) ** power)
+
+
+def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Array | None, panels: int) -> float:
+    """g to ACCURACY by halving panels: a dip of m can be a thousand times narrower than an initial panel.
+
+    Infinite if m consists of rounding errors, as on a path that is singular everywhere. A dip needs few narrow panels,
+    rounding errors need them everywhere.
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(POINTS)
+
+    def gained(begin: Array, end: Array) -> Array:
+        half = (end - begin) / 2
+        s = np.clip((begin + half)[:, None] + half[:, None] * nodes, 0.0, 1.0)
+        h = _weighed_speed(path, s.ravel(), kinematics, power, metric)
+        return np.asarray(half * (h.reshape(s.shape) @ weights))
+
+    counts = np.maximum(1, np.ceil(panels * np.diff(path.breaks)).astype(int))
+    edges = [np.linspace(a, b, k + 1) for a, b, k in zip(path.breaks[:-1], path.breaks[1:], counts, strict=True)]
+    begin, end = np.concatenate([each[:-1] for each in edges]), np.concatenate([each[1:] for each in edges])
+    most = len(begin) * 2**NOISE
+    whole, settled = gained(begin, end), 0.0
+    for _ in range(HALVINGS):
+        middle = (begin + end) / 2
+        left, right = gained(begin, middle), gained(middle, end)
+        finite = np.isfinite(left + right) & np.isfinite(whole)  # false where m vanishes at a Gauss point
+        change = np.abs(np.where(finite, left + right, 0.0) - np.where(finite, whole, 0.0))
+        open_ = ~finite | (change > ACCURACY * (settled + whole[finite].sum()))
+        settled += float((left + right)[~open_].sum())
+        begin, end = np.concatenate([begin[open_], middle[open_]]), np.concatenate([middle[open_], end[open_]])
+        whole = np.concatenate([left[open_], right[open_]])
+        if not len(whole):
+            break
+        if len(whole) > most:
+            return float(np.inf)
+    return settled + float(whole.sum())
+
+
+def _minimum_manipulability(path: JointPath, kinematics: Kinematics) -> tuple[float, float, float]:
+    """The minimum manipulability, its s, and the maximum: ever finer grids search the deepest dips of 2001 points.
+
+    Where a path crosses a singularity, m has a sharp kink, which no fixed grid would hit.
+    """
+    s = np.linspace(0.0, 1.0, 2001)
+    values = kinematics.manipulability(path(s))
+    padded = np.concatenate([[np.inf], values, [np.inf]])
+    dips = np.flatnonzero((values <= padded[:-2]) & (values <= padded[2:]))
+    least, at = np.inf, 0.0
+    deepest = dips[np.argsort(values[dips])[:5]]
+    low, high = s[np.maximum(deepest - 1, 0)], s[np.minimum(deepest + 1, 2000)]
+    for _ in range(8):
+        grid = np.linspace(low, high, 41)  # one column per dip
+        inside = kinematics.manipulability(path(grid))
+        lowest, dip = inside.argmin(axis=0), np.arange(len(deepest))
+        column = int(inside[lowest, dip].argmin())
+        if inside[lowest[column], column] < least:
+            least, at = float(inside[lowest[column], column]), float(grid[lowest[column], column])
+        low, high = grid[np.maximum(lowest - 1, 0), dip], grid[np.minimum(lowest + 1, 40), dip]
+    return least, at, float(values.max())

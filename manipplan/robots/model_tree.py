@@ -1,0 +1,113 @@
+"""Joints, frames and bodies of a Pinocchio model, as one plain number per joint."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import pinocchio as pin
+
+from manipplan.support.checks import Array
+from manipplan.support.errors import FileFormatError
+
+#: Added to the names of links while joints are locked.
+_LINK = " (link)"
+
+
+def is_revolute(joint: pin.JointModel) -> bool:
+    """Whether the joint turns about one fixed axis."""
+    return bool(joint.shortname().startswith("JointModelR") and joint.nv == 1)
+
+
+def is_prismatic(joint: pin.JointModel) -> bool:
+    """Whether the joint slides along one fixed axis."""
+    return bool(joint.shortname().startswith("JointModelP") and joint.nv == 1)
+
+
+def axis_of(joint: pin.JointModel) -> Array:
+    """Unit axis (3,) of a revolute or prismatic joint in its own frame."""
+    name = joint.shortname()
+    if name.endswith("Unaligned"):
+        data = joint.createData()
+        joint.calc(data, np.eye(joint.nq)[0])  # the motion at angle 0, or at (cos, sin) = (1, 0)
+        motion = np.array(data.S).reshape(-1)
+        return motion[:3] if is_prismatic(joint) else motion[3:]
+    return np.asarray(np.eye(3)["XYZ".index(name[-1])])
+
+
+def plain_angles(model: pin.Model) -> pin.Model:
+    """The same tree with unbounded revolute joints as plain angles, so that each is one number.
+
+    Pinocchio stores a continuous joint as cosine and sine; planning variables must be free.
+    """
+    if not any("RUB" in joint.shortname() or "RevoluteUnbounded" in joint.shortname() for joint in model.joints):
+        return model
+    plain = pin.Model()
+    plain.name = model.name
+    plain.gravity = model.gravity
+    for i in range(1, model.njoints):
+        joint = model.joints[i]
+        lower = model.lowerPositionLimit[joint.idx_q : joint.idx_q + joint.nq]
+        upper = model.upperPositionLimit[joint.idx_q : joint.idx_q + joint.nq]
+        effort = model.effortLimit[joint.idx_v : joint.idx_v + joint.nv]
+        velocity = model.velocityLimit[joint.idx_v : joint.idx_v + joint.nv]
+        if is_revolute(joint) and joint.nq == 2:
+            joint = pin.JointModelRevoluteUnaligned(axis_of(joint))
+            lower, upper = np.array([-np.inf]), np.array([np.inf])
+        index = plain.addJoint(
+            model.parents[i], joint, model.jointPlacements[i], model.names[i], effort, velocity, lower, upper
+        )
+        plain.inertias[index] = model.inertias[i]
+    plain.armature = model.armature
+    for frame in list(model.frames)[1:]:
+        plain.addFrame(frame, False)
+    return plain
+
+
+def reduce(
+    model: pin.Model, geometry: pin.GeometryModel, active: Sequence[str], held: Mapping[str, float]
+) -> tuple[pin.Model, pin.GeometryModel]:
+    """Lock every joint of `held` at its value; the geometry follows its link."""
+    q = pin.neutral(model)
+    for name, value in held.items():
+        joint = model.joints[model.getJointId(name)]
+        if joint.nq == 1:
+            q[joint.idx_q] = value
+    # Pinocchio looks up a locked joint by name alone, so a link of the same name is renamed meanwhile.
+    model = model.copy()
+    joints = set(model.names)
+    for frame in model.frames:
+        if frame.type == pin.FrameType.BODY and frame.name in joints:
+            frame.name = frame.name + _LINK
+    reduced, [geometry] = pin.buildReducedModel(model, [geometry], [model.getJointId(name) for name in held], q)
+    for frame in reduced.frames:
+        frame.name = frame.name.removesuffix(_LINK)
+    if list(reduced.names)[1:] != list(active):
+        raise FileFormatError("joints", list(active), f"the order of the description: {list(reduced.names)[1:]}")
+    return reduced, geometry
+
+
+def frame_index(model: pin.Model, name: str) -> int:
+    """Index of the frame called `name`; a link takes precedence over a joint of the same name."""
+    found = [i for i, frame in enumerate(model.frames) if frame.name == name]
+    return min(found, key=lambda i: model.frames[i].type != pin.FrameType.BODY)
+
+
+def adjacent_pairs(model: pin.Model, geometry: pin.GeometryModel) -> frozenset[frozenset[str]]:
+    """Names of geometry objects whose links are the same or joined by one joint: these touch by construction."""
+    objects = list(geometry.geometryObjects)
+    pairs = set()
+    for j, second in enumerate(objects):
+        for first in objects[:j]:
+            a, b = first.parentJoint, second.parentJoint
+            if a == b or model.parents[a] == b or model.parents[b] == a:
+                pairs.add(frozenset((first.name, second.name)))
+    return frozenset(pairs)
+
+
+def leaf_bodies(model: pin.Model) -> list[str]:
+    """Names of the body frames that carry no further body."""
+    bodies = [i for i, frame in enumerate(model.frames) if frame.type == pin.FrameType.BODY]
+    inner = set()
+    for frame in model.frames:
+        if frame.type in (pin.FrameType.JOINT, pin.FrameType.FIXED_JOINT):
+            inner.add(frame.parentFrame)
+    return [model.frames[i].name for i in bodies if i not in inner]

@@ -1,0 +1,69 @@
+"""Seeding: how first paths are found."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from manipplan.paths.joint import JointPath
+from manipplan.paths.trajectory import Trajectory
+from manipplan.support.checks import number, random_seed, whole_number
+from manipplan.support.display import one_line
+from manipplan.support.errors import InvalidInputError, UnknownNameError
+
+#: Planners that stop at the first path. PRM and PRM* are excluded: they search in a thread of their own, which waits for
+#: Python's lock while the search waits for that thread, and their runs are not repeatable.
+FEASIBLE = ("RRTConnect", "RRT", "KPIECE1", "BKPIECE1", "LBKPIECE1")
+#: Planners that continue to lower the cost until `checks` or `time_limit` is used up.
+OPTIMISING = ("RRTstar", "InformedRRTstar", "SORRTstar", "BITstar")
+PLANNERS = FEASIBLE + OPTIMISING
+#: The planner that "auto" takes.
+AUTO = "RRTConnect"
+SHIFTS = ("none", "within-limits")
+#: Maximum number of first paths per goal.
+MOST_SEEDS = 10_000
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Seeding:
+    """How first paths are found, from which the optimiser descends.
+
+    Attributes:
+        planner: planner of OMPL that searches among obstacles: "auto" (RRTConnect), or one of RRTConnect, RRT, KPIECE1,
+            BKPIECE1, LBKPIECE1, and RRTstar, InformedRRTstar, SORRTstar and BITstar, which lower the cost of their path.
+        seed: random seed of the planner; without a scene, of the random first paths. The same seed gives the same path, on any
+            machine, unless `time_limit` ends the search.
+        count: number of first paths per goal. With a scene the planner finds them, with `seed`, `seed` + 1 and so on, and of
+            those joined by a collision-free straight homotopy only the best is optimised. Without a scene they are the straight
+            line and paths through random configurations.
+        time_limit: time limit of the planner per first path [s].
+        shifts: "within-limits" also tries goals 2π away in each revolute joint, at most 3 to the power of n of them, and
+            returns the best path. Their pose is that of the goal. Not together with `initial`.
+        initial: a first path from start to goal: a JointPath, a Trajectory, or a trajectory file (.csv, .json, .yaml, .npz),
+            such as a recorded motion. With a scene it must be collision-free. The descent starts from the fit to it, so
+            optimising a result again returns it. None: the straight line, or with a scene a path of the planner.
+    """
+
+    planner: str = "auto"
+    seed: int = 0
+    count: int = 1
+    time_limit: float = 10.0
+    shifts: str = "none"
+    initial: JointPath | Trajectory | str | Path | None = None
+
+    def __post_init__(self) -> None:
+        if self.planner not in ("auto", *PLANNERS):
+            raise UnknownNameError("planner", str(self.planner), ("auto", *PLANNERS))
+        if self.shifts not in SHIFTS:
+            raise UnknownNameError("shifts", str(self.shifts), SHIFTS)
+        object.__setattr__(self, "seed", random_seed("seed", self.seed))
+        object.__setattr__(self, "count", whole_number("count", self.count, least=1, most=MOST_SEEDS))
+        object.__setattr__(self, "time_limit", number("time_limit", self.time_limit, above=0.0))
+        if self.initial is not None and self.shifts != "none":
+            raise InvalidInputError("shifts", self.shifts, "'none' together with an initial path")
+        if self.initial is not None and self.count > 1:
+            raise InvalidInputError("count", self.count, "1 together with an initial path")
+
+    @property
+    def planner_name(self) -> str:
+        """The name of OMPL's planner."""
+        return AUTO if self.planner == "auto" else self.planner

@@ -1,0 +1,107 @@
+"""Values of this package in a form that JSON can represent, and back.
+
+Infinite numbers and nan are strings, since JSON has none; an enum is its name, a dataclass the mapping of its fields.
+"""
+
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from functools import cache
+from typing import TYPE_CHECKING, Any, TypeVar, get_origin
+
+import numpy as np
+
+from manipplan.support.checks import Array
+
+if TYPE_CHECKING:
+    from cattrs import Converter
+
+Value = TypeVar("Value")
+#: Numbers that are strings in JSON.
+NOT_FINITE = ("inf", "-inf", "nan")
+
+
+def json_ready(value: Any) -> Any:
+    """`value` for JSON."""
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    if isinstance(value, Enum):
+        return value.name
+    if is_dataclass(value) and not isinstance(value, type):
+        return {each.name: json_ready(getattr(value, each.name)) for each in fields(value)}
+    if isinstance(value, Mapping):
+        return {key: json_ready(each) for key, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [json_ready(each) for each in value]
+    if isinstance(value, float | np.floating):
+        return float(value) if np.isfinite(value) else str(float(value))
+    return value
+
+
+def from_json(data: Any, kind: type[Value]) -> Value:
+    """The value of a class that `json_ready` turned into `data`.
+
+    Raises ValueError, which names the entries, for data of another kind: types are checked, and nothing is converted.
+    """
+    from cattrs import BaseValidationError, transform_error
+
+    if not isinstance(data, Mapping):
+        raise ValueError(f"{data!r} is no {kind.__name__}")
+    try:
+        return _converter().structure(data, kind)
+    except BaseValidationError as error:
+        faults = transform_error(error, path=kind.__name__, format_exception=_fault)
+        raise ValueError("; ".join(faults[:3])) from error
+
+
+def _fault(error: BaseException, kind: type | None) -> str:
+    from cattrs.v import format_exception
+
+    return str(error) if isinstance(error, TypeError | ValueError) and error.args else format_exception(error, kind)
+
+
+def stored_array(data: Any) -> Array:
+    """Numbers of a file, possibly with the strings "inf" and "nan", as a read-only array."""
+    array = np.array(data, dtype=float)
+    array.flags.writeable = False
+    return array
+
+
+@cache
+def _converter() -> "Converter":
+    from cattrs import Converter
+
+    converter = Converter(forbid_extra_keys=True)
+    converter.register_structure_hook_func(_is_array, lambda data, _: stored_array(data))
+    converter.register_structure_hook_func(_is_enum, _member)
+    for kind in (str, bool, int):
+        converter.register_structure_hook(kind, _checked)
+    converter.register_structure_hook(float, _number)
+    return converter
+
+
+def _is_array(kind: Any) -> bool:
+    origin: Any = get_origin(kind)
+    return origin is np.ndarray
+
+
+def _is_enum(kind: Any) -> bool:
+    return isinstance(kind, type) and issubclass(kind, Enum)
+
+
+def _member(name: Any, kind: type[Enum]) -> Enum:
+    if name not in kind.__members__:
+        raise ValueError(f"{name!r} is no {kind.__name__}")
+    return kind[name]
+
+
+def _checked(data: Any, kind: type) -> Any:
+    if type(data) is not kind:
+        raise TypeError(f"{data!r} is not of type {kind.__name__}")
+    return data
+
+
+def _number(data: Any, _: type) -> float:
+    if type(data) not in (float, int) and data not in NOT_FINITE:
+        raise TypeError(f"{data!r} is not a number")
+    return float(data)

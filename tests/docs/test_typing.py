@@ -1,0 +1,52 @@
+"""The programs of README.md and the start page are correctly typed, for mypy --strict and for pyright."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import manipplan
+
+ROOT = Path(manipplan.__file__).parents[1]
+PROGRAMS = ["README.md", "docs/start.md"]
+#: Commands that check a file. basedpyright is pyright as a wheel, with its own Node.
+CHECKERS = {
+    "mypy": [sys.executable, "-m", "mypy", "--strict", "--config-file="],
+    "pyright": [sys.executable, "-m", "basedpyright", "--pythonpath", sys.executable, "--level", "error"],
+}
+#: With throw=False a plan may be incomplete, so its trajectory may be None.
+INCOMPLETE = """
+import manipplan as mp
+
+plan = mp.plan(mp.load_robot("panda"), [0.0] * 7, [0.1] * 7, throw=False)
+print(plan.trajectory.duration)
+"""
+
+
+def checked(checker, program, folder):
+    """The finished process of a checker on a program."""
+    (folder / "program.py").write_text(program, encoding="utf-8")
+    paths = {"MYPYPATH": str(ROOT), "PYTHONPATH": str(ROOT)}
+    command = [*CHECKERS[checker], "program.py"]
+    return subprocess.run(command, cwd=folder, env=os.environ | paths, capture_output=True, text=True, timeout=600, check=False)
+
+
+@pytest.mark.parametrize("checker", CHECKERS)
+@pytest.mark.parametrize("page", PROGRAMS)
+def test_programs_of_the_first_pages_are_typed(page, checker, tmp_path):
+    text = (ROOT / page).read_text(encoding="utf-8")
+    program = "\n".join(re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL))
+    assert "mp.plan(" in program
+    done = checked(checker, program, tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("checker", CHECKERS)
+def test_what_may_be_missing_is_typed_so(checker, tmp_path):
+    done = checked(checker, INCOMPLETE, tmp_path)
+    assert done.returncode == 1, done.stdout + done.stderr
+    assert "None" in done.stdout
+    assert len(re.findall(r"error:", done.stdout)) == 1
