@@ -34,7 +34,7 @@ WITH_TERM = ("pink", "placo", "rtb")
 
 @dataclass(frozen=True, kw_only=True)
 class Quality:
-    """What came of a path: least and mean index, worst deviation [m], worst use of velocity and acceleration, failures."""
+    """Results of a path: minimum and mean m, worst deviation [m], worst use of velocity and acceleration, failures."""
 
     least: float
     mean: float
@@ -235,7 +235,7 @@ def main() -> None:
     lines = [
         *table,
         "",
-        "| path | solver | minimum manipulability | mean index | worst deviation | velocity | acceleration | failed |"
+        "| path | solver | minimum manipulability | mean manipulability | worst deviation | velocity | acceleration | failed |"
         " ours, minimum manipulability | mean | deviation | acceleration |",
         "|---|---|---|---|---|---|---|---|---|---|---|---|",
     ]

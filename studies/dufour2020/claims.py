@@ -36,7 +36,7 @@ def claims(
     """All claims that neither depend on the machine's speed nor are chaotic; `printed` are the runs of (20) as printed."""
     maxima = arm.maxima
     found = [
-        Claim(text="largest index of the arm [m³]", paper="not stated", value=float(maxima[0])),
+        Claim(text="largest manipulability of the arm [m³]", paper="not stated", value=float(maxima[0])),
         Claim(
             text="starts of the search that find it [%]",
             paper="not stated",
@@ -46,10 +46,10 @@ def claims(
     for name, scenario in (("S1", first), ("S2", second)):
         classical, relaxed = scenario.classical or scenario.plain, scenario.at_alpha
         found += [
-            Claim(text=f"{name}: mean index, (2)", paper="Fig. 3, 4", value=scenario.plain.mean),
-            Claim(text=f"{name}: mean index, best (7)", paper="little better than (2)", value=classical.mean),
+            Claim(text=f"{name}: mean manipulability, (2)", paper="Fig. 3, 4", value=scenario.plain.mean),
+            Claim(text=f"{name}: mean manipulability, best (7)", paper="little better than (2)", value=classical.mean),
             Claim(
-                text=f"{name}: mean index, (10) with α = 15000",
+                text=f"{name}: mean manipulability, (10) with α = 15000",
                 paper="better than (7)",
                 value=relaxed.mean,
                 holds=relaxed.mean > classical.mean,
@@ -96,7 +96,7 @@ def claims(
         ]
     found.append(
         Claim(
-            text="S3: gain in mean index by α",
+            text="S3: gain in mean manipulability by α",
             paper="above 0",
             value=sphere.runs[1].mean - sphere.runs[0].mean,
             holds=sphere.runs[1].mean > sphere.runs[0].mean,
@@ -130,7 +130,7 @@ def claims(
             if name in ("S1", "S2") and (one := runs["(14)"]) and (plain := runs["(2)"])
         ),
         Claim(
-            text="mean over all paths of LogDrive's mean index less that of (14)",
+            text="mean over all paths of LogDrive's mean manipulability less that of (14)",
             paper="ours",
             value=float(np.mean([a.mean - b.mean for a, b in zip(log, equal, strict=True) if a and b])),
         ),
@@ -148,7 +148,7 @@ def chaotic(convexity: Table, hessians: Mapping[tuple[str, str, float], Run]) ->
     last = dict(zip(convexity.head, convexity.rows[-1], strict=True))
     return [
         Claim(
-            text="changes from machine to machine: S2: mean index with (20) made convex, α = 1e5",
+            text="changes from machine to machine: S2: mean manipulability with (20) made convex, α = 1e5",
             paper="-",
             value=hessians["S2", "bfgs-literal", config.LITERAL_ALPHAS[-1]].mean,
         ),

@@ -72,7 +72,7 @@ def hessians(arm: Arm) -> tuple[Table, dict[tuple[str, str, float], Run]]:
         "path",
         "Hessian",
         "α",
-        "mean index",
+        "mean manipulability",
         NUDGED,
         "minimum manipulability",
         "deviation [mm]",
@@ -95,7 +95,16 @@ def literal(arm: Arm) -> tuple[Table, dict[tuple[str, float], Run]]:
         unsolved = (100 * run.unsolved / run.steps, 100 * near.unsolved / near.steps)
         figures = (run.mean, without.mean, exact.mean, 1e3 * run.worst, 100 * run.chatter, run.reached)
         rows.append((name, alpha, *unsolved, *figures))
-    head = ("path", "α", "steps without an answer [%]", NUDGED, "mean index", "of (2)", "of (10), exact", "deviation [mm]")
+    head = (
+        "path",
+        "α",
+        "steps without an answer [%]",
+        NUDGED,
+        "mean manipulability",
+        "of (2)",
+        "of (10), exact",
+        "deviation [mm]",
+    )
     return Table.of("literal", (*head, "chatter [%]", "goal reached"), rows), runs
 
 
@@ -141,7 +150,15 @@ def time_step(arm: Arm) -> tuple[Table, dict[str, float]]:
             gap = float(np.abs(slow.q[: slow.steps + 1] - fast.q[: fast.steps + 1 : ratio]).max())
             apart[label] = max(apart.get(label, 0.0), gap)
             rows.append((name, label, slow.mean, fast.mean, 1e3 * slow.worst, 1e3 * fast.worst, gap))
-    head = ("path", "formulation", "mean index, 10 ms", "1 ms", "deviation [mm], 10 ms", "1 ms", "joints apart by [rad]")
+    head = (
+        "path",
+        "formulation",
+        "mean manipulability, 10 ms",
+        "1 ms",
+        "deviation [mm], 10 ms",
+        "1 ms",
+        "joints apart by [rad]",
+    )
     return Table.of("time_step", head, rows), apart
 
 
@@ -158,7 +175,7 @@ def approaches(arm: Arm) -> Table:
         "path",
         "formulation",
         "approach",
-        "mean index",
+        "mean manipulability",
         "minimum manipulability",
         "deviation [mm]",
         "rms acceleration [rad/s²]",

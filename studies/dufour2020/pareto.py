@@ -53,7 +53,7 @@ def front_table(found: Fronts) -> Table:
         "parameter",
         "deviation [mm]",
         "rotation [°]",
-        "mean index",
+        "mean manipulability",
         "minimum manipulability",
     )
     return Table.of("pareto", (*head, "chatter [%]", "sound"), rows)
@@ -67,5 +67,5 @@ def tube_table(found: Fronts) -> Table:
         if tube is not None and counted:
             top, safest = max(counted, key=lambda run: run.mean), max(counted, key=lambda run: run.least)
             rows.append((name, 1e3 * tube, formula, top.strength, top.mean, 1e3 * top.worst, safest.strength, safest.least))
-    head = ("path", "tube [mm]", "formulation", "parameter", "largest mean index", "deviation [mm]", "parameter")
+    head = ("path", "tube [mm]", "formulation", "parameter", "largest mean manipulability", "deviation [mm]", "parameter")
     return Table.of("tubes", (*head, "largest minimum manipulability"), rows)

@@ -14,7 +14,7 @@ RUN_HEAD = (
     "path",
     "formulation",
     "parameter",
-    "mean index",
+    "mean manipulability",
     "minimum manipulability",
     "deviation [mm]",
     "rotation [°]",
@@ -112,7 +112,14 @@ class Obstacle:
 
 def obstacle_table(found: Sequence[Obstacle]) -> Table:
     """Table of scenario 3 with every sphere."""
-    head = ("sphere at [m]", "α", "least distance without avoidance [mm]", "with [mm]", "mean index", "minimum manipulability")
+    head = (
+        "sphere at [m]",
+        "α",
+        "least distance without avoidance [mm]",
+        "with [mm]",
+        "mean manipulability",
+        "minimum manipulability",
+    )
     return Table.of("scenario3", (*head, "deviation [mm]", "at the end [mm]"), [row for each in found for row in each.rows()])
 
 
@@ -168,5 +175,5 @@ class Comparison:
             )
             second = (most.strength, most.mean, 1e3 * most.worst, own.mean, 1e3 * own.worst, 100 * (1 - own.mean / most.mean))
             rows.append((name, *first, *second))
-        part = ("mean index", "deviation [mm]", "(14): mean index", "deviation [mm]", "lower by [%]")
+        part = ("mean manipulability", "deviation [mm]", "(14): mean manipulability", "deviation [mm]", "lower by [%]")
         return Table.of("table1", ("path", "paper's α of (10)", *part, "best α of (10)", *part), rows)

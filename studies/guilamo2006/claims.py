@@ -185,7 +185,7 @@ def _refinement(results: Results, grid: Grid, part: str) -> list[Claim]:
     return [
         *found,
         Claim(
-            text=f"{tables.grid_name(grid)}, line: index off a smooth curve, most by the largest index, the paper's search",
+            text=f"{tables.grid_name(grid)}, line: m off a smooth curve, at most, by the largest m, the paper's search",
             paper="~1/1000",
             value=runs.perturbation(papers),
             holds=runs.perturbation(papers) <= config.PERTURBATION,
@@ -224,7 +224,7 @@ def _rest(results: Results) -> list[Claim]:
         ),
         Claim(
             text="circle: bound with an upright torso by that with all",
-            paper="torso raises the index",
+            paper="torso raises the manipulability",
             value=float(upright.min() / every.min()),
             holds=bool(upright.min() < every.min()),
         ),
