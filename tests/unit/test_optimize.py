@@ -3,6 +3,7 @@
 import itertools
 import multiprocessing
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import replace
 
 import casadi as ca
 import numpy as np
@@ -14,7 +15,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.measures.names import MEASURES
 from manipplan.optimize import basis, clearance
 from manipplan.optimize.clearance import row_functions
-from manipplan.optimize.homotopy import same_class
+from manipplan.optimize.homotopy import best_and_rivals, same_class
 
 THESIS = {  # start, goal, g of the straight line for p = 2 (Tables 6.1 and 6.2) and p = 1 (ERRATA): [kth2012]
     "6.10": ((0.0, -3.0, -2.0), (np.pi, 0.1, 1.4), 2.7218, 3.7288),
@@ -643,3 +644,12 @@ def test_the_unconstrained_optimum_is_never_above_the_path(planar):
     arm = mp.planar_arm([1.0, 1.0])
     result = mp.optimize_path(arm, [0.0, -2.0], [1.0, 2.0], shape=mp.PathShape(degree=4), objective=mp.PathObjective(power=0.5))
     assert result.certificate.gap >= -1e-9
+
+
+def test_rivals_that_tie_keep_their_order(planar):
+    first = mp.optimize_path(planar, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0])
+    second = mp.optimize_path(planar, [0.0, 1.5, -2.0], [np.pi, -2.0, 1.0])
+    for higher, expected in ((1e-9, first), (1e-3, second)):
+        best = best_and_rivals([replace(first, g=1.0 + higher), replace(second, g=1.0)])
+        assert best.path is expected.path
+        assert len(best.rivals) == 1
