@@ -25,7 +25,7 @@ def follow(
     pointing: tuple[float, float, float] | None = None,
     tolerance: tuple[float, float] | None = None,
     out: Path = Path("follow"),
-    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),  # noqa: B008  # a frozen value
+    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
     jerk: tuple[float, ...] = (),
     clearance: float = 0.0,
     closed: bool = False,

@@ -22,7 +22,7 @@ def improve(
     dt: float = 0.01,
     measure: str | None = None,
     out: Path = Path("improve"),
-    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),  # noqa: B008  # a frozen value
+    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
 ) -> int:
     """Repeat a recorded joint motion with higher manipulability, and write it as CSV, JSON and ROS JointTrajectory.
 

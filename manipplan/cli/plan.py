@@ -21,7 +21,7 @@ def plan(
     start: tuple[str, ...],
     goal: tuple[str, ...],
     out: Path = Path("plan"),
-    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),  # noqa: B008  # a frozen value
+    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
     jerk: tuple[float, ...] = (),
     power: float = 1.0,
     measure: str | None = None,

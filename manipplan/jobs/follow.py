@@ -94,7 +94,7 @@ def follow(
     scene: Scene | None = None,
     *,
     positions: int = 50,
-    objective: PathObjective = PathObjective(),  # noqa: B008  # a frozen value
+    objective: PathObjective = PathObjective(),
     epsilon: ArrayLike = 0.2,
     samples: int | Sequence[int] | None = None,
     tolerance: Tolerance | None = None,

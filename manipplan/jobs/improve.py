@@ -70,10 +70,10 @@ def improve(
     scene: Scene | None = None,
     *,
     formulation: Formulation | None = None,
-    objective: PathObjective = PathObjective(),  # noqa: B008  # a frozen value
+    objective: PathObjective = PathObjective(),
     dt: float = 0.01,
     duration: float | None = None,
-    tolerance: Tolerance | None = Tolerance(position=0.02, rotation=0.2),  # noqa: B008  # a frozen value
+    tolerance: Tolerance | None = Tolerance(position=0.02, rotation=0.2),
     stiffness: Stiffness | None = None,
     avoidance: Avoidance | None = None,
     throw: bool = True,

@@ -69,9 +69,9 @@ def plan(
     goal: ArrayLike,
     scene: Scene | None = None,
     *,
-    objective: PathObjective = PathObjective(),  # noqa: B008  # a frozen value
-    shape: PathShape = PathShape(),  # noqa: B008  # a frozen value
-    seeding: Seeding = Seeding(),  # noqa: B008  # a frozen value
+    objective: PathObjective = PathObjective(),
+    shape: PathShape = PathShape(),
+    seeding: Seeding = Seeding(),
     clearance: float = 0.0,
     torque: bool = False,
     executor: Executor | None = None,

@@ -66,9 +66,9 @@ def optimize_path(
     goal: ArrayLike,
     scene: Scene | None = None,
     *,
-    objective: PathObjective = PathObjective(),  # noqa: B008  # a frozen value
-    shape: PathShape = PathShape(),  # noqa: B008  # a frozen value
-    seeding: Seeding = Seeding(),  # noqa: B008  # a frozen value
+    objective: PathObjective = PathObjective(),
+    shape: PathShape = PathShape(),
+    seeding: Seeding = Seeding(),
     clearance: float = 0.0,
     executor: Executor | None = None,
     compiled: bool | str = "auto",

@@ -3,6 +3,7 @@
 import logging
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -64,7 +65,7 @@ class PathProblem:
         """The objective as an integral along paths of this process's robot."""
         return self.objective.integral(self.robot, compiled=self.compiled)
 
-    @property
+    @cached_property
     def ends(self) -> EndConditions:
         """The fixed derivatives at start and goal."""
         return self.shape.ends(self.robot.n)

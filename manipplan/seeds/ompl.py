@@ -48,7 +48,7 @@ def seed_path(
     goal: ArrayLike,
     scene: Scene | None = None,
     *,
-    seeding: Seeding = Seeding(),  # noqa: B008  # a frozen value
+    seeding: Seeding = Seeding(),
     objective: PathObjective | None = None,
     same_aspect: bool = False,
     checks: int = 50_000,
