@@ -91,9 +91,7 @@ class PathIntegral:
 
     def _panels(self, path: JointPath, edges: Array) -> Array:
         """The integral over each panel (k,)."""
-        s, weights = gauss(edges)
-        density = _weighed_speed(path, s.ravel(), self.kinematics, self.power, self.metric)
-        return np.asarray((weights * density.reshape(s.shape)).sum(axis=1))
+        return _on_panels(path, edges[:-1], edges[1:], self.kinematics, self.power, self.metric)
 
     def constant_speed(self, path: JointPath, count: int) -> Array:
         """Parameters s (count,) at equal shares of g, or of length where m vanishes on most of the path."""
@@ -106,11 +104,11 @@ class PathIntegral:
         return np.interp(np.linspace(0.0, gained[-1], count), gained, s)
 
 
-def gauss(edges: Array) -> tuple[Array, Array]:
-    """Gauss points and weights (k, POINTS) of the panels between edges (k + 1,)."""
+def gauss(begin: Array, end: Array) -> tuple[Array, Array]:
+    """Gauss points and weights (k, POINTS) of the panels from `begin` to `end` (k,)."""
     nodes, weights = gauss_rule(POINTS)
-    half = np.diff(edges)[:, None] / 2
-    return np.clip(edges[:-1, None] + half * (1 + nodes), 0.0, 1.0), half * weights
+    half = (end - begin)[:, None] / 2
+    return np.clip(begin[:, None] + half * (1 + nodes), 0.0, 1.0), half * weights
 
 
 def speeds(v: Array, metric: Array | None) -> Array:
@@ -149,19 +147,22 @@ def _weighed_speed(path: JointPath, s: Array, kinematics: Kinematics, power: flo
         return np.asarray(speeds(path(s, 1), metric) / kinematics.manipulability(path(s)) ** power)
 
 
+def _on_panels(path: JointPath, begin: Array, end: Array, kinematics: Kinematics, power: float, metric: Array | None) -> Array:
+    """The integral of h over each panel from `begin` to `end` (k,)."""
+    s, weights = gauss(begin, end)
+    h = _weighed_speed(path, s.ravel(), kinematics, power, metric)
+    return np.asarray((weights * h.reshape(s.shape)).sum(axis=1))
+
+
 def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Array | None, panels: int) -> float:
     """g to ACCURACY by halving panels: a dip of m can be a thousand times narrower than an initial panel.
 
     Infinite if m consists of rounding errors, as on a path that is singular everywhere. A dip needs few narrow panels,
     rounding errors need them everywhere.
     """
-    nodes, weights = np.polynomial.legendre.leggauss(POINTS)
 
     def gained(begin: Array, end: Array) -> Array:
-        half = (end - begin) / 2
-        s = np.clip((begin + half)[:, None] + half[:, None] * nodes, 0.0, 1.0)
-        h = _weighed_speed(path, s.ravel(), kinematics, power, metric)
-        return np.asarray(half * (h.reshape(s.shape) @ weights))
+        return _on_panels(path, begin, end, kinematics, power, metric)
 
     counts = np.maximum(1, np.ceil(panels * np.diff(path.breaks)).astype(int))
     edges = [np.linspace(a, b, k + 1) for a, b, k in zip(path.breaks[:-1], path.breaks[1:], counts, strict=True)]

@@ -298,7 +298,7 @@ class PathProgram:
         curves = Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal)
         path = self.basis.path(start, goal, coefficients)
         edges = self.integral.panels(path, edges)
-        s, weights = gauss(edges)
+        s, weights = gauss(edges[:-1], edges[1:])
         g0 = self.integral.on_panels(path, edges)
         length = LengthModel(
             density=self._length_density,
