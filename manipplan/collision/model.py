@@ -94,6 +94,7 @@ class CollisionModel:
         self._geometry_data = pin.GeometryData(geometry)
         for request in self._geometry_data.distanceRequests:
             request.gjk_tolerance = GJK_TOLERANCE
+        self._results = [self._geometry_data.distanceResults[k] for k in range(len(self.pair_names))]
         self._margin = 0.0
         self._cores: dict[int, tuple[Array, float]] = {}
 
@@ -133,6 +134,14 @@ class CollisionModel:
         """A copy with its own working data, for another thread."""
         return CollisionModel(self.robot, self.geometry.copy(), self.dropped, self.primitives)
 
+    def with_pairs(self, pairs: Iterable[int]) -> "CollisionModel":
+        """The same bodies with only the pairs of these indices, in this order."""
+        geometry = self.geometry.copy()
+        geometry.removeAllCollisionPairs()
+        for pair in pairs:
+            geometry.addCollisionPair(self.geometry.collisionPairs[int(pair)])
+        return CollisionModel(self.robot, geometry, self.dropped, self.primitives)
+
     def touching_pairs(self, q: Array) -> list[int]:
         """Indices of the pairs that touch at q (n,)."""
         self._set_margin(0.0)
@@ -142,7 +151,7 @@ class CollisionModel:
     def distances(self, q: Array) -> Array:
         """Signed distance [m] of every pair at q (n,), (k,)."""
         pin.computeDistances(self.robot.model, self._data, self.geometry, self._geometry_data, q)
-        return np.array([result.min_distance for result in self._geometry_data.distanceResults])
+        return np.array([result.min_distance for result in self._results])
 
     def pair_distances(self, q: Array, pairs: Iterable[int]) -> list[float]:
         """Signed distance [m] of the pairs with these indices at q (n,)."""

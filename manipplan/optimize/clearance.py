@@ -43,8 +43,11 @@ class ClearanceRow:
 
     def column(self, n: int) -> Array:
         """The row as numbers (column_height(n),) for a robot of n joints: the argument of `row_functions`."""
-        carrier, other = np.eye(n + 1)[[self.joint, self.other]]
-        return np.array([*carrier, *other, *self.point, *self.normal, self.offset, self.distance])
+        column = np.zeros(column_height(n))
+        column[self.joint] = column[n + 1 + self.other] = 1.0
+        column[-8:-5], column[-5:-2] = self.point, self.normal
+        column[-2:] = self.offset, self.distance
+        return column
 
 
 def column_height(n: int) -> int:

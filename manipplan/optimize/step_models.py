@@ -193,8 +193,7 @@ class Surroundings:
     clearance: float
     margin: float = MARGIN
     always: list[Place] = field(default_factory=list)
-    _reference: Array | None = None
-    _pairs: NDArray[np.intp] = field(default_factory=lambda: np.empty(0, dtype=np.intp))
+    _watch: "_Watch | None" = None
 
     @property
     def target(self) -> float:
@@ -205,11 +204,10 @@ class Surroundings:
         """The places where a pair is nearer than the target plus `band` [m]: on an even grid, and at the bottoms of dips."""
         s = np.linspace(0.0, 1.0, INTERVALS + 1)
         q = configurations(path, s)
-        pairs = self._watched(q)
-        near = self.target + band
-        grid = self._profile(q, pairs, near)
+        watch = self._watched(q)
+        pairs, grid = watch.pairs, watch.profile(q, self.target + CLOSE)
         wanted = grid < self.target + CLOSE
-        wanted[::SPACING] |= grid[::SPACING] < near
+        wanted[::SPACING] |= grid[::SPACING] < self.target + band
         found = [(float(grid[k, c]), float(s[k]), int(pairs[c]), False) for k, c in zip(*np.nonzero(wanted), strict=True)]
         found += self._dips(path, s, grid, pairs)
         if self.always:
@@ -269,28 +267,13 @@ class Surroundings:
         hessian = np.array([self.model.distance_gradient(q + JOINT_STEP * each, pair) - gradient for each in np.eye(len(q))])
         return gradient, (hessian + hessian.T) / (2 * JOINT_STEP)
 
-    def _watched(self, q: Array) -> NDArray[np.intp]:
-        """Indices of the pairs that come near on paths about q (m, n)."""
-        if self._reference is None or np.abs(q - self._reference).sum(axis=1).max() > MOVED:
+    def _watched(self, q: Array) -> "_Watch":
+        """The pairs that come near on paths about q (m, n)."""
+        if self._watch is None or np.abs(q - self._watch.reference).sum(axis=1).max() > MOVED:
             nearest = np.min([self.model.distances(each) for each in q[::SPACING]], axis=0)
-            self._pairs, self._reference = np.flatnonzero(nearest < self.target + WATCHED), q
-        return self._pairs
-
-    def _profile(self, q: Array, pairs: NDArray[np.intp], near: float) -> Array:
-        """Distances (m, k) of pairs at q (m, n) [m]; interpolated where a pair cannot be nearer than `near`."""
-        if not len(pairs):
-            return np.empty((len(q), 0))
-        numbers = pairs.tolist()
-        coarse = np.array([self._distances(each, numbers) for each in q[::SPACING]]).reshape(-1, len(pairs))
-        share = np.arange(len(q)) / SPACING
-        low = np.minimum(share.astype(int), len(coarse) - 2)
-        grid = coarse[low] + (share - low)[:, None] * (coarse[low + 1] - coarse[low])
-        change = FASTER * np.abs(np.diff(coarse, axis=0)).max(axis=0, initial=0.0) + SLOWEST
-        measured = ((coarse[:-1] + coarse[1:] - change) / 2 < near)[low]
-        measured[::SPACING] = False
-        for k in np.flatnonzero(measured.any(axis=1)):
-            grid[k, measured[k]] = self._distances(q[k], pairs[measured[k]].tolist())
-        return np.asarray(grid)
+            pairs = np.flatnonzero(nearest < self.target + WATCHED)
+            self._watch = _Watch(reference=q, pairs=pairs, model=self.model.with_pairs(pairs))
+        return self._watch
 
     def _dips(self, path: JointPath, s: Array, grid: Array, pairs: NDArray[np.intp]) -> list[tuple[float, float, int, bool]]:
         """Distance [m], s, pair and True for the bottom of every dip of the grid (m, k) [m] that may be near the target."""
@@ -344,9 +327,38 @@ class Surroundings:
         return middle, least
 
     def _at(self, path: JointPath, s: Array, pairs: list[int]) -> Array:
-        """Distances [m] of pairs (k,) at s (k,)."""
-        return np.array([self._distances(q, [pair])[0] for q, pair in zip(configurations(path, s), pairs, strict=True)])
+        """Distances [m] of pairs (k,) at s (k,), rounded, since the place of a minimum depends on the last bits."""
+        q = configurations(path, s)
+        return on_grid(
+            np.array([self.model.pair_distances(each, [pair])[0] for each, pair in zip(q, pairs, strict=True)]), FINE_DISTANCE
+        )
 
-    def _distances(self, q: Array, pairs: list[int]) -> Array:
-        """Distances [m] of pairs (k,) at q (n,), rounded, since the place of a minimum depends on the last bits."""
-        return on_grid(np.array(self.model.pair_distances(q, pairs)), FINE_DISTANCE)
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Watch:
+    """The pairs that are measured on paths near a reference path.
+
+    Attributes:
+        reference: (m, n) configurations of the reference path on the grid.
+        pairs: (k,) indices of the pairs.
+        model: the arm among its obstacles, with these pairs only.
+    """
+
+    reference: Array
+    pairs: NDArray[np.intp]
+    model: CollisionModel
+
+    def profile(self, q: Array, near: float) -> Array:
+        """Distances (m, k) of the pairs at q (m, n) [m]; interpolated where a pair cannot be nearer than `near`."""
+        if not len(self.pairs):
+            return np.empty((len(q), 0))
+        coarse = np.array([self.model.distances(each) for each in q[::SPACING]])
+        share = np.arange(len(q)) / SPACING
+        low = np.minimum(share.astype(int), len(coarse) - 2)
+        grid = coarse[low] + (share - low)[:, None] * (coarse[low + 1] - coarse[low])
+        change = FASTER * np.abs(np.diff(coarse, axis=0)).max(axis=0, initial=0.0) + SLOWEST
+        measured = ((coarse[:-1] + coarse[1:] - change) / 2 < near)[low]
+        measured[::SPACING] = False
+        for k in np.flatnonzero(measured.any(axis=1)):
+            grid[k, measured[k]] = self.model.pair_distances(q[k], np.flatnonzero(measured[k]).tolist())
+        return on_grid(grid, FINE_DISTANCE)

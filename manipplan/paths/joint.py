@@ -1,6 +1,7 @@
 """JointPath: a curve q(s), s in [0, 1], through joint space, as pieces in Bernstein form."""
 
 from dataclasses import dataclass
+from functools import cache
 from math import comb
 
 import numpy as np
@@ -195,7 +196,13 @@ def bernstein(degree: int, u: ArrayLike) -> Array:
     """Values of the Bernstein polynomials of `degree` at u (...), (..., degree + 1)."""
     u = np.asarray(u, dtype=float)[..., None]
     j = np.arange(degree + 1)
-    return np.array([comb(degree, i) for i in j]) * u**j * (1 - u) ** (degree - j)
+    return _binomials(degree) * u**j * (1 - u) ** (degree - j)
+
+
+@cache
+def _binomials(degree: int) -> Array:
+    """The binomial coefficients of `degree`, (degree + 1,)."""
+    return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
 
 
 def split(control: Array, u: float = 0.5) -> tuple[Array, Array]:
