@@ -25,9 +25,10 @@ log = logging.getLogger("manipplan")
 ROUNDS = 8
 #: Rounds end when one lowers g by less than this share.
 SMALL_GAIN = 1e-2
-#: If no round gives a collision-free path, the descent starts from the solution that falls short of the required clearance
-#: the least, if by less than this [m].
-NEARLY_FREE = 0.1
+#: Solutions that fall short of the required clearance by less than the first value [m] are nearly free. If no round gives a
+#: free path, the descent starts from the one that falls short the least. Otherwise one with a g below the second value times
+#: that of the optimum found starts another descent.
+NEARLY_FREE, PROMISING = 0.1, 0.75
 #: Maximum number of places at which clearance rows are added per round, the deepest dips first.
 NEW_PLACES = 10
 #: Maximum deviation of the fit to a path that the basis contains [rad or m].
@@ -43,6 +44,9 @@ ROUGH = 1e-6
 #: quadrature panels do not resolve g on the path reached, or when this one lowered g by more than the share SETTLED: a new
 #: trust region may get past a kink of the clearance where the last one became too small.
 DESCENTS, SETTLED = 8, 2e-4
+#: Descents from one path end where two in turn end within this of each other without the clearance: the path is stuck in an
+#: obstacle [rad or m].
+STUCK = 1e-6
 #: With a required clearance below the first value, descents keep these wider margins first [m]: a descent is slow around a
 #: corner that it passes at only a tenth of a millimetre.
 ROUND, WIDE_MARGINS = 5e-3, (2e-3, 3e-4)
@@ -159,6 +163,7 @@ class LocalSearch:
             return None
         best: Candidate | None = None
         edges: Array | None = None
+        stuck: Array | None = None
         steps = 0
         margins = self._margins()
         for stage, margin in enumerate([*margins, *margins[-1:] * (DESCENTS - 1)]):
@@ -179,6 +184,9 @@ class LocalSearch:
             least = np.inf if proof is None else proof.upper
             self.history.append(Step(first=name, g=cost.g, clearance=least, solver=descent.reason))
             if surroundings is not None and proof is not None and not proof.proven:
+                if stuck is not None and np.abs(coefficients - stuck).max() < STUCK:
+                    break
+                stuck = coefficients
                 surroundings.always.append((proof.at, proof.pair_id))
                 continue
             if not self._inside_limits(path):
@@ -222,7 +230,7 @@ class LocalSearch:
             places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
         free: list[Solution] = []
         costs: list[float] = []
-        nearly_free, depth = coefficients, NEARLY_FREE
+        nearly_free: list[tuple[float, float, Array]] = []  # missing clearance [m], g and coefficients
         for _ in range(ROUNDS):
             path = self.program.basis.path(self.start, self.goal, coefficients)
             watched = places
@@ -244,13 +252,17 @@ class LocalSearch:
                 if not places or (len(free) > 1 and costs[-2] - costs[-1] < SMALL_GAIN * costs[-1]):
                     break
             missing = self.clearance - float(distances.min(initial=np.inf))
-            if missing < depth:
-                nearly_free, depth = coefficients, missing
+            if not is_free and missing < NEARLY_FREE:
+                nearly_free.append((missing, self.history[-1].g, coefficients))
             places = self.more_places(places, distances, touched, touching=not is_free)
+        found: list[Candidate] = []
         if free:
             best = free[int(np.argmin(costs))]
-            return self.optimum_from("seed", best.coefficients) or self._low_energy_path(best)
-        return self.optimum_from("seed", nearly_free) if depth < NEARLY_FREE else []
+            found = self.optimum_from("seed", best.coefficients) or self._low_energy_path(best)
+        elif nearly_free:
+            found = self.optimum_from("seed", _least_missing(nearly_free))
+        lower = [each for each in nearly_free if found and each[1] < PROMISING * found[0].cost.g]
+        return found + (self.optimum_from("nearly free", _least_missing(lower)) if lower else [])
 
     def _low_energy_path(self, solution: Solution) -> list[Candidate]:
         """The free path of low energy itself, when no descent from it gave a free path; none when it leaves the limits."""
@@ -340,3 +352,8 @@ class LocalSearch:
         s = self.program.integral.constant_speed(path, near.PLACES + 1)
         basis = self.program.basis
         return s, self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
+
+
+def _least_missing(nearly_free: list[tuple[float, float, Array]]) -> Array:
+    """Of solutions with their missing clearance and g, the coefficients of the one with the least missing clearance."""
+    return min(nearly_free, key=lambda each: each[0])[2]

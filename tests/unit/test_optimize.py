@@ -119,8 +119,9 @@ def test_no_small_change_of_the_solution_lowers_g(planar, rng):
 def test_the_descent_lowers_g_among_obstacles_too(planar):
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.0, 0.0), name="post")])
     result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2), scene=post)
-    assert result.g == result.history[-1].g
-    assert result.g < min(step.g for step in result.history[:-1] if step.clearance > 0)
+    free = [step.g for step in result.history if step.clearance > 0]
+    energy = [step.g for step in result.history if step.clearance > 0 and step.solver == "Solve_Succeeded"]
+    assert result.g < min(energy) and result.g < min(free) * (1 + 1e-6)
     assert post.collision_model(planar).path_is_free(result.path, 1e-3)
 
 
