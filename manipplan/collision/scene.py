@@ -3,7 +3,7 @@
 import os
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import MISSING, dataclass, field, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -290,7 +290,7 @@ def _obstacle(where: str, entry: object, folder: Path) -> Obstacle:
     for key in options:
         if key not in known:
             raise UnknownNameError(f"{where} ({kind.shape_name})", str(key), known)
-    required = {Box: ["size"], Sphere: ["radius"], Plane: [], Mesh: ["file"]}.get(kind, ["radius", "length"])
+    required = [each.name for each in fields(kind) if each.init and each.default is MISSING]
     for key in required:
         if key not in options:
             raise InvalidInputError(f"{where} ({kind.shape_name})", sorted(options), f"a mapping with {' and '.join(required)}")

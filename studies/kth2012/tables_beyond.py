@@ -18,7 +18,7 @@ def classes_table(results: Results) -> Table:
     for example in EXAMPLES:
         found = sorted((each for each in results.classes if each.example is example), key=lambda each: each.found.g)
         rows += [(example.name, *_crossing(each)) for each in found]
-    return Table.of("classes", ("example", "class", "g, p = 2", "length [rad]", "least μ [m²]"), rows)
+    return Table.of("classes", ("example", "class", "g, p = 2", "length [rad]", "minimum μ [m²]"), rows)
 
 
 def torus_table(results: Results) -> Table:
@@ -30,7 +30,7 @@ def torus_table(results: Results) -> Table:
         for each in shown:
             goal = f"({', '.join(MARKS[k] for k in each.shift)})"
             rows.append((example.name, goal, *_crossing(each)))
-    return Table.of("torus", ("example", "goal shifted by", "class", "g, p = 2", "length [rad]", "least μ [m²]"), rows)
+    return Table.of("torus", ("example", "goal shifted by", "class", "g, p = 2", "length [rad]", "minimum μ [m²]"), rows)
 
 
 def shifts_table(results: Results) -> Table:
@@ -107,7 +107,7 @@ def obstacles_table(results: Results) -> Table:
         "ours",
         "other ways",
         "proven clearance [mm]",
-        "least μ [m²]",
+        "minimum μ [m²]",
     )
     return Table.of("obstacles", head, rows)
 

@@ -64,7 +64,7 @@ def costs_6_3(results: Results) -> Table:
         ("ours, degree 6", f"{ours.g:.6f}", f"{ours.length:.6f}", f"{ours.min_manipulability:.4f}", f"{text[1].g:.6f}"),
         ("random starts, degree 6", "" if results.quick else f"{results.multistart(THIRD, 6):.6f}", "", "", ""),
     ]
-    return Table.of("costs6_3", ("path", "g, p = 2", "length [rad]", "least μ [m²]", "g of the optimum with p = 1"), rows)
+    return Table.of("costs6_3", ("path", "g, p = 2", "length [rad]", "minimum μ [m²]", "g of the optimum with p = 1"), rows)
 
 
 def table_6_4(results: Results) -> Table:
