@@ -26,7 +26,7 @@ def pytest_configure(config):
     for threads in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
         os.environ.setdefault(threads, "1")
     config.addinivalue_line(
-        "filterwarnings", r"ignore:\$(CC|CXX) = .* is not a compiler:manipplan.support.errors.CompilerWarning"
+        "filterwarnings", r"ignore:\$(CC|CXX) = .* is not a working compiler:manipplan.support.errors.CompilerWarning"
     )
     config.addinivalue_line("markers", "compiler: needs a C compiler that works")
 

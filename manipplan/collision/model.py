@@ -18,7 +18,8 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner
 
-#: Number of random configurations, and share of them at which a pair that touches is dropped: it touches by construction.
+#: Number of random configurations. A pair that touches in at least the share ALWAYS of them is dropped: it touches by
+#: construction.
 SAMPLES = 200
 ALWAYS = 0.95
 #: Maximum share of the samples at which a pair's primitives touch while its meshes do not. Above it the pair is checked with
@@ -36,7 +37,8 @@ class Contact:
         distance: [m], negative where the two overlap.
         first, second: indices of the joints that carry the bodies (0: the world).
         normal: (3,) unit vector from the second body to the first, in the frame of joint `second`.
-        offset: normal · p of the second body's point nearest to the first [m], in that frame: the body lies below it.
+        offset: normal · p [m] in that frame, where p is the point of the second body nearest to the first: the second body
+            lies below this plane.
         points: (k, 3) core points of the first body in the frame of joint `first` [m].
         radius: radius of the first body around its core points [m].
     """
@@ -149,7 +151,7 @@ class CollisionModel:
         return [k for k, result in enumerate(self._geometry_data.collisionResults) if result.isCollision()]
 
     def distances(self, q: Array) -> Array:
-        """Signed distance [m] of every pair at q (n,), (k,)."""
+        """Signed distances (k,) of all pairs at q (n,) [m]."""
         pin.computeDistances(self.robot.model, self._data, self.geometry, self._geometry_data, q)
         return np.array([result.min_distance for result in self._results])
 
@@ -232,7 +234,10 @@ class CollisionModel:
         return contact.points[np.argsort(np.round(height, 9), kind="stable")[:count]]  # rounding errors do not change the order
 
     def free_configuration(self, argument: str, q: ArrayLike, clearance: float = 0.0) -> Array:
-        """Check that q (n,) is inside the limits and collision-free; raises InvalidInputError that names limit or pair."""
+        """Check that q (n,) is inside the limits and collision-free.
+
+        Raises InvalidInputError that names the limit or the pair.
+        """
         q = self.robot.configuration(argument, q)
         distances = self.distances(q)
         nearest = int(distances.argmin()) if len(distances) else -1
@@ -241,21 +246,20 @@ class CollisionModel:
             apart = (
                 f"are {distances[nearest]:.4g} m apart" if distances[nearest] > 0 else f"overlap by {-distances[nearest]:.4g} m"
             )
-            demanded = f", the required clearance is {clearance:g} m" if clearance else ""
+            demanded = f", but the required clearance is {clearance:g} m" if clearance else ""
             raise InvalidInputError(
                 argument, q.tolist(), f"a collision-free configuration; {first} and {second} {apart}{demanded}"
             )
         return q
 
     def path_is_free(self, path: JointPath, step: float, clearance: float = 0.0) -> bool:
-        """Whether the path is collision-free at checks between which no joint moves more than `step` [rad or m].
+        """Whether the path is collision-free at samples between which no joint moves more than `step` [rad or m].
 
-        Coarse checks come first, so that a collision is found early.
+        Samples that are far apart come first, so that a collision is found early.
         """
         s = path.fine_samples(step)
         q = path(s)
-        order = np.argsort([(k & -k if k else 1 << 30) for k in range(len(s))])[::-1]
-        return not any(self.in_collision(q[k], clearance=clearance) for k in order)
+        return not any(self.in_collision(q[k], clearance=clearance) for k in _coarse_to_fine(len(s)))
 
     def _core(self, body: int) -> tuple[Array, float]:
         """Core points (k, 3) of a geometry object in its joint's frame, and the radius around them [m]."""
@@ -270,6 +274,11 @@ class CollisionModel:
             for request in self._geometry_data.collisionRequests:
                 request.security_margin = clearance
             self._margin = clearance
+
+
+def _coarse_to_fine(count: int) -> list[int]:
+    """The numbers 0 to count - 1, those first that are divisible by the largest power of two."""
+    return sorted(range(count), key=lambda k: k & -k if k else count, reverse=True)
 
 
 @once_per_owner
@@ -330,7 +339,7 @@ def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]
 def _hull(item: pin.GeometryObject) -> pin.GeometryObject:
     if not isinstance(item.geometry, coal.BVHModelBase):
         return _renamed(item, item.geometry, "exact")
-    if not has_hull(np.unique(np.array(item.geometry.vertices()), axis=0)):  # flat: the mesh itself is as tight
+    if not has_hull(np.unique(np.array(item.geometry.vertices()), axis=0)):  # a flat mesh has no hull and is used as it is
         return _mesh(item)
     item.geometry.buildConvexHull(True, "Qt")
     return _renamed(item, item.geometry.convex, "hull")
@@ -366,7 +375,7 @@ def _tighten_coarse_pairs(
         pin.updateGeometryPlacements(robot.model, data, described, described_data, q)
         for pair in touching:
             if not pin.computeCollision(described, described_data, described_pairs[pair]):
-                coarse[pair] += SAMPLES if number == 0 else 1  # the first sample is the usual posture: it must be free
+                coarse[pair] += SAMPLES if number == 0 else 1  # one wrong contact in the neutral posture is enough
     replaced = {pair for pair, count in coarse.items() if count > COARSE * SAMPLES}
     added: dict[int, int] = {}
     for pair in sorted(replaced):

@@ -14,14 +14,18 @@ from manipplan.support.display import one_line
 
 #: Manipulability below this share of the path's maximum counts as zero.
 SINGULAR = 1e-9
-#: Panels are halved until their halves agree with them to this share of g ...
+#: A panel is halved while that changes its integral by more than this share of g.
 ACCURACY = 1e-10
-#: ... at most this number of times.
+#: Maximum number of halvings.
 HALVINGS = 25
-#: More than 2^NOISE times the initial number of panels fail this test only where the integrand consists of rounding errors.
+#: If more than 2^NOISE times the initial number of panels still change, the integrand consists of rounding errors, and g counts
+#: as infinite.
 NOISE = 6
 #: Gauss points per panel.
 POINTS = 10
+#: The minimum manipulability is searched around this number of the deepest dips among samples at this number of intervals, on
+#: this number of successively finer grids, each of this number of intervals.
+DEEPEST, INTERVALS, GRIDS, GRID_INTERVALS = 5, 2000, 8, 40
 #: Panels on which g is minimised: initial number, error per panel as a share of g on the path where a descent begins,
 #: maximum number of halvings, and number of panels above which none is halved.
 RULE_PANELS, RULE_ACCURACY, RULE_HALVINGS, MOST_RULE_PANELS = 12, 1e-9, 12, 200
@@ -35,7 +39,7 @@ class PathCost:
     Attributes:
         g: ∫ ‖q'‖_W / m^p ds, (6.6) in kth2012; inf when the path meets a singularity.
         length: ∫ ‖q'‖ ds [rad], (6.5), without W.
-        min_manipulability: the minimum of m, found by ever finer grids around its dips.
+        min_manipulability: the minimum of m, found on successively finer grids around its dips.
         at: the parameter s where m has its minimum.
     """
 
@@ -63,7 +67,7 @@ class PathIntegral:
         """g and the minimum manipulability of a path, as in `path_cost`."""
         return path_cost(path, self.kinematics, self.power, metric=self.metric)
 
-    def panels(self, path: JointPath, edges: Array | None = None) -> Array:
+    def panel_edges(self, path: JointPath, edges: Array | None = None) -> Array:
         """Edges (k + 1,) of quadrature panels for the descent from a path, narrow where m has a dip.
 
         A panel is halved, together with its two neighbours, until its two halves change its integral by at most
@@ -74,8 +78,8 @@ class PathIntegral:
             edges = np.unique(np.concatenate([np.linspace(0.0, 1.0, RULE_PANELS + 1), path.breaks]))
         for _ in range(RULE_HALVINGS):
             middle = (edges[:-1] + edges[1:]) / 2
-            whole = self._panels(path, edges)
-            parts = self._panels(path, np.sort(np.concatenate([edges, middle]))).reshape(-1, 2).sum(axis=1)
+            whole = self._panel_integrals(path, edges)
+            parts = self._panel_integrals(path, np.sort(np.concatenate([edges, middle]))).reshape(-1, 2).sum(axis=1)
             with np.errstate(invalid="ignore"):  # inf - inf on a singular path
                 rough = ~(np.abs(whole - parts) <= RULE_ACCURACY * parts.sum())
             if not rough.any() or len(edges) > MOST_RULE_PANELS:
@@ -87,16 +91,16 @@ class PathIntegral:
 
     def on_panels(self, path: JointPath, edges: Array) -> float:
         """g of a path from the Gauss points of the panels between edges (k + 1,)."""
-        return float(self._panels(path, edges).sum())
+        return float(self._panel_integrals(path, edges).sum())
 
-    def _panels(self, path: JointPath, edges: Array) -> Array:
+    def _panel_integrals(self, path: JointPath, edges: Array) -> Array:
         """The integral over each panel (k,)."""
-        return _on_panels(path, edges[:-1], edges[1:], self.kinematics, self.power, self.metric)
+        return _integrate_panels(path, edges[:-1], edges[1:], self.kinematics, self.power, self.metric)
 
     def constant_speed(self, path: JointPath, count: int) -> Array:
-        """Parameters s (count,) at equal shares of g, or of length where m vanishes on most of the path."""
+        """Parameters s (count,) that divide a path into parts of equal g, or of equal length where m is mostly zero."""
         s = np.linspace(0.0, 1.0, 1001)
-        density = _weighed_speed(path, s, self.kinematics, self.power, self.metric)
+        density = _weighted_speed(path, s, self.kinematics, self.power, self.metric)
         median = np.median(density)
         # capped, so that the parameters do not all cluster near a singularity
         density = np.minimum(density, 1e3 * median) if np.isfinite(median) else speeds(path(s, 1), self.metric)
@@ -141,28 +145,30 @@ def path_cost(
     return PathCost(g=g, length=path.length, min_manipulability=least, at=at)
 
 
-def _weighed_speed(path: JointPath, s: Array, kinematics: Kinematics, power: float, metric: Array | None) -> Array:
+def _weighted_speed(path: JointPath, s: Array, kinematics: Kinematics, power: float, metric: Array | None) -> Array:
     """h = ‖q'‖_W / m^p at s (m,), whose integral is g; inf at a singular configuration."""
     with np.errstate(divide="ignore"):
         return np.asarray(speeds(path(s, 1), metric) / kinematics.manipulability(path(s)) ** power)
 
 
-def _on_panels(path: JointPath, begin: Array, end: Array, kinematics: Kinematics, power: float, metric: Array | None) -> Array:
+def _integrate_panels(
+    path: JointPath, begin: Array, end: Array, kinematics: Kinematics, power: float, metric: Array | None
+) -> Array:
     """The integral of h over each panel from `begin` to `end` (k,)."""
     s, weights = gauss(begin, end)
-    h = _weighed_speed(path, s.ravel(), kinematics, power, metric)
+    h = _weighted_speed(path, s.ravel(), kinematics, power, metric)
     return np.asarray((weights * h.reshape(s.shape)).sum(axis=1))
 
 
 def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Array | None, panels: int) -> float:
     """g to ACCURACY by halving panels: a dip of m can be a thousand times narrower than an initial panel.
 
-    Infinite if m consists of rounding errors, as on a path that is singular everywhere. A dip needs few narrow panels,
-    rounding errors need them everywhere.
+    Infinite if m consists of rounding errors, as on a path that is singular everywhere. A dip needs only a few narrow
+    panels; rounding errors need them everywhere.
     """
 
     def gained(begin: Array, end: Array) -> Array:
-        return _on_panels(path, begin, end, kinematics, power, metric)
+        return _integrate_panels(path, begin, end, kinematics, power, metric)
 
     counts = np.maximum(1, np.ceil(panels * np.diff(path.breaks)).astype(int))
     edges = [np.linspace(a, b, k + 1) for a, b, k in zip(path.breaks[:-1], path.breaks[1:], counts, strict=True)]
@@ -186,23 +192,23 @@ def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Arr
 
 
 def _minimum_manipulability(path: JointPath, kinematics: Kinematics) -> tuple[float, float, float]:
-    """The minimum manipulability, its s, and the maximum: ever finer grids search the deepest dips of 2001 points.
+    """The minimum manipulability, its s, and the maximum. The deepest dips are searched on successively finer grids.
 
     Where a path crosses a singularity, m has a sharp kink, which no fixed grid would hit.
     """
-    s = np.linspace(0.0, 1.0, 2001)
+    s = np.linspace(0.0, 1.0, INTERVALS + 1)
     values = kinematics.manipulability(path(s))
     padded = np.concatenate([[np.inf], values, [np.inf]])
     dips = np.flatnonzero((values <= padded[:-2]) & (values <= padded[2:]))
     least, at = np.inf, 0.0
-    deepest = dips[np.argsort(values[dips])[:5]]
-    low, high = s[np.maximum(deepest - 1, 0)], s[np.minimum(deepest + 1, 2000)]
-    for _ in range(8):
-        grid = np.linspace(low, high, 41)  # one column per dip
+    deepest = dips[np.argsort(values[dips])[:DEEPEST]]
+    low, high = s[np.maximum(deepest - 1, 0)], s[np.minimum(deepest + 1, INTERVALS)]
+    for _ in range(GRIDS):
+        grid = np.linspace(low, high, GRID_INTERVALS + 1)  # one column per dip
         inside = kinematics.manipulability(path(grid))
         lowest, dip = inside.argmin(axis=0), np.arange(len(deepest))
         column = int(inside[lowest, dip].argmin())
         if inside[lowest[column], column] < least:
             least, at = float(inside[lowest[column], column]), float(grid[lowest[column], column])
-        low, high = grid[np.maximum(lowest - 1, 0), dip], grid[np.minimum(lowest + 1, 40), dip]
+        low, high = grid[np.maximum(lowest - 1, 0), dip], grid[np.minimum(lowest + 1, GRID_INTERVALS), dip]
     return least, at, float(values.max())

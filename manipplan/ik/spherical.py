@@ -1,4 +1,4 @@
-"""Six revolute joints, of which three adjacent axes meet in one point, at the wrist or (chain read backwards) the shoulder.
+"""Six revolute joints with three adjacent axes that intersect, at the wrist or (chain read backwards) at the shoulder.
 
 Position and rotation decouple [pieper1968]: the other three joints place the point, the three that meet orient the tool.
 """
@@ -299,9 +299,9 @@ def solve_spherical(
         axes, points: (6, 3).
         wrist: where axes 4, 5, 6 meet at q = 0.
         motion: (4, 4).
-        lower, upper: (6,); a solution outside at every full turn is left out.
-        out: (MOST + 1, 6), filled; the last row is for trials.
-        work: (16, 6).
+        lower, upper: (6,); a solution that is outside after any number of full turns is left out.
+        out: (MOST + 1, 6), filled with the solutions; the last row is scratch space.
+        work: (16, 6), scratch space.
 
     Returns the number of filled rows of `out`.
     """

@@ -32,7 +32,7 @@ TOLERANCE = 1e-6
 AT_END = 0.01
 #: Manipulability below this is rounding noise.
 VANISHING = 1e-12
-#: Number of intervals of the trajectory at whose ends distances are measured for the report.
+#: Number of equal intervals of time, at whose ends the report measures distances.
 PLACES = 400
 
 
@@ -47,14 +47,16 @@ class Report:
         duration: of the trajectory [s].
         g, seed_g: ∫ ‖q'‖ / m^power ds along the trajectory and along the seed.
         length, seed_length: in joint space.
-        min_manipulability, min_at: minimum manipulability along the trajectory, and the share of the time at which it occurs.
+        min_manipulability, min_at: minimum manipulability along the trajectory, and the share of the duration at which it
+            occurs.
         seed_min_manipulability, straight_min_manipulability: minimum manipulability on the seed, and on the straight line.
-        minimum_note: how the minimum manipulability compares with those, and why if it is less than twice as large.
+        minimum_note: how the minimum manipulability compares with those two, and the reason if it is not twice both.
         clearance, nearest_pair: minimum distance [m] measured at evenly spaced times, and its pair; inf and () if nothing
             is checked.
         proven_clearance: lower bound on the distances of all checked pairs on the whole trajectory, at all times [m].
-        collision_free: whether the trajectory is collision-free at every milliradian.
-        limits: worst use of position, velocity, acceleration and, where the motion is limited by them, jerk and torque.
+        collision_free: whether the trajectory is collision-free where it is sampled, every milliradian.
+        limits: highest use of the limits of position, velocity, acceleration and, where they limit the motion, jerk and
+            torque.
         position_unit: "rad" or "m", of the joint that comes closest to a position limit.
         straight_free: whether the straight line from start to goal is collision-free.
         goal_error: largest distance of the last sample from the goal [rad or m].
@@ -214,7 +216,7 @@ class Report:
 
 
 def _standing(path: JointPath, integral: PathIntegral) -> PathCost:
-    """The cost of standing still at the start, the straight line of a path that returns there."""
+    """The cost of standing still, in place of that of the straight line, for a path that returns to its start."""
     m = float(integral.kinematics.manipulability(path.start))
     return PathCost(g=0.0, length=0.0, min_manipulability=m, at=0.0)
 
@@ -248,7 +250,7 @@ def _minimum_note(cost: PathCost, result: PathResult, straight: PathCost) -> str
     if least > 0 and all(least >= 2 * other for other in others.values()):
         return note
     if cost.at <= AT_END or cost.at >= 1 - AT_END:
-        return f"{note}; it is at the {'start' if cost.at <= AT_END else 'goal'}, which all paths between the two share"
+        return f"{note}; it is at the {'start' if cost.at <= AT_END else 'goal'}, which all paths share"
     if result.path is result.seed:
         return f"{note}; this is the {first} itself"
     return f"{note}; no path with a larger minimum and an equally low g was found"

@@ -25,13 +25,13 @@ log = logging.getLogger("manipplan")
 ROUNDS = 8
 #: Rounds end when one lowers g by less than this share.
 SMALL_GAIN = 1e-2
-#: Solutions that fall short of the required clearance by less than the first value [m] are nearly free. If no round gives a
-#: free path, the descent starts from the one that falls short the least. Otherwise one with a g below the second value times
-#: that of the optimum found starts another descent.
-NEARLY_FREE, PROMISING = 0.1, 0.75
+#: A solution is nearly free if it misses the required clearance by less than this [m].
+NEARLY_FREE = 0.1
+#: A nearly free solution starts another descent if its g is below this share of the g of the optimum found.
+PROMISING = 0.75
 #: Maximum number of places at which clearance rows are added per round, the deepest dips first.
 NEW_PLACES = 10
-#: Maximum deviation of the fit to a path that the basis contains [rad or m].
+#: Maximum deviation of the fit to a path at which the basis counts as containing the path [rad or m].
 SAME = 1e-9
 #: The descent is repeated from the fit to the optimum at an even pace while that lowers g by more than this share.
 WORTH = 1e-3
@@ -44,8 +44,8 @@ ROUGH = 1e-6
 #: quadrature panels do not resolve g on the path reached, or when this one lowered g by more than the share SETTLED: a new
 #: trust region may get past a kink of the clearance where the last one became too small.
 DESCENTS, SETTLED = 8, 2e-4
-#: Descents from one path end where two in turn end within this of each other without the clearance: the path is stuck in an
-#: obstacle [rad or m].
+#: If two descents in turn end without a proof and their coefficients differ by less than this [rad or m], the path is stuck in
+#: an obstacle.
 STUCK = 1e-6
 #: With a required clearance below the first value, descents keep these wider margins first [m]: a descent is slow around a
 #: corner that it passes at only a tenth of a millimetre.
@@ -154,7 +154,7 @@ class LocalSearch:
         """The path at which a descent from coefficients (n, size) ends; None when it is not free or leaves the limits.
 
         Descents are repeated until the path is proven free, the quadrature panels resolve its g, and the descent has
-        converged. Each takes over the place where the proof failed, and the panels that the one before it needed.
+        converged. Each starts with the panels of the one before it, and also watches the place where the proof failed.
         """
         program, integral = self.program, self.program.integral
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
@@ -217,10 +217,11 @@ class LocalSearch:
         return [*wide, max(min(MARGIN, room), 0.0)]
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
-        """The local optimum near a free path, through a path of low energy that passes bodies on the same sides.
+        """The local optimum near a free path, through a path of low energy that passes each body on the same side.
 
-        Clearance rows keep the solution of the energy on these sides. They are renewed on each solution until one is free and
-        the next one lowers g only slightly.
+        Clearance rows keep the minimum of the energy on these sides. They are computed again at each solution, until one is
+        free and the next one lowers g only slightly. If none is free, the descent starts from the one that misses the
+        clearance by the least. A nearly free solution of much lower g starts a descent of its own.
         """
         s, beginning = self._followed(first)
         coefficients = beginning
@@ -245,7 +246,7 @@ class LocalSearch:
                 coefficients = beginning
                 continue
             coefficients = solution.coefficients
-            is_free, distances, touched = self._judged("seed", solution)
+            is_free, distances, failed_at = self._judged("seed", solution)
             if is_free:
                 free.append(solution)
                 costs.append(self.history[-1].g)
@@ -254,7 +255,7 @@ class LocalSearch:
             missing = self.clearance - float(distances.min(initial=np.inf))
             if not is_free and missing < NEARLY_FREE:
                 nearly_free.append((missing, self.history[-1].g, coefficients))
-            places = self.more_places(places, distances, touched, touching=not is_free)
+            places = self.more_places(places, distances, failed_at, is_free=is_free)
         found: list[Candidate] = []
         if free:
             best = free[int(np.argmin(costs))]
@@ -299,19 +300,20 @@ class LocalSearch:
         return near.rows_for(self.model, path, safe, places, self.clearance)
 
     def more_places(
-        self, places: tuple[near.Place, ...], distances: Array, touched: tuple[near.Place, ...], *, touching: bool
+        self, places: tuple[near.Place, ...], distances: Array, failed_at: tuple[near.Place, ...], *, is_free: bool
     ) -> tuple[near.Place, ...]:
-        """The places, and those where a path `touched` something or its distance profile (m, k) [m] dips below the clearance.
+        """The places, with those where the proof failed and those where the distance profile (m, k) [m] is below the clearance.
 
-        If that adds none although the path is `touching` something, dips slightly above the clearance and closer places are
-        added as well.
+        If that adds none although the path is not free, dips slightly above the clearance and closer places are added as well.
         """
-        for spare in (0.0, near.SPARE) if touching else (0.0,):
-            deepest = [*touched, *near.dips(distances, self.clearance + spare)][:NEW_PLACES]
-            for apart in (near.APART, near.CLOSE) if touching else (near.APART,):
-                more = near.merged(places, near.around(deepest), apart)
-                if len(more) > len(places):
-                    return tuple(more)
+        attempts = [(0.0, near.APART)]
+        if not is_free:
+            attempts += [(0.0, near.CLOSE), (near.SPARE, near.APART), (near.SPARE, near.CLOSE)]
+        for spare, apart in attempts:
+            deepest = [*failed_at, *near.dips(distances, self.clearance + spare)][:NEW_PLACES]
+            more = near.merged(places, near.around(deepest), apart)
+            if len(more) > len(places):
+                return tuple(more)
         return places
 
     def _judged(self, name: str, solution: Solution) -> tuple[bool, Array, tuple[near.Place, ...]]:

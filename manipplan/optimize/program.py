@@ -297,7 +297,7 @@ class PathProgram:
         z = on_grid(z, SPACING)
         curves = Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal)
         path = self.basis.path(start, goal, coefficients)
-        edges = self.integral.panels(path, edges)
+        edges = self.integral.panel_edges(path, edges)
         s, weights = gauss(edges[:-1], edges[1:])
         g0 = self.integral.on_panels(path, edges)
         length = LengthModel(

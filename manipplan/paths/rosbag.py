@@ -13,7 +13,7 @@ from manipplan.support.checks import Array, number
 from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError, UnknownNameError
 
 TRAJECTORY, STATE = "trajectory_msgs/msg/JointTrajectory", "sensor_msgs/msg/JointState"
-#: Topics that are written: the one ros2_control's controller subscribes to, and the usual one of joint states.
+#: Topics that are written: the one to which ros2_control's trajectory controller subscribes, and the usual one of joint states.
 TRAJECTORY_TOPIC, STATE_TOPIC = "/joint_trajectory_controller/joint_trajectory", "/joint_states"
 STORAGES = ("mcap", "sqlite3")
 #: Time of the first message [ns]: a stamp of zero means "no time" in ROS.
@@ -45,7 +45,7 @@ def to_rosbag(trajectory: Trajectory, file: str | Path, *, storage: str = "mcap"
             part.rename(path)
     except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
         said = getattr(error, "strerror", None) or str(error)
-        raise InvalidInputError("file", str(path), f"a place that can be written ({said})") from error
+        raise InvalidInputError("file", str(path), f"a path that can be written ({said})") from error
 
 
 def from_rosbag(file: str | Path, topic: str | None = None, *, joints: Sequence[str] | None = None) -> Trajectory:
@@ -113,7 +113,7 @@ def _recorded(
         if len(place) != len(message.name):
             raise FileFormatError("file", where, f"every joint once; message {k + 1} has {', '.join(message.name)}")
         if joints is None and set(place) != set(names):
-            said = f"message {k + 1} has {', '.join(place) or 'no joint'}, the first {', '.join(names)}"
+            said = f"message {k + 1} has {', '.join(place) or 'no joint'}, and message 1 has {', '.join(names)}"
             raise FileFormatError("file", where, f"the same joints in all messages, but {said}; select joints with joints=")
         if len(missing) == len(names):
             continue
@@ -139,7 +139,7 @@ def _recorded(
     late = np.flatnonzero(np.diff(t) <= 0)
     if len(late):
         k = int(late[0]) + 1
-        said = f"message {k + 1} is stamped {t[k]:.9f} s after the first, the one before {t[k - 1]:.9f} s"
+        said = f"message {k + 1} is stamped {t[k]:.9f} s after message 1, but message {k} is {t[k - 1]:.9f} s after it"
         raise FileFormatError("file", where, f"increasing stamps, but {said}; sort the bag, or record one source per topic")
     known_speed = all(velocity is not None and np.isfinite(velocity).all() for *_, velocity in rows)
     qd = np.array([velocity for *_, velocity in rows]) if known_speed else None

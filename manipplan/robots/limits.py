@@ -19,6 +19,8 @@ DEFAULT_RAMP_TIME = 0.2
 class JointLimits:
     """Limits of n joints, each (n,), in SI units (rad or m, s, N m or N); inf where there is none.
 
+    `robots.subchain.limits_of` reads them from a description.
+
     `sources` gives the source of the numbers of each kind: the robot's file, a data sheet, the user, or the default.
     Raises InvalidInputError when a limit is NaN, not above zero, or a lower bound is not below its upper bound.
     """

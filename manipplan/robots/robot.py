@@ -42,10 +42,11 @@ class Robot(Pictured):
         geometry: the collision geometry of the description (meshes and shapes), placed on `model`.
         tool: name of the tool frame.
         limits: JointLimits.
-        neutral: (n,) a usual posture inside the limits.
+        neutral: (n,) a posture inside the limits; see `from_urdf`.
         locked: the locked joints of the description, with their values [rad or m].
         disabled_pairs: pairs of bodies that need no self-collision check (from an SRDF); None without an SRDF.
-        adjacent_pairs: pairs of geometry objects (by name) on one link, or on two that one joint of the description connects.
+        adjacent_pairs: pairs of geometry objects (by name) on one link, or on two links that one joint of the description
+            connects.
         planar: True when the arm moves only in the x-y plane.
         states: the SRDF's named postures that give every active joint a value: (n,) by name [rad or m].
         source: what the arm was read from, to build it again; None for an arm that was built by hand.

@@ -36,7 +36,7 @@ class SearchResult:
         indices: the chosen candidate of each layer (L,).
         manipulability: manipulability at each position (L,).
         minimum: the smallest of these values.
-        bound: smallest over the layers of the largest manipulability: no path has a larger minimum, whatever its steps.
+        bound: the smallest of the layers' largest manipulabilities: no path has a larger minimum, whatever its steps.
         certified_bound: no continuous path through these candidates has a larger minimum; equals minimum for an optimal path.
         connected: whether there is a path.
         status: return status.
@@ -46,8 +46,8 @@ class SearchResult:
         nodes: number of candidates in the last pass.
         breaks_at: the first position, counted from 0, that no continuous path from the first one reaches; 0 when all are
             reached but no cycle closes; None when there is a path.
-        smallest_epsilon: (n,) the smallest multiple of epsilon that connects the layers: with strict=False it connects them,
-            with strict=True only larger values do. None when there is a path.
+        smallest_epsilon: (n,) the limiting multiple of epsilon: with strict=False it connects the layers, with strict=True
+            every larger multiple does. None when there is a path.
         message: text of the status, with the numbers of this search.
     """
 
@@ -71,7 +71,7 @@ class SearchResult:
 
     @property
     def gap(self) -> float:
-        """How far an optimum of more candidates could be above the minimum: bound - minimum."""
+        """Upper limit of what a larger epsilon could add to the minimum: bound - minimum."""
         return self.bound - self.minimum
 
     @property
@@ -83,7 +83,7 @@ class SearchResult:
 #: Minimum number of candidates in the first round: fewer hardly save time.
 FIRST = 20_000
 GROWTH = 4
-#: Share from which on all candidates take part.
+#: Minimum share of the candidates at which a round takes all of them.
 MOST = 0.5
 #: Share of candidates up to which rounds lower the threshold; beyond it they take samples.
 TOP = 1 / 64
@@ -98,7 +98,7 @@ class Quantiles:
     Attributes:
         sample: manipulability values, descending.
         count: total number of candidates.
-        bound: smallest over the layers of the largest manipulability.
+        bound: the smallest of the layers' largest manipulabilities.
     """
 
     sample: Array
@@ -119,7 +119,7 @@ class Quantiles:
         return -np.inf if share >= MOST else min(self.bound, self._quantile(share))
 
     def next(self, before: float) -> float:
-        """The threshold after `before`, which about GROWTH times as many candidates reach; -inf for the last."""
+        """The next threshold: about GROWTH times as many candidates reach it as reach `before`; -inf for the last."""
         share = GROWTH * self.share(before)
         lower = self.sample[self.sample < before]
         return -np.inf if share >= MOST or len(lower) == 0 else min(float(lower[0]), self._quantile(share))
@@ -137,7 +137,7 @@ class Quantiles:
         return float(self.sample[int(share * len(self.sample))])
 
 
-#: Minimum number of candidates for threads.
+#: Minimum number of candidates at which several threads are used.
 THREADED = 50_000
 
 
@@ -188,7 +188,7 @@ def max_min_search(
 
     Args:
         layers: candidates with their manipulability; if the layers are closed, the path is a cycle.
-        epsilon: bound below which each joint's step between neighbouring layers has to be [rad or m]: one number, or (n,).
+        epsilon: upper bound of each joint's step between neighbouring layers, itself excluded [rad or m]: one number, or (n,).
         strict: with False, a step of exactly epsilon is allowed as well.
         prefer: choice among the paths with that minimum manipulability: "first" takes any; "shortest" the one with the
             smallest Σ ‖Δq‖; "lexicographic" the one with the largest second smallest manipulability, then the third, and so on;
@@ -202,7 +202,7 @@ def max_min_search(
         threads: number of threads; by default one per core.
 
     A cycle is found exactly, by branch and bound over its first candidate. For the largest minimum manipulability this takes a
-    few more passes than an open path, for the shortest cycle it can take hundreds.
+    few more passes than for an open path; the shortest cycle can take hundreds.
 
     Raises InvalidInputError for bad arguments, PlanningError where no path is continuous.
     """
@@ -221,7 +221,7 @@ def max_min_search(
         threads = all_cores()
     whole_number("threads", threads, least=1)
     results = _results(layers, steps, bool(strict), Prefer(prefer), tell, threads if layers.count >= THREADED else 1)
-    results = _thrown(results) if throw else results
+    results = _raise_if_not_connected(results) if throw else results
     if anytime:
         return results
     *_, last = results
@@ -270,7 +270,7 @@ def _rounds(search: Search, reach: Array) -> Iterator[tuple[CandidatePath | None
         yield None, certified, False
         nodes = max(nodes, search.nodes)
         threshold = quantiles.next(threshold)
-    # samples of the candidates: each may raise the minimum manipulability, below which later ones need no candidates
+    # samples of the candidates: each may raise the best minimum found; later ones leave out candidates below it
     while True:
         share = quantiles.sampled(GROWTH * nodes, least)
         part = Part(threshold=least, share=share, cap=certified)
@@ -281,12 +281,14 @@ def _rounds(search: Search, reach: Array) -> Iterator[tuple[CandidatePath | None
         if path is not None:
             least = search.minimum_manipulability(path)
         exact = share == 1 or least == certified
-        yield path, certified if path is None or not exact else least, exact
+        if exact and path is not None:
+            certified = least
+        yield path, certified, exact
         if exact:
             return
 
 
-def _thrown(results: Iterator[SearchResult]) -> Iterator[SearchResult]:
+def _raise_if_not_connected(results: Iterator[SearchResult]) -> Iterator[SearchResult]:
     for result in results:
         if result.status is Status.NOT_CONNECTED:
             raise PlanningError(result.message, result)
@@ -333,7 +335,7 @@ def _not_connected(search: Search, epsilon: Array, reach: Array, strict: bool) -
         where = f"no path closes: none ends at position {count - 1} within epsilon of its start at position 0"
     factor = float((smallest / epsilon).max())
     least = ", ".join(f"{each:.6g}" for each in smallest)
-    told = f"above {factor:.6g} times epsilon" if strict else f"at {factor:.6g} times epsilon or more"
-    message = f"{where}; connected {told} ({least}); {Status.NOT_CONNECTED.value}"
+    told = f"for values above {factor:.6g} times epsilon" if strict else f"for {factor:.6g} times epsilon or more"
+    message = f"{where}; the layers are connected {told} ({least}); {Status.NOT_CONNECTED.value}"
     search.tell(1.0, "done")
     return replace(result, breaks_at=place, smallest_epsilon=smallest, message=message)

@@ -2,7 +2,7 @@
 
 The name of a library is a hash of its source, compiler, options and, if it is built only for this processor, the processor.
 It is built in a temporary folder and renamed, so several processes may build at once. It is rebuilt when its checksum file
-does not match, when another user can have written it, or when it cannot be loaded. The folder may be deleted at any time.
+does not match, when another user could have written it, or when it cannot be loaded. The folder may be deleted at any time.
 """
 
 import hashlib
@@ -70,10 +70,10 @@ def find_compiler(language: str = "c") -> Compiler | None:
             broken.append(error.output)
     if os.environ.get(variable):
         reason = "".join(f": {each}" for each in broken)
-        told = f"${variable} = {os.environ[variable]!r} is not a compiler that runs{reason}"
+        told = f"${variable} = {os.environ[variable]!r} is not a working compiler{reason}"
         warnings.warn(told, CompilerWarning, stacklevel=2)
     elif broken:
-        warnings.warn(f"no {language.upper()} compiler runs: {'; '.join(broken)}", CompilerWarning, stacklevel=2)
+        warnings.warn(f"no working {language.upper()} compiler was found: {'; '.join(broken)}", CompilerWarning, stacklevel=2)
     return None
 
 
@@ -150,13 +150,13 @@ _UNLOADABLE = (OSError, RuntimeError, AttributeError)
 def _why_none(language: str) -> str:
     variable = {"c": "CC", "c++": "CXX"}[language]
     if os.environ.get(variable):
-        return f"${variable} = {os.environ[variable]!r} is not a compiler that runs"
+        return f"${variable} = {os.environ[variable]!r} is not a working compiler"
     return f"there is no {language.upper()} compiler; install one with: {install_line(language)}"
 
 
 @cache
 def _given_up(_compiler: Compiler, _folder: Path) -> list[CompilerError]:
-    """Errors after which this process does not use this compiler and folder again: each attempt would fail as slowly."""
+    """Errors after which this process gives up this compiler and folder: each attempt would take as long and fail again."""
     return []
 
 

@@ -29,7 +29,7 @@ def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
     except InvalidInputError:
         raise
     except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
-        raise InvalidInputError("file", str(path), f"a place that can be written ({_reason(error)})") from error
+        raise InvalidInputError("file", str(path), f"a path that can be written ({_reason(error)})") from error
     part = Path(name)
     try:
         with os.fdopen(handle, "wb") as stream:
@@ -39,7 +39,7 @@ def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
     except BaseException as error:
         part.unlink()
         if isinstance(error, OSError):  # a full disk
-            raise InvalidInputError("file", str(path), f"a place that can be written ({_reason(error)})") from error
+            raise InvalidInputError("file", str(path), f"a path that can be written ({_reason(error)})") from error
         raise
 
 

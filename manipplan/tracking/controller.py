@@ -25,7 +25,7 @@ from manipplan.tracking.formulations import Formulation
 from manipplan.tracking.machine import MachineCode, Sources
 from manipplan.tracking.step import HUGE, REPORT, StepSetup, StepStatus, step_of
 
-#: Number of characters of generated code from which it is compiled only with compiled=True.
+#: Maximum number of characters of generated code that compiled="auto" compiles.
 TOO_LONG = 1_500_000
 
 
@@ -36,7 +36,8 @@ class StepReport(NamedTuple):
         status: outcome of the step; the arm brakes unless it is SOLVED.
         manipulability: m before the step.
         position_deviation, rotation_deviation: from the target, after the step, to first order [m, rad].
-        tube_excess: violation of the tube, or of the return into it, that this step needs, in the unit of the task's rows [m].
+        tube_excess: violation of the tube, or of the required return into it, that this step cannot avoid, in the unit of the
+            task's rows [m].
         clearance: minimum distance before the step [m]; inf without avoidance, negative in contact.
         avoidance_excess: amount by which an approach velocity exceeds its limit [m/s].
         convexified: largest entry added to make the cost convex; 0 if it was convex.
@@ -71,14 +72,14 @@ class Rollout:
 class Controller:
     """A controller of `robot` with time step `dt`; the equations are those of dufour2020.
 
-    Every step keeps the position, velocity, acceleration and, where finite, jerk limits: exactly, from any state from which
-    the arm can stop in time. Values from sensors or planners never raise an error: if the target is NaN, the arm brakes, and
-    `report` says so.
+    From any state from which the arm can stop in time, every step keeps the position, velocity and acceleration limits
+    exactly, and the jerk limits where they are finite. Values from sensors or planners never raise an error: if the target
+    is NaN, the arm brakes, and `report` says so.
 
     A controller is not thread-safe.
 
     Attributes:
-        robot, formulation, dt, task: the arguments, or the default task.
+        robot, formulation, dt, task: the arguments; `task` is the robot's default task if none was given.
         kinematics: of the task, with the measure that is raised.
         stiffness: default of Q_δ.
         tolerance: default tube; None if the controller was made without one.
@@ -106,7 +107,7 @@ class Controller:
 
         Args:
             robot: the arm, with its limits.
-            formulation: Classical, General, Objective, Equality or LogDrive of `manipplan.formulations`, or one's own.
+            formulation: Classical, General, Objective, Equality or LogDrive of `manipplan.formulations`, or your own.
             dt: time step T > 0 [s].
             task: task that is tracked, and whose manipulability counts; default `robot.default_task`.
             measure: the manipulability that is raised, a name from `available_measures()` or a Measure that is at least zero
@@ -119,7 +120,7 @@ class Controller:
             tolerance: default tube around the target; None: no tube.
             avoidance: collision avoidance; None: no avoidance.
             compiled: as in `Robot.kinematics`; "auto" does not compile a step with several hundred pairs of bodies, which
-                would take minutes: name fewer links.
+                would take minutes: give `Avoidance` fewer links.
 
         Raises:
             InvalidInputError: an argument is invalid, or Classical has a tolerance or an avoidance.
@@ -330,7 +331,7 @@ class Controller:
             self._set_obstacles({name: (scene[name].pose, np.zeros(6)) for name in self._avoidance.moving})
 
     def _take(self, q: ArrayLike, qd: ArrayLike, target: Any, stiffness: Any, drive: Any) -> None:
-        """Set the inputs of a step that are not plain arrays of doubles."""
+        """Set the inputs of a step, some of which are not plain arrays of doubles."""
         n = self.robot.n
         np.asarray(self._q)[:] = _numbers("q", q, (n,))
         np.asarray(self._qd)[:] = _numbers("qd", qd, (n,))

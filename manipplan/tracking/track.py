@@ -130,7 +130,7 @@ def track(
         robot: the arm, with its limits.
         path: the poses T(s).
         start: (n,) inside the limits, with the tool at or near T(0).
-        formulation: Classical, General, Objective, Equality or LogDrive of `manipplan.formulations`, or one's own.
+        formulation: Classical, General, Objective, Equality or LogDrive of `manipplan.formulations`, or your own.
         dt: time step [s] > 0.
         duration: of the path [s]; default: one at which exact tracking would use half of the joint limits.
         task: task that is tracked, and whose manipulability counts; default `robot.default_task`.

@@ -72,7 +72,7 @@ def test_a_full_disk(motion, tmp_path, monkeypatch):
 def test_a_device_that_is_full(tmp_path):
     if not Path("/dev/full").exists():
         pytest.skip("this system has no /dev/full")
-    with pytest.raises(mp.InvalidInputError, match=r"file: got .*motion\.csv.*a place that can be written \(No space left"):
+    with pytest.raises(mp.InvalidInputError, match=r"file: got .*motion\.csv.*a path that can be written \(No space left"):
         write_bytes(tmp_path / "motion.csv", lambda stream: Path("/dev/full").write_bytes(b"0"))
     assert not list(tmp_path.iterdir())
 

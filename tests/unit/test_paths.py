@@ -176,7 +176,7 @@ def test_broken_files_are_told(tmp_path, kind, text):
 
 
 def test_writing_where_nothing_can_be_written(tmp_path, rng):
-    with pytest.raises(mp.InvalidInputError, match="place that can be written"):
+    with pytest.raises(mp.InvalidInputError, match="path that can be written"):
         random_trajectory(rng).to_csv(tmp_path / "missing" / "file.csv")
 
 

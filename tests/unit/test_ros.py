@@ -131,7 +131,7 @@ def test_joints_are_found_by_name(tmp_path, rng):
     np.testing.assert_allclose(found.t, t - 3.0, atol=1e-9)
     np.testing.assert_array_equal(found.q, q[:, [2, 0, 1]])
     np.testing.assert_array_equal(found.qd, qd[:, [2, 0, 1]])
-    with pytest.raises(mp.FileFormatError, match=r"message 2 has finger, the first .*; select joints with joints="):
+    with pytest.raises(mp.FileFormatError, match=r"message 2 has finger, and message 1 has .*; select joints with joints="):
         mp.Trajectory.from_rosbag(tmp_path / "bag")
     with pytest.raises(mp.UnknownNameError, match=r"joints: got 'fingers'; allowed: did you mean finger"):
         mp.Trajectory.from_rosbag(tmp_path / "bag", joints=["fingers"])
@@ -156,7 +156,7 @@ def test_without_a_header_stamp_the_bag_tells_the_time(tmp_path):
 @pytest.mark.parametrize("times", [[1.0, 1.1, 1.1, 1.2], [1.0, 1.2, 1.1, 1.3]])
 def test_stamps_that_do_not_rise_are_told(tmp_path, times):
     write_states(tmp_path / "bag", [(t, "ab", [0, 0], [0, 0]) for t in times])
-    with pytest.raises(mp.FileFormatError, match=r"increasing stamps, but message 3 is stamped 0.100000000 s after the first"):
+    with pytest.raises(mp.FileFormatError, match=r"increasing stamps, but message 3 is stamped 0.100000000 s after message 1"):
         mp.Trajectory.from_rosbag(tmp_path / "bag")
 
 
@@ -249,7 +249,7 @@ def test_wrong_arguments_are_told(motion, tmp_path):
         mp.Trajectory.from_rosbag(tmp_path / "bag" / "bag.mcap")
     with pytest.raises(mp.InvalidInputError, match="never overwritten"):
         motion.to_rosbag(tmp_path / "bag")
-    with pytest.raises(mp.InvalidInputError, match="a place that can be written"):
+    with pytest.raises(mp.InvalidInputError, match="a path that can be written"):
         motion.to_rosbag(tmp_path / "no" / "folder")
     for wrong, message in (
         ({"storage": "zip"}, "storage: got 'zip'"),
