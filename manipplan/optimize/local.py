@@ -28,7 +28,7 @@ SMALL_GAIN = 1e-2
 #: A solution is nearly free if it misses the required clearance by less than this [m].
 NEARLY_FREE = 0.1
 #: A nearly free solution starts another descent if its g is below this share of the g of the optimum found.
-PROMISING = 0.75
+PROMISING = 0.8
 #: Maximum number of places at which clearance rows are added per round, the deepest dips first.
 NEW_PLACES = 10
 #: Maximum deviation of the fit to a path at which the basis counts as containing the path [rad or m].
@@ -86,6 +86,7 @@ class LocalSearch:
         clearance: required distance [m].
         history: every solve is appended to it.
         ends: fixed derivatives at start and goal.
+        nearly_free: every nearly free solution is appended to it: missing clearance [m], g and coefficients.
         accepted: every candidate is appended to it, so that an interrupt loses none.
         repaces: whether optima are fitted again at an even pace.
     """
@@ -97,6 +98,7 @@ class LocalSearch:
     clearance: float
     history: list[Step]
     ends: EndConditions = field(default_factory=EndConditions)
+    nearly_free: list[tuple[float, float, Array]] = field(default_factory=list)
     accepted: list[Candidate] = field(default_factory=list)
     repaces: bool = True
 
@@ -231,7 +233,6 @@ class LocalSearch:
             places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
         free: list[Solution] = []
         costs: list[float] = []
-        nearly_free: list[tuple[float, float, Array]] = []  # missing clearance [m], g and coefficients
         for _ in range(ROUNDS):
             path = self.program.basis.path(self.start, self.goal, coefficients)
             watched = places
@@ -252,17 +253,14 @@ class LocalSearch:
                 costs.append(self.history[-1].g)
                 if not places or (len(free) > 1 and costs[-2] - costs[-1] < SMALL_GAIN * costs[-1]):
                     break
-            missing = self.clearance - float(distances.min(initial=np.inf))
-            if not is_free and missing < NEARLY_FREE:
-                nearly_free.append((missing, self.history[-1].g, coefficients))
             places = self.more_places(places, distances, failed_at, is_free=is_free)
         found: list[Candidate] = []
         if free:
             best = free[int(np.argmin(costs))]
             found = self.optimum_from("seed", best.coefficients) or self._low_energy_path(best)
-        elif nearly_free:
-            found = self.optimum_from("seed", _least_missing(nearly_free))
-        lower = [each for each in nearly_free if found and each[1] < PROMISING * found[0].cost.g]
+        elif self.nearly_free:
+            found = self.optimum_from("seed", _least_missing(self.nearly_free))
+        lower = [each for each in self.nearly_free if found and each[1] < PROMISING * found[0].cost.g]
         return found + (self.optimum_from("nearly free", _least_missing(lower)) if lower else [])
 
     def _low_energy_path(self, solution: Solution) -> list[Candidate]:
@@ -326,14 +324,17 @@ class LocalSearch:
         if self.model is not None:
             distances = near.distance_profile(self.model, path(np.linspace(0.0, 1.0, near.PLACES + 1)))
         least = float(distances.min(initial=np.inf))
+        failed_at: tuple[near.Place, ...] = ()
         g = self.program.integral.cost(path).g
         self.history.append(Step(first=name, g=g, clearance=least, solver=solution.status))
-        if least <= self.clearance or not self._inside_limits(path, NEARLY_INSIDE):
-            return False, distances, ()
-        proof = self._proof(path)
-        if proof is not None and not proof.proven:
-            return False, distances, ((proof.at, proof.pair_id),)
-        return True, distances, ()
+        if least > self.clearance and self._inside_limits(path, NEARLY_INSIDE):
+            proof = self._proof(path)
+            if proof is None or proof.proven:
+                return True, distances, ()
+            failed_at = ((proof.at, proof.pair_id),)
+        if self.clearance - least < NEARLY_FREE:
+            self.nearly_free.append((self.clearance - least, g, solution.coefficients))
+        return False, distances, failed_at
 
     def _proof(self, path: JointPath) -> PathClearance | None:
         """The proof that a path keeps its clearance; None where nothing is checked."""
