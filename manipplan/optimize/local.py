@@ -125,7 +125,10 @@ class LocalSearch:
         basis, even = self.program.basis, np.linspace(0.0, 1.0, near.PLACES + 1)
         coefficients = self.ends.met(basis, basis.fit(first, even), self.start, self.goal)
         off = np.abs(basis.path(self.start, self.goal, coefficients)(even) - first(even)).max()
-        found = self._descend("path", coefficients if off < SAME else self._followed(first)[1])
+        if off < SAME:  # a wider margin than that of the path, such as an optimum, would first lead away from it
+            found = self._descend("path", coefficients, room=self._room(first))
+        else:
+            found = self._descend("path", self._followed(first)[1])
         return [] if found is None else [found]
 
     def embedded(self, path: JointPath) -> list[Candidate]:
@@ -152,11 +155,12 @@ class LocalSearch:
                 break
         return [] if best is None else [best]
 
-    def _descend(self, name: str, coefficients: Array) -> Candidate | None:
+    def _descend(self, name: str, coefficients: Array, *, room: float = np.inf) -> Candidate | None:
         """The path at which a descent from coefficients (n, size) ends; None when it is not free or leaves the limits.
 
         Descents are repeated until the path is proven free, the quadrature panels resolve its g, and the descent has
         converged. Each starts with the panels of the one before it, and also watches the place where the proof failed.
+        Margins are not wider than `room` [m], except the final one.
         """
         program, integral = self.program, self.program.integral
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
@@ -167,7 +171,7 @@ class LocalSearch:
         edges: Array | None = None
         stuck: Array | None = None
         steps = 0
-        margins = self._margins()
+        margins = self._margins(room)
         for stage, margin in enumerate([*margins, *margins[-1:] * (DESCENTS - 1)]):
             if surroundings is not None:
                 surroundings.margin = margin
@@ -209,14 +213,21 @@ class LocalSearch:
             self.accepted.append(best)
         return best
 
-    def _margins(self) -> list[float]:
-        """Margins [m] of the descents from one path, in turn; none is wider than start and goal allow."""
+    def _margins(self, room: float) -> list[float]:
+        """Margins [m] of the descents from one path, in turn; none is wider than `room`, or than start and goal allow."""
         if self.model is None:
             return [MARGIN]
         distances = [self.model.distances(q).min(initial=np.inf) for q in (self.start, self.goal)]
-        room = float(min(distances)) - self.clearance
-        wide = [margin for margin in WIDE_MARGINS if margin < room] if self.clearance < ROUND else []
-        return [*wide, max(min(MARGIN, room), 0.0)]
+        most = float(min(distances)) - self.clearance
+        wide = [margin for margin in WIDE_MARGINS if margin < min(most, room)] if self.clearance < ROUND else []
+        return [*wide, max(min(MARGIN, most), 0.0)]
+
+    def _room(self, path: JointPath) -> float:
+        """Distance that a free path keeps beyond the required clearance [m]; inf where nothing is checked or it is not free."""
+        if self.model is None or not self.model.pair_names:
+            return np.inf
+        room = path_clearance(self.model, path, clearance=self.clearance, tolerance=WIDE_MARGINS[-1] / 2).upper - self.clearance
+        return room if room > 0 else np.inf
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """The local optimum near a free path, through a path of low energy that passes each body on the same side.
