@@ -31,6 +31,12 @@ def pytest_configure(config):
     config.addinivalue_line("markers", "compiler: needs a C compiler that works")
 
 
+def pytest_ignore_collect(collection_path, config):
+    """`make test` does not even import folders of which it runs nothing."""
+    is_slow = collection_path.parent == Path(__file__).parent and collection_path.name in SLOW_FOLDERS
+    return True if is_slow and "not slow" in config.option.markexpr else None
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
     """Mark as slow what `make test` leaves to `make test-all`."""
