@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from examples import FEW
 
 import manipplan as mp
 from manipplan.jobs.demo import panda_among_boxes
@@ -25,6 +26,8 @@ def pytest_configure(config):
     # each worker is a process of its own, so its linear algebra takes one thread
     for threads in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
         os.environ.setdefault(threads, "1")
+    if "not slow" in config.option.markexpr:
+        os.environ[FEW] = "1"
     config.addinivalue_line(
         "filterwarnings", r"ignore:\$(CC|CXX) = .* is not a working compiler:manipplan.support.errors.CompilerWarning"
     )

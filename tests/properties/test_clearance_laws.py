@@ -4,7 +4,8 @@ import functools
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
@@ -33,7 +34,7 @@ def arm(request):
     return request.getfixturevalue(request.param) if request.param in QUICK else mp.load_robot(request.param)
 
 
-@settings(max_examples=8, deadline=None, derandomize=True)
+@examples(8, derandomize=True)
 @given(seed=st.integers(0, 2**32 - 1), size=st.floats(-4.0, 0.0))
 def test_distance_falls_no_more_than_the_bound(arm, seed, size):
     robot = arm

@@ -4,7 +4,8 @@ import numpy as np
 import pinocchio as pin
 import pytest
 from chains import random_rotation, seeds
-from hypothesis import assume, given, settings
+from examples import examples
+from hypothesis import assume, given
 
 import manipplan as mp
 from manipplan.ik.form import closed_form
@@ -101,7 +102,7 @@ def found_again(robot, q, parameters=None, held=None):
 
 @pytest.mark.parametrize("backward", [False, True], ids=["wrist", "shoulder"])
 @pytest.mark.parametrize("kind", KINDS)
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(seed=seeds)
 def test_three_axes_that_meet(kind, backward, seed):
     rng = np.random.default_rng(seed)
@@ -116,7 +117,7 @@ def test_three_axes_that_meet(kind, backward, seed):
 
 
 @pytest.mark.parametrize("backward", [False, True], ids=["forward", "reversed"])
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(seed=seeds)
 def test_three_parallel_axes(backward, seed):
     rng = np.random.default_rng(seed)
@@ -132,7 +133,7 @@ def test_three_parallel_axes(backward, seed):
     assert found_again(robot, q)
 
 
-@settings(max_examples=50, deadline=None)
+@examples(50)
 @given(seed=seeds)
 def test_spherical_shoulder_and_wrist(seed):
     rng = np.random.default_rng(seed)
@@ -150,7 +151,7 @@ def test_spherical_shoulder_and_wrist(seed):
     assert found_again(robot, q, [q[1]], ["joint2"]) or not regular(robot, q, [0, 2, 3, 4, 5, 6])
 
 
-@settings(max_examples=50, deadline=None)
+@examples(50)
 @given(seed=seeds)
 def test_a_joint_held_anywhere(seed):
     """An arm with a spherical wrist and one joint more, between or before the others, revolute joints of any direction."""
@@ -166,7 +167,7 @@ def test_a_joint_held_anywhere(seed):
     assert found_again(robot, q, [q[place]], [f"joint{place + 1}"])
 
 
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(seed=seeds)
 def test_scaling_lengths_leaves_the_answers(seed):
     """Lengths times ten, and the pose's: the same configurations."""
@@ -183,7 +184,7 @@ def test_scaling_lengths_leaves_the_answers(seed):
     assert max(nearest) < 1e-6
 
 
-@settings(max_examples=50, deadline=None)
+@examples(50)
 @given(seed=seeds)
 def test_a_turn_of_the_base_joint_turns_the_first_angle(seed):
     """With the pose turned about the first axis all answers turn with it."""

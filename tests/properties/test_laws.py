@@ -1,7 +1,8 @@
 """Laws that hold for every arm, on random planar and spatial chains."""
 
 import numpy as np
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
@@ -11,7 +12,7 @@ angles = st.floats(-np.pi, np.pi)
 lengths = st.lists(st.floats(0.1, 2.0), min_size=2, max_size=6)
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(lengths, st.data())
 def test_planar_manipulability_does_not_depend_on_the_first_angle(sizes, data):
     """Theorem 4.2 of kth2012."""
@@ -23,7 +24,7 @@ def test_planar_manipulability_does_not_depend_on_the_first_angle(sizes, data):
     np.testing.assert_allclose(kinematics.manipulability(turned), kinematics.manipulability(q), atol=1e-9)
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(lengths, st.floats(0.1, 10.0), st.data())
 def test_planar_manipulability_scales_with_the_square_of_the_lengths(sizes, factor, data):
     arm, larger = mp.planar_arm(sizes), mp.planar_arm(factor * np.array(sizes))
@@ -32,7 +33,7 @@ def test_planar_manipulability_scales_with_the_square_of_the_lengths(sizes, fact
     np.testing.assert_allclose(larger.kinematics().manipulability(q), expected, rtol=1e-7, atol=1e-9)
 
 
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(lengths, st.data())
 def test_manipulability_is_the_product_of_the_singular_values(sizes, data):
     arm = mp.planar_arm(sizes)
@@ -41,7 +42,7 @@ def test_manipulability_is_the_product_of_the_singular_values(sizes, data):
     np.testing.assert_allclose(arm.kinematics().manipulability(q), singular.prod(), rtol=1e-9, atol=1e-12)
 
 
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(st.integers(0, 2**32 - 1), st.integers(1, 6), st.floats(1e-3, 30.0))
 def test_retimed_motion_never_exceeds_a_limit(seed, degree, size):
     """Random paths from tiny to huge, with corners, on an arm with random limits."""

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pinocchio as pin
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 
 from manipplan import planar
@@ -24,7 +25,7 @@ def jacobian(arm, q):
     return pin.computeFrameJacobian(robot.model, robot.model.createData(), q, frame, pin.LOCAL_WORLD_ALIGNED)[:2]
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(postures())
 def test_measures_are_those_of_the_singular_values(case):
     arm, q = case
@@ -39,7 +40,7 @@ def test_measures_are_those_of_the_singular_values(case):
     np.testing.assert_allclose(shape.radii, sigma, atol=1e-12 * size)
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(postures())
 def test_derivatives_are_those_of_differences(case):
     """Central differences of det(J Jᵀ) of Pinocchio's J, and of our gradient."""
@@ -59,7 +60,7 @@ def test_derivatives_are_those_of_differences(case):
     np.testing.assert_allclose(hessian, hessian.T, atol=1e-12 * size)
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(postures(), angles)
 def test_nothing_depends_on_the_first_angle(case, turn):
     """Theorems 4.1, 4.2 and 4.4 of kth2012."""
@@ -73,7 +74,7 @@ def test_nothing_depends_on_the_first_angle(case, turn):
     assert np.abs(arm.radius(turned) - arm.radius(q)) < 1e-12 * arm.lengths.sum()
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(postures(st.lists(st.floats(0.05, 3.0), min_size=2, max_size=6)))
 def test_series_are_the_functions(case):
     arm, q = case
@@ -83,7 +84,7 @@ def test_series_are_the_functions(case):
     np.testing.assert_allclose(planar.squared_radius_series(arm)(q[1:]), arm.radius(q) ** 2, atol=1e-12 * size**2)
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(postures())
 def test_no_arm_passes_the_bound_of_its_length(case):
     arm, q = case
@@ -91,7 +92,7 @@ def test_no_arm_passes_the_bound_of_its_length(case):
     assert planar.manipulability(arm, q) <= bound * (1 + 1e-12)
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(postures(st.lists(st.floats(0.05, 3.0), min_size=3, max_size=3)))
 def test_inverse_of_forward(case):
     arm, q = case
@@ -106,7 +107,7 @@ def test_inverse_of_forward(case):
     assert ring.inner - 1e-12 * size <= arm.radius(q) <= ring.outer + 1e-12 * size
 
 
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(st.lists(st.floats(0.1, 2.0), min_size=3, max_size=3), st.floats(0.0, 1.0), st.integers(0, 2**31))
 def test_optimum_at_a_radius_is_above_every_posture_there(sizes, share, seed):
     arm = planar.PlanarArm(sizes)

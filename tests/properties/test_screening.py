@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
@@ -69,6 +70,7 @@ def assert_screening_is_right(model, q, clearance):
     return suspects, hit
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arm", [*ARMS, *(pytest.param(name, marks=pytest.mark.long) for name in MORE_ARMS)], indirect=True)
 @pytest.mark.parametrize("clearance", [0.0, 0.04])
 def test_an_arm_among_obstacles_of_every_shape(arm, wedge, rng, clearance):
@@ -88,7 +90,7 @@ def test_an_arm_among_obstacles_of_every_shape(arm, wedge, rng, clearance):
 angle = st.floats(-np.pi, np.pi)
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(
     shape=st.sampled_from(SHAPES),
     place=st.tuples(*[st.floats(-1.0, 1.0)] * 3),

@@ -5,7 +5,8 @@ from itertools import pairwise
 import layered
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 
 from manipplan.search import max_min, sweep
@@ -157,7 +158,7 @@ def test_anytime_results_close_in_on_the_optimum(closed, forced):
     assert steps > 0 or not forced
 
 
-@settings(max_examples=30, deadline=None)
+@examples(30)
 @given(st.integers(0, 2**32 - 1))
 def test_threads_do_not_change_the_optimum(seed):
     rng = np.random.default_rng(seed)
@@ -169,7 +170,7 @@ def test_threads_do_not_change_the_optimum(seed):
     np.testing.assert_array_equal(one.indices, two.indices)
 
 
-@settings(max_examples=50, deadline=None)
+@examples(50)
 @given(st.integers(0, 2**32 - 1), st.booleans())
 def test_a_higher_epsilon_never_makes_it_worse_and_a_scaled_index_scales_it(seed, closed):
     rng = np.random.default_rng(seed)
@@ -181,7 +182,7 @@ def test_a_higher_epsilon_never_makes_it_worse_and_a_scaled_index_scales_it(seed
     assert max_min_search(scaled, epsilon, prefer="first", throw=False).minimum == 4 * before.minimum
 
 
-@settings(max_examples=30, deadline=None)
+@examples(30)
 @given(st.integers(0, 2**32 - 1), st.integers(1, 5))
 def test_a_cycle_does_not_depend_on_where_it_begins(seed, shift):
     rng = np.random.default_rng(seed)

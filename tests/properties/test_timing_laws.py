@@ -1,7 +1,8 @@
 """Laws of timing: verified limits, scaling of time, reversal, and no limit that makes a motion faster by being tighter."""
 
 import numpy as np
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
@@ -34,7 +35,7 @@ def worst(trajectory, limits):
     return max((np.abs(inside) / limits.velocity).max(), np.abs(acceleration).max(), jerk.max())
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(seeds, st.booleans(), st.floats(-4, 3))
 def test_limits_hold_from_tiny_to_huge_paths(seed, jerk, magnitude):
     path, limits = random_problem(seed, jerk=jerk, size=10**magnitude)
@@ -46,7 +47,7 @@ def test_limits_hold_from_tiny_to_huge_paths(seed, jerk, magnitude):
     np.testing.assert_array_equal(trajectory.qd[[0, -1]], 0)
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(seeds, st.booleans(), st.floats(0.2, 20.0))
 def test_time_scales_with_limits(seed, jerk, factor):
     """Velocities k, accelerations k² and jerks k³ times as large: the same motion in 1/k of the time."""
@@ -58,7 +59,7 @@ def test_time_scales_with_limits(seed, jerk, factor):
     np.testing.assert_allclose(ratio, factor, rtol=5e-3)
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(seeds, st.booleans())
 def test_the_way_back_takes_as_long(seed, jerk):
     path, limits = random_problem(seed, jerk=jerk)
@@ -67,7 +68,7 @@ def test_the_way_back_takes_as_long(seed, jerk):
     np.testing.assert_allclose(ratio, 1, rtol=1e-2)
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(seeds, st.booleans(), st.sampled_from(["velocity", "acceleration", "jerk"]), st.floats(0.1, 0.9))
 def test_tighter_limits_never_make_it_faster(seed, jerk, kind, share):
     path, limits = random_problem(seed, jerk=jerk)
@@ -75,7 +76,7 @@ def test_tighter_limits_never_make_it_faster(seed, jerk, kind, share):
     assert mp.retime(path, ARM, limits=tighter).duration >= 0.99 * mp.retime(path, ARM, limits=limits).duration
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(seeds, st.floats(0.05, 0.5), st.floats(0.1, 0.5), st.floats(0.1, 1.0))
 def test_a_segment_takes_between_the_whole_at_both_limits(seed, begin, width, share):
     path, limits = random_problem(seed, jerk=False)

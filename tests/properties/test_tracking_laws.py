@@ -4,7 +4,8 @@ import casadi as ca
 import numpy as np
 import pytest
 from chains import chain, kinds, seeds
-from hypothesis import example, given, settings
+from examples import examples
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 import manipplan as mp
@@ -106,7 +107,7 @@ def assert_limits_hold(limits, q, v, dt):
     assert (np.abs(np.diff(v, axis=0)) <= limits.acceleration * dt + 1e-12 * scale + rounding).all()
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(seeds, st.floats(1e-3, 0.05), st.sampled_from(sorted(CHOICES)))
 def test_from_a_viable_state_no_choice_within_the_bounds_exceeds_a_limit(seed, dt, choice):
     rng = np.random.default_rng(seed)
@@ -116,7 +117,7 @@ def test_from_a_viable_state_no_choice_within_the_bounds_exceeds_a_limit(seed, d
     assert_limits_hold(limits, path, speed, dt)
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(seeds, st.floats(1e-3, 0.05), st.sampled_from(sorted(CHOICES)))
 def test_from_rest_no_choice_within_the_bounds_exceeds_a_jerk_limit(seed, dt, choice):
     rng = np.random.default_rng(seed)
@@ -141,7 +142,7 @@ def conditioned(robot, q):
     return np.linalg.svd(robot.kinematics().jacobian(q))[1][-1]
 
 
-@settings(max_examples=10, deadline=None)
+@examples(10)
 @given(seeds, kinds(6, 8))
 def test_a_stiff_tracker_without_drive_is_the_pseudo_inverse(seed, prismatic):
     """(3) with Q_δ → ∞ is (2), on random arms."""
@@ -230,7 +231,7 @@ def test_the_velocity_of_log_drive_does_not_depend_on_the_unit_of_its_measure(pl
 NUMBERS = st.sampled_from([0.0, 1.0, -1.0, 1e-300, 1e6, -1e12, np.inf, np.nan]) | st.floats(-1e3, 1e3)
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(
     target=st.lists(NUMBERS, min_size=16, max_size=16),
     stiffness=NUMBERS | st.floats(1e-3, 1e9),

@@ -15,7 +15,8 @@ import numpy as np
 import pinocchio as pin
 import pytest
 from chains import chain, seeds
-from hypothesis import HealthCheck, Phase, given, settings
+from examples import examples
+from hypothesis import HealthCheck, Phase, given
 from hypothesis import strategies as st
 
 import manipplan as mp
@@ -92,6 +93,7 @@ def stored(folder):
     return json.loads((folder / "plan.json").read_text())
 
 
+@pytest.mark.slow
 def test_a_real_plan_comes_back(demo_plan, tmp_path):
     demo_plan.save(tmp_path / "first")
     again = mp.Plan.load(tmp_path / "first")
@@ -113,7 +115,8 @@ def test_the_loaded_robot_moves_and_collides_as_the_first(demo_plan, tmp_path, r
         )
 
 
-@settings(max_examples=12, deadline=None, phases=[Phase.generate], suppress_health_check=[HealthCheck.function_scoped_fixture])
+@pytest.mark.slow
+@examples(12, phases=[Phase.generate], suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     lengths=st.lists(st.floats(0.2, 2.0), min_size=2, max_size=4),
     power=st.floats(0.3, 3.0),
@@ -160,6 +163,7 @@ def test_a_followed_path_comes_back(planar, small_plan, tmp_path):
         np.testing.assert_array_equal(workspace(0.37), again.workspace_path(0.37))
 
 
+@pytest.mark.slow
 def test_an_improved_recording_comes_back(planar, tmp_path):
     """Its files are the same again, the picture with its names among them, though how it was tracked is not kept."""
     slow = mp.retime(mp.JointPath.line([0.3, 0.5, 0.6], [0.8, 0.4, 0.8]), planar).slower(4.0)
@@ -225,7 +229,7 @@ def test_a_robot_file_that_is_gone_or_changed(two_link_urdf, tmp_path, caplog):
 
 
 @given(seeds, st.lists(st.booleans(), min_size=2, max_size=6))
-@settings(max_examples=30, deadline=None)
+@examples(30)
 def test_the_fingerprint_is_the_product_of_exponentials(seed, prismatic):
     """The tool's pose at any q comes from the screws alone, as Pinocchio has it."""
     arm = chain(seed, prismatic)

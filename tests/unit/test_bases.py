@@ -159,6 +159,7 @@ def test_bases_of_one_piece_have_one_optimum_on_the_panda(panda):
     np.testing.assert_allclose([each.g for each in results], results[0].g, rtol=1e-8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "degree", "limit"), [("bspline", 3, 1e-5), ("bspline", 5, 1e-7), ("composite", 3, 1e-6)])
 def test_more_pieces_come_to_the_optimum_of_high_degree(planar, name, degree, limit):
     best = mp.optimize_path(planar, START, GOAL, shape=mp.PathShape(degree=20), objective=mp.PathObjective(power=2)).g
@@ -239,6 +240,7 @@ def slalom(tmp_path_factory):
     return mp.Robot.from_urdf(file), mp.Scene(walls), mp.JointPath.through(corners)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "degree", "pieces"), [("bspline", 3, 8), ("bspline", 4, 12), ("composite", 3, 8)])
 def test_a_spline_follows_many_corners(slalom, name, degree, pieces):
     """The index of a gantry is constant, so g is the length; the shortest way, by the corners of the walls, is 4.14 m."""

@@ -98,6 +98,7 @@ def test_without_compiler_by_numba(quantity, no_compiler, monkeypatch, rng):
         getattr(kinematics, quantity)(q)
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 @pytest.mark.parametrize("measure", mp.available_measures())
 def test_every_measure_runs_in_a_kernel(measure, panda, rng):

@@ -123,6 +123,7 @@ def seam(six_file, tmp_path_factory):
     return str(file)
 
 
+@pytest.mark.slow
 def test_improve_writes_all_files(six_file, tmp_path, capsys):
     start, goal = ["0.2", "0.5", "1.0", "0.3", "0.6", "0.1"], ["0.9", "0.7", "0.6", "0.1", "0.8", "0.4"]
     assert main(plan_arguments(six_file, tmp_path / "plan", start=start, goal=goal)) == 0
@@ -144,6 +145,7 @@ def follow_arguments(six_file, seam, folder, **changes):
     return ["follow", six_file, seam, *[word for key, values in options.items() for word in (f"--{key}", *values)]]
 
 
+@pytest.mark.slow
 def test_follow_writes_all_files(six_file, seam, tmp_path, capsys):
     assert main(follow_arguments(six_file, seam, tmp_path / "out")) == 0
     shown = capsys.readouterr()
@@ -235,6 +237,7 @@ def test_poses_that_cannot_be_read_or_reached(six_file, tmp_path, capsys, text, 
     assert "existing file" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("step", "file"),
     [

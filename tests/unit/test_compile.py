@@ -254,6 +254,7 @@ def in_another_process():
     return run.stdout.strip()
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 @pytest.mark.parametrize("content", ["garbage", "an empty file", "the library of another function"])
 def test_a_library_that_cannot_be_loaded_is_built_again(folder, content):

@@ -106,6 +106,7 @@ def test_a_path_that_keeps_more_than_the_clearance_is_not_optimal(around_a_post)
     assert measured.complementarity > 1e-5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("options", [{}, {"degree": 9}, {"degree": 3, "basis": "bspline", "pieces": 8}])
 def test_optimising_the_result_again_lowers_g_by_nothing(panda, options):
     scene, shape = mp.Scene([POST]), mp.PathShape(**options)
@@ -115,6 +116,7 @@ def test_optimising_the_result_again_lowers_g_by_nothing(panda, options):
     assert again.g == pytest.approx(first.g, rel=5e-4)
 
 
+@pytest.mark.slow
 def test_a_higher_degree_and_a_spline_are_never_worse(panda):
     scene = mp.Scene([POST])
     costs = [
@@ -163,6 +165,7 @@ def test_a_start_that_has_hardly_more_than_the_clearance(panda, room):
     assert result.certificate.proven_clearance >= clearance
 
 
+@pytest.mark.slow
 def test_plan_tries_other_shapes_where_no_descent_gave_a_free_path(panda, monkeypatch):
     """The path of low energy that is left counts as a path, but not as the result when another degree has a lower g."""
     descend = LocalSearch._descend
@@ -249,6 +252,7 @@ TABLE_START = [2.1996, -0.6845, -1.9758, -2.0232, -0.7507, 1.1674, 0.9608]
 TABLE_GOAL = [0.4721, -0.1534, 0.0011, -2.5304, 2.6415, 2.0647, 0.0184]
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 @pytest.mark.parametrize(
     ("scene", "start", "goal"),

@@ -6,7 +6,8 @@ import casadi as ca
 import coal
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from examples import examples
+from hypothesis import example, given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
@@ -293,7 +294,7 @@ def test_parallel_bodies_meet_in_the_middle(noise):
 
 
 @PAIRS
-@settings(max_examples=80, deadline=None)
+@examples(80)
 @given(
     points=st.lists(
         st.sampled_from([0.0, 1.0, -1.0, 0.3, 0.45, 1e-9, 1e-150, -5e-324]) | st.floats(-1e6, 1e6), min_size=12, max_size=12

@@ -139,6 +139,7 @@ def test_a_seam_on_a_cylinder_with_a_turning_torch(panda, start):
     assert np.abs(np.linalg.norm(spoke[:, :2], axis=1) - 0.1).max() < BETWEEN[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("n", [3, 8])
 def test_a_tolerance_is_used_and_kept(panda, start, line, n):
     """Also where few positions leave a spline that would leave the tube between them."""
@@ -199,6 +200,7 @@ def test_a_tool_that_only_turns(panda, start):
     assert angles(poses[-1:, :3, :3], end[:3, :3]).max() < BETWEEN[1]
 
 
+@pytest.mark.slow
 def test_the_measure_of_the_objective_is_what_counts(panda, start, line):
     """Its minimum is the largest among the samples and is raised further, by singular values of Pinocchio's Jacobians alone."""
 

@@ -56,6 +56,7 @@ def test_a_recording_that_is_too_fast_is_slowed_down(panda, recording):
     assert plan.trajectory.duration > 0.4 and plan.report.passed
 
 
+@pytest.mark.slow
 def test_a_motion_into_an_obstacle_fails_its_check(panda, recording):
     end = panda.kinematics().pose(recording.q[-1])[:3, 3]
     scene = mp.Scene([mp.Sphere(radius=0.1, position=end, name="ball")])

@@ -289,6 +289,7 @@ def test_joint_limits_hold_on_the_whole_curve(planar):
     assert free.g < held.g < held.seed_cost.g
 
 
+@pytest.mark.slow
 def test_shifted_goals_find_a_better_turn(planar):
     """The first path of section 6.2 is much better with a goal 2π away (ERRATA)."""
     start, goal, *_ = THESIS["6.10"]
@@ -327,6 +328,7 @@ def around_a_post(planar):
     return bounded, options, mp.optimize_path(bounded, [0, 1.5, -2], [np.pi, -2, 2], **options)
 
 
+@pytest.mark.slow
 def test_shifted_goals_and_several_classes_among_obstacles(around_a_post):
     robot, options, best = around_a_post
     every = (best, *best.rivals)
@@ -342,6 +344,7 @@ def test_shifted_goals_and_several_classes_among_obstacles(around_a_post):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", [ThreadPoolExecutor, ProcessPoolExecutor])
 def test_an_executor_changes_nothing(around_a_post, kind):
     robot, options, best = around_a_post
@@ -640,6 +643,7 @@ def test_where_the_straight_line_is_best_it_is_optimal(planar):
         assert result.g == pytest.approx(np.linalg.norm(np.subtract(goal, [0.0, 1.5, -2.0])), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_the_unconstrained_optimum_is_never_above_the_path(planar):
     """The path crosses a singularity, which a power below 1 forgives; the least energy nearby lies elsewhere."""
     arm = mp.planar_arm([1.0, 1.0])

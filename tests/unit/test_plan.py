@@ -134,6 +134,7 @@ def test_the_measure_and_metric_that_counted_are_reported(planar):
     )
 
 
+@pytest.mark.slow
 def test_several_first_paths_and_shifted_goals(planar):
     start, goal = [0, -3.0, -2.0], [np.pi, 0.1, 1.4]
     one = mp.plan(planar, start, goal, objective=mp.PathObjective(power=2.0))

@@ -134,6 +134,7 @@ def test_the_boundary_parts_what_is_reached_from_what_is_not(lengths, lower, upp
     assert changes > 5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("lengths", "lower", "upper"), LIMITED)
 def test_orientations_under_limits_by_scanning(lengths, lower, upper, rng):
     arm = planar.PlanarArm(lengths)

@@ -449,11 +449,13 @@ def test_a_film_that_is_interrupted_leaves_what_was_there(planar_plan, tmp_path)
     assert list(tmp_path.iterdir()) == [file]
 
 
+@pytest.mark.slow
 def test_the_demo_in_motion_is_a_small_gif(demo_plan, tmp_path):
     viz.animate(demo_plan, tmp_path / "demo.gif", fps=6)
     assert (tmp_path / "demo.gif").stat().st_size < 500_000
 
 
+@pytest.mark.slow
 def test_an_mp4_has_as_many_frames_in_as_much_time(planar_plan, tmp_path):
     assert shutil.which("ffprobe"), (
         "ffprobe was not found; install it with: sudo apt-get install ffmpeg   (as root: make ffmpeg)"

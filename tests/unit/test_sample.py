@@ -182,12 +182,14 @@ def test_another_measure_is_the_candidates_index(six):
 # ---- who does the work
 
 
+@pytest.mark.slow
 def test_a_pool_of_processes_gives_the_assert_same_layers(six):
     with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as pool:
         elsewhere = six_layers(six, executor=pool)
     assert_same_layers(six_layers(six), elsewhere)
 
 
+@pytest.mark.slow
 def test_a_dask_cluster_gives_the_assert_same_layers(six):
     import distributed
 

@@ -174,6 +174,7 @@ def test_what_touches_at_the_start_is_pushed_out(panda):
     assert motion["clearance"][0] < 0 < motion["clearance"][-1]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(find_compiler() is None, reason="needs a C compiler")
 @pytest.mark.parametrize("formulation", [mp.formulations.LogDrive(), mp.formulations.Objective(15e3, hessian="bfgs")], ids=str)
 def test_exported_c_is_the_same_controller(panda, formulation, tmp_path):
@@ -268,6 +269,7 @@ def test_poses_from_a_file(tmp_path):
             mp.CartesianPath.from_csv(file)
 
 
+@pytest.mark.slow
 def test_random_steps_find_no_failure(tmp_path, monkeypatch):
     """The benchmark of a million steps, with few."""
     monkeypatch.syspath_prepend(str(Path(__file__).parents[2] / "benchmarks"))

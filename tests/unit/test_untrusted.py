@@ -148,6 +148,7 @@ def test_the_trap_works(tmp_path):
     assert mark.exists()
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 @pytest.mark.parametrize("make", [urdf, mjcf])
 def test_compiled_code_is_that_of_a_harmless_name(make, tmp_path, compiled_sources):
@@ -167,6 +168,7 @@ def test_compiled_code_is_that_of_a_harmless_name(make, tmp_path, compiled_sourc
         assert not mark.exists(), kind
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("make", [urdf, mjcf])
 def test_exported_c_is_that_of_a_harmless_name(make, tmp_path):
     def exported(name, folder):

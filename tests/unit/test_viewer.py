@@ -277,6 +277,7 @@ def project(camera, page, point):
     ] / view[2]
 
 
+@pytest.mark.slow
 def test_the_arm_follows_among_obstacles_with_a_prismatic_joint():
     robot = mp.load_robot("tiago")
     assert "prismatic" in robot.joint_types
