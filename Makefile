@@ -12,7 +12,7 @@ demo: $(READY)
 test: $(READY) ffmpeg
 	$(BIN)/python -m pytest
 
-# Adds the pages, the studies, the benchmarks and what needs a browser.
+# Adds the slow tests, all examples of the laws, the pages, the studies, the benchmarks and what needs a browser.
 test-all: $(READY) browser ffmpeg
 	$(BIN)/python -m pytest -m "not long and not site"
 

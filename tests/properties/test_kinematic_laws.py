@@ -132,6 +132,7 @@ def test_backends_agree(seed, prismatic, data):
     np.testing.assert_allclose(left.pose(q), right.pose(q), atol=1e-12)
 
 
+@pytest.mark.slow
 @examples(5)
 @given(seeds, kinds(6), st.data())
 def test_batch_equals_single_in_machine_code(seed, prismatic, data):

@@ -90,6 +90,7 @@ def test_an_arm_among_obstacles_of_every_shape(arm, wedge, rng, clearance):
 angle = st.floats(-np.pi, np.pi)
 
 
+@pytest.mark.slow
 @examples(60)
 @given(
     shape=st.sampled_from(SHAPES),

@@ -103,6 +103,7 @@ def test_a_real_plan_comes_back(demo_plan, tmp_path):
         assert file.read_bytes() == (tmp_path / "second" / file.name).read_bytes(), file.name
 
 
+@pytest.mark.slow
 def test_the_loaded_robot_moves_and_collides_as_the_first(demo_plan, tmp_path, rng):
     demo_plan.save(tmp_path)
     again = mp.Plan.load(tmp_path / "plan.json")
@@ -147,6 +148,7 @@ def test_every_number_survives(tmp_path, lengths, power, measure, size, turn, we
     assert_same(plan, mp.Plan.load(tmp_path))
 
 
+@pytest.mark.slow
 def test_a_followed_path_comes_back(planar, small_plan, tmp_path):
     poses = planar.kinematics(mp.Task.planar(), compiled=False).pose(small_plan.path(np.linspace(0, 1, 4)))
     for workspace in (mp.CartesianPath.through(list(poses)), mp.CartesianPath.line(poses[0], poses[-1])):
@@ -181,6 +183,7 @@ def test_an_improved_recording_comes_back(planar, tmp_path):
             assert file.read_bytes() == (tmp_path / name / file.name).read_bytes(), file.name
 
 
+@pytest.mark.slow
 def test_a_robot_file_moves_with_the_result(two_link_urdf, tmp_path):
     """Saved beside its URDF, both moved: the URDF is found from the result."""
     (tmp_path / "cell").mkdir()
@@ -196,6 +199,7 @@ def test_a_robot_file_moves_with_the_result(two_link_urdf, tmp_path):
     assert again.robot.locked == arm.locked
 
 
+@pytest.mark.slow
 def test_a_robot_file_that_is_gone_or_changed(two_link_urdf, tmp_path, caplog):
     urdf = Path(shutil.copy(two_link_urdf(), tmp_path / "arm.urdf"))
     arm = mp.Robot.from_urdf(urdf, tool="tip")
@@ -281,6 +285,7 @@ class Doubled(mp.Measure):
         return 2 * mp.Yoshikawa().value(posture)
 
 
+@pytest.mark.slow
 def test_what_cannot_be_written_is_told_and_can_be_given(planar, small_plan, tmp_path, caplog):
     path = small_plan.path
     own = made_plan(planar, path, measure=Doubled())
@@ -310,6 +315,7 @@ def test_what_cannot_be_written_is_told_and_can_be_given(planar, small_plan, tmp
         mp.Plan.load(tmp_path / "cone")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("change", "message"),
     [
@@ -336,6 +342,7 @@ def test_a_broken_file_is_told(small_plan, tmp_path, change, message):
         mp.Plan.load(tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("change", "message"),
     [
@@ -391,6 +398,7 @@ def test_wrong_places_are_told(small_plan, tmp_path):
             mp.Plan.load(tmp_path, **wrong)
 
 
+@pytest.mark.slow
 def test_the_catalogue_that_is_not_installed(demo_plan, tmp_path, monkeypatch):
     demo_plan.save(tmp_path)
     monkeypatch.setitem(sys.modules, "example_robot_data.robots_loader", None)
@@ -398,11 +406,13 @@ def test_the_catalogue_that_is_not_installed(demo_plan, tmp_path, monkeypatch):
         mp.Plan.load(tmp_path)
 
 
+@pytest.mark.slow
 def test_no_path_of_this_machine_for_a_robot_of_the_catalogue(demo_plan, tmp_path):
     demo_plan.save(tmp_path)
     assert "/" not in json.dumps(stored(tmp_path)["robot"]["source"])
 
 
+@pytest.mark.slow
 def test_a_killed_save_leaves_the_old_file_whole(small_plan, tmp_path):
     """Killed again and again while it writes, at other times each: what is there can be read."""
     small_plan.save(tmp_path)
@@ -428,6 +438,7 @@ def test_a_killed_save_leaves_the_old_file_whole(small_plan, tmp_path):
         assert_same(small_plan, mp.Plan.load(tmp_path))
 
 
+@pytest.mark.slow
 def test_an_mjcf_with_a_floor_is_drawn_and_comes_back(tmp_path, caplog):
     """The floor belongs to the description, has no end, and no hull that could be drawn."""
     (tmp_path / "arm.xml").write_text("""<mujoco><worldbody><geom name="floor" type="plane" size="1 1 0.1" pos="0 0 -1"/>

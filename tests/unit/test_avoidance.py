@@ -84,6 +84,7 @@ def advanced(pose, velocity, time):
     return pin.SE3(pin.exp3(time * velocity[3:]) @ pose.rotation, pose.translation + time * velocity[:3])
 
 
+@pytest.mark.slow
 def test_rows_hold_the_rates_of_the_distances(panda, rng):
     """A q̇ - b is ḋ and the damper, by finite differences of coal's distances: resting, moving, and the arm's own links."""
     robot = panda
@@ -215,6 +216,7 @@ def test_an_obstacle_in_contact_at_the_start_is_pushed_out_and_reported(arm):
     assert (np.diff(run["clearance"][:10]) > -1e-9).all()
 
 
+@pytest.mark.slow
 def test_the_arm_keeps_away_from_itself(panda):
     """The Panda's hand is asked to go into its own link."""
     robot = panda

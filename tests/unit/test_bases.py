@@ -137,6 +137,7 @@ def test_degree_one_of_one_piece_is_the_straight_line(planar, name):
     np.testing.assert_allclose(result.path.control, [[START, GOAL]], atol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("power", [1, 2])
 def test_bases_of_one_piece_have_one_optimum(planar, power):
     costs = [
@@ -152,6 +153,7 @@ def test_bases_of_one_piece_have_one_optimum(planar, power):
     )
 
 
+@pytest.mark.slow
 def test_bases_of_one_piece_have_one_optimum_on_the_panda(panda):
     start, goal = np.array([0, -0.3, 0, -2.2, 0, 2, np.pi / 4]), np.array([1.2, 0.5, -0.4, -1.2, 0.6, 2.6, -0.5])
     results = [mp.optimize_path(panda, start, goal, shape=mp.PathShape(degree=5, basis=name)) for name in ONE_PIECE]
@@ -180,6 +182,7 @@ def test_more_pieces_come_to_the_optimum_of_high_degree(planar, name, degree, li
     assert abs(excess[2]) < limit
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "degree", "pieces"), [*((name, 6, 1) for name in ONE_PIECE), ("bspline", 3, 8), ("composite", 4, 4)]
 )
@@ -198,6 +201,7 @@ def test_joint_limits_hold_on_the_whole_curve(planar, name, degree, pieces):
     assert free.g < held.g < held.seed_cost.g
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "degree", "pieces"), [("chebyshev", 7, 1), ("monomial", 7, 1), ("bspline", 4, 6), ("composite", 5, 3)]
 )

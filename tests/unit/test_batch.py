@@ -83,6 +83,7 @@ def test_index_to_ten_digits_against_pinocchio(panda, rng):
     np.testing.assert_allclose(kinematics.manipulability(q), oracle, rtol=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("quantity", ["pose", "manipulability", "gradient"])
 def test_without_compiler_by_numba(quantity, no_compiler, monkeypatch, rng):
     monkeypatch.setattr(module, "MANY", 100)

@@ -30,6 +30,7 @@ def stopping_distance(velocity, change, dt):
     return way
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dt", [1e-3, 0.01, 0.05])
 @pytest.mark.parametrize("acceleration", [0.3, 10.0])
 def test_fastest_velocity_equals_a_search_of_the_stopping_distance(acceleration, dt, rng):

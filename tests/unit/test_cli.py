@@ -38,6 +38,7 @@ def plan_arguments(arm_file, folder, **changes):
     return ["plan", arm_file, *[word for key, values in options.items() for word in (f"--{key}", *values)]]
 
 
+@pytest.mark.slow
 def test_a_singular_plan_is_written_and_told_by_its_exit_code(arm_file, tmp_path, capsys):
     """Three rows of position for an arm that stays in a plane: the index is zero everywhere."""
     assert main(plan_arguments(arm_file, tmp_path / "out", acceleration=["9"])) == 3
@@ -215,6 +216,7 @@ def test_a_study_outside_its_sources_tells_where_they_are(tmp_path):
     assert "in a clone of the repository" in done.stderr and "Traceback" not in done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "message"),
     [

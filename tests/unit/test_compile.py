@@ -91,6 +91,7 @@ def test_a_damaged_entry_is_built_again(folder, damage):
     assert {each.name for each in folder.iterdir()} == {file.name, file.with_suffix(".sha256").name}
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 def test_several_processes_build_at_once(folder):
     running = [subprocess.Popen([sys.executable, "-c", BUILD], stdout=subprocess.PIPE, text=True) for _ in range(4)]

@@ -47,6 +47,7 @@ def differences(f, z, step):
     return np.array(rows)
 
 
+@pytest.mark.slow
 def test_derivatives_of_g_are_exact(around_a_post):
     _, true, z = around_a_post
     gradient = true.length.gradient(z).ravel()
@@ -55,6 +56,7 @@ def test_derivatives_of_g_are_exact(around_a_post):
     np.testing.assert_allclose(true.length.hessian(z), hessian, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_rows_have_value_gradient_and_curvature_of_the_least_distance(around_a_post):
     """Also as the place of least distance moves along the path."""
     _, true, z = around_a_post
@@ -131,6 +133,7 @@ def test_a_higher_degree_and_a_spline_are_never_worse(panda):
     assert spline.g <= costs[0] * (1 + 1e-3)
 
 
+@pytest.mark.slow
 def test_what_was_cut_off_is_not_called_optimal(panda, monkeypatch):
     monkeypatch.setattr(descent, "STEPS", 3)
     result = mp.optimize_path(panda, START, GOAL, scene=mp.Scene([POST]), clearance=CLEARANCE)
@@ -155,6 +158,7 @@ def test_without_multipliers_a_path_is_not_called_optimal(around_a_post, monkeyp
     assert not measure_optimality(true, z).reached
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("room", [3e-3, 1e-4, 2e-5])
 def test_a_start_that_has_hardly_more_than_the_clearance(panda, room):
     """The margins of the descents are no wider than the distance that the start has to spare."""
@@ -183,6 +187,7 @@ def test_plan_tries_other_shapes_where_no_descent_gave_a_free_path(panda, monkey
     assert plan.result.g < alone.g
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("clearance", [0.0, 0.002, 0.03])
 def test_other_clearances_are_kept_exactly_too(panda, clearance):
     result = mp.optimize_path(panda, START, GOAL, scene=mp.Scene([POST]), clearance=clearance)

@@ -82,6 +82,7 @@ class Page(HTMLParser):
             self.picture = base64.b64decode(dict(attributes)["src"].removeprefix("data:image/png;base64,"))
 
 
+@pytest.mark.slow
 def test_notebooks_show_pictures(planar, panda):
     scene = mp.Scene([mp.Box(size=(0.1, 0.1, 0.6), position=(0.45, 0.0, 0.3), name="post"), mp.Plane(name="floor")])
     plan = mp.plan(planar, [0.0, 1.5, -2.0], [1.0, 1.0, -1.0])

@@ -145,6 +145,7 @@ def assert_consistent(found):
     np.testing.assert_allclose(mine - other, distance[:, None] * normal, rtol=1e-12, atol=1e-11)
 
 
+@pytest.mark.slow
 @PAIRS
 def test_equals_coal(first, second, rng):
     """Separated, overlapping, and with the axis of one inside the other: coal, too, is exact to 1e-14 for these."""

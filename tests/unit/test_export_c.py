@@ -63,6 +63,7 @@ BUILDS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("by", BUILDS)
 def test_the_example_program_prints_what_python_computes(panda, tmp_path, by):
     """The Panda within a tube, at work on its limits of jerk."""
@@ -136,6 +137,7 @@ CASES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_the_exported_controller_is_python_s_step_by_step(arm, tmp_path, case):
     formulation, options = CASES[case]

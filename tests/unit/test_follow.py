@@ -86,6 +86,7 @@ def assert_along_line(poses, begin, end, position, rotation):
 # ---- what is followed
 
 
+@pytest.mark.slow
 def test_a_line(panda, start, line):
     told = []
     plan = mp.follow(panda, line, positions=8, **FEW, progress=lambda share, text: told.append((share, text)))
@@ -100,6 +101,7 @@ def test_a_line(panda, start, line):
     np.testing.assert_allclose(plan.path(0.0), plan.refinement.q[0], atol=1e-12)
 
 
+@pytest.mark.slow
 def test_a_circle_ends_as_it_began(panda, start):
     centre = moved(start, [0, 0, -0.1])[:3, 3]
     plan = mp.follow(panda, CartesianPath.circle(start, centre, [1, 0, 0]), positions=10, closed=True, **FEW)
@@ -114,6 +116,7 @@ def test_a_circle_ends_as_it_began(panda, start):
     assert angles(poses[:, :3, :3], start[:3, :3]).max() < BETWEEN[1]
 
 
+@pytest.mark.slow
 def test_a_seam_whose_torch_may_turn(panda, start, line):
     plan = mp.follow(
         panda, line, positions=6, samples=(16, 10), epsilon=0.7, objective=mp.PathObjective(task=mp.Task.pointing())
@@ -127,6 +130,7 @@ def test_a_seam_whose_torch_may_turn(panda, start, line):
     assert angles(poses[:, :3, :3], start[:3, :3]).max() > 0.01
 
 
+@pytest.mark.slow
 def test_a_seam_on_a_cylinder_with_a_turning_torch(panda, start):
     """The path itself turns about the free axis: that part of its rotation neither counts nor misleads."""
     centre = moved(start, [0, 0.1, 0])[:3, 3]
@@ -151,6 +155,7 @@ def test_a_tolerance_is_used_and_kept(panda, start, line, n):
     assert plan.refinement.refined > exact.refinement.refined
 
 
+@pytest.mark.slow
 def test_a_tolerance_of_rotation_alone_leaves_the_position_as_it_is(panda, start, line):
     plan = mp.follow(panda, line, positions=4, samples=48, epsilon=1.0, tolerance=mp.Tolerance(rotation=0.05))
     poses = assert_followed(panda, plan)
@@ -158,6 +163,7 @@ def test_a_tolerance_of_rotation_alone_leaves_the_position_as_it_is(panda, start
     assert angles(poses[:, :3, :3], start[:3, :3]).max() > 0.01
 
 
+@pytest.mark.slow
 def test_an_obstacle_beside_the_path_is_missed_by_the_clearance(panda, start, line):
     """A ball where the free plan's elbow passes."""
     free = mp.follow(panda, line, positions=6, **FEW)
@@ -171,6 +177,7 @@ def test_an_obstacle_beside_the_path_is_missed_by_the_clearance(panda, start, li
     assert plan.report.clearance >= 0.02 - 1e-6
 
 
+@pytest.mark.slow
 def test_six_joints_and_torque(ur5):
     begin = ur5.kinematics().pose([0.3, -1.2, 1.4, -1.0, -1.2, 0.4])
     path = CartesianPath.line(begin, moved(begin, [0.05, 0.15, 0.05]))
@@ -180,6 +187,7 @@ def test_six_joints_and_torque(ur5):
     assert 0 < plan.report.limits["torque"].ratio <= 1 + 1e-6
 
 
+@pytest.mark.slow
 def test_two_positions_are_enough_for_a_winding_path(panda, start):
     """Both positions are the same pose: the way between them is made of knots, and it is the whole circle."""
     centre = moved(start, [0, 0, -0.08])[:3, 3]
@@ -191,6 +199,7 @@ def test_two_positions_are_enough_for_a_winding_path(panda, start):
     assert turned[-1] - turned[0] == pytest.approx(2 * np.pi, abs=3e-3)
 
 
+@pytest.mark.slow
 def test_a_tool_that_only_turns(panda, start):
     end = np.array(start)
     end[:3, :3] = start[:3, :3] @ pin.exp3(np.array([0.0, 0.3, 0.6]))
@@ -232,6 +241,7 @@ def test_the_measure_of_the_objective_is_what_counts(panda, start, line):
 # ---- what is not
 
 
+@pytest.mark.slow
 def test_steps_too_small_to_connect(panda, line):
     plan = mp.follow(panda, line, positions=4, samples=8, epsilon=0.01, throw=False)
     assert plan.status is mp.Status.NOT_CONNECTED and not plan.status.has_path
@@ -249,6 +259,7 @@ def test_steps_too_small_to_connect(panda, line):
     assert again.search.connected
 
 
+@pytest.mark.slow
 def test_a_path_out_of_reach_between_its_positions(panda, start):
     """Both ends are reached, the middle a metre further is not: knots cannot mend that, and the check tells."""
     path = CartesianPath.through([start, moved(start, [1.0, 0, 0]), moved(start, [0, 0.1, 0])])
@@ -272,6 +283,7 @@ class OutAndBack(CartesianPath):
         return positions, np.tile(self.pose[:3, :3], (len(s), 1, 1))
 
 
+@pytest.mark.slow
 def test_a_motion_that_would_turn_back_early(panda, start):
     """No position lies at the far end, and each pose of a spline that turns back before it is near the path."""
     tube = mp.Tolerance(position=0.01, rotation=0.1)
@@ -288,6 +300,7 @@ def test_positions_inside_an_obstacle(panda, start, line):
         mp.follow(panda, line, positions=5, scene=scene, **FEW)
 
 
+@pytest.mark.slow
 def test_an_obstacle_between_positions_fails_the_check(panda, start, line):
     """Thin enough to stand between two positions: candidates are free, the motion between them is not."""
     scene = mp.Scene([mp.Sphere(radius=0.01, position=line(0.5)[:3, 3], name="bead")])
@@ -301,6 +314,7 @@ def test_a_path_without_length(panda, start):
         mp.follow(panda, CartesianPath.line(start, start), positions=2, **FEW)
 
 
+@pytest.mark.slow
 def test_limits_that_gravity_exceeds(panda, line):
     weak = panda.with_limits(effort=np.array([87.0, 3.0, 87, 87, 12, 12, 12]))
     plan = mp.follow(weak, line, positions=4, torque=True, throw=False, **FEW)

@@ -38,6 +38,7 @@ def test_mutated_archives(motion, tmp_path, rng, compressed):
     assert refused > 100
 
 
+@pytest.mark.slow
 def test_an_archive_that_unpacks_to_gigabytes(tmp_path):
     file = tmp_path / "motion.npz"
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive, archive.open("t.npy", "w", force_zip64=True) as stream:

@@ -76,6 +76,7 @@ def test_the_state_changes_with_the_closure_alone(made, name):
     assert (after[0] != before[0]) is changed  # a circle: both are made of the same
 
 
+@pytest.mark.slow
 def test_a_copy_of_this_package(tmp_path):
     """The files that kernels really are in: an edit of the viewer keeps their names, one of `steps` changes the search's."""
     copy = tmp_path / "manipplan"

@@ -35,6 +35,7 @@ def test_the_index_rises_and_the_last_pose_is_reached(panda, recording):
     assert all(use.ratio <= 1 + 1e-9 for use in mp.limit_use(plan.trajectory, panda.limits).values())
 
 
+@pytest.mark.slow
 def test_a_demonstration_of_positions_alone_is_read(panda, recording, tmp_path):
     file = tmp_path / "demonstration.csv"
     rows = np.column_stack([recording.t + 7.0, recording.q])  # recorders do not start at zero
@@ -45,6 +46,7 @@ def test_a_demonstration_of_positions_alone_is_read(panda, recording, tmp_path):
     assert len(plan.save(tmp_path / "out")) == 7
 
 
+@pytest.mark.slow
 def test_a_planned_path_is_timed_first(panda):
     path = mp.JointPath.line(panda.neutral, panda.neutral + np.array([0.5, 0.3, 0.0, 0.4, 0.0, 0.2, 0.0]))
     plan = mp.improve(panda, path, formulation=mp.formulations.Equality(5e5))

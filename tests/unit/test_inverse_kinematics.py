@@ -107,6 +107,7 @@ def arm():
     return load
 
 
+@pytest.mark.slow
 def test_which_arms_have_a_closed_form(arm):
     forms = {name: closed_form(arm(name)) for name in mp.available_robots()}
     assert {name: form.name for name, form in forms.items() if form is not None} == CLOSED
@@ -494,6 +495,7 @@ def test_a_robot_is_asked_for():
         mp.inverse_kinematics("panda", np.eye(4))
 
 
+@pytest.mark.slow
 def test_a_cache_folder_that_cannot_be_made(tmp_path):
     """Kernels are compiled all the same, with one warning, and nothing is left beside the sources."""
     (tmp_path / "file").write_text("")
@@ -567,6 +569,7 @@ def test_arms_of_few_joints(kinds, tmp_path, rng):
         assert np.abs(found.q - q).max(axis=1).min() < 1e-8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kinds", ["rprrpr", "rrrrrr"])
 @pytest.mark.parametrize("size", [0.1, 1.0])
 def test_singular_poses_of_arms_without_a_closed_form(kinds, size, tmp_path, rng):

@@ -73,6 +73,7 @@ def choose(name, rows):
     return given[name](direction=direction) if name in given else measure_of(name)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("task", [mp.Task.pose(0.4), mp.Task.position(), mp.Task.pointing()], ids=lambda task: task.name)
 @pytest.mark.parametrize("name", mp.available_measures())
 def test_derivatives_equal_central_differences(panda, name, task):

@@ -79,6 +79,7 @@ def test_states_are_those_pinocchio_reads(name, states):
             assert np.cos(theirs - value) == pytest.approx(1.0, abs=1e-12) if at.nq == 2 else theirs == value
 
 
+@pytest.mark.slow
 def test_a_plan_from_a_named_state(panda, tmp_path, capsys):
     """From the state of the catalogue's SRDF to one of a file, by the command."""
     goal = panda.states["default"] + 0.2

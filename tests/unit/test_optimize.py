@@ -93,6 +93,7 @@ def test_g_is_the_best_of_sixty_random_starts(planar, case):
     ).g < BEST_OF_60[case] * (1 + 1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("power", [0.5, 1, 2])
 def test_higher_degrees_never_have_a_higher_g(planar, power):
     start, goal, *_ = THESIS["6.12"]
@@ -116,6 +117,7 @@ def test_no_small_change_of_the_solution_lowers_g(planar, rng):
             assert mp.path_cost(changed, planar.kinematics(), 2).g > result.g - 1e-9
 
 
+@pytest.mark.slow
 def test_the_descent_lowers_g_among_obstacles_too(planar):
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.0, 0.0), name="post")])
     result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2), scene=post)
@@ -125,6 +127,7 @@ def test_the_descent_lowers_g_among_obstacles_too(planar):
     assert post.collision_model(planar).path_is_free(result.path, 1e-3)
 
 
+@pytest.mark.slow
 def test_a_dip_beside_a_row_gets_a_row_of_its_own(planar):
     """A path that dipped 46 mm into this post right beside a row was solved again and again without another one."""
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
@@ -140,6 +143,7 @@ def test_merged_places_come_closer_when_asked():
     assert clearance.merged(old, [(0.275, 3)], clearance.CLOSE) == [*old, (0.275, 3)]
 
 
+@pytest.mark.slow
 def test_only_the_nearest_places_get_rows(demo_problem):
     """Where there are many, those whose pairs are nearest on the path, in their order."""
     problem = demo_problem
@@ -238,6 +242,7 @@ def test_degree_one_is_the_straight_line(planar, demo_problem):
     assert mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], shape=mp.PathShape(degree=1)).path.degree == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("power", [0.5, 1.0, 2.0])
 @pytest.mark.parametrize("folded", [0.0, np.pi])
 def test_a_path_that_is_singular_all_along_costs_no_time(planar, power, folded):
@@ -264,6 +269,7 @@ def test_an_interior_singularity_is_seen():
         mp.optimize_path(arm, [0.0, -1.0], [0.5, np.sqrt(2.0)])
 
 
+@pytest.mark.slow
 def test_a_full_turn_to_the_same_place_is_a_shift(planar):
     result = mp.optimize_path(
         planar,
@@ -302,6 +308,7 @@ def test_shifted_goals_find_a_better_turn(planar):
     np.testing.assert_allclose(turns, np.round(turns), atol=1e-12)
 
 
+@pytest.mark.slow
 def test_rivals_are_other_paths_best_first(planar):
     start, goal, *_ = THESIS["6.10"]
     best = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2), seeding=mp.Seeding(count=8))
@@ -378,6 +385,7 @@ ENDS = [
 ORDERS = {"start_slope": (0.0, 1), "goal_slope": (1.0, 1), "start_bend": (0.0, 2), "goal_bend": (1.0, 2)}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("conditions", "least"), ENDS)
 def test_end_derivatives_are_met(planar, conditions, least):
     start, goal = [0, 1.5, -2], [np.pi, -2, 2]
@@ -398,6 +406,7 @@ def test_end_derivatives_are_met(planar, conditions, least):
         mp.optimize_path(planar, start, goal, shape=too_low, objective=mp.PathObjective(power=2))
 
 
+@pytest.mark.slow
 def test_end_derivatives_among_obstacles_and_limits(planar):
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
     rest = {"start_slope": np.zeros(3), "goal_slope": np.zeros(3)}
@@ -529,6 +538,7 @@ def test_clearance_rows_have_exact_derivatives(name, rng):
             np.testing.assert_allclose(hessian(at, data), second, atol=1e-13)
 
 
+@pytest.mark.slow
 def test_a_row_is_the_distance_that_coal_measures(demo_problem, rng):
     """Where coal finds a distance d, the nearest core point lies d + radius beyond the plane."""
     robot = demo_problem.robot

@@ -160,6 +160,7 @@ SLOPES = {"start_slope": [0.0] * 3, "goal_slope": [0.0] * 3}
 ORDERS = {"start_slope": (0.0, 1), "goal_slope": (1.0, 1), "start_bend": (0.0, 2), "goal_bend": (1.0, 2)}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "conditions", [SLOPES, {"start_slope": [0.5, 0.0, -0.5], "goal_bend": [0.0] * 3}, {"start_bend": [0.0] * 3} | SLOPES]
 )
@@ -176,6 +177,7 @@ def test_further_shapes_of_a_plan_keep_the_end_derivatives(planar, conditions):
     np.testing.assert_allclose(plan.path([0.0, 1.0]), [START, GOAL], atol=1e-12)
 
 
+@pytest.mark.slow
 def test_the_spline_of_a_plan_keeps_the_end_derivatives(planar, monkeypatch):
     """Without the three more degrees the cubic spline of eight pieces is the first curve that passes the post."""
     monkeypatch.setattr("manipplan.jobs.plan.MORE_DEGREES", 0)

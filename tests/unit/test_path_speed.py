@@ -114,6 +114,7 @@ def test_compiled_has_to_be_known(planar):
         mp.optimize_path(planar, START, GOAL, compiled="yes")
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 def test_a_second_process_and_another_power_and_degree_find_the_library(folder):
     code = (
@@ -140,6 +141,7 @@ def test_g_sees_a_dip_that_gauss_points_pass_by():
     assert mp.path_cost(path, arm.kinematics(mp.Task.planar()), 1.0).g == pytest.approx(exact, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_polish_believes_no_coarse_rule(panda):
     """Pairs of the thousand on which a rule of 120 points let the path through a dip that it did not see."""
     rng = np.random.default_rng(2012)

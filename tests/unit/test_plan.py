@@ -25,11 +25,13 @@ def test_the_demo_plan_keeps_its_promises(demo_problem, demo_plan):
     np.testing.assert_allclose(demo_plan.trajectory.q[-1], demo_problem.goal, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_plan(demo_problem, demo_plan):
     again = mp.plan(demo_problem.robot, demo_problem.start, demo_problem.goal, demo_problem.scene)
     np.testing.assert_array_equal(again.trajectory.q, demo_plan.trajectory.q)
 
 
+@pytest.mark.slow
 def test_files_have_a_way_back(tmp_path, demo_plan):
     files = demo_plan.save(tmp_path / "out")
     assert {file.name for file in files} == {
@@ -51,6 +53,7 @@ def test_a_broken_report_is_told(tmp_path):
         mp.Report.from_json(tmp_path / "report.json")
 
 
+@pytest.mark.slow
 def test_clearance_is_kept(planar):
     scene = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
     near = mp.plan(planar, [0, 1.5, -2], [np.pi, -2, 2], scene, objective=mp.PathObjective(power=2.0))
@@ -59,11 +62,13 @@ def test_clearance_is_kept(planar):
     assert wide.report.clearance >= 0.12 - 1e-6
 
 
+@pytest.mark.slow
 def test_torque_is_reported_and_kept(demo_problem):
     plan = mp.plan(demo_problem.robot, demo_problem.start, demo_problem.goal, demo_problem.scene, torque=True)
     assert 0 < plan.report.limits["torque"].ratio <= 1 + 1e-6
 
 
+@pytest.mark.slow
 def test_planar_arm_among_obstacles(planar):
     """The free optimum of (6.13) passes (0, 2.2) m; a post there is avoided."""
     scene = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
@@ -148,6 +153,7 @@ def test_several_first_paths_and_shifted_goals(planar):
     assert np.abs(more.trajectory.q[-1] - more.path.goal).max() < 1e-6
 
 
+@pytest.mark.slow
 def test_jerk_of_a_plan_is_reported_where_it_is_limited(demo_problem):
     plan = mp.plan(demo_problem.robot, demo_problem.start, demo_problem.goal, demo_problem.scene)
     t = plan.trajectory.t
@@ -233,6 +239,7 @@ def _no_seed(*_, **__):
     raise mp.PlanningError("nothing was found")
 
 
+@pytest.mark.slow
 def test_no_motion_within_the_limits_is_told(panda):
     weak = panda.with_limits(effort=np.array([87.0, 3.0, 87, 87, 12, 12, 12]))
     goal = weak.neutral + 0.3
@@ -275,6 +282,7 @@ def test_whole_numbers_serve_where_numbers_are_asked_for(demo_problem):
     assert len(path.control) > 1
 
 
+@pytest.mark.slow
 def test_a_plane_in_the_scene_does_not_spoil_the_picture(panda, tmp_path):
     scene = mp.Scene([mp.Plane(position=(0.0, 0.0, -0.06), name="floor"), mp.Sphere(radius=0.1, position=(0.3, -0.4, 0.6))])
     plan = mp.plan(panda, panda.neutral, panda.neutral + 0.2, scene)

@@ -163,6 +163,7 @@ def test_no_stationary_posture_at_a_radius_is_missed(lengths, share, rng):
     assert distance.min(axis=0).max() < 1e-6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lengths", [[1.0, 1.0, 1.0], [1.0, 0.6, 0.5], [0.4, 0.9, 0.7], [0.5, 0.3, 0.3]])
 def test_optimum_within_limits_by_grid(lengths, rng):
     arm = planar.PlanarArm(lengths)
@@ -186,6 +187,7 @@ def test_optimum_within_limits_by_grid(lengths, rng):
             assert abs(mu[near].max() - at.manipulability[0]) < steep
 
 
+@pytest.mark.slow
 def test_optimal_radius_is_the_best_of_all_radii():
     """Figure 5.3 in kth2012: the curve of optima over the radius has its top at the optimal radius."""
     arm = planar.PlanarArm([1.0, 0.8, 0.5])
@@ -327,6 +329,7 @@ def test_the_last_step_of_the_bound_for_three_links_exactly():
     assert f(1.0, edge).max() == 1 / 8
 
 
+@pytest.mark.slow
 def test_best_lengths_of_three_links_by_grid():
     ours = planar.optimal_lengths(3, total=1.0, least=0.1, starts=8)
     assert ours.lengths.sum() == pytest.approx(1.0)

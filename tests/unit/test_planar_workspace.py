@@ -41,6 +41,7 @@ def test_postures_at_the_border_and_beyond():
     np.testing.assert_allclose(arm.position(folded), [[0.5, 0]], atol=1e-12)
 
 
+@pytest.mark.slow
 def test_the_family_of_a_position_by_scanning(rng):
     for lengths in ([1.0, 1.0, 1.0], [1.0, 0.3, 0.5], [0.2, 0.9, 0.4], [0.3, 0.3, 2.0]):
         arm = planar.PlanarArm(lengths)
@@ -64,6 +65,7 @@ def test_reachable_annulus_by_sampling(rng):
         assert planar.reachable_radii(arm) == pytest.approx((ring.inner, ring.outer))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lengths", [[1, 1, 1], [1.0, 0.7, 0.5], [0.9, 0.2, 0.3], [0.5, 0.6, 1.5], [0.7, 0.7, 0.9, 0.4]])
 def test_dexterous_workspace_by_sampling(lengths, rng):
     """Postures thrown at random fill every orientation at the radii of the dexterous workspace, and only there."""
@@ -94,6 +96,7 @@ def throw(arm, lower, upper, count, rng):
     return rng.uniform(low, high, (count, arm.n))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("lengths", "lower", "upper"), LIMITED)
 def test_reach_under_limits_by_sampling(lengths, lower, upper, rng):
     arm = planar.PlanarArm(lengths)
@@ -115,6 +118,7 @@ def test_reach_under_limits_by_sampling(lengths, lower, upper, rng):
     assert most - 0.03 * size < radii.max() <= most + 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("lengths", "lower", "upper"), LIMITED)
 def test_the_boundary_parts_what_is_reached_from_what_is_not(lengths, lower, upper, rng):
     """Along straight lines, reachable changes only at a crossing of the boundary's arcs."""

@@ -294,6 +294,7 @@ def test_deviation_over_time_with_its_tolerance(tracked, flat):
     assert dashed(flat) == [20.0]
 
 
+@pytest.mark.slow
 def test_deviation_of_a_followed_path_by_brute_force(demo_plan):
     """From a workspace path beside the way of the tool, in millimetres and degrees."""
     poses = demo_plan.robot.kinematics().pose(demo_plan.path(np.linspace(0.0, 1.0, 30)))
@@ -391,6 +392,7 @@ def test_two_motions_of_one_tool_path_are_one_line(planar):
     assert [text.get_text() for text in ax.get_legend().get_texts()] == ["tool, refined and sampled"]
 
 
+@pytest.mark.slow
 def test_a_figure_is_drawn_as_vectors_alone(demo_plan, planar_plan, tmp_path):
     for plan in (demo_plan, planar_plan):
         viz.plan_figure(plan).savefig(tmp_path / "plan.svg")
@@ -415,6 +417,7 @@ def test_new_axes_are_made_and_returned(demo_plan):
         viz.plot_convergence(demo_plan.result, ax="here")
 
 
+@pytest.mark.slow
 def test_a_gif_holds_the_motion_in_its_time(planar_plan, tmp_path):
     file, told = tmp_path / "plan.gif", []
     viz.animate(planar_plan, file, fps=8, speed=2.0, size=(4, 2), dpi=60, progress=lambda share, text: told.append(share))
@@ -544,6 +547,7 @@ def odd_plan(tmp_path):
     return mp.plan(robot, [-0.5, 0.4, 0.6], [0.5, 0.8, 0.9], scene)
 
 
+@pytest.mark.slow
 def test_names_are_drawn_as_they_are(odd_plan, tmp_path):
     assert (tmp_path / "out" / "plan.png") in odd_plan.save(tmp_path / "out")
     figure = viz.plan_figure(odd_plan)

@@ -71,6 +71,7 @@ def problem(panda, scene):
     return layers, mp.max_min_search(layers, 0.7)
 
 
+@pytest.mark.slow
 def test_coarse_samples_are_raised_clearly(panda, problem):
     layers, found = problem
     told = []
@@ -81,6 +82,7 @@ def test_coarse_samples_are_raised_clearly(panda, problem):
     assert told == sorted(told) and told[0] >= 0 and told[-1] <= 1
 
 
+@pytest.mark.slow
 def test_it_nears_what_fine_samples_hold(panda, scene, problem):
     """A search through fifty times as many samples is an independent way to the same optimum."""
     layers, found = problem
@@ -123,6 +125,7 @@ def test_a_cycle_stays_a_cycle(panda):
     assert result.refined > found.minimum
 
 
+@pytest.mark.slow
 def test_a_tolerance_is_used_and_kept(panda, problem):
     layers, found = problem
     exact = mp.refine(layers, found)
@@ -134,6 +137,7 @@ def test_a_tolerance_is_used_and_kept(panda, problem):
     assert exact.refined < one.refined < tube.refined
 
 
+@pytest.mark.slow
 def test_an_arm_without_anything_to_spare(ur5):
     """Six joints and a pose: only the choice among the samples is left, and the path is what it was."""
     start = ur5.kinematics().pose([0.3, -1.2, 1.4, -1.0, -1.2, 0.4])
@@ -148,6 +152,7 @@ def test_an_arm_without_anything_to_spare(ur5):
     assert tube.refined > result.refined
 
 
+@pytest.mark.slow
 def test_joints_without_end_go_on(ur5):
     """The first joint has no limits and crosses ±π."""
     lower, upper = np.array(ur5.limits.lower), np.array(ur5.limits.upper)
@@ -173,6 +178,7 @@ def test_kinova_with_continuous_joints():
     assert_sound(arm, layers, found, result)
 
 
+@pytest.mark.slow
 def test_a_planar_arm(planar):
     """Its rows are x and y; the index is that of Task.planar()."""
 

@@ -78,6 +78,7 @@ def test_other_limits_keep_the_posture_inside(panda):
     assert not tight.limits.outside(tight.neutral).any()
 
 
+@pytest.mark.slow
 def test_locking_does_not_hide_collisions(panda):
     """Links merge when joints are locked; what is adjacent is decided on the whole arm before."""
     locked = {f"panda_joint{i}": value for i, value in {1: 0.0, 2: 1.7, 3: 0.0, 5: 0.0, 6: 1.0, 7: 0.0}.items()}
@@ -156,6 +157,7 @@ def test_planar_arm_reaches_where_trigonometry_says(planar):
     np.testing.assert_allclose(planar.kinematics().pose(q)[:3, 3], expected, atol=1e-14)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", mp.available_robots())
 def test_every_arm_of_the_catalogue_loads_with_a_free_usual_posture(name):
     robot = mp.load_robot(name)

@@ -86,6 +86,7 @@ def test_imports_point_up_the_list(module):
     assert not [target for target, function in imports(module) if function == "" and points_down(module, target)]
 
 
+@pytest.mark.slow
 def test_conveniences_alone_import_from_further_down():
     found = {
         f"{module.removeprefix('manipplan.')}.{function}"
@@ -96,6 +97,7 @@ def test_conveniences_alone_import_from_further_down():
     assert found == CONVENIENCES
 
 
+@pytest.mark.slow
 def test_there_is_no_circle_at_import_time():
     needs = {
         module: {target for target, function in imports(module) if function == "" and target != module} for module in MODULES

@@ -280,6 +280,7 @@ def test_a_grid_larger_than_memory_is_refused_before_it_is_made(panda, line, cha
         mp.sample_layers(panda, line, **{"positions": 3, **change})
 
 
+@pytest.mark.slow
 def test_a_position_out_of_reach_is_named_with_the_distance(planar):
     """The arm is three metres long; the last position lies half a metre further."""
     start = planar.kinematics().pose(PLANAR_START)
@@ -290,6 +291,7 @@ def test_a_position_out_of_reach_is_named_with_the_distance(planar):
     assert "within reach" in caught.value.allowed
 
 
+@pytest.mark.slow
 def test_a_pose_between_the_samples_is_told_as_reachable(planar):
     """Stretched out, only one tool rotation reaches; a grid of seven passes it by."""
     start = planar.kinematics().pose([0.1, 0.0, 0.0])
@@ -298,6 +300,7 @@ def test_a_pose_between_the_samples_is_told_as_reachable(planar):
         mp.sample_layers(planar, CartesianPath.line(start, end), 2, samples=7, task=mp.Task.planar(), collisions=False)
 
 
+@pytest.mark.slow
 def test_positions_inside_an_obstacle_are_told(planar):
     start = planar.kinematics().pose(PLANAR_START)
     ball = mp.Scene([mp.Sphere(radius=0.2, position=start[:3, 3], name="ball")])

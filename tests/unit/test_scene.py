@@ -63,6 +63,7 @@ def test_a_mesh_is_solid_and_its_parts_are_apart(tmp_path):
     np.testing.assert_array_equal(scene.in_collision(robot, [inside, between]), [True, False])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["panda", "ur5", "baxter_left"])
 def test_primitives_contain_the_mesh_they_stand_for(name):
     robot = mp.load_robot(name)

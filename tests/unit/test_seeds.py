@@ -77,6 +77,7 @@ def test_a_search_with_an_objective_finds_a_lower_g(planar, planner):
     assert 0.999 * least < g["manipulability"] < min(0.5 * g["length"], 1.4 * least)
 
 
+@pytest.mark.slow
 def test_among_obstacles_the_gain_survives_what_makes_a_path_simpler(planar):
     seeding, g = mp.Seeding(planner="BITstar", time_limit=60.0), {}
     for name, objective in OBJECTIVES.items():
@@ -99,6 +100,7 @@ print(json.dumps(found))
 """
 
 
+@pytest.mark.slow
 def test_another_process_finds_the_same_paths():
     planners = list(PLANNERS)
     runs = [
@@ -154,6 +156,7 @@ def test_wrong_arguments(planar, change, message):
         mp.seed_path(planar, **options)
 
 
+@pytest.mark.slow
 def test_a_recorded_motion_is_a_first_path(planar, tmp_path):
     seed = mp.seed_path(planar, START, GOAL, POST)
     motion = mp.retime(seed, planar.with_limits(velocity=1.0, acceleration=2.0))
@@ -224,6 +227,7 @@ while time.monotonic() - began < 20:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("after", [0.05, 0.4, 0.75])
 def test_an_interrupt_returns_the_best_so_far(after, sigint):
     run = subprocess.run(
@@ -234,6 +238,7 @@ def test_an_interrupt_returns_the_best_so_far(after, sigint):
     assert "AssertionError" not in run.stderr
 
 
+@pytest.mark.slow
 def test_an_interrupt_between_two_solves(planar, monkeypatch, sigint):
     """A later descent is interrupted: the best path so far is returned, and the status says so."""
     from manipplan.optimize import local
@@ -272,6 +277,7 @@ def test_an_interrupt_of_the_measurement_keeps_the_path(planar, monkeypatch, sig
     assert np.isnan(result.certificate.unconstrained_g)
 
 
+@pytest.mark.slow
 def test_an_interrupt_of_a_solve_is_quiet(planar, sigint):
     """CasADi tells of it on the standard error stream, in pieces."""
     code = (
@@ -326,6 +332,7 @@ def det_signs(robot, path):
     return signs
 
 
+@pytest.mark.slow
 def test_a_seed_that_keeps_its_aspect_crosses_no_singularity(ur5):
     lines = [line for line in (SUITE / "pairs.csv").read_text().splitlines() if not line.startswith("#")]
     rows = [row for row in csv.DictReader(lines) if row["arm"] == "ur5" and row["scene"] == "table"]
@@ -342,6 +349,7 @@ def test_a_seed_that_keeps_its_aspect_crosses_no_singularity(ur5):
     assert crossing >= 2
 
 
+@pytest.mark.slow
 def test_an_aspect_needs_a_square_jacobian_and_one_sign(ur5, panda):
     with pytest.raises(mp.InvalidInputError, match="same_aspect: got True; allowed: False: det J of the task pose has no sign"):
         mp.seed_path(panda, panda.neutral, panda.neutral + 0.2, same_aspect=True)

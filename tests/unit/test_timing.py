@@ -329,6 +329,7 @@ def test_segments_overlap_and_survive_pieces_left_out():
     assert qd.max() == pytest.approx(1.0, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_the_tool_keeps_its_speed(planar):
     path = polynomial([[0.1, 0.5, 0.3], [0.8, -0.5, 1.2], [1.2, 1.0, -0.3]])
     segment = mp.Segment(begin=0.3, end=0.7, tool_speed=0.2)

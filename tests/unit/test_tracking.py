@@ -63,6 +63,7 @@ def test_another_measure_is_raised_on_the_same_line(panda, measure):
         assert use.ratio <= 1 + 1e-9
 
 
+@pytest.mark.slow
 def test_inside_a_tube_the_manipulability_stays_higher(panda, circle):
     held = mp.track(panda, circle, START, mp.formulations.General(), dt=DT, duration=4.0)
     tube = mp.Tolerance(position=0.02, rotation=0.08)
@@ -138,6 +139,7 @@ def test_an_exactly_singular_posture_is_left(panda):
     assert kinematics.manipulability(motion.q[-1]) > 100 * kinematics.manipulability(stretched) + 1e-3
 
 
+@pytest.mark.slow
 def test_an_obstacle_on_the_way_is_passed_at_its_distance(panda):
     ball = mp.Sphere(radius=0.05, position=(0.55, 0.28, 0.55), name="ball")
     avoidance = mp.Avoidance(scene=mp.Scene([ball]), itself=False)
@@ -148,6 +150,7 @@ def test_an_obstacle_on_the_way_is_passed_at_its_distance(panda):
     assert not scene.in_collision(panda, past.q[::5]).any()
 
 
+@pytest.mark.slow
 def test_an_obstacle_that_comes_is_evaded(panda):
     ball = mp.Sphere(radius=0.06, position=(0.55, 0.5, 0.55), name="ball")
     avoidance = mp.Avoidance(scene=mp.Scene([ball]), moving=["ball"], links=["panda_hand"], itself=False)
@@ -165,6 +168,7 @@ def test_an_obstacle_that_comes_is_evaded(panda):
     assert np.linalg.norm(panda.kinematics().pose(q)[:3, 3] - target[:3, 3]) > 0.02
 
 
+@pytest.mark.slow
 def test_what_touches_at_the_start_is_pushed_out(panda):
     at = panda.kinematics().pose(START)[:3, 3]
     ball = mp.Sphere(radius=0.05, position=at + [0.0, 0.06, 0.05], name="ball")
@@ -215,6 +219,7 @@ def test_a_rollout_in_c_is_the_loop_in_python(panda, circle):
         np.testing.assert_allclose(motion.q[k + 1], q, rtol=0, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_wrong_input_is_refused(panda, circle):
     sphere = mp.Scene([mp.Sphere(radius=0.1, position=(1.0, 0.0, 0.0), name="ball")])
     wrong = [

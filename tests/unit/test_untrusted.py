@@ -186,6 +186,7 @@ def test_exported_c_is_that_of_a_harmless_name(make, tmp_path):
         assert not [comment for comment in re.findall(r"/\*.*?\*/", text, re.DOTALL) if '"arm"' in comment]
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 @pytest.mark.parametrize("kind", ["the end of a comment", "a trigraph", "a line that goes on"])
 def test_exported_c_of_a_hostile_name_compiles_and_runs(tmp_path, kind):

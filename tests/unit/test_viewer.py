@@ -299,6 +299,7 @@ def test_the_arm_follows_among_obstacles_with_a_prismatic_joint():
         )
 
 
+@pytest.mark.slow
 def test_visual_meshes_stand_where_pinocchio_puts_them(plan):
     robot = mp.load_robot("panda")
     plan = moved(plan, robot)
@@ -559,6 +560,7 @@ def test_importing_it_imports_no_viewer():
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
+@pytest.mark.slow
 def test_view_from_a_shell(plan, tmp_path, capsys, sigint):
     plan.save(tmp_path)
     assert main(["view", str(tmp_path), "--record", str(tmp_path / "motion.html")]) == 0

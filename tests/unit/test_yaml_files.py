@@ -62,6 +62,7 @@ def test_anchors_and_merged_keys_are_read(tmp_path):
     assert [each.position.tolist() for each in obstacles] == [[0, 1, 2]] * 4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "message"),
     [
