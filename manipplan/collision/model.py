@@ -211,7 +211,7 @@ class CollisionModel:
         return q
 
     def path_is_free(self, path: JointPath, step: float, clearance: float = 0.0) -> bool:
-        """Whether the path is collision-free at samples between which no joint moves more than `step` [rad or m].
+        """Whether the path keeps the clearance [m] at samples between which no joint moves more than `step` [rad or m].
 
         Samples that are far apart come first, so that a collision is found early.
         """
@@ -235,7 +235,7 @@ class CollisionModel:
 
 
 def _coarse_to_fine(count: int) -> list[int]:
-    """The numbers 0 to count - 1, those first that are divisible by the largest power of two."""
+    """The numbers 0 to count - 1, by the largest power of two that divides them, largest first."""
     return sorted(range(count), key=lambda k: k & -k if k else count, reverse=True)
 
 

@@ -23,9 +23,10 @@ HALVINGS = 25
 NOISE = 6
 #: Gauss points per panel.
 POINTS = 10
-#: The minimum manipulability is searched around this number of the deepest dips among samples at this number of intervals, on
-#: this number of successively finer grids, each of this number of intervals.
-DEEPEST, INTERVALS, GRIDS, GRID_INTERVALS = 5, 2000, 8, 40
+#: Number of intervals at whose ends m is sampled, and of its deepest dips that are searched.
+INTERVALS, DEEPEST = 2000, 5
+#: Number of successively finer grids around a dip, and of the intervals of each.
+GRIDS, GRID_INTERVALS = 8, 40
 #: Panels on which g is minimised: initial number, error per panel as a share of g on the path where a descent begins,
 #: maximum number of halvings, and number of panels above which none is halved.
 RULE_PANELS, RULE_ACCURACY, RULE_HALVINGS, MOST_RULE_PANELS = 12, 1e-9, 12, 200

@@ -54,7 +54,7 @@ class Report:
         clearance, nearest_pair: minimum distance [m] measured at evenly spaced times, and its pair; inf and () if nothing
             is checked.
         proven_clearance: lower bound on the distances of all checked pairs on the whole trajectory, at all times [m].
-        collision_free: whether the trajectory is collision-free where it is sampled, every milliradian.
+        collision_free: whether the required clearance is kept at samples between which no joint moves more than 1e-3 rad or m.
         limits: highest use of the limits of position, velocity, acceleration and, where they limit the motion, jerk and
             torque.
         position_unit: "rad" or "m", of the joint that comes closest to a position limit.

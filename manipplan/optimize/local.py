@@ -15,6 +15,7 @@ from manipplan.optimize.certificate import SINGLE, UNKNOWN, Optimality, measure_
 from manipplan.optimize.clearance import ClearanceRow
 from manipplan.optimize.descent import descend
 from manipplan.optimize.program import PathProgram, Solution
+from manipplan.optimize.result import Step
 from manipplan.optimize.step_models import MARGIN, Surroundings
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
@@ -27,7 +28,7 @@ ROUNDS = 8
 SMALL_GAIN = 1e-2
 #: A solution is nearly free if it misses the required clearance by less than this [m].
 NEARLY_FREE = 0.1
-#: A nearly free solution starts another descent if its g is below this share of the g of the optimum found.
+#: A nearly free solution starts another descent if its g is below this share of the lowest g of an optimum found.
 PROMISING = 0.8
 #: Maximum number of places at which clearance rows are added per round, the deepest dips first.
 NEW_PLACES = 10
@@ -55,16 +56,6 @@ AGREEMENT = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
-class Step:
-    """One solve of the optimiser: the kind of its first path, its g, its clearance [m], and how the solver ended."""
-
-    first: str
-    g: float
-    clearance: float
-    solver: str
-
-
-@dataclass(frozen=True, kw_only=True)
 class Candidate:
     """An optimised path, inside the limits and proven free: coefficients (n, size), cost, first-order conditions, solver."""
 
@@ -73,6 +64,21 @@ class Candidate:
     cost: PathCost
     optimality: Optimality
     solver: str
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class NearlyFree:
+    """A solution of the energy that is not free.
+
+    Attributes:
+        missing: clearance that it misses [m]; 0 where only the joint limits or the proof fail.
+        g: its g.
+        coefficients: (n, size).
+    """
+
+    missing: float
+    g: float
+    coefficients: Array
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -86,7 +92,7 @@ class LocalSearch:
         clearance: required distance [m].
         history: every solve is appended to it.
         ends: fixed derivatives at start and goal.
-        nearly_free: every nearly free solution is appended to it: missing clearance [m], g and coefficients.
+        nearly_free: every solution that misses the clearance by less than NEARLY_FREE is appended to it.
         accepted: every candidate is appended to it, so that an interrupt loses none.
         repaces: whether optima are fitted again at an even pace.
     """
@@ -98,7 +104,7 @@ class LocalSearch:
     clearance: float
     history: list[Step]
     ends: EndConditions = field(default_factory=EndConditions)
-    nearly_free: list[tuple[float, float, Array]] = field(default_factory=list)
+    nearly_free: list[NearlyFree] = field(default_factory=list)
     accepted: list[Candidate] = field(default_factory=list)
     repaces: bool = True
 
@@ -125,8 +131,8 @@ class LocalSearch:
         basis, even = self.program.basis, np.linspace(0.0, 1.0, near.PLACES + 1)
         coefficients = self.ends.met(basis, basis.fit(first, even), self.start, self.goal)
         off = np.abs(basis.path(self.start, self.goal, coefficients)(even) - first(even)).max()
-        if off < SAME:  # a wider margin than that of the path, such as an optimum, would first lead away from it
-            found = self._descend("path", coefficients, room=self._room(first))
+        if off < SAME:  # a margin wider than the path's own would first lead away from it, such as from an optimum
+            found = self._descend("path", coefficients, kept=first)
         else:
             found = self._descend("path", self._followed(first)[1])
         return [] if found is None else [found]
@@ -155,12 +161,12 @@ class LocalSearch:
                 break
         return [] if best is None else [best]
 
-    def _descend(self, name: str, coefficients: Array, *, room: float = np.inf) -> Candidate | None:
+    def _descend(self, name: str, coefficients: Array, *, kept: JointPath | None = None) -> Candidate | None:
         """The path at which a descent from coefficients (n, size) ends; None when it is not free or leaves the limits.
 
         Descents are repeated until the path is proven free, the quadrature panels resolve its g, and the descent has
         converged. Each starts with the panels of the one before it, and also watches the place where the proof failed.
-        Margins are not wider than `room` [m], except the final one.
+        Before the final margin only those are taken that the path `kept` has, if it is given.
         """
         program, integral = self.program, self.program.integral
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
@@ -169,9 +175,9 @@ class LocalSearch:
             return None
         best: Candidate | None = None
         edges: Array | None = None
-        stuck: Array | None = None
+        failed: Array | None = None  # where the last descent ended without a proof
         steps = 0
-        margins = self._margins(room)
+        margins = self._margins(kept)
         for stage, margin in enumerate([*margins, *margins[-1:] * (DESCENTS - 1)]):
             if surroundings is not None:
                 surroundings.margin = margin
@@ -190,11 +196,13 @@ class LocalSearch:
             least = np.inf if proof is None else proof.upper
             self.history.append(Step(first=name, g=cost.g, clearance=least, solver=descent.reason))
             if surroundings is not None and proof is not None and not proof.proven:
-                if stuck is not None and np.abs(coefficients - stuck).max() < STUCK:
+                if failed is not None and np.abs(coefficients - failed).max() < STUCK:
+                    log.debug("descent: stuck in an obstacle at s = %g", proof.at)
                     break
-                stuck = coefficients
+                failed = coefficients
                 surroundings.always.append((proof.at, proof.pair_id))
                 continue
+            failed = None
             if not self._inside_limits(path):
                 log.debug("descent: the path leaves the joint limits")
                 break
@@ -213,28 +221,31 @@ class LocalSearch:
             self.accepted.append(best)
         return best
 
-    def _margins(self, room: float) -> list[float]:
-        """Margins [m] of the descents from one path, in turn; none is wider than `room`, or than start and goal allow."""
+    def _margins(self, kept: JointPath | None) -> list[float]:
+        """Margins [m] of the descents from one path, in turn; none is wider than start and goal allow.
+
+        Wide ones come before the final one, with `kept` only those that this path has.
+        """
         if self.model is None:
             return [MARGIN]
         distances = [self.model.distances(q).min(initial=np.inf) for q in (self.start, self.goal)]
         most = float(min(distances)) - self.clearance
-        wide = [margin for margin in WIDE_MARGINS if margin < min(most, room)] if self.clearance < ROUND else []
+        wide = [margin for margin in WIDE_MARGINS if margin < most] if self.clearance < ROUND else []
+        if kept is not None:
+            wide = [margin for margin in wide if self._keeps(kept, margin)]
         return [*wide, max(min(MARGIN, most), 0.0)]
 
-    def _room(self, path: JointPath) -> float:
-        """Distance that a free path keeps beyond the required clearance [m]; inf where nothing is checked or it is not free."""
-        if self.model is None or not self.model.pair_names:
-            return np.inf
-        room = path_clearance(self.model, path, clearance=self.clearance, tolerance=WIDE_MARGINS[-1] / 2).upper - self.clearance
-        return room if room > 0 else np.inf
+    def _keeps(self, path: JointPath, margin: float) -> bool:
+        """Whether a path is proven to keep a margin [m] beyond the required clearance."""
+        proof = self._proof(path, margin)
+        return proof is None or proof.proven
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """The local optimum near a free path, through a path of low energy that passes each body on the same side.
 
         Clearance rows keep the minimum of the energy on these sides. They are computed again at each solution, until one is
-        free and the next one lowers g only slightly. If none is free, the descent starts from the one that misses the
-        clearance by the least. A nearly free solution of much lower g starts a descent of its own.
+        free and the next one lowers g only slightly. If none is free, the descent starts from the nearly free solution that
+        misses the clearance by the least. One of much lower g than all optima found starts a descent of its own.
         """
         s, beginning = self._followed(first)
         coefficients = beginning
@@ -266,13 +277,22 @@ class LocalSearch:
                     break
             places = self.more_places(places, distances, failed_at, is_free=is_free)
         found: list[Candidate] = []
+        tried: list[NearlyFree] = []
         if free:
             best = free[int(np.argmin(costs))]
             found = self.optimum_from("seed", best.coefficients) or self._low_energy_path(best)
-        elif self.nearly_free:
-            found = self.optimum_from("seed", _least_missing(self.nearly_free))
-        lower = [each for each in self.nearly_free if found and each[1] < PROMISING * found[0].cost.g]
-        return found + (self.optimum_from("nearly free", _least_missing(lower)) if lower else [])
+        else:  # two, as one may be that of the straight line
+            for each in sorted(self.nearly_free, key=_least_missing)[:2]:
+                tried.append(each)
+                found = self.optimum_from("seed", each.coefficients)
+                if found:
+                    break
+        if found:
+            most = PROMISING * min(each.cost.g for each in self.accepted)
+            lower = [each for each in self.nearly_free if each not in tried and each.g < most]
+            if lower:
+                found += self.optimum_from("nearly free", min(lower, key=_least_missing).coefficients)
+        return found
 
     def _low_energy_path(self, solution: Solution) -> list[Candidate]:
         """The free path of low energy itself, when no descent from it gave a free path; none when it leaves the limits."""
@@ -311,9 +331,10 @@ class LocalSearch:
     def more_places(
         self, places: tuple[near.Place, ...], distances: Array, failed_at: tuple[near.Place, ...], *, is_free: bool
     ) -> tuple[near.Place, ...]:
-        """The places, with those where the proof failed and those where the distance profile (m, k) [m] is below the clearance.
+        """The places, with those around the place where the proof failed, and around the deepest dips below the clearance.
 
-        If that adds none although the path is not free, dips slightly above the clearance and closer places are added as well.
+        The dips are those of the distance profile (m, k) [m]. If that adds no place although the path is not free, closer
+        places are allowed, then dips up to SPARE above the clearance.
         """
         attempts = [(0.0, near.APART)]
         if not is_free:
@@ -328,7 +349,8 @@ class LocalSearch:
     def _judged(self, name: str, solution: Solution) -> tuple[bool, Array, tuple[near.Place, ...]]:
         """Whether a solution of the energy is inside the limits and proven free, and its distance profile (m, k) [m].
 
-        The third value is the place where the proof failed although the path is free at all places of the profile.
+        The third value is the place where the proof failed although the path is free at all places of the profile. The
+        solution is appended to `history` and, if it is nearly free, to `nearly_free`.
         """
         path = self.program.basis.path(self.start, self.goal, solution.coefficients)
         distances = np.full((near.PLACES + 1, 1), np.inf)
@@ -343,15 +365,16 @@ class LocalSearch:
             if proof is None or proof.proven:
                 return True, distances, ()
             failed_at = ((proof.at, proof.pair_id),)
-        if self.clearance - least < NEARLY_FREE:
-            self.nearly_free.append((self.clearance - least, g, solution.coefficients))
+        missing = max(self.clearance - least, 0.0)
+        if solution.converged and missing < NEARLY_FREE and np.isfinite(g):
+            self.nearly_free.append(NearlyFree(missing=missing, g=g, coefficients=solution.coefficients))
         return False, distances, failed_at
 
-    def _proof(self, path: JointPath) -> PathClearance | None:
-        """The proof that a path keeps its clearance; None where nothing is checked."""
+    def _proof(self, path: JointPath, margin: float = 0.0) -> PathClearance | None:
+        """The proof that a path keeps its clearance plus a margin [m]; None where nothing is checked."""
         if self.model is None or not self.model.pair_names:
             return None
-        return path_clearance(self.model, path, clearance=self.clearance, tolerance=None)
+        return path_clearance(self.model, path, clearance=self.clearance + margin, tolerance=None)
 
     def _inside_limits(self, path: JointPath, tolerance: float = INSIDE) -> bool:
         limits = self.program.kinematics.robot.limits
@@ -368,6 +391,6 @@ class LocalSearch:
         return s, self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
 
 
-def _least_missing(nearly_free: list[tuple[float, float, Array]]) -> Array:
-    """Of solutions with their missing clearance and g, the coefficients of the one with the least missing clearance."""
-    return min(nearly_free, key=lambda each: each[0])[2]
+def _least_missing(solution: NearlyFree) -> tuple[float, float]:
+    """The order in which nearly free solutions are tried."""
+    return solution.missing, solution.g

@@ -14,9 +14,9 @@ from manipplan.collision.scene import Scene
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective
 from manipplan.optimize.basis import EndConditions, PathShape, named_basis
-from manipplan.optimize.local import Candidate, LocalSearch, Step
+from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.program import PathProgram
-from manipplan.optimize.result import PathResult, make_result
+from manipplan.optimize.result import PathResult, Step, make_result
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot

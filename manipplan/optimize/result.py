@@ -9,12 +9,21 @@ from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.measures.manipulability import Yoshikawa
 from manipplan.measures.measure import Measure
 from manipplan.optimize.certificate import Certificate, Optimality
-from manipplan.optimize.local import Step
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
 from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
+
+
+@dataclass(frozen=True, kw_only=True)
+class Step:
+    """One solve of the optimiser: the kind of its first path, its g, its clearance [m], and how the solver ended."""
+
+    first: str
+    g: float
+    clearance: float
+    solver: str
 
 
 @one_line

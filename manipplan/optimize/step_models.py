@@ -201,7 +201,11 @@ class Surroundings:
         return self.clearance + self.margin
 
     def look(self, path: JointPath, band: float) -> Look:
-        """The places where a pair is nearer than the target plus `band` [m]: on an even grid, and at the bottoms of dips."""
+        """Places where a pair is near.
+
+        These are the places of the grid nearer than the target plus CLOSE, every SPACING-th place nearer than the target plus
+        `band` [m], and the bottoms of dips.
+        """
         s = np.linspace(0.0, 1.0, INTERVALS + 1)
         q = configurations(path, s)
         watch = self._watched(q)
@@ -352,7 +356,7 @@ class _Watch:
         """Distances (m, k) of the pairs at q (m, n) [m]; interpolated where a pair cannot be nearer than `near`."""
         if not len(self.pairs):
             return np.empty((len(q), 0))
-        coarse = np.array([self.model.distances(each) for each in q[::SPACING]])
+        coarse = on_grid(np.array([self.model.distances(each) for each in q[::SPACING]]), FINE_DISTANCE)
         share = np.arange(len(q)) / SPACING
         low = np.minimum(share.astype(int), len(coarse) - 2)
         grid = coarse[low] + (share - low)[:, None] * (coarse[low + 1] - coarse[low])

@@ -126,7 +126,7 @@ def _recorded(
             raise FileFormatError("file", where, f"a position for every joint; message {k + 1} has {len(message.position)}")
         stamp = message.header.stamp.sec * 10**9 + message.header.stamp.nanosec
         velocity = message.velocity[order] if len(message.velocity) == len(message.name) else None
-        rows.append((stamp, received, message.position[order], velocity))
+        rows.append((stamp, received, message.position[order], velocity, k + 1))
     if not rows:
         known = {name for _, message in messages for name in message.name}
         if joints is not None and known:
@@ -139,11 +139,13 @@ def _recorded(
     late = np.flatnonzero(np.diff(t) <= 0)
     if len(late):
         k = int(late[0]) + 1
-        said = f"message {k + 1} is stamped {t[k]:.9f} s after message 1, but message {k} is {t[k - 1]:.9f} s after it"
+        earlier = t[k - 1] - t[k]
+        relation = f"is stamped {earlier:.9f} s before" if earlier > 0 else "has the stamp of"
+        said = f"message {rows[k][4]} {relation} message {rows[k - 1][4]}"
         raise FileFormatError("file", where, f"increasing stamps, but {said}; sort the bag, or record one source per topic")
-    known_speed = all(velocity is not None and np.isfinite(velocity).all() for *_, velocity in rows)
-    qd = np.array([velocity for *_, velocity in rows]) if known_speed else None
-    return names, t, np.array([position for _, _, position, _ in rows]), qd
+    known_speed = all(velocity is not None and np.isfinite(velocity).all() for _, _, _, velocity, _ in rows)
+    qd = np.array([velocity for _, _, _, velocity, _ in rows]) if known_speed else None
+    return names, t, np.array([position for _, _, position, *_ in rows]), qd
 
 
 def _commands(

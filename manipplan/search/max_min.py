@@ -188,7 +188,7 @@ def max_min_search(
 
     Args:
         layers: candidates with their manipulability; if the layers are closed, the path is a cycle.
-        epsilon: upper bound of each joint's step between neighbouring layers, itself excluded [rad or m]: one number, or (n,).
+        epsilon: each joint's step between neighbouring layers is smaller than this [rad or m]: one number, or (n,).
         strict: with False, a step of exactly epsilon is allowed as well.
         prefer: choice among the paths with that minimum manipulability: "first" takes any; "shortest" the one with the
             smallest Σ ‖Δq‖; "lexicographic" the one with the largest second smallest manipulability, then the third, and so on;
@@ -196,13 +196,13 @@ def max_min_search(
         anytime: return an iterator instead of a result. It yields results during the search, with a rising minimum or a
             falling certified_bound; the last one is the optimum, the same as with False.
         throw: raise PlanningError, which holds the result, if no path is continuous. With False, that result is returned;
-            it tells where the layers are disconnected and the smallest epsilon that connects them.
+            it tells where the layers are disconnected, and `smallest_epsilon`.
         progress: called several times per second with the share done in [0, 1], which never falls, and a text. The share
             refers to the worst-case work: if the search ends early, it jumps to 1.
         threads: number of threads; by default one per core.
 
     A cycle is found exactly, by branch and bound over its first candidate. For the largest minimum manipulability this takes a
-    few more passes than for an open path; the shortest cycle can take hundreds.
+    few more passes than an open path does; the shortest cycle can take hundreds.
 
     Raises InvalidInputError for bad arguments, PlanningError where no path is continuous.
     """

@@ -26,7 +26,7 @@ from manipplan.tracking.machine import MachineCode, Sources
 from manipplan.tracking.step import HUGE, REPORT, StepSetup, StepStatus, step_of
 
 #: Maximum number of characters of generated code that compiled="auto" compiles.
-TOO_LONG = 1_500_000
+MOST_CHARACTERS = 1_500_000
 
 
 class StepReport(NamedTuple):
@@ -163,7 +163,7 @@ class Controller:
         self._machine: MachineCode | None = None
         function = self._step.function
         sources = self.sources() if wants_machine_code(compiled) else None
-        if sources is not None and (compiled is True or len(sources.step) < TOO_LONG):
+        if sources is not None and (compiled is True or len(sources.step) <= MOST_CHARACTERS):
             try:
                 self._machine = MachineCode(sources, f"a controller of {robot.name}")
                 function = self._machine.function

@@ -1,4 +1,4 @@
-"""Number of examples of a law: all in `make test-all`, a fifth of them in `make test`."""
+"""Number of examples of a law: all in `make test-all`; in `make test` a fifth of them, at least three."""
 
 import os
 
