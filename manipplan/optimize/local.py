@@ -111,8 +111,7 @@ class LocalSearch:
     def single_path(self) -> list[Candidate]:
         """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
         path = self.program.basis.path(self.start, self.goal, self._straight())
-        proof = self._proof(path)
-        if not self._inside_limits(path) or not (proof is None or proof.proven):
+        if not (self._inside_limits(path) and self._keeps(path)):
             return []
         cost = self.program.integral.cost(path)
         return [Candidate(path=path, coefficients=self._straight(), cost=cost, optimality=SINGLE, solver="no unknowns")]
@@ -231,12 +230,11 @@ class LocalSearch:
         distances = [self.model.distances(q).min(initial=np.inf) for q in (self.start, self.goal)]
         most = float(min(distances)) - self.clearance
         wide = [margin for margin in WIDE_MARGINS if margin < most] if self.clearance < ROUND else []
-        if kept is not None:
-            wide = [margin for margin in wide if self._keeps(kept, margin)]
+        wide = [margin for margin in wide if kept is None or self._keeps(kept, margin)]
         return [*wide, max(min(MARGIN, most), 0.0)]
 
-    def _keeps(self, path: JointPath, margin: float) -> bool:
-        """Whether a path is proven to keep a margin [m] beyond the required clearance."""
+    def _keeps(self, path: JointPath, margin: float = 0.0) -> bool:
+        """Whether a path is proven to keep the required clearance plus a margin [m], or nothing is checked."""
         proof = self._proof(path, margin)
         return proof is None or proof.proven
 
@@ -281,7 +279,7 @@ class LocalSearch:
         if free:
             best = free[int(np.argmin(costs))]
             found = self.optimum_from("seed", best.coefficients) or self._low_energy_path(best)
-        else:  # two, as one may be that of the straight line
+        else:  # the two nearest to free, as one may be that of the straight line
             for each in sorted(self.nearly_free, key=_least_missing)[:2]:
                 tried.append(each)
                 found = self.optimum_from("seed", each.coefficients)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from manipplan.collision.model import CollisionModel
 from manipplan.cost.density import Density
 from manipplan.optimize.basis import Basis
-from manipplan.optimize.clearance import ClearanceRow, Place
+from manipplan.optimize.clearance import ClearanceRow, Place, distance_profile
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import FINE_DISTANCE, configurations, on_grid, product
 from manipplan.support.checks import Array
@@ -274,7 +274,7 @@ class Surroundings:
     def _watched(self, q: Array) -> "_Watch":
         """The pairs that come near on paths about q (m, n)."""
         if self._watch is None or np.abs(q - self._watch.reference).sum(axis=1).max() > MOVED:
-            nearest = np.min([self.model.distances(each) for each in q[::SPACING]], axis=0)
+            nearest = distance_profile(self.model, q[::SPACING]).min(axis=0)
             pairs = np.flatnonzero(nearest < self.target + WATCHED)
             self._watch = _Watch(reference=q, pairs=pairs, model=self.model.with_pairs(pairs))
         return self._watch
@@ -356,7 +356,7 @@ class _Watch:
         """Distances (m, k) of the pairs at q (m, n) [m]; interpolated where a pair cannot be nearer than `near`."""
         if not len(self.pairs):
             return np.empty((len(q), 0))
-        coarse = on_grid(np.array([self.model.distances(each) for each in q[::SPACING]]), FINE_DISTANCE)
+        coarse = distance_profile(self.model, q[::SPACING])
         share = np.arange(len(q)) / SPACING
         low = np.minimum(share.astype(int), len(coarse) - 2)
         grid = coarse[low] + (share - low)[:, None] * (coarse[low + 1] - coarse[low])

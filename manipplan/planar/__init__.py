@@ -6,7 +6,6 @@
 ``PlanarArm(lengths).robot()`` is the same arm as a robot for the rest of manipplan.
 """
 
-from manipplan.planar.arcs import Arc, critical_arcs, reachable_radii, workspace_boundary
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.ellipsoids import force_ellipse, matrix_ellipsoid, velocity_ellipse
 from manipplan.planar.inverse import PostureFamily, pose_postures, position_family, two_link_postures
@@ -17,6 +16,9 @@ from manipplan.planar.manipulability import (
     manipulability_gradient,
     manipulability_hessian,
     minors,
+    singular_distance,
+    singular_postures,
+    singular_radii,
     squared_manipulability,
     squared_manipulability_gradient,
     squared_manipulability_hessian,
@@ -24,7 +26,6 @@ from manipplan.planar.manipulability import (
 from manipplan.planar.orientations import is_dexterous, is_reachable, reachable_orientations
 from manipplan.planar.postures import PostureSet, optimal_radius, stationary_kind, stationary_postures
 from manipplan.planar.proportions import Proportions, manipulability_bound, optimal_lengths
-from manipplan.planar.singular import singular_distance, singular_postures, singular_radii
 from manipplan.planar.theorems import (
     Counterexample,
     Theorem,
@@ -34,7 +35,15 @@ from manipplan.planar.theorems import (
     manipulability_theorem,
 )
 from manipplan.planar.trigonometric import TrigonometricPolynomial, squared_manipulability_series, squared_radius_series
-from manipplan.planar.workspace import Annulus, dexterous_annuli, reachable_annulus
+from manipplan.planar.workspace import (
+    Annulus,
+    Arc,
+    critical_arcs,
+    dexterous_annuli,
+    reachable_annulus,
+    reachable_radii,
+    workspace_boundary,
+)
 from manipplan.planar.zeros import Zeros, torus_zeros
 
 __all__ = [

@@ -1,7 +1,9 @@
-"""Manipulability in closed form: μ² as a sum of squared minors of J; gradient and Hessian; norm and condition.
+"""Manipulability in closed form: μ² as a sum of squared minors of J, its derivatives, norm, condition and zeros.
 
-None of them depends on the first angle (theorems 4.1, 4.2, 4.4 in kth2012): θ_1 rotates the whole arm.
+None of the measures depends on the first angle (theorems 4.1, 4.2, 4.4 in kth2012): θ_1 rotates the whole arm.
 """
+
+import itertools
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -119,3 +121,26 @@ def _bends(minor: Array, n: int) -> Array:
         return np.asarray(minor[..., np.maximum(a, m), b] + minor[..., np.maximum(b, m), a])
 
     return slope(i, np.maximum(j, k)) - slope(np.maximum(i, k), j)
+
+
+def singular_postures(arm: PlanarArm) -> Array:
+    """One posture per line of singular postures, (2^(n-1), n) [rad]: θ_1, which is free, is 0; θ_2 ... θ_n are 0 or π.
+
+    J loses rank only there: M_(n-1)n = l_(n-1) l_n sin θ_n must vanish, then M_(n-2)n, and so on down to θ_2. The first row
+    is the stretched arm, the boundary singularity of section 2.5 in kth2012; the others are internal singularities, where
+    the tool is still at a boundary of its motion for a subset of the joints.
+    """
+    rows = itertools.product((0.0, np.pi), repeat=arm.n - 1)
+    return np.array([(0.0, *row) for row in rows])
+
+
+def singular_radii(arm: PlanarArm) -> Array:
+    """Distances of the tool from the base at `singular_postures`, (2^(n-1),) [m]: abs(l_1 ± l_2 ± ... ± l_n)."""
+    signs = np.cumprod(np.cos(singular_postures(arm)), axis=-1)
+    return np.abs(np.round(signs) @ arm.lengths)
+
+
+def singular_distance(arm: PlanarArm, q: ArrayLike) -> Array:
+    """Euclidean distance in joint space from q (..., n) to the nearest singular posture, (...,) [rad]."""
+    bent = configurations("q", q, arm.n)[..., 1:]
+    return np.asarray(np.linalg.norm(bent - np.pi * np.round(bent / np.pi), axis=-1))

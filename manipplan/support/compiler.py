@@ -22,8 +22,8 @@ from functools import cache
 from pathlib import Path
 from typing import TypeVar
 
-from manipplan.support.cache_folder import cache_folder, is_private, private_folder
 from manipplan.support.errors import CompilerError, CompilerWarning
+from manipplan.support.files import cache_folder, is_private, private_folder
 from manipplan.support.processes import run
 from manipplan.support.untrusted import terminal_text
 

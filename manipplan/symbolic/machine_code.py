@@ -7,9 +7,9 @@ from pathlib import Path
 
 import casadi as ca
 
-from manipplan.support.cache_folder import cache_folder
 from manipplan.support.compiler import NATIVE, find_compiler, load_library
 from manipplan.support.errors import CompilerError, CompilerWarning, ManipplanError
+from manipplan.support.files import cache_folder
 from manipplan.support.untrusted import is_identifier, printable
 
 #: Minimum number of characters of source for -O1, which compiles three times faster; the code runs a tenth slower.

@@ -18,8 +18,8 @@ from manipplan.cost.density import energy_density
 from manipplan.cost.integral import PathIntegral
 from manipplan.optimize.clearance import ClearanceRow, row_functions
 from manipplan.support import compiler as module
-from manipplan.support.cache_folder import is_private
 from manipplan.support.compiler import find_compiler, load_library
+from manipplan.support.files import is_private
 from manipplan.support.processes import run
 
 SOURCE = "int answer(void) { return 42; }"

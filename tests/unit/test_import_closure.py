@@ -6,8 +6,7 @@ from pathlib import Path
 import pytest
 
 import manipplan
-from manipplan.support.import_closure import import_closure
-from manipplan.support.kernels import state_of
+from manipplan.support.kernels import import_closure, state_of
 
 PACKAGE = Path(manipplan.__file__).parent
 
