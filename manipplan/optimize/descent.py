@@ -33,6 +33,9 @@ TOLERANCE, FREE_TOLERANCE = 5e-7, 1e-9
 #: Before it ends, the radius is set back to RADIUS for at most this number of steps. At a saddle of g the gradient is zero, and
 #: only a long step along negative curvature lowers g.
 WIDE_STEPS = 3
+#: While the violation is above the first value, a radius below the second one is set back as well [rad or m]: deep in an
+#: obstacle short steps lead nowhere.
+DEEP, SHORT = 5e-3, 1e-3
 #: A step is accepted when the actual decrease is more than this share of the predicted one. Up to the second share, a
 #: second-order correction is tried.
 ACCEPTED, CORRECTED = 1e-4, 0.75
@@ -252,7 +255,7 @@ def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None
         if restored > EXACT:  # a step that restores feasibility may raise g, and φ must fall: (18.36) in nocedal2006
             penalty = max(penalty, min(-model.predicted_decrease(step, restored, 0.0) / (MENDED * restored), LARGEST_PENALTY))
         predicted = model.predicted_decrease(step, restored, penalty)
-        if predicted < tolerance * here.value:
+        if predicted < tolerance * here.value or (here.violation > DEEP and radius < SHORT):
             if choice + 1 < len(model.convex):
                 choice += 1
             elif wide_steps == 0:

@@ -28,6 +28,10 @@ ROUNDS = 8
 SMALL_GAIN = 1e-2
 #: A solution is nearly free if it misses the required clearance by less than this [m].
 NEARLY_FREE = 0.1
+#: Two solutions of the energy are the same when no coefficient differs by more than this [rad or m].
+SAME_SOLUTION = 1e-3
+#: Rounds end at a solution whose g is above the lowest g of an optimum found by this factor.
+WORSE = 1.1
 #: A nearly free solution starts another descent if its g is below this share of the lowest g of an optimum found.
 PROMISING = 0.8
 #: Maximum number of places at which clearance rows are added per round, the deepest dips first.
@@ -45,9 +49,8 @@ ROUGH = 1e-6
 #: quadrature panels do not resolve g on the path reached, or when this one lowered g by more than the share SETTLED: a new
 #: trust region may get past a kink of the clearance where the last one became too small.
 DESCENTS, SETTLED = 8, 2e-4
-#: If two descents in turn end without a proof and their coefficients differ by less than this [rad or m], the path is stuck in
-#: an obstacle.
-STUCK = 1e-6
+#: A converged descent whose path still misses the required clearance by more than this [m] is stuck in an obstacle.
+STUCK = 5e-3
 #: With a required clearance below the first value, descents keep these wider margins first [m]: a descent is slow around a
 #: corner that it passes at only a tenth of a millimetre.
 ROUND, WIDE_MARGINS = 5e-3, (2e-3, 3e-4)
@@ -67,18 +70,20 @@ class Candidate:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class NearlyFree:
-    """A solution of the energy that is not free.
+class LowEnergy:
+    """A minimum of the energy among clearance rows.
 
     Attributes:
-        missing: clearance that it misses [m]; 0 where only the joint limits or the proof fail.
-        g: its g.
-        coefficients: (n, size).
+        solution: what the solver found.
+        g: g of its path.
+        missing: required clearance that its path misses [m].
+        is_free: its path is inside the joint limits and proven free.
     """
 
-    missing: float
+    solution: Solution
     g: float
-    coefficients: Array
+    missing: float
+    is_free: bool
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,7 +97,7 @@ class LocalSearch:
         clearance: required distance [m].
         history: every solve is appended to it.
         ends: fixed derivatives at start and goal.
-        nearly_free: every solution that misses the clearance by less than NEARLY_FREE is appended to it.
+        known: the solution of the energy without obstacles is appended to it if it led to an optimum.
         accepted: every candidate is appended to it, so that an interrupt loses none.
         repaces: whether optima are fitted again at an even pace.
     """
@@ -104,7 +109,7 @@ class LocalSearch:
     clearance: float
     history: list[Step]
     ends: EndConditions = field(default_factory=EndConditions)
-    nearly_free: list[NearlyFree] = field(default_factory=list)
+    known: list[Solution] = field(default_factory=list)
     accepted: list[Candidate] = field(default_factory=list)
     repaces: bool = True
 
@@ -117,13 +122,18 @@ class LocalSearch:
         return [Candidate(path=path, coefficients=self._straight(), cost=cost, optimality=SINGLE, solver="no unknowns")]
 
     def unconstrained(self) -> list[Candidate]:
-        """The local optimum near that of the energy, from the straight line without obstacles; none when that is not free."""
+        """The local optimum reached from the minimum of the energy without obstacles near the straight line.
+
+        The descent among the obstacles starts there although that path may collide; none when it ends in an obstacle.
+        """
         solution = self.program.solve(self.start, self.goal, self._straight())
-        free, *_ = self._judged("straight", solution)
-        if not free:
+        is_free, *_ = self._judged("straight", solution)
+        if not (is_free or solution.converged):
             return []
         found = self.optimum_from("straight", solution.coefficients)
-        return found or self._low_energy_path(solution)
+        if found:
+            self.known.append(solution)
+        return found or (self._low_energy_path(solution) if is_free else [])
 
     def nearest_to(self, first: JointPath) -> list[Candidate]:
         """The local optimum reached from a path, or from its fit at an even pace when the basis does not contain it."""
@@ -174,7 +184,6 @@ class LocalSearch:
             return None
         best: Candidate | None = None
         edges: Array | None = None
-        failed: Array | None = None  # where the last descent ended without a proof
         steps = 0
         margins = self._margins(kept)
         for stage, margin in enumerate([*margins, *margins[-1:] * (DESCENTS - 1)]):
@@ -195,13 +204,11 @@ class LocalSearch:
             least = np.inf if proof is None else proof.upper
             self.history.append(Step(first=name, g=cost.g, clearance=least, solver=descent.reason))
             if surroundings is not None and proof is not None and not proof.proven:
-                if failed is not None and np.abs(coefficients - failed).max() < STUCK:
+                if proof.upper < self.clearance - STUCK and not descent.exhausted:
                     log.debug("descent: stuck in an obstacle at s = %g", proof.at)
                     break
-                failed = coefficients
                 surroundings.always.append((proof.at, proof.pair_id))
                 continue
-            failed = None
             if not self._inside_limits(path):
                 log.debug("descent: the path leaves the joint limits")
                 break
@@ -241,9 +248,35 @@ class LocalSearch:
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """The local optimum near a free path, through a path of low energy that passes each body on the same side.
 
-        Clearance rows keep the minimum of the energy on these sides. They are computed again at each solution, until one is
-        free and the next one lowers g only slightly. If none is free, the descent starts from the nearly free solution that
-        misses the clearance by the least. One of much lower g than all optima found starts a descent of its own.
+        The descent starts from the free path of the lowest g or, if there is none, from those that miss the clearance by the
+        least. A nearly free path of much lower g than all optima found starts a descent of its own.
+        """
+        near_first = self._low_energies(first)
+        free = [each for each in near_first if each.is_free]
+        nearly_free = [each for each in near_first if not each.is_free and each.missing < NEARLY_FREE and np.isfinite(each.g)]
+        nearly_free.sort(key=lambda each: (each.missing, each.g))
+        found: list[Candidate] = []
+        if free:
+            best = min(free, key=lambda each: each.g).solution
+            found = self.optimum_from("seed", best.coefficients) or self._low_energy_path(best)
+        else:
+            for each in nearly_free[: 1 if self.accepted else 2]:
+                nearly_free.remove(each)
+                found = self.optimum_from("seed", each.solution.coefficients)
+                if found:
+                    break
+        if found:
+            most = PROMISING * min(each.cost.g for each in self.accepted)
+            lower = [each for each in nearly_free if each.g < most]
+            if lower:
+                found += self.optimum_from("nearly free", lower[0].solution.coefficients)
+        return found
+
+    def _low_energies(self, first: JointPath) -> list[LowEnergy]:
+        """Minima of the energy near a free path, with clearance rows that keep them on the same side of each body.
+
+        The rows are computed again at each minimum, until one is free and the next one lowers g only slightly. Rounds end
+        early at a minimum from which an optimum was found before, or whose g is much higher than that of an optimum found.
         """
         s, beginning = self._followed(first)
         coefficients = beginning
@@ -251,13 +284,13 @@ class LocalSearch:
         places: tuple[near.Place, ...] = ()
         if self.model is not None:
             places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
-        free: list[Solution] = []
-        costs: list[float] = []
+        found: list[LowEnergy] = []
+        costs: list[float] = []  # g of the free ones
         for _ in range(ROUNDS):
             path = self.program.basis.path(self.start, self.goal, coefficients)
             watched = places
             if self.model is not None:
-                most = np.inf if free else self.clearance + near.FAR
+                most = np.inf if costs else self.clearance + near.FAR
                 watched = near.nearest(self.model, path, places, most=most)
             rows = self.rows(path, lambda at: first(np.interp(at, even, s)), watched)
             solution = self.program.solve(self.start, self.goal, coefficients, rows)
@@ -267,29 +300,19 @@ class LocalSearch:
                 coefficients = beginning
                 continue
             coefficients = solution.coefficients
+            if any(np.abs(coefficients - each.coefficients).max() < SAME_SOLUTION for each in self.known):
+                break
             is_free, distances, failed_at = self._judged("seed", solution)
+            step = self.history[-1]
+            if self.accepted and step.g > WORSE * min(each.cost.g for each in self.accepted):
+                break
+            missing = max(self.clearance - step.clearance, 0.0)
+            found.append(LowEnergy(solution=solution, g=step.g, missing=missing, is_free=is_free))
             if is_free:
-                free.append(solution)
-                costs.append(self.history[-1].g)
-                if not places or (len(free) > 1 and costs[-2] - costs[-1] < SMALL_GAIN * costs[-1]):
+                costs.append(step.g)
+                if not places or (len(costs) > 1 and costs[-2] - costs[-1] < SMALL_GAIN * costs[-1]):
                     break
             places = self.more_places(places, distances, failed_at, is_free=is_free)
-        found: list[Candidate] = []
-        tried: list[NearlyFree] = []
-        if free:
-            best = free[int(np.argmin(costs))]
-            found = self.optimum_from("seed", best.coefficients) or self._low_energy_path(best)
-        else:  # the two nearest to free, as one may be that of the straight line
-            for each in sorted(self.nearly_free, key=_least_missing)[:2]:
-                tried.append(each)
-                found = self.optimum_from("seed", each.coefficients)
-                if found:
-                    break
-        if found:
-            most = PROMISING * min(each.cost.g for each in self.accepted)
-            lower = [each for each in self.nearly_free if each not in tried and each.g < most]
-            if lower:
-                found += self.optimum_from("nearly free", min(lower, key=_least_missing).coefficients)
         return found
 
     def _low_energy_path(self, solution: Solution) -> list[Candidate]:
@@ -348,7 +371,7 @@ class LocalSearch:
         """Whether a solution of the energy is inside the limits and proven free, and its distance profile (m, k) [m].
 
         The third value is the place where the proof failed although the path is free at all places of the profile. The
-        solution is appended to `history` and, if it is nearly free, to `nearly_free`.
+        solution is appended to `history`.
         """
         path = self.program.basis.path(self.start, self.goal, solution.coefficients)
         distances = np.full((near.PLACES + 1, 1), np.inf)
@@ -363,9 +386,6 @@ class LocalSearch:
             if proof is None or proof.proven:
                 return True, distances, ()
             failed_at = ((proof.at, proof.pair_id),)
-        missing = max(self.clearance - least, 0.0)
-        if solution.converged and missing < NEARLY_FREE and np.isfinite(g):
-            self.nearly_free.append(NearlyFree(missing=missing, g=g, coefficients=solution.coefficients))
         return False, distances, failed_at
 
     def _proof(self, path: JointPath, margin: float = 0.0) -> PathClearance | None:
@@ -387,8 +407,3 @@ class LocalSearch:
         s = self.program.integral.constant_speed(path, near.PLACES + 1)
         basis = self.program.basis
         return s, self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
-
-
-def _least_missing(solution: NearlyFree) -> tuple[float, float]:
-    """The order in which nearly free solutions are tried."""
-    return solution.missing, solution.g

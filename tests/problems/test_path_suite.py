@@ -124,6 +124,18 @@ def test_a_nearly_free_solution_of_low_g_starts_a_descent_of_its_own(robots, sce
     assert plan.result.g == reached["nearly free"] < 0.75 * reached["seed"]
 
 
+def test_the_straight_line_starts_a_descent_although_it_collides(robots, scenes):
+    """The planner's path leads to the same minimum of the energy, and no second descent starts from there."""
+    start, goal = [pair[2:] for pair in read_pairs() if pair[:2] == ("panda", "shelf")][0]
+    robot, scene = robots["panda"], scenes["panda", "shelf"]
+    plan = mp.plan(robot, start, goal, scene, clearance=CLEARANCE, seeding=mp.Seeding(time_limit=30.0))
+    check(robot, scene, start, goal, plan)
+    first, *others = plan.result.history
+    assert first.clearance < 0
+    assert {step.first for step in others} == {"straight"}
+    assert plan.result.status is mp.Status.OPTIMAL
+
+
 @pytest.mark.long
 def test_all_pairs_with_obstacles(robots, scenes):
     ratios, optimised = [], 0

@@ -16,7 +16,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.optimize import descent, step_models
 from manipplan.optimize.basis import named_basis
 from manipplan.optimize.certificate import SINGLE, measure_optimality
-from manipplan.optimize.local import Candidate, LocalSearch, NearlyFree
+from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.step_models import BatchDensity, Surroundings
@@ -279,23 +279,22 @@ def test_g_does_not_depend_on_the_processor(scene, start, goal):
 
 @pytest.mark.slow
 def test_a_nearly_free_solution_that_leads_nowhere_is_followed_by_the_next(planar, monkeypatch):
-    """None counts as free here, and the first descent gives no path; no solution is tried twice."""
+    """None counts as free here, and the first two descents give no path; no solution is tried twice."""
     judge, descend_from, tried = LocalSearch._judged, LocalSearch.optimum_from, []
 
     def never_free(search, name, solution):
         _, distances, failed_at = judge(search, name, solution)
-        missing = 0.01 if name == "straight" else 0.02
-        search.nearly_free.append(NearlyFree(missing=missing, g=1e-3, coefficients=solution.coefficients))
+        search.history[-1] = replace(search.history[-1], clearance=-0.01)
         return False, distances, failed_at
 
     def fails_at_first(search, name, coefficients):
-        tried.append(coefficients)
-        return descend_from(search, name, coefficients) if len(tried) > 1 else []
+        tried.append((name, coefficients))
+        return descend_from(search, name, coefficients) if len(tried) > 2 else []
 
     monkeypatch.setattr(LocalSearch, "_judged", never_free)
     monkeypatch.setattr(LocalSearch, "optimum_from", fails_at_first)
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.0, 0.0), name="post")])
     result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], post, objective=mp.PathObjective(power=2))
     assert result.status is mp.Status.OPTIMAL
-    assert len(tried) >= 3  # the straight line's, the seed's, and another one of lower g
-    assert not any(np.array_equal(first, second) for k, first in enumerate(tried) for second in tried[:k])
+    assert [name for name, _ in tried] == ["straight", "seed", "seed"]
+    assert not any(np.array_equal(first, second) for k, (_, first) in enumerate(tried) for _, second in tried[:k])
