@@ -121,10 +121,10 @@ class LocalSearch:
         cost = self.program.integral.cost(path)
         return [Candidate(path=path, coefficients=self._straight(), cost=cost, optimality=SINGLE, solver="no unknowns")]
 
-    def unconstrained(self) -> list[Candidate]:
-        """The local optimum reached from the minimum of the energy without obstacles near the straight line.
+    def from_straight_line(self) -> list[Candidate]:
+        """The local optimum reached from the straight line, through the minimum of the energy without obstacles.
 
-        The descent among the obstacles starts there although that path may collide; none when it ends in an obstacle.
+        The descent among the obstacles starts at that minimum although it may collide; none when it ends in an obstacle.
         """
         solution = self.program.solve(self.start, self.goal, self._straight())
         is_free, *_ = self._judged("straight", solution)

@@ -77,11 +77,11 @@ def optimize_path(
 ) -> PathResult | NoPath:
     """Find the path from start to goal of minimum g = ∫ ‖q'‖_W / m^power ds, far from singularities [kth2012, ch. 6].
 
-    The path is a polynomial, or a spline of several pieces. IPOPT minimises its energy ∫ ‖q'‖_W² / m^(2 power) ds until
-    a collision-free path is found, once from the straight line and once from the seed. From there, sequential quadratic
-    programming in a trust region [nocedal2006, ch. 18] minimises g itself with the true distances of the scene. Degrees above
-    6 and paths of several pieces also start from the optimum of a lower degree. The path with the smallest g is returned; of
-    two whose g differ by less than a share of 1e-5, the one found first. The optimum is local.
+    The path is a polynomial, or a spline of several pieces. IPOPT minimises its energy ∫ ‖q'‖_W² / m^(2 power) ds, from the
+    straight line without obstacles and from the seed among them. From there, sequential quadratic programming in a trust region
+    [nocedal2006, ch. 18] minimises g itself with the true distances of the scene. Degrees above 6 and paths of several pieces
+    also start from the optimum of a lower degree. The path with the smallest g is returned; of two whose g differ by less than
+    a share of 1e-5, the one found first. The optimum is local.
 
     Joint limits hold on the whole curve. With a scene, an optimised path is proven collision-free on the whole curve; a seed
     is proven too, or at least checked every milliradian. `certificate` holds the measured figures. Status.OPTIMAL means that

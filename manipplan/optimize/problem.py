@@ -161,7 +161,7 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
     3. The optimum of a lower degree.
     """
     is_line = len(first.control) == 1 and first.degree == 1
-    found = search.unconstrained() if straight or is_line else []
+    found = search.from_straight_line() if straight or is_line else []
     if not (found and is_line):  # a straight first path would repeat the same solve
         nearby = search.nearest_to(first) if problem.given or problem.shape.pieces > 1 else []
         found += nearby or search.from_safe_path(first)
