@@ -82,6 +82,7 @@ benchmark-paths: $(READY)
 # Beside a checkout of version 0.1, which is made first.
 benchmark-convergence: $(READY) $(OLD)
 	$(BIN)/python benchmarks/convergence.py --old $(OLD)
+	$(BIN)/python benchmarks/version_01.py --old $(OLD)
 
 $(OLD):
 	git worktree add --detach $(OLD) 6f9afba

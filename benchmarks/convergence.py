@@ -151,14 +151,7 @@ def in_turn(lists: list[list[Row]]) -> list[Row]:
 
 def work() -> None:
     """Answer tasks, one JSON object per line, from standard input to standard output until the input ends."""
-    answers = os.fdopen(os.dup(1), "w")
-    os.dup2(2, 1)  # whatever a library prints is no answer
-
-    def say(row: Row) -> None:
-        answers.write(json.dumps(row) + "\n")
-        answers.flush()
-
-    say({"package": str(Path(mp.__file__).resolve().parent)})
+    say = speaker()
     robots: dict[str, mp.Robot] = {}
     scenes: dict[str, mp.Scene] = {}
     for line in sys.stdin:
@@ -176,6 +169,19 @@ def work() -> None:
         except mp.ManipplanError as error:
             row = {"status": type(error).__name__, "g": np.inf, "first g": np.inf, "error": str(error)}
         say(row)
+
+
+def speaker() -> Callable[[Row], None]:
+    """A function that writes a row to the parent process; the first one tells which package was imported."""
+    answers = os.fdopen(os.dup(1), "w")
+    os.dup2(2, 1)  # whatever a library prints is no answer
+
+    def say(row: Row) -> None:
+        answers.write(json.dumps(row) + "\n")
+        answers.flush()
+
+    say({"package": str(Path(mp.__file__).resolve().parent)})
+    return say
 
 
 def build_robot(arm: Row) -> mp.Robot:
@@ -260,10 +266,10 @@ JOBS = {"optimise": optimised, "plan": planned, "again": again}
 
 
 class Worker:
-    """A worker process that imports the package from `checkout`; it starts with the first task."""
+    """A process of `script --worker` that imports the package from `checkout`; it starts with the first task."""
 
-    def __init__(self, checkout: Path, **environment: str) -> None:
-        self.checkout, self.environment = checkout.resolve(), environment
+    def __init__(self, checkout: Path, *, script: str = __file__, **environment: str) -> None:
+        self.checkout, self.script, self.environment = checkout.resolve(), script, environment
         self.closing = contextlib.ExitStack()
 
     def __enter__(self) -> "Worker":
@@ -277,7 +283,7 @@ class Worker:
         self.said = Path(self.closing.enter_context(tempfile.TemporaryDirectory())) / "messages.txt"
         process = self.closing.enter_context(
             subprocess.Popen(  # leaving its context closes the pipes, which ends the worker, and waits
-                [sys.executable, __file__, "--worker"],
+                [sys.executable, self.script, "--worker"],
                 env=os.environ | ONE_THREAD | self.environment | {"PYTHONPATH": str(self.checkout)},
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,

@@ -12,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 import control_step
 import motionbenchmaker
 import six_joint_arms
+import version_01
 from outside import problems
 
 
@@ -66,3 +67,14 @@ def test_at_rest_bounds_are_active_and_along_a_path_hardly_any(tmp_path):
         assert middle.active > 1.5 if case == control_step.REST else middle.active < 1
         assert 0 < middle.median <= middle.high
         assert np.isfinite(middle.high)
+
+
+@pytest.mark.slow
+def test_every_call_that_is_timed_beside_version_01_runs():
+    for call in version_01.calls().values():
+        assert call() is not None
+
+
+@pytest.mark.parametrize(("duration", "text"), [(2.5, "2.5 s"), (0.0123, "12.3 ms"), (4.56e-6, "4.56 µs")])
+def test_durations_are_shown_with_a_unit_that_suits_them(duration, text):
+    assert version_01.shown(duration) == text

@@ -126,7 +126,7 @@ def test_a_nearly_free_solution_of_low_g_starts_a_descent_of_its_own(robots, sce
 
 def test_the_straight_line_starts_a_descent_although_it_collides(robots, scenes):
     """The planner's path leads to the same minimum of the energy, and no second descent starts from there."""
-    start, goal = [pair[2:] for pair in read_pairs() if pair[:2] == ("panda", "shelf")][0]
+    start, goal = next(pair[2:] for pair in read_pairs() if pair[:2] == ("panda", "shelf"))
     robot, scene = robots["panda"], scenes["panda", "shelf"]
     plan = mp.plan(robot, start, goal, scene, clearance=CLEARANCE, seeding=mp.Seeding(time_limit=30.0))
     check(robot, scene, start, goal, plan)
