@@ -111,6 +111,8 @@ PLACES = 160
 NEAR = 0.03
 #: Margin of rows above the required clearance, to cover the path between places [m].
 SPARE = 0.003
+#: Maximum number of places at which clearance rows are added per round, the deepest dips first.
+NEW_PLACES = 10
 #: Maximum number of places with rows per solve, those where pairs are nearest.
 MOST_PLACES = 60
 #: If there are more and no free path is known yet, only places where pairs are nearer than the clearance plus this [m] get
@@ -153,6 +155,25 @@ def merged(old: Iterable[Place], new: Iterable[Place], apart: float = APART) -> 
     for s, pair in new:
         if all(other != pair or abs(s - place) > apart for place, other in places):
             places.append((s, pair))
+    return places
+
+
+def more_places(
+    places: tuple[Place, ...], distances: Array, failed_at: tuple[Place, ...], clearance: float, *, is_free: bool
+) -> tuple[Place, ...]:
+    """The places, with those around the place where the proof failed, and around the deepest dips below the clearance [m].
+
+    The dips are those of the distance profile (m, k) [m]. If that adds no place although the path is not free, closer places
+    are allowed, then dips up to SPARE above the clearance.
+    """
+    attempts = [(0.0, APART)]
+    if not is_free:
+        attempts += [(0.0, CLOSE), (SPARE, APART), (SPARE, CLOSE)]
+    for spare, apart in attempts:
+        deepest = [*failed_at, *dips(distances, clearance + spare)][:NEW_PLACES]
+        more = merged(places, around(deepest), apart)
+        if len(more) > len(places):
+            return tuple(more)
     return places
 
 

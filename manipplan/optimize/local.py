@@ -34,8 +34,6 @@ SAME_SOLUTION = 1e-3
 WORSE = 1.1
 #: A nearly free solution starts another descent if its g is below this share of the lowest g of an optimum found.
 PROMISING = 0.8
-#: Maximum number of places at which clearance rows are added per round, the deepest dips first.
-NEW_PLACES = 10
 #: Maximum deviation of the fit to a path at which the basis counts as containing the path [rad or m].
 SAME = 1e-9
 #: The descent is repeated from the fit to the optimum at an even pace while that lowers g by more than this share.
@@ -54,6 +52,9 @@ STUCK = 5e-3
 #: With a required clearance below the first value, descents keep these wider margins first [m]: a descent is slow around a
 #: corner that it passes at only a tenth of a millimetre.
 ROUND, WIDE_MARGINS = 5e-3, (2e-3, 3e-4)
+#: Where descents settle at a kink, at which the first-order conditions do not hold, the path is once moved away to this margin
+#: [m], and descents start again from there.
+BACK_OFF = 3e-4
 #: Relative tolerance within which a descent's g, without its share of the energy, agrees with the path's g.
 AGREEMENT = 1e-6
 
@@ -185,6 +186,7 @@ class LocalSearch:
         best: Candidate | None = None
         edges: Array | None = None
         steps = 0
+        backed_off = False
         margins = self._margins(kept)
         for stage, margin in enumerate([*margins, *margins[-1:] * (DESCENTS - 1)]):
             if surroundings is not None:
@@ -218,11 +220,18 @@ class LocalSearch:
             agrees = abs(true.length.without_energy.value(descent.z) * true.length.g0 - cost.g) <= AGREEMENT * cost.g
             candidate = candidate if agrees else replace(candidate, optimality=UNKNOWN)
             settled = best is not None and best.cost.g - cost.g <= SETTLED * cost.g
-            worth = WORTH if agrees else 0.0  # a confirmed optimum may have a slightly larger g
+            # a confirmed optimum may have a slightly larger g
+            worth = WORTH if agrees and (optimality.reached or not backed_off) else 0.0
             best = candidate if best is None or cost.g < best.cost.g * (1 + worth) else best
             converged = optimality.reached or not descent.exhausted
-            if not np.isfinite(cost.g) or (settled and converged and (agrees or not refined)):
+            if not np.isfinite(cost.g):
                 break
+            if settled and converged and (agrees or not refined):
+                if best.optimality.reached or surroundings is None or backed_off:
+                    break
+                backed_off, surroundings.margin = True, BACK_OFF
+                true, z = program.descent_program(self.start, self.goal, coefficients, surroundings, edges=edges)
+                coefficients = true.length.curves.coefficients(descend(true, z).z)
         if best is not None:
             self.accepted.append(best)
         return best
@@ -312,7 +321,7 @@ class LocalSearch:
                 costs.append(step.g)
                 if not places or (len(costs) > 1 and costs[-2] - costs[-1] < SMALL_GAIN * costs[-1]):
                     break
-            places = self.more_places(places, distances, failed_at, is_free=is_free)
+            places = near.more_places(places, distances, failed_at, self.clearance, is_free=is_free)
         return found
 
     def _low_energy_path(self, solution: Solution) -> list[Candidate]:
@@ -348,24 +357,6 @@ class LocalSearch:
         if self.model is None:
             return []
         return near.rows_for(self.model, path, safe, places, self.clearance)
-
-    def more_places(
-        self, places: tuple[near.Place, ...], distances: Array, failed_at: tuple[near.Place, ...], *, is_free: bool
-    ) -> tuple[near.Place, ...]:
-        """The places, with those around the place where the proof failed, and around the deepest dips below the clearance.
-
-        The dips are those of the distance profile (m, k) [m]. If that adds no place although the path is not free, closer
-        places are allowed, then dips up to SPARE above the clearance.
-        """
-        attempts = [(0.0, near.APART)]
-        if not is_free:
-            attempts += [(0.0, near.CLOSE), (near.SPARE, near.APART), (near.SPARE, near.CLOSE)]
-        for spare, apart in attempts:
-            deepest = [*failed_at, *near.dips(distances, self.clearance + spare)][:NEW_PLACES]
-            more = near.merged(places, near.around(deepest), apart)
-            if len(more) > len(places):
-                return tuple(more)
-        return places
 
     def _judged(self, name: str, solution: Solution) -> tuple[bool, Array, tuple[near.Place, ...]]:
         """Whether a solution of the energy is inside the limits and proven free, and its distance profile (m, k) [m].
