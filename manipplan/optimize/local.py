@@ -1,7 +1,6 @@
 """Local optima between one start and goal: first a path of low energy, then a descent on g among the true obstacles."""
 
 import logging
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -50,11 +49,9 @@ DESCENTS, SETTLED = 8, 2e-4
 #: A converged descent whose path still misses the required clearance by more than this [m] is stuck in an obstacle.
 STUCK = 5e-3
 #: With a required clearance below the first value, descents keep these wider margins first [m]: a descent is slow around a
-#: corner that it passes at only a tenth of a millimetre.
+#: corner that it passes at only a tenth of a millimetre. Descents that settle at a kink, where the first-order conditions do
+#: not hold, start once more from a path with the last of these margins.
 ROUND, WIDE_MARGINS = 5e-3, (2e-3, 3e-4)
-#: Where descents settle at a kink, at which the first-order conditions do not hold, the path is once moved away to this margin
-#: [m], and descents start again from there.
-BACK_OFF = 3e-4
 #: Relative tolerance within which a descent's g, without its share of the energy, agrees with the path's g.
 AGREEMENT = 1e-6
 
@@ -227,9 +224,9 @@ class LocalSearch:
             if not np.isfinite(cost.g):
                 break
             if settled and converged and (agrees or not refined):
-                if best.optimality.reached or surroundings is None or backed_off:
+                if best.optimality.reached or surroundings is None or backed_off or self._room() < WIDE_MARGINS[-1]:
                     break
-                backed_off, surroundings.margin = True, BACK_OFF
+                backed_off, surroundings.margin = True, WIDE_MARGINS[-1]
                 true, z = program.descent_program(self.start, self.goal, coefficients, surroundings, edges=edges)
                 coefficients = true.length.curves.coefficients(descend(true, z).z)
         if best is not None:
@@ -243,11 +240,16 @@ class LocalSearch:
         """
         if self.model is None:
             return [MARGIN]
-        distances = [self.model.distances(q).min(initial=np.inf) for q in (self.start, self.goal)]
-        most = float(min(distances)) - self.clearance
-        wide = [margin for margin in WIDE_MARGINS if margin < most] if self.clearance < ROUND else []
+        room = self._room()
+        wide = [margin for margin in WIDE_MARGINS if margin < room] if self.clearance < ROUND else []
         wide = [margin for margin in wide if kept is None or self._keeps(kept, margin)]
-        return [*wide, max(min(MARGIN, most), 0.0)]
+        return [*wide, max(min(MARGIN, room), 0.0)]
+
+    def _room(self) -> float:
+        """The smaller of the distances of start and goal beyond the required clearance [m]."""
+        model = self.model
+        least = np.inf if model is None else min(model.distances(q).min(initial=np.inf) for q in (self.start, self.goal))
+        return float(least) - self.clearance
 
     def _keeps(self, path: JointPath, margin: float = 0.0) -> bool:
         """Whether a path is proven to keep the required clearance plus a margin [m], or nothing is checked."""
@@ -297,11 +299,10 @@ class LocalSearch:
         costs: list[float] = []  # g of the free ones
         for _ in range(ROUNDS):
             path = self.program.basis.path(self.start, self.goal, coefficients)
-            watched = places
+            rows: list[ClearanceRow] = []
             if self.model is not None:
-                most = np.inf if costs else self.clearance + near.FAR
-                watched = near.nearest(self.model, path, places, most=most)
-            rows = self.rows(path, lambda at: first(np.interp(at, even, s)), watched)
+                watched = near.nearest(self.model, path, places, most=np.inf if costs else self.clearance + near.FAR)
+                rows = near.rows_for(self.model, path, lambda at: first(np.interp(at, even, s)), watched, self.clearance)
             solution = self.program.solve(self.start, self.goal, coefficients, rows)
             if not solution.converged and np.array_equal(coefficients, beginning):
                 break
@@ -351,12 +352,6 @@ class LocalSearch:
         true, z = self.program.descent_program(self.start, self.goal, coefficients, None, limited=False)
         costs = [self.program.integral.cost(each).g for each in (path, true.path(descend(true, z, tolerance=ROUGH).z))]
         return min(costs)
-
-    def rows(self, path: JointPath, safe: Callable[[float], Array], places: tuple[near.Place, ...]) -> list[ClearanceRow]:
-        """Clearance rows at the places of `path`, with planes of the path `safe` where `path` is not free."""
-        if self.model is None:
-            return []
-        return near.rows_for(self.model, path, safe, places, self.clearance)
 
     def _judged(self, name: str, solution: Solution) -> tuple[bool, Array, tuple[near.Place, ...]]:
         """Whether a solution of the energy is inside the limits and proven free, and its distance profile (m, k) [m].
