@@ -171,6 +171,11 @@ def work() -> None:
         say(row)
 
 
+def no_package(folder: Path) -> str:
+    """The message for a folder that is no checkout."""
+    return f"--old is {folder}, which has no package manipplan; name a checkout of version 0.1"
+
+
 def speaker() -> Callable[[Row], None]:
     """A function that writes a row to the parent process; the first one tells which package was imported."""
     answers = os.fdopen(os.dup(1), "w")
@@ -728,7 +733,7 @@ def parsed(arguments: Sequence[str] | None) -> argparse.Namespace:
     if options.part in ("old", "all") and options.old is None:
         parser.error("--old PATH is needed: a checkout of version 0.1, made by git worktree add PATH 6f9afba")
     if options.old is not None and not (options.old / "manipplan" / "__init__.py").is_file():
-        parser.error(f"--old is {options.old}, which has no package manipplan; name a checkout of version 0.1")
+        parser.error(no_package(options.old))
     return options
 
 

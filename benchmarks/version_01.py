@@ -15,7 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from convergence import ROOT, Worker, speaker
+from convergence import ROOT, Worker, no_package, speaker
 from rich.progress import track
 
 import manipplan as mp
@@ -114,7 +114,7 @@ def main(arguments: Sequence[str] | None = None) -> dict[str, float]:
     parser.add_argument("--out", type=Path, default=OUT, help="file of the table")
     given = parser.parse_args(arguments)
     if not (given.old / "manipplan").is_dir():
-        parser.error(f"--old is {given.old}, which has no package manipplan; name a checkout of version 0.1")
+        parser.error(no_package(given.old))
     times: dict[str, list[dict[str, float]]] = {}
     with Worker(ROOT, script=__file__) as new, Worker(given.old, script=__file__) as old:
         workers = {"new": new, "old": old}

@@ -2,6 +2,7 @@
 
 import logging
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -184,8 +185,10 @@ class LocalSearch:
         edges: Array | None = None
         steps = 0
         backed_off = False
-        margins = self._margins(kept)
-        for stage, margin in enumerate([*margins, *margins[-1:] * (DESCENTS - 1)]):
+        *wide, final = self._margins(kept)
+        waiting = [*wide, *[final] * DESCENTS]
+        while waiting:
+            margin = waiting.pop(0)
             if surroundings is not None:
                 surroundings.margin = margin
             true, z = program.descent_program(self.start, self.goal, coefficients, surroundings, edges=edges)
@@ -196,7 +199,7 @@ class LocalSearch:
             descent = descend(true, z)
             steps += descent.steps
             coefficients = true.length.curves.coefficients(descent.z)
-            if stage < len(margins) - 1:  # this margin is not the final one
+            if margin > final:
                 continue
             path = true.path(descent.z)
             cost, proof = integral.cost(path), self._proof(path)
@@ -224,11 +227,9 @@ class LocalSearch:
             if not np.isfinite(cost.g):
                 break
             if settled and converged and (agrees or not refined):
-                if best.optimality.reached or surroundings is None or backed_off or self._room() < WIDE_MARGINS[-1]:
+                if best.optimality.reached or backed_off or not WIDE_MARGINS[-1] < self.room:
                     break
-                backed_off, surroundings.margin = True, WIDE_MARGINS[-1]
-                true, z = program.descent_program(self.start, self.goal, coefficients, surroundings, edges=edges)
-                coefficients = true.length.curves.coefficients(descend(true, z).z)
+                backed_off, waiting = True, [WIDE_MARGINS[-1], *waiting]
         if best is not None:
             self.accepted.append(best)
         return best
@@ -238,18 +239,16 @@ class LocalSearch:
 
         Wide ones come before the final one, with `kept` only those that this path has.
         """
-        if self.model is None:
-            return [MARGIN]
-        room = self._room()
-        wide = [margin for margin in WIDE_MARGINS if margin < room] if self.clearance < ROUND else []
+        wide = [margin for margin in WIDE_MARGINS if margin < self.room] if self.clearance < ROUND else []
         wide = [margin for margin in wide if kept is None or self._keeps(kept, margin)]
-        return [*wide, max(min(MARGIN, room), 0.0)]
+        return [*wide, max(min(MARGIN, self.room), 0.0)]
 
-    def _room(self) -> float:
-        """The smaller of the distances of start and goal beyond the required clearance [m]."""
-        model = self.model
-        least = np.inf if model is None else min(model.distances(q).min(initial=np.inf) for q in (self.start, self.goal))
-        return float(least) - self.clearance
+    @cached_property
+    def room(self) -> float:
+        """The smaller of the distances of start and goal beyond the required clearance [m]; 0 where nothing is checked."""
+        if self.model is None:
+            return 0.0
+        return float(min(self.model.distances(q).min(initial=np.inf) for q in (self.start, self.goal))) - self.clearance
 
     def _keeps(self, path: JointPath, margin: float = 0.0) -> bool:
         """Whether a path is proven to keep the required clearance plus a margin [m], or nothing is checked."""
@@ -296,12 +295,12 @@ class LocalSearch:
         if self.model is not None:
             places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
         found: list[LowEnergy] = []
-        costs: list[float] = []  # g of the free ones
+        free: list[float] = []  # g of those that are free
         for _ in range(ROUNDS):
             path = self.program.basis.path(self.start, self.goal, coefficients)
             rows: list[ClearanceRow] = []
             if self.model is not None:
-                watched = near.nearest(self.model, path, places, most=np.inf if costs else self.clearance + near.FAR)
+                watched = near.nearest(self.model, path, places, most=np.inf if free else self.clearance + near.FAR)
                 rows = near.rows_for(self.model, path, lambda at: first(np.interp(at, even, s)), watched, self.clearance)
             solution = self.program.solve(self.start, self.goal, coefficients, rows)
             if not solution.converged and np.array_equal(coefficients, beginning):
@@ -318,10 +317,9 @@ class LocalSearch:
                 break
             missing = max(self.clearance - step.clearance, 0.0)
             found.append(LowEnergy(solution=solution, g=step.g, missing=missing, is_free=is_free))
-            if is_free:
-                costs.append(step.g)
-                if not places or (len(costs) > 1 and costs[-2] - costs[-1] < SMALL_GAIN * costs[-1]):
-                    break
+            free = [each.g for each in found if each.is_free]
+            if is_free and (not places or (len(free) > 1 and free[-2] - free[-1] < SMALL_GAIN * free[-1])):
+                break
             places = near.more_places(places, distances, failed_at, self.clearance, is_free=is_free)
         return found
 
