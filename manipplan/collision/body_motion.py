@@ -14,8 +14,9 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from manipplan.collision.fitting import enclose
 from manipplan.collision.model import CollisionModel
-from manipplan.collision.primitives import core_of, enclose
+from manipplan.collision.primitives import core_of
 from manipplan.robots.model_tree import axis_of, is_prismatic
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner

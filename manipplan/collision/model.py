@@ -9,8 +9,9 @@ import pinocchio as pin
 from numpy.typing import ArrayLike
 
 from manipplan.collision.contact import Contact, Witness
-from manipplan.collision.primitives import core_of, fit_primitives, mesh_triangles
+from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.collision.scene import Scene
+from manipplan.collision.stored_fits import find_or_fit
 from manipplan.paths.joint import JointPath
 from manipplan.robots.hulls import has_hull
 from manipplan.robots.robot import Robot
@@ -258,7 +259,7 @@ def _primitive_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int]]:
     origins = []
     for origin, item in enumerate(robot.geometry.geometryObjects):
         if isinstance(item.geometry, coal.BVHModelBase):
-            fitted = fit_primitives(mesh_triangles(item.geometry))
+            fitted = find_or_fit(mesh_triangles(item.geometry))
             shapes = [(primitive.shape, item.placement * primitive.placement) for primitive in fitted]
         else:
             shapes = [(item.geometry, item.placement)]

@@ -8,7 +8,8 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.model import CollisionModel, add_self_pairs
-from manipplan.collision.primitives import core_of, fit_primitives, mesh_triangles
+from manipplan.collision.primitives import core_of, mesh_triangles
+from manipplan.collision.stored_fits import find_or_fit
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
@@ -94,7 +95,7 @@ def _capsules(shape: coal.CollisionGeometry) -> list[tuple[Array, Array, float]]
 
         triangles = points[ConvexHull(points).simplices]
     found = []
-    for primitive in fit_primitives(triangles, boxes=False):
+    for primitive in find_or_fit(triangles, boxes=False):
         points, radius = core_of(primitive.shape)
         ends = [primitive.placement.act(point) for point in (points[0], points[-1])]
         found.append((ends[0], ends[1], radius))

@@ -10,7 +10,8 @@ import pytest
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.primitives import fit_primitives, mesh_triangles, outside
+from manipplan.collision.fitting import fit_primitives
+from manipplan.collision.primitives import mesh_triangles, outside
 
 
 def tetrahedra(file, offsets):
@@ -74,8 +75,8 @@ def test_primitives_contain_the_mesh_they_stand_for(name):
         # every point of the surface, sampled, lies in at least one primitive
         weights = np.random.default_rng(0).dirichlet([1, 1, 1], size=len(triangles))
         points = np.einsum("tk,tkx->tx", weights, triangles)
-        excess = np.array([[outside(primitive, point[None]) for primitive in primitives] for point in points])
-        assert excess.min(axis=1).max() == 0.0
+        excess = np.array([outside(primitive, points) for primitive in primitives])
+        assert excess.min(axis=0).max() == 0.0
         assert sum(primitive.volume for primitive in primitives) < 8 * abs(mesh.computeVolume())
 
 

@@ -1,0 +1,176 @@
+"""Convex primitives in place of meshes: spheres, capsules and boxes that contain every triangle they replace.
+
+A mesh is split into few parts, each enclosed by the primitive of smallest volume. A primitive is convex, so it contains a
+triangle when it contains its corners: that is checked, not assumed.
+"""
+
+from collections.abc import Callable
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from manipplan.collision.primitives import Primitive, outside
+from manipplan.support.checks import Array
+from manipplan.support.errors import ManipplanError
+
+#: Minimum share of the volume that a further cut of a mesh must save, and maximum number of parts of a mesh.
+MIN_SAVING = 0.08
+MAX_PARTS = 4
+#: Margin by which every primitive is larger than the fit, so that rounding cannot leave a corner outside [m].
+PADDING = 1e-6
+
+
+def fit_primitives(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
+    """Primitives that together contain `triangles` (t, 3, 3) [m]; `boxes`: whether boxes are allowed.
+
+    Raises ManipplanError if a triangle is not inside the primitive of its part.
+    """
+    triangles = subdivided(triangles)
+    parts = [(triangles, enclose(triangles, boxes=boxes))]
+    while len(parts) < MAX_PARTS:
+        cuts = [_best_cut(part, boxes) for part, _ in parts]
+        pieces = [[part[side] for side in cut] for (part, _), cut in zip(parts, cuts, strict=True)]
+        enclosed = [[enclose(piece, boxes=boxes) for piece in pair if len(piece)] for pair in pieces]
+        saved = [whole.volume - sum(p.volume for p in pair) for (_, whole), pair in zip(parts, enclosed, strict=True)]
+        k = int(np.argmax(saved))
+        if saved[k] < MIN_SAVING * sum(whole.volume for _, whole in parts):
+            break
+        parts[k : k + 1] = list(zip(pieces[k], enclosed[k], strict=True))
+    for part, primitive in parts:
+        excess = outside(primitive, part.reshape(-1, 3)).max()
+        if excess > 0:
+            raise ManipplanError(f"a fitted {type(primitive.shape).__name__} leaves up to {excess:g} m of its mesh outside")
+    return [primitive for _, primitive in parts]
+
+
+def enclose(triangles: Array, *, refine: bool = True, boxes: bool = True) -> Primitive:
+    """The sphere, capsule or (with `boxes`) box of smallest volume found that contains `triangles` (t, 3, 3) [m]."""
+    points = _hull_points(triangles.reshape(-1, 3))
+    axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=len(points) < 3)[2]  # (3, 3) also for two points
+    axes[2] *= np.linalg.det(axes)
+    capsule = min((_capsule(points, _frame(axis)) for axis in axes), key=_volume)
+    if refine:
+        capsule = _turned(_capsule, points, capsule)
+    found = [capsule, _sphere(points)]
+    if boxes:
+        box = min((_box(points, frame) for frame in (np.eye(3), axes.T)), key=_volume)
+        found.append(_turned(_box, points, box) if refine else box)
+    return min(found, key=_volume)
+
+
+def _best_cut(triangles: Array, boxes: bool) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Masks of the triangles on either side of the plane, normal to a principal axis, whose sides need the smallest volume.
+
+    Planes are compared on a few hundred of the triangles; the best one cuts the whole part.
+    """
+    some = triangles[:: 1 + len(triangles) // 400]
+    points = some.reshape(-1, 3)
+    axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2]
+    best = (np.inf, axes[0], 0.0)
+    for axis in axes:
+        along = some.mean(axis=1) @ axis
+        for offset in np.quantile(along, [0.25, 0.4, 0.5, 0.6, 0.75]):
+            left = along < offset
+            volume = sum(enclose(some[side], refine=False, boxes=boxes).volume for side in (left, ~left) if side.any())
+            if volume < best[0]:
+                best = (volume, axis, float(offset))
+    left = triangles.mean(axis=1) @ best[1] < best[2]
+    return left, ~left
+
+
+def subdivided(triangles: Array) -> Array:
+    """The same surface as triangles with edges of at most an eighth of its size, so that the parts overlap little."""
+    size = np.linalg.norm(np.ptp(triangles.reshape(-1, 3), axis=0)) / 8
+    small = []
+    while len(triangles):
+        edges = np.roll(triangles, -1, axis=1) - triangles
+        length = np.linalg.norm(edges, axis=2)
+        long = length.max(axis=1) > size
+        small.append(triangles[~long])
+        triangles, length = triangles[long], length[long]
+        # split at the middle of the longest edge
+        first = length.argmax(axis=1)
+        row = np.arange(len(triangles))
+        a, b, c = (triangles[row, (first + k) % 3] for k in range(3))
+        middle = (a + b) / 2
+        triangles = np.concatenate([np.stack([a, middle, c], axis=1), np.stack([middle, b, c], axis=1)])
+    return np.concatenate(small)
+
+
+def _hull_points(points: Array) -> Array:
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        return np.asarray(points[ConvexHull(points).vertices])
+    except (QhullError, ValueError):  # flat or fewer than four points: all of them count
+        return points
+
+
+def _volume(primitive: Primitive) -> float:
+    return primitive.volume
+
+
+def _turned(fit: Callable[[Array, Array], Primitive], points: Array, start: Primitive) -> Primitive:
+    """The fit of smallest volume over all rotations near that of `start`."""
+    from scipy.optimize import minimize
+
+    frame = start.placement.rotation
+
+    def turned(x: Array) -> Primitive:
+        return fit(points, frame @ pin.exp3(x))
+
+    found = minimize(
+        lambda x: turned(x).volume,
+        np.zeros(3),
+        method="Nelder-Mead",
+        options={"maxfev": 120, "initial_simplex": 0.3 * np.vstack([np.zeros(3), np.eye(3)]), "xatol": 1e-3, "fatol": 1e-9},
+    )
+    return min([start, turned(found.x)], key=_volume)
+
+
+def _frame(z: Array) -> Array:
+    z = z / np.linalg.norm(z)
+    x = np.cross(z, np.eye(3)[np.argmin(np.abs(z))])
+    x /= np.linalg.norm(x)
+    return np.column_stack([x, np.cross(z, x), z])
+
+
+def _sphere(points: Array) -> Primitive:
+    centre = _ball_centre(points)
+    radius = float(np.linalg.norm(points - centre, axis=1).max()) + PADDING
+    return Primitive(shape=coal.Sphere(radius), placement=pin.SE3(np.eye(3), centre), volume=4 / 3 * np.pi * radius**3)
+
+
+def _capsule(points: Array, frame: Array) -> Primitive:
+    local = points @ frame
+    centre = _ball_centre(local[:, :2])
+    square = ((local[:, :2] - centre) ** 2).sum(axis=1)
+    radius = float(np.sqrt(square.max()))
+    reach = np.sqrt(np.maximum(radius**2 - square, 0.0))
+    low, high = float((local[:, 2] + reach).min()), float((local[:, 2] - reach).max())
+    if low > high:  # one ball contains all points
+        low = high = (low + high) / 2
+    half = (high - low) / 2
+    radius += PADDING
+    placement = pin.SE3(frame, frame @ np.array([*centre, (low + high) / 2]))
+    volume = np.pi * radius**2 * (2 * half + 4 / 3 * radius)
+    return Primitive(shape=coal.Capsule(radius, 2 * half), placement=placement, volume=volume)
+
+
+def _box(points: Array, frame: Array) -> Primitive:
+    local = points @ frame
+    low, high = local.min(axis=0), local.max(axis=0)
+    side = high - low + 2 * PADDING
+    placement = pin.SE3(frame, frame @ ((low + high) / 2))
+    return Primitive(shape=coal.Box(*side), placement=placement, volume=float(side.prod()))
+
+
+def _ball_centre(points: Array) -> Array:
+    """Approximate centre of the smallest ball around `points`, by steps towards the farthest point [badoiu2003]."""
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2
+    for k in range(12):
+        far = points[np.argmax(((points - centre) ** 2).sum(axis=1))]
+        centre = centre + (far - centre) / (k + 2)
+    return np.asarray(centre)

@@ -1,0 +1,80 @@
+"""Fitted primitives are kept on disk, and what is read is checked like a fit."""
+
+import json
+
+import numpy as np
+import pytest
+
+from manipplan.collision import fitting
+from manipplan.collision.primitives import outside
+from manipplan.collision.stored_fits import find_or_fit
+
+
+@pytest.fixture
+def cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("MANIPPLAN_CACHE", str(tmp_path))
+    return tmp_path
+
+
+@pytest.fixture
+def triangles():
+    return np.random.default_rng(3).normal(scale=0.1, size=(40, 3, 3))
+
+
+@pytest.fixture
+def fits(monkeypatch):
+    """The calls of the fit."""
+    calls = []
+    fit = fitting.fit_primitives
+
+    def counted(*arguments, **options):
+        calls.append(options)
+        return fit(*arguments, **options)
+
+    monkeypatch.setattr(fitting, "fit_primitives", counted)
+    return calls
+
+
+def described(primitives):
+    return [(type(each.shape).__name__, each.placement.homogeneous.tolist(), each.volume) for each in primitives]
+
+
+@pytest.mark.parametrize("boxes", [True, False])
+def test_a_mesh_is_fitted_once(cache, triangles, fits, boxes):
+    first, second = find_or_fit(triangles, boxes=boxes), find_or_fit(triangles, boxes=boxes)
+    assert len(fits) == 1 and described(first) == described(second)
+    find_or_fit(triangles, boxes=not boxes)
+    find_or_fit(triangles + 1e-9, boxes=boxes)
+    assert len(fits) == 3
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda entries: "{",
+        lambda entries: json.dumps(entries[:-1]),
+        lambda entries: json.dumps([{**each, "shape": "Mesh"} for each in entries]),
+        lambda entries: json.dumps([{**each, "sizes": [0.5 * size for size in each["sizes"]]} for each in entries]),
+        lambda entries: json.dumps([{**each, "sizes": [float("nan")] * len(each["sizes"])} for each in entries]),
+        lambda entries: json.dumps([{**each, "pose": (0.1 * np.eye(4)).tolist()} for each in entries]),
+        lambda entries: "3",
+    ],
+    ids=["cut off", "one missing", "unknown shape", "too small", "NaN", "no pose", "a number"],
+)
+def test_spoilt_files_are_fitted_again(cache, triangles, fits, spoil):
+    expected = find_or_fit(triangles)
+    [file] = cache.rglob("primitives/*.json")
+    file.write_text(spoil(json.loads(file.read_text())))
+    found = find_or_fit(triangles)
+    assert len(fits) == 2 and described(found) == described(expected)
+    depth = np.array([outside(each, fitting.subdivided(triangles).reshape(-1, 3)) for each in found])
+    assert depth.min(axis=0).max() == 0.0
+    find_or_fit(triangles)
+    assert len(fits) == 2
+
+
+def test_without_a_cache_folder_every_process_fits(tmp_path, monkeypatch, triangles, fits):
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("MANIPPLAN_CACHE", str(tmp_path / "file" / "folder"))
+    assert described(find_or_fit(triangles)) == described(find_or_fit(triangles))
+    assert len(fits) == 2
