@@ -1,7 +1,6 @@
 """CollisionModel: a robot as convex primitives among the obstacles of a scene, and the pairs that are checked."""
 
-from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 
 import coal
 import numpy as np
@@ -9,23 +8,12 @@ import pinocchio as pin
 from numpy.typing import ArrayLike
 
 from manipplan.collision.contact import Contact, Witness
-from manipplan.collision.primitives import core_of, mesh_triangles
-from manipplan.collision.scene import Scene
-from manipplan.collision.stored_fits import find_or_fit
+from manipplan.collision.primitives import core_of
 from manipplan.paths.joint import JointPath
-from manipplan.robots.hulls import has_hull
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.memo import once_per_owner
 
-#: Number of random configurations. A pair that touches in at least the share ALWAYS of them is dropped: it touches by
-#: construction.
-SAMPLES = 200
-ALWAYS = 0.95
-#: Maximum share of the samples at which a pair's primitives touch while its meshes do not. Above it the pair is checked with
-#: convex hulls and, when these are too coarse as well, with its meshes.
-COARSE = 0.02
 #: Accuracy of coal's distances between curved bodies [m]; at coal's default, 1e-6, gradients are off by 5 %.
 GJK_TOLERANCE = 1e-10
 
@@ -58,27 +46,6 @@ class CollisionModel:
         self._results = [self._geometry_data.distanceResults[k] for k in range(len(self.pair_names))]
         self._margin = 0.0
         self._cores: dict[int, tuple[Array, float]] = {}
-
-    @classmethod
-    def of(cls, robot: Robot, scene: Scene) -> "CollisionModel":
-        """Build the model, with primitives for the robot's meshes. An SRDF's disabled pairs, adjacent pairs and pairs that
-        touch nearly everywhere are left out; `dropped` lists them.
-
-        Raises InvalidInputError when there are obstacles but the robot's description has no collision geometry.
-        """
-        alone = _self_model(robot)
-        geometry = alone.geometry.copy()
-        bodies = list(range(alone.primitives))
-        if scene.obstacles and not bodies:
-            raise InvalidInputError("scene", repr(scene), f"no obstacles: {robot.name} has no collision geometry to check")
-        for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
-            for k, shape in enumerate(obstacle.shapes()):
-                label = name if len(obstacle.shapes()) == 1 else f"{name}.{k}"
-                index = geometry.addGeometryObject(pin.GeometryObject(label, 0, 0, obstacle.pose, shape))
-                for body in bodies:
-                    if geometry.geometryObjects[body].parentJoint > 0:
-                        geometry.addCollisionPair(pin.CollisionPair(body, index))
-        return cls(robot, geometry, alone.dropped, alone.primitives)
 
     def in_collision(self, q: Array, *, clearance: float = 0.0) -> bool:
         """Whether any pair is nearer than `clearance` [m] at q (n,); 0: whether any pair touches."""
@@ -238,123 +205,3 @@ class CollisionModel:
 def _coarse_to_fine(count: int) -> list[int]:
     """The numbers 0 to count - 1, by the largest power of two that divides them, largest first."""
     return sorted(range(count), key=lambda k: k & -k if k else count, reverse=True)
-
-
-@once_per_owner
-def _self_model(robot: Robot) -> CollisionModel:
-    """The robot alone: its primitives and the pairs of its own bodies that are checked."""
-    geometry, origins = _primitive_geometry(robot)
-    primitives = geometry.ngeoms
-    dropped = add_self_pairs(robot, geometry, origins)
-    samples = [robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)]
-    for tighter in (_hull, _mesh):
-        _tighten_coarse_pairs(robot, geometry, origins, samples, tighter)
-    _drop_always_touching(robot, geometry, dropped, samples)
-    return CollisionModel(robot, geometry, dropped, primitives)
-
-
-def _primitive_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int]]:
-    """The robot's geometry without meshes, and the object of the description that each primitive represents."""
-    geometry = pin.GeometryModel()
-    origins = []
-    for origin, item in enumerate(robot.geometry.geometryObjects):
-        if isinstance(item.geometry, coal.BVHModelBase):
-            fitted = find_or_fit(mesh_triangles(item.geometry))
-            shapes = [(primitive.shape, item.placement * primitive.placement) for primitive in fitted]
-        else:
-            shapes = [(item.geometry, item.placement)]
-        for k, (shape, placement) in enumerate(shapes):
-            name = item.name if len(shapes) == 1 else f"{item.name}.{k}"
-            geometry.addGeometryObject(pin.GeometryObject(name, item.parentJoint, item.parentFrame, placement, shape))
-            origins.append(origin)
-    return geometry, origins
-
-
-def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]) -> dict[tuple[str, str], str]:
-    """Add the pairs of different links to `geometry`, except adjacent and disabled ones; returns these, with the reason.
-
-    `origins` gives the object of the robot's description that each object of `geometry` represents.
-    """
-    dropped: dict[tuple[str, str], str] = {}
-    objects = list(geometry.geometryObjects)
-    for j, second in enumerate(objects):
-        for i, first in enumerate(objects[:j]):
-            joints = (first.parentJoint, second.parentJoint)
-            if joints[0] == joints[1]:
-                continue
-            if robot.disabled_pairs is not None:
-                links = frozenset(robot.model.frames[item.parentFrame].name for item in (first, second))
-                if links in robot.disabled_pairs:
-                    dropped[first.name, second.name] = "disabled in the SRDF"
-                    continue
-            origin = frozenset(robot.geometry.geometryObjects[origins[k]].name for k in (i, j))
-            if origin in robot.adjacent_pairs:
-                dropped[first.name, second.name] = "adjacent"
-                continue
-            geometry.addCollisionPair(pin.CollisionPair(j, i))
-    return dropped
-
-
-def _hull(item: pin.GeometryObject) -> pin.GeometryObject:
-    if not isinstance(item.geometry, coal.BVHModelBase):
-        return _renamed(item, item.geometry, "exact")
-    if not has_hull(np.unique(np.array(item.geometry.vertices()), axis=0)):  # a flat mesh has no hull and is used as it is
-        return _mesh(item)
-    item.geometry.buildConvexHull(True, "Qt")
-    return _renamed(item, item.geometry.convex, "hull")
-
-
-def _mesh(item: pin.GeometryObject) -> pin.GeometryObject:
-    return _renamed(item, item.geometry, "mesh")
-
-
-def _renamed(item: pin.GeometryObject, shape: coal.CollisionGeometry, suffix: str) -> pin.GeometryObject:
-    return pin.GeometryObject(f"{item.name}.{suffix}", item.parentJoint, item.parentFrame, item.placement, shape)
-
-
-def _tighten_coarse_pairs(
-    robot: Robot,
-    geometry: pin.GeometryModel,
-    origins: list[int],
-    samples: list[Array],
-    tighter: Callable[[pin.GeometryObject], pin.GeometryObject],
-) -> None:
-    """Use tighter shapes for pairs that touch at samples where the meshes that they represent do not."""
-    pairs = [(p.first, p.second) for p in geometry.collisionPairs]
-    stands_for = [(origins[i], origins[j]) for i, j in pairs]
-    described = robot.geometry.copy()
-    described_pairs = {pair: k for k, pair in enumerate(dict.fromkeys(stands_for))}
-    for i, j in described_pairs:
-        described.addCollisionPair(pin.CollisionPair(i, j))
-    model = CollisionModel(robot, geometry, {})
-    data, described_data = robot.model.createData(), pin.GeometryData(described)
-    coarse = Counter[tuple[int, int]]()
-    for number, q in enumerate(samples):
-        touching = {stands_for[k] for k in model.touching_pairs(q)}
-        pin.updateGeometryPlacements(robot.model, data, described, described_data, q)
-        for pair in touching:
-            if not pin.computeCollision(described, described_data, described_pairs[pair]):
-                coarse[pair] += SAMPLES if number == 0 else 1  # one wrong contact in the neutral posture is enough
-    replaced = {pair for pair, count in coarse.items() if count > COARSE * SAMPLES}
-    added: dict[int, int] = {}
-    for pair in sorted(replaced):
-        for origin in pair:
-            if origin not in added:
-                added[origin] = geometry.addGeometryObject(tighter(robot.geometry.geometryObjects[origin]))
-                origins.append(origin)
-        geometry.addCollisionPair(pin.CollisionPair(added[pair[0]], added[pair[1]]))
-    for (i, j), origin_pair in zip(pairs, stands_for, strict=True):
-        if origin_pair in replaced:
-            geometry.removeCollisionPair(pin.CollisionPair(i, j))
-
-
-def _drop_always_touching(
-    robot: Robot, geometry: pin.GeometryModel, dropped: dict[tuple[str, str], str], samples: list[Array]
-) -> None:
-    """Drop pairs that touch nearly everywhere: they touch by construction, as at a shoulder."""
-    model = CollisionModel(robot, geometry, {})
-    counts = Counter(k for q in samples for k in model.touching_pairs(q))
-    for k, pair in enumerate([(p.first, p.second) for p in geometry.collisionPairs]):
-        if counts[k] >= ALWAYS * len(samples):
-            geometry.removeCollisionPair(pin.CollisionPair(*pair))
-            dropped[model.pair_names[k]] = f"touching at {counts[k]} of {len(samples)} configurations"

@@ -1,22 +1,20 @@
 """Scene: the obstacles around a robot, in code or from a YAML file."""
 
+import itertools
 import os
-from abc import ABC, abstractmethod
-from collections.abc import Sequence
-from dataclasses import MISSING, dataclass, field, fields
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import MISSING, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
-import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
+from manipplan.collision.shapes import OBSTACLES, Obstacle
 from manipplan.paths.joint import JointPath
-from manipplan.robots.hulls import FARTHEST, convex_hull, has_hull
-from manipplan.robots.ply import fault_of
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, configurations, existing_file, finite_array, instance, number, number_array
+from manipplan.support.checks import Array, configurations, existing_file, instance, pose_matrix
 from manipplan.support.display import Pictured
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.files import write_text
@@ -27,154 +25,32 @@ if TYPE_CHECKING:
     from manipplan.collision.path_clearance import PathClearance
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Obstacle(ABC):
-    """A static obstacle. Its pose in the world: `position` (3,) [m] of its centre and `rotation`.
-
-    `rotation` is None, a rotation matrix (3, 3), or roll, pitch and yaw (3,) [rad] as in URDF.
-    """
-
-    position: ArrayLike = (0.0, 0.0, 0.0)
-    rotation: ArrayLike | None = None
-    name: str = ""
-    shape_name: ClassVar[str] = ""
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.name, str):
-            raise InvalidInputError(f"{type(self).__name__}.name", self.name, "text")
-        object.__setattr__(self, "position", finite_array(self._argument("position"), self.position, (3,)))
-        if self.rotation is not None:
-            object.__setattr__(self, "rotation", self._rotation_matrix(self.rotation))
-        for length in ("radius", "length"):
-            if hasattr(self, length):
-                object.__setattr__(self, length, number(self._argument(length), getattr(self, length), above=0.0))
-
-    @property
-    def pose(self) -> pin.SE3:
-        """T_world_obstacle."""
-        rotation = np.eye(3) if self.rotation is None else np.asarray(self.rotation)
-        return pin.SE3(rotation, np.asarray(self.position))
-
-    @abstractmethod
-    def shapes(self) -> list[coal.CollisionGeometry]:
-        """Convex coal shapes that make up the obstacle, in its own frame."""
-
-    def _argument(self, name: str) -> str:
-        return f"{self.name or type(self).__name__}.{name}"
-
-    def _rotation_matrix(self, rotation: ArrayLike) -> Array:
-        argument = self._argument("rotation")
-        if number_array(argument, rotation).shape == (3,):
-            return np.asarray(pin.rpy.rpyToMatrix(*finite_array(argument, rotation, (3,))))
-        matrix = finite_array(argument, rotation, (3, 3))
-        if not np.allclose(matrix @ matrix.T, np.eye(3), atol=1e-6) or np.linalg.det(matrix) < 0:
-            raise InvalidInputError(argument, rotation, "a rotation matrix (3, 3), or roll, pitch, yaw (3,) [rad]")
-        return matrix
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Box(Obstacle):
-    """A box with edges `size` (dx, dy, dz) [m]."""
-
-    size: ArrayLike
-    shape_name = "box"
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        size = finite_array(self._argument("size"), self.size, (3,))
-        if not (size > 0).all():
-            raise InvalidInputError(self._argument("size"), self.size, "three numbers above zero [m]")
-        object.__setattr__(self, "size", size)
-
-    def shapes(self) -> list[coal.CollisionGeometry]:
-        return [coal.Box(np.asarray(self.size))]
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Sphere(Obstacle):
-    """A ball of `radius` [m]."""
-
-    radius: float
-    shape_name = "sphere"
-
-    def shapes(self) -> list[coal.CollisionGeometry]:
-        return [coal.Sphere(self.radius)]
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Capsule(Obstacle):
-    """A cylinder of `radius` and `length` [m] along z with a hemisphere at either end."""
-
-    radius: float
-    length: float
-    shape_name = "capsule"
-
-    def shapes(self) -> list[coal.CollisionGeometry]:
-        return [coal.Capsule(self.radius, self.length)]
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Cylinder(Obstacle):
-    """A cylinder of `radius` and `length` [m] along z."""
-
-    radius: float
-    length: float
-    shape_name = "cylinder"
-
-    def shapes(self) -> list[coal.CollisionGeometry]:
-        return [coal.Cylinder(self.radius, self.length)]
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Plane(Obstacle):
-    """The half-space below the x-y plane of its pose: a floor or, rotated, a wall."""
-
-    shape_name = "plane"
-
-    def shapes(self) -> list[coal.CollisionGeometry]:
-        return [coal.Halfspace(np.array([0.0, 0.0, 1.0]), 0.0)]
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Mesh(Obstacle):
-    """The mesh of a file (STL, OBJ, DAE, ...), with its vertices multiplied by `scale`.
-
-    A mesh is a hollow surface, inside which nothing would collide, so every connected part is replaced by its convex hull.
-    """
-
-    file: str | Path
-    scale: float = 1.0
-    hulls: list[coal.CollisionGeometry] = field(init=False, repr=False)
-    shape_name = "mesh"
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        object.__setattr__(self, "file", existing_file(self._argument("file"), self.file))
-        object.__setattr__(self, "scale", number(self._argument("scale"), self.scale, above=0.0))
-        object.__setattr__(self, "hulls", _hulls(self._argument("file"), Path(self.file), self.scale))
-
-    def shapes(self) -> list[coal.CollisionGeometry]:
-        return self.hulls
-
-
-OBSTACLES: dict[str, type[Obstacle]] = {kind.shape_name: kind for kind in (Box, Sphere, Capsule, Cylinder, Plane, Mesh)}
-
-
 class Scene(Pictured):
-    """Static obstacles. An empty scene still checks a robot for self-collision."""
+    """Static obstacles. An empty scene still checks a robot for self-collision.
 
-    def __init__(self, obstacles: Sequence[Obstacle] = ()) -> None:
+    Attributes:
+        obstacles: what was given.
+        names: their names; an obstacle without one is numbered, such as `box0`.
+        allowed: pairs of names, of obstacles, links or carried parts, that may touch and are not checked.
+    """
+
+    def __init__(self, obstacles: Sequence[Obstacle] = (), *, allowed: Iterable[Collection[str]] = ()) -> None:
         if not isinstance(obstacles, list | tuple):
             raise InvalidInputError("obstacles", obstacles, "a list of obstacles")
         for obstacle in obstacles:
             if not isinstance(obstacle, Obstacle):
                 raise InvalidInputError("obstacles", obstacle, f"a list of {', '.join(k.__name__ for k in OBSTACLES.values())}")
-        self.obstacles = tuple(obstacles)
-        names = [obstacle.name or f"{obstacle.shape_name}{i}" for i, obstacle in enumerate(self.obstacles)]
-        doubled = next((name for name in names if names.count(name) > 1), None)
+        given = [obstacle.name for obstacle in obstacles if obstacle.name]
+        doubled = next((name for name in given if given.count(name) > 1), None)
         if doubled is not None:
             raise InvalidInputError("obstacles", doubled, "names that differ")
+        names: list[str] = []
+        for i, obstacle in enumerate(obstacles):
+            numbered = (f"{obstacle.shape_name}{k}" for k in itertools.count(i))
+            names.append(obstacle.name or next(name for name in numbered if name not in names and name not in given))
+        self.obstacles = tuple(obstacles)
         self.names = tuple(names)
+        self.allowed = _pairs(allowed)
 
     @classmethod
     def from_yaml(cls, file: str | Path) -> "Scene":
@@ -189,10 +65,12 @@ class Scene(Pictured):
 
         path = existing_file("scene", file)
         data = read_yaml("scene", path)
-        if not isinstance(data, dict) or set(data) != {"obstacles"} or not isinstance(data["obstacles"], list):
+        lists = isinstance(data, dict) and all(isinstance(value, list) for value in data.values())
+        if not lists or "obstacles" not in data or not set(data) <= {"obstacles", "allowed"}:
             keys = f" with the keys {', '.join(map(str, data))}" if isinstance(data, dict) else ""
-            raise FileFormatError("scene", f"{path}{keys}", "one key, obstacles, with a list")
-        return cls.from_entries(data["obstacles"], path.parent)
+            wanted = "a list under the key obstacles and, where pairs may touch, a list of pairs of names under allowed"
+            raise FileFormatError("scene", f"{path}{keys}", wanted)
+        return cls.from_entries(data["obstacles"], path.parent, allowed=data.get("allowed", ()))
 
     def to_yaml(self, file: str | Path) -> None:
         """Write the scene so that `from_yaml` reads it back."""
@@ -203,12 +81,15 @@ class Scene(Pictured):
             {key: os.path.relpath(value, folder) if isinstance(value, Path) else value for key, value in entry.items()}
             for entry in self.entries()
         ]
-        write_text(file, yaml.safe_dump({"obstacles": entries}, sort_keys=False, default_flow_style=None))
+        data = {"obstacles": entries, **({"allowed": self.allowed_names()} if self.allowed else {})}
+        write_text(file, yaml.safe_dump(data, sort_keys=False, default_flow_style=None))
 
     @classmethod
-    def from_entries(cls, entries: Sequence[Any], folder: str | Path = ".") -> "Scene":
+    def from_entries(
+        cls, entries: Sequence[Any], folder: str | Path = ".", *, allowed: Iterable[Collection[str]] = ()
+    ) -> "Scene":
         """The scene of `entries`, each a mapping as in a YAML file; paths of mesh files are relative to `folder`."""
-        return cls([_obstacle(f"obstacles[{i}]", entry, Path(folder)) for i, entry in enumerate(entries)])
+        return cls([_obstacle(f"obstacles[{i}]", entry, Path(folder)) for i, entry in enumerate(entries)], allowed=allowed)
 
     def entries(self) -> list[dict[str, Any]]:
         """Name, shape and numbers of every obstacle as plain values; the file of a mesh as a Path.
@@ -228,15 +109,57 @@ class Scene(Pictured):
             entries.append(entry)
         return entries
 
+    def allowed_names(self) -> list[list[str]]:
+        """The pairs of `allowed` in alphabetical order."""
+        return sorted(sorted(pair) for pair in self.allowed)
+
+    def at(self, pose: ArrayLike | pin.SE3) -> "Scene":
+        """The scene moved as a whole by `pose`, (4, 4) or pin.SE3."""
+        pose = pose_matrix("pose", pose)
+        return Scene([obstacle.at(pose) for obstacle in self._named()], allowed=self.allowed)
+
+    def __add__(self, other: "Scene") -> "Scene":
+        """The obstacles and allowed pairs of both scenes; obstacles with a name of their own must have different ones."""
+        if not isinstance(other, Scene):
+            return NotImplemented
+        both = Scene([*self._named(), *other.obstacles])
+        now = dict(zip(other.names, both.names[len(self.names) :], strict=True))  # a numbered obstacle may get another number
+        allowed = [[now.get(name, name) for name in pair] for pair in other.allowed]
+        return Scene(both._named(), allowed=[*self.allowed, *allowed])
+
+    def without(self, *names: str) -> "Scene":
+        """The scene without the obstacles of these names, and without the allowed pairs that name them.
+
+        Raises UnknownNameError for a name that no obstacle has; the nearest names are listed.
+        """
+        for name in names:
+            if name not in self.names:
+                raise UnknownNameError("names", str(name), self.names)
+        left = [obstacle for obstacle in self._named() if obstacle.name not in names]
+        return Scene(left, allowed=[pair for pair in self.allowed if not pair & set(names)])
+
+    def _named(self) -> list[Obstacle]:
+        """The obstacles, each with its name, also where the scene has numbered it."""
+        return [obstacle.called(name) for name, obstacle in zip(self.names, self.obstacles, strict=True)]
+
+    def allow(self, first: str, second: str) -> "Scene":
+        """The scene with one more pair that may touch: names of obstacles, links or carried parts.
+
+        The pair is not checked anywhere on a path, as in MoveIt's allowed collision matrix: meant for a carried part and the
+        table from which it is lifted. A name that neither the scene nor the robot has raises UnknownNameError when the two
+        are first checked against each other.
+        """
+        return Scene(self.obstacles, allowed=[*self.allowed, (first, second)])
+
     def collision_model(self, robot: Robot) -> "CollisionModel":
         """The collision model of the robot among these obstacles, built once."""
         return self._collision_model(instance("robot", robot, Robot))
 
     @once_per_owner
     def _collision_model(self, robot: Robot) -> "CollisionModel":
-        from manipplan.collision.model import CollisionModel
+        from manipplan.collision.build import build_model
 
-        return CollisionModel.of(robot, self)
+        return build_model(robot, self)
 
     def in_collision(self, robot: Robot, q: ArrayLike) -> bool | NDArray[np.bool_]:
         """Whether the robot touches an obstacle or itself at q (n,); a boolean array for q (..., n)."""
@@ -279,6 +202,16 @@ class Scene(Pictured):
         return f"Scene({', '.join(self.names)})"
 
 
+def _pairs(allowed: Iterable[Collection[str]]) -> frozenset[frozenset[str]]:
+    pairs = set()
+    for pair in allowed:
+        names = list(pair) if isinstance(pair, Collection) and not isinstance(pair, str) else []
+        if len(names) != 2 or not all(isinstance(name, str) and name for name in names) or names[0] == names[1]:
+            raise InvalidInputError("allowed", pair, "pairs of two different names")
+        pairs.add(frozenset(names))
+    return frozenset(pairs)
+
+
 def _obstacle(where: str, entry: object, folder: Path) -> Obstacle:
     if not isinstance(entry, dict) or "shape" not in entry:
         raise InvalidInputError(where, entry, f"a mapping with shape: one of {', '.join(OBSTACLES)}")
@@ -300,33 +233,3 @@ def _obstacle(where: str, entry: object, folder: Path) -> Obstacle:
         return kind(**options)
     except InvalidInputError as error:
         raise InvalidInputError(f"{where} ({error.argument})", error.value, error.allowed) from error
-
-
-def _hulls(argument: str, file: Path, scale: float) -> list[coal.CollisionGeometry]:
-    """Convex hulls of the connected parts of a mesh file."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    fault = fault_of(file) if file.suffix.lower() == ".ply" else None
-    if fault is not None:
-        raise FileFormatError(argument, str(file), f"a mesh (STL, OBJ, DAE, ...); {fault}")
-    try:
-        mesh = coal.MeshLoader(coal.NODE_TYPE.BV_OBBRSS).load(str(file), np.full(3, scale))
-    except (ValueError, RuntimeError) as error:
-        reason = " ".join(str(error).split())[:160]
-        raise FileFormatError(argument, str(file), f"a mesh (STL, OBJ, DAE, ...); the loader says: {reason}") from error
-    if not (mesh.num_tris and np.isfinite(np.array(mesh.vertices())).all()):
-        raise FileFormatError(argument, str(file), "a mesh of triangles with finite vertices")
-    vertices, same = np.unique(np.array(mesh.vertices()).round(9), axis=0, return_inverse=True)
-    faces = same[np.array([[t[0], t[1], t[2]] for t in map(mesh.tri_indices, range(mesh.num_tris))])]
-    links = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]]])
-    graph = coo_array((np.ones(len(links)), (links[:, 0], links[:, 1])), shape=(len(vertices),) * 2)
-    count, part_of = connected_components(graph, directed=False)
-    hulls = []
-    for part in range(count):
-        corners = vertices[part_of == part]
-        if not has_hull(corners):
-            wanted = f"a mesh whose parts have a volume, with corners within {FARTHEST:g} m; one part is flat or too far away"
-            raise FileFormatError(argument, str(file), wanted)
-        hulls.append(convex_hull(corners))
-    return hulls

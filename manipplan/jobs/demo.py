@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from manipplan.collision.scene import Box, Scene
+from manipplan.collision.scene import Scene
+from manipplan.collision.shapes import Box
 from manipplan.robots.catalog import load_robot, planar_arm
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array

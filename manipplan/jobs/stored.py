@@ -122,12 +122,13 @@ def _same(first: Array, second: Array) -> bool:
 
 
 def scene_data(scene: Scene, folder: Path) -> Any:
-    """The data of a scene for a file in `folder`: a list of obstacles, or why it is missing if one is of an unknown class."""
+    """The data of a scene for a file in `folder`, or why there are none: an obstacle is of an unknown class."""
     try:
-        return [
+        obstacles = [
             {key: absolute_and_relative(value, folder) if isinstance(value, Path) else value for key, value in entry.items()}
             for entry in scene.entries()
         ]
+        return {"obstacles": obstacles, "allowed": scene.allowed_names()}
     except InvalidInputError as error:
         return {"missing": str(error)}
 
@@ -136,11 +137,14 @@ def scene_of(path: Path, data: Any, folder: Path, given: Scene | None) -> Scene:
     """The scene rebuilt from the data, or the one given."""
     if given is not None:
         return instance("scene", given, Scene)
-    if isinstance(data, dict):
+    if "missing" in data:
         raise FileFormatError("file", str(path), f"a result with its scene, but {data['missing']}; give scene=")
-    entries = [{key: found_again(value, folder) if key == "file" else value for key, value in entry.items()} for entry in data]
+    entries = [
+        {key: found_again(value, folder) if key == "file" else value for key, value in entry.items()}
+        for entry in data["obstacles"]
+    ]
     try:
-        return Scene.from_entries(entries, folder)
+        return Scene.from_entries(entries, folder, allowed=data["allowed"])
     except InvalidInputError as error:
         wanted = f"a result whose scene can be built again ({error}); put its meshes back, or give scene="
         raise FileFormatError("file", str(path), wanted) from error

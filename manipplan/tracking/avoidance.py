@@ -6,8 +6,9 @@ from dataclasses import dataclass, field
 import casadi as ca
 import numpy as np
 
-from manipplan.collision import scene as shapes
-from manipplan.collision.scene import Obstacle, Scene
+from manipplan.collision import shapes
+from manipplan.collision.scene import Scene
+from manipplan.collision.shapes import Obstacle
 from manipplan.robots.model_tree import axis_of, is_prismatic
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance, number
@@ -98,6 +99,8 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
         motion = _motion(symbols, avoidance.moving.index(name)) if name in avoidance.moving else None
         placement = motion[0] if motion else _constant(obstacle)
         for body in guarded:
+            if frozenset((body.link, name)) in avoidance.scene.allowed:
+                continue
             near = nearest(_capsule(chain, body), _shape(obstacle, placement))
             approach = ca.dot(near.normal, _velocity_at(motion, near.second)) if motion else ca.SX(0)
             rows.append(_row(avoidance, near, _rate(chain, lines, body.joint, near.first, near.normal), approach))
@@ -105,7 +108,9 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
     if avoidance.itself:
         for i, j in bodies.pairs:
             first, second = bodies.items[i], bodies.items[j]
-            if first not in guarded and second not in guarded:
+            if (first not in guarded and second not in guarded) or frozenset(
+                (first.link, second.link)
+            ) in avoidance.scene.allowed:
                 continue
             near = nearest(_capsule(chain, first), _capsule(chain, second))
             rate = _rate(chain, lines, first.joint, near.first, near.normal)

@@ -7,7 +7,8 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.collision.model import CollisionModel, add_self_pairs
+from manipplan.collision.build import add_self_pairs
+from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.collision.stored_fits import find_or_fit
 from manipplan.robots.robot import Robot

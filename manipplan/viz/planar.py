@@ -4,7 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.collision.scene import Plane, Scene
+from manipplan.collision.scene import Scene
+from manipplan.collision.shapes import Plane
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, whole_number
 from manipplan.support.errors import InvalidInputError

@@ -8,7 +8,8 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.primitives import core_of, mesh_triangles
-from manipplan.collision.scene import Plane, Scene
+from manipplan.collision.scene import Scene
+from manipplan.collision.shapes import Plane
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner

@@ -5,7 +5,6 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.collision.model import CollisionModel
 from manipplan.paths.cartesian import CartesianPath
 
 FEW = {"samples": 48, "epsilon": 0.5}
@@ -52,7 +51,7 @@ def assert_followed(robot, plan, *, scene=None, clearance=0.0, axis=None, index=
     assert (np.abs(plan.trajectory(t, 1)) <= limits.velocity * (1 + 1e-6)).all()
     assert (np.abs(plan.trajectory(t, 2)) <= limits.acceleration * (1 + 1e-6)).all()
     np.testing.assert_allclose(plan.trajectory(t[[0, -1]], 1), 0, atol=1e-9)
-    model = CollisionModel.of(robot, scene or mp.Scene())
+    model = (scene or mp.Scene()).collision_model(robot)
     assert not any(model.in_collision(each, clearance=max(clearance - 1e-6, 0)) for each in q[::3])
     weights = np.array([1.0] * 3 + [0.5] * 3)[:, None]
     rows = weights * jacobians
