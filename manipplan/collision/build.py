@@ -66,11 +66,11 @@ def _drop_allowed(
     for name in sorted(frozenset[str]().union(*scene.allowed)):
         if name not in scene.names and name not in links:
             raise UnknownNameError("allowed", name, [*scene.names, *links])
-    for pair in list(geometry.collisionPairs):
-        if frozenset((named[pair.first], named[pair.second])) in scene.allowed:
-            geometry.removeCollisionPair(pair)
-            first, second = (geometry.geometryObjects[k].name for k in (pair.first, pair.second))
-            dropped[first, second] = "allowed in the scene"
+    for first, second in [(pair.first, pair.second) for pair in geometry.collisionPairs]:
+        if frozenset((named[first], named[second])) in scene.allowed:
+            geometry.removeCollisionPair(pin.CollisionPair(first, second))
+            pair = geometry.geometryObjects[first].name, geometry.geometryObjects[second].name
+            dropped[pair] = "allowed in the scene"
 
 
 @once_per_owner
