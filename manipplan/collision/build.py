@@ -36,14 +36,16 @@ def build_model(robot: Robot, scene: Scene) -> CollisionModel:
         InvalidInputError: there are obstacles, but the robot's description has no collision geometry.
         UnknownNameError: an allowed pair names something that neither the scene nor the robot has.
     """
-    alone = _self_model(robot)
+    alone, origins = _self_model(robot)
     geometry = alone.geometry.copy()
     bodies = list(range(alone.primitives))
     if scene.obstacles and not bodies:
         raise InvalidInputError("scene", repr(scene), f"no obstacles: {robot.name} has no collision geometry to check")
-    frames = robot.model.frames  # the floor of an MJCF belongs to none
-    owners = [item.parentFrame for item in geometry.geometryObjects]
-    named = {k: frames[owner].name if owner < len(frames) else "" for k, owner in enumerate(owners)}
+    for name in scene.names:
+        if name in robot.carried:
+            wanted = f"a scene without {name!r}, which {robot.name} carries: scene.without({name!r})"
+            raise InvalidInputError("scene", repr(scene), wanted)
+    named = {k: robot.link_of(robot.geometry.geometryObjects[origin]) for k, origin in enumerate(origins)}
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
         for k, shape in enumerate(obstacle.shapes()):
             label = name if len(obstacle.shapes()) == 1 else f"{name}.{k}"
@@ -62,7 +64,7 @@ def _drop_allowed(
     robot: Robot, scene: Scene, geometry: pin.GeometryModel, named: dict[int, str], dropped: dict[tuple[str, str], str]
 ) -> None:
     """Drop the pairs that the scene allows to touch; `named`: the link or obstacle of each object of `geometry`."""
-    links = [frame.name for frame in robot.model.frames if frame.type == pin.FrameType.BODY]
+    links = [frame.name for frame in robot.model.frames if frame.type == pin.FrameType.BODY] + list(robot.carried)
     for name in sorted(frozenset[str]().union(*scene.allowed)):
         if name not in scene.names and name not in links:
             raise UnknownNameError("allowed", name, [*scene.names, *links])
@@ -74,8 +76,11 @@ def _drop_allowed(
 
 
 @once_per_owner
-def _self_model(robot: Robot) -> CollisionModel:
-    """The robot alone: its primitives and the pairs of its own bodies that are checked."""
+def _self_model(robot: Robot) -> tuple[CollisionModel, list[int]]:
+    """The robot alone: its primitives and the pairs of its own bodies that are checked.
+
+    Also the object of the robot's geometry that each object of the model represents.
+    """
     geometry, origins = _primitive_geometry(robot)
     primitives = geometry.ngeoms
     dropped = add_self_pairs(robot, geometry, origins)
@@ -83,7 +88,7 @@ def _self_model(robot: Robot) -> CollisionModel:
     for tighter in (_hull, _mesh):
         _tighten_coarse_pairs(robot, geometry, origins, samples, tighter)
     _drop_always_touching(robot, geometry, dropped, samples)
-    return CollisionModel(robot, geometry, dropped, primitives)
+    return CollisionModel(robot, geometry, dropped, primitives), origins
 
 
 def _primitive_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int]]:
@@ -116,7 +121,7 @@ def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]
             if joints[0] == joints[1]:
                 continue
             if robot.disabled_pairs is not None:
-                links = frozenset(robot.model.frames[item.parentFrame].name for item in (first, second))
+                links = frozenset(robot.link_of(robot.geometry.geometryObjects[origins[k]]) for k in (i, j))
                 if links in robot.disabled_pairs:
                     dropped[first.name, second.name] = "disabled in the SRDF"
                     continue

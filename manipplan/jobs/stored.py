@@ -10,6 +10,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.scene import Scene
+from manipplan.collision.shapes import Obstacle
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
@@ -67,6 +68,9 @@ def robot_data(robot: Robot, folder: Path) -> dict[str, Any]:
         "home": home,
         "screws": screws,
         "outlines": outlines(robot),
+        "base": robot.base,
+        "tools": [{"name": name, "pose": pose} for name, pose in robot.tools],
+        "carried": carried_data(robot, folder),
     }
     source = robot.source
     if source is None:
@@ -76,6 +80,15 @@ def robot_data(robot: Robot, folder: Path) -> dict[str, Any]:
     }
     file = absolute_and_relative(source.file, folder) if source.file is not None and source.kind != "catalogue" else None
     return {**data, "source": {"kind": source.kind, "name": source.name, "file": file, "options": options}}
+
+
+def carried_data(robot: Robot, folder: Path) -> Any:
+    """The data of the parts that a robot carries, or why there are none: one is of an unknown class."""
+    solids = [(name, part.solid) for name, part in robot.carried.items()]
+    for name, solid in solids:
+        if not isinstance(solid, Obstacle):
+            return {"missing": f"the part {name} of the class {type(solid).__name__}, which is not in this package"}
+    return scene_data(Scene([solid.called(name) for name, solid in solids if isinstance(solid, Obstacle)]), folder)
 
 
 def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | None) -> Robot:
@@ -90,6 +103,7 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
             }
             file = found_again(source["file"], folder) if source["file"] is not None else None
             arm = RobotSource(kind=source["kind"], name=source["name"], file=file, options=options).load()
+            arm = _with_changes(arm, path, data, folder)
             limits = from_json(data["limits"], JointLimits)
             if limits.n == arm.n:  # otherwise it is another arm, which raises below
                 arm = replace(arm, limits=limits, neutral=stored_array(data["neutral"]))
@@ -114,6 +128,18 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
     other = [kind for kind in LIMITS if not np.array_equal(getattr(arm.limits, kind), stored_array(data["limits"][kind]))]
     if other:
         log.warning("%s: the robot given has other limits (%s) than the plan was made and checked for", path, ", ".join(other))
+    return arm
+
+
+def _with_changes(arm: Robot, path: Path, data: Mapping[str, Any], folder: Path) -> Robot:
+    """The arm with the base, the tool frames and the parts of the data."""
+    base = stored_array(data["base"])
+    if not np.array_equal(base, arm.base):
+        arm = arm.at(base)
+    for tool in data["tools"]:
+        arm = arm.with_tool(stored_array(tool["pose"]), name=tool["name"])
+    for part in scene_of(path, data["carried"], folder, None).obstacles:
+        arm = arm.attach(part, part.name)
     return arm
 
 

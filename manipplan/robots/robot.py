@@ -10,14 +10,15 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.robots import description, model_tree
+from manipplan.robots import attached, description, model_tree
 from manipplan.robots import subchain as parts
+from manipplan.robots.attached import Part, Solid
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
 from manipplan.robots.source import RobotSource
 from manipplan.robots.srdf import NamedStates, read_srdf, write_srdf
-from manipplan.support.checks import Array, configurations, existing_file
+from manipplan.support.checks import Array, configurations, existing_file, pose_matrix
 from manipplan.support.display import Pictured
-from manipplan.support.errors import InvalidInputError
+from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import state_without_memo
 
 if TYPE_CHECKING:
@@ -50,6 +51,9 @@ class Robot(Pictured):
         planar: True when the arm moves only in the x-y plane.
         states: the SRDF's named postures that give every active joint a value: (n,) by name [rad or m].
         source: what the arm was read from, to build it again; None for an arm that was built by hand.
+        base: (4, 4) pose of the base in the world.
+        tools: name and pose (4, 4) of each frame that `with_tool` added, in the tool frame before it.
+        carried: the parts that `attach` added, by name, posed in the tool frame.
     """
 
     name: str
@@ -64,6 +68,9 @@ class Robot(Pictured):
     planar: bool = False
     states: Mapping[str, Array] = field(default_factory=NamedStates)
     source: RobotSource | None = None
+    base: Array = field(default_factory=lambda: pose_matrix("base", np.eye(4)))
+    tools: tuple[tuple[str, Array], ...] = ()
+    carried: Mapping[str, Part] = field(default_factory=dict)
 
     @classmethod
     def from_urdf(
@@ -271,6 +278,60 @@ class Robot(Pictured):
         limits = self.limits.with_changes(changes, source=source)
         return replace(self, limits=limits, neutral=np.clip(self.neutral, limits.lower, limits.upper))
 
+    def with_tool(self, pose: ArrayLike | pin.SE3, *, name: str = "tcp") -> "Robot":
+        """The arm with another tool frame, at `pose`, (4, 4) or pin.SE3, in the present one.
+
+        Raises InvalidInputError when the pose is no pose, or a frame of the robot has that name already.
+        """
+        pose = pose_matrix("pose", pose)
+        offset = pin.SE3(pose)
+        carried = {each: replace(part, solid=part.solid.at(offset.inverse())) for each, part in self.carried.items()}
+        model = attached.with_frame(self.model, self.tool, offset, name)
+        return replace(self, model=model, tool=name, tools=(*self.tools, (name, pose)), carried=carried)
+
+    def at(self, pose: ArrayLike | pin.SE3) -> "Robot":
+        """The arm with its base at `pose`, (4, 4) or pin.SE3, in the world; poses and obstacles are given in the world.
+
+        Raises InvalidInputError when the pose is no pose.
+        """
+        base = pose_matrix("pose", pose)
+        motion = pin.SE3(base) * pin.SE3(self.base).inverse()
+        model, geometry = attached.moved(self.model, self.geometry, motion)
+        return replace(self, model=model, geometry=geometry, base=base, planar=self.planar and attached.keeps_plane(motion))
+
+    def attach(self, shape: Solid, name: str = "part") -> "Robot":
+        """The arm with a part in its hand, which is checked for collisions from now on.
+
+        It is checked against everything but the bodies that move with the tool; what else it may touch, such as the table
+        that it is lifted from, is allowed in the scene (`Scene.allow`).
+
+        Args:
+            shape: an obstacle such as Box or Mesh, posed in the tool frame. One that is posed in the world is in the tool
+                frame as `shape.at(np.linalg.inv(robot.kinematics().pose(q)))`, with q the configuration of the grasp.
+            name: name of the part.
+
+        Raises InvalidInputError when the shape is unbounded, or the robot has something of that name already.
+        """
+        geometry, bodies = attached.with_part(self.model, self.geometry, self.tool, shape, name)
+        return replace(self, geometry=geometry, carried={**self.carried, name: Part(solid=shape, bodies=bodies)})
+
+    def detach(self, name: str = "part") -> "Robot":
+        """The arm without the part of that name.
+
+        Raises UnknownNameError when it carries no such part; the nearest names are listed.
+        """
+        if name not in self.carried:
+            raise UnknownNameError("name", str(name), self.carried or ["none: the robot carries nothing"])
+        geometry = attached.without_bodies(self.geometry, self.carried[name].bodies)
+        return replace(self, geometry=geometry, carried={each: part for each, part in self.carried.items() if each != name})
+
+    def link_of(self, body: pin.GeometryObject) -> str:
+        """The name of the part or link to which a body of `geometry` belongs; "" for the floor of an MJCF."""
+        part = next((name for name, part in self.carried.items() if body.name in part.bodies), None)
+        if part is not None:
+            return part
+        return str(self.model.frames[body.parentFrame].name) if body.parentFrame < self.model.nframes else ""
+
     def to_srdf(self, file: str | Path, states: Mapping[str, ArrayLike] | None = None, *, group: str = "arm") -> None:
         """Write MoveIt's semantic description: the arm as one group, its tool, named states, pairs that need no check.
 
@@ -302,6 +363,8 @@ class Robot(Pictured):
             cells = [c.ljust(w) if k < 2 else c.rjust(w) for k, (c, w) in enumerate(zip(row, widths, strict=True))]
             lines.append("  ".join(cells).rstrip())
         lines += [f"{kind} limits: {source}" for kind, source in limits.sources.items()]
+        if self.carried:
+            lines.append(f"carried: {', '.join(self.carried)}")
         if self.locked:
             shown = [f"{joint} = {value:g}" for joint, value in list(self.locked.items())[:6]]
             more = f", ... ({len(self.locked)} in all)" if len(self.locked) > 6 else ""

@@ -75,7 +75,7 @@ class Bodies:
             for k, (start, end, radius) in enumerate(fitted):
                 name = item.name if len(fitted) == 1 else f"{item.name}.{k}"
                 ends = [item.placement.act(point) for point in (start, end)]
-                link = robot.model.frames[item.parentFrame].name
+                link = robot.link_of(item)
                 items.append(Body(name=name, link=link, joint=item.parentJoint, start=ends[0], end=ends[1], radius=radius))
                 geometry.addGeometryObject(_as_coal(items[-1], item.parentFrame))
                 origins.append(origin)

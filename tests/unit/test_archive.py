@@ -11,6 +11,7 @@ import time
 from dataclasses import dataclass, fields, is_dataclass, replace
 from pathlib import Path
 
+import coal
 import numpy as np
 import pinocchio as pin
 import pytest
@@ -91,6 +92,58 @@ def small_plan(planar):
 
 def stored(folder):
     return json.loads((folder / "plan.json").read_text())
+
+
+@pytest.fixture(scope="module")
+def changed_plan(planar):
+    pose = pin.SE3(pin.utils.rotate("z", 0.4), np.array([0.2, -0.1, 0.0]))
+    robot = planar.at(pose).with_tool(pose, name="nozzle").attach(mp.Box(size=(0.1, 0.2, 0.1), position=(0.1, 0, 0)), "block")
+    robot = robot.with_tool(pose, name="tip")
+    scene = mp.Scene([mp.Cylinder(radius=0.1, length=1.0, position=(0.0, 2.5, 0.0), name="post")], allowed=[("post", "block")])
+    return made_plan(robot, mp.JointPath.line([0.1, 0.5, 0.7], [0.9, 1.0, 0.4]), scene=scene)
+
+
+def test_an_arm_with_another_base_tool_and_part_comes_back(changed_plan, tmp_path):
+    changed_plan.save(tmp_path)
+    again = mp.Plan.load(tmp_path)
+    assert again.robot.tool == "tip" and list(again.robot.carried) == ["block"] and again.robot.planar
+    assert again.scene.allowed == changed_plan.scene.allowed
+    q = changed_plan.path(0.3)
+    np.testing.assert_allclose(again.robot.kinematics().pose(q), changed_plan.robot.kinematics().pose(q), atol=1e-12)
+    np.testing.assert_allclose(again.scene.distances(again.robot, q), changed_plan.scene.distances(changed_plan.robot, q))
+
+
+@pytest.mark.parametrize("other", ["tip", "block", "base"])
+def test_an_arm_that_was_changed_otherwise_is_refused(changed_plan, planar, tmp_path, other):
+    changed_plan.save(tmp_path)
+    pose = planar.at(changed_plan.robot.base).base
+    robot = planar.at(np.eye(4) if other == "base" else pose)
+    if other == "block":
+        robot = robot.with_tool(changed_plan.robot.tools[0][1] @ changed_plan.robot.tools[1][1])
+    with pytest.raises(mp.FileFormatError, match="it is another robot"):
+        mp.Plan.load(tmp_path, robot=robot)
+
+
+def test_a_part_of_an_unknown_class_needs_the_robot(planar, tmp_path):
+    class Cube(mp.Box):
+        pass
+
+    class Own:
+        name = "own"
+        pose = pin.SE3.Identity()
+
+        def shapes(self):
+            return [coal.Sphere(0.1)]
+
+        def at(self, pose):
+            return self
+
+    for part in (Cube(size=(0.1, 0.1, 0.1)), Own()):
+        robot = planar.attach(part)
+        made_plan(robot, mp.JointPath.line([0.1, 0.5, 0.7], [0.9, 1.0, 0.4])).save(tmp_path)
+        with pytest.raises(mp.FileFormatError, match=r"(Cube|Own).*give robot="):
+            mp.Plan.load(tmp_path)
+        assert mp.Plan.load(tmp_path, robot=robot).robot is robot
 
 
 @pytest.mark.slow

@@ -99,6 +99,13 @@ def test_a_scene_answers(panda):
         assert "name" in inspect.signature(kind).parameters
 
 
+def test_robots_and_scenes_are_values(panda):
+    robot = panda.with_tool(pin.SE3.Identity(), name="tcp").at(np.eye(4)).attach(mp.Sphere(radius=0.02), name="part")
+    assert robot.tool == "tcp" and robot.detach("part").n == panda.n == 7 and panda.tool == "panda_hand_tcp"
+    scene = mp.Scene([mp.Box(size=(0.1, 0.1, 0.1), name="box")]).at(np.eye(4)) + mp.Scene([mp.Sphere(radius=0.1, name="ball")])
+    assert scene.names == ("box", "ball") and scene.without("box").names == ("ball",)
+
+
 def test_paths_and_trajectories_have_their_names(planar, tmp_path):
     line = mp.CartesianPath.line(np.eye(4), pin.SE3(np.eye(3), np.array([0.1, 0.0, 0.0])).homogeneous)
     assert line(0.5).shape == (4, 4) and line.sample(3).shape == (3, 4, 4)

@@ -28,4 +28,11 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
         geometry = model_tree.reduce(model_tree.plain_angles(whole), geometry, robot.joint_names, robot.locked)[1]
     except (ValueError, RuntimeError, IndexError, FileFormatError) as error:
         return None, f"the visual meshes of {file.name} cannot be read: {' '.join(str(error).split())[:160]}"
+    base = pin.SE3(robot.base)
+    for item in geometry.geometryObjects:
+        if item.parentJoint == 0:
+            item.placement = base * item.placement
+    for item in robot.geometry.geometryObjects:
+        if any(item.name in part.bodies for part in robot.carried.values()):
+            geometry.addGeometryObject(item.copy())
     return geometry, ""

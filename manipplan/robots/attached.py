@@ -1,0 +1,113 @@
+"""A tool frame, another place of the base and carried parts on the Pinocchio models of an arm; each returns copies."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any, Protocol, runtime_checkable
+
+import coal
+import numpy as np
+import pinocchio as pin
+
+from manipplan.robots.model_tree import frame_index
+from manipplan.support.checks import distinct_names
+from manipplan.support.errors import InvalidInputError
+
+
+@runtime_checkable
+class Solid(Protocol):
+    """A shape with a pose and a name, such as an obstacle."""
+
+    name: str
+
+    @property
+    def pose(self) -> pin.SE3:
+        """Where it is."""
+        ...
+
+    def shapes(self) -> list[coal.CollisionGeometry]:
+        """The coal shapes that make it up, in its own frame."""
+        ...
+
+    def at(self, pose: Any) -> "Solid":
+        """A copy moved by `pose`."""
+        ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class Part:
+    """A carried part: its shape posed in the tool frame, and the names of its bodies in the robot's geometry."""
+
+    solid: Solid
+    bodies: tuple[str, ...]
+
+
+def with_frame(model: pin.Model, parent: str, pose: pin.SE3, name: str) -> pin.Model:
+    """The model with one more frame, at `pose` in the frame `parent`.
+
+    Raises InvalidInputError when `name` is not the name of a new frame.
+    """
+    [name] = distinct_names("name", [name], 1)
+    _new_name(name, (frame.name for frame in model.frames), "a name that no frame of the robot has")
+    model = model.copy()
+    index = frame_index(model, parent)
+    frame = model.frames[index]
+    model.addBodyFrame(name, frame.parentJoint, frame.placement * pose, index)
+    return model
+
+
+def moved(model: pin.Model, geometry: pin.GeometryModel, motion: pin.SE3) -> tuple[pin.Model, pin.GeometryModel]:
+    """The arm as a whole, moved by `motion` in the world."""
+    model, geometry = model.copy(), geometry.copy()
+    for joint in range(1, model.njoints):
+        if model.parents[joint] == 0:
+            model.jointPlacements[joint] = motion * model.jointPlacements[joint]
+    for frame in list(model.frames)[1:]:  # the first is the world
+        if frame.parentJoint == 0:
+            frame.placement = motion * frame.placement
+    for item in geometry.geometryObjects:
+        if item.parentJoint == 0:
+            item.placement = motion * item.placement
+    return model, geometry
+
+
+def keeps_plane(motion: pin.SE3) -> bool:
+    """Whether a motion maps the x-y plane to itself, and up to up."""
+    return bool(np.allclose(motion.rotation[2], [0.0, 0.0, 1.0], atol=1e-9) and abs(motion.translation[2]) < 1e-9)
+
+
+def with_part(
+    model: pin.Model, geometry: pin.GeometryModel, tool: str, part: Solid, name: str
+) -> tuple[pin.GeometryModel, tuple[str, ...]]:
+    """The geometry with a part posed in the frame `tool`, and the names of its bodies.
+
+    Raises InvalidInputError when the part has no bounded shape, or `name` is not the name of a new body.
+    """
+    if not isinstance(part, Solid):
+        raise InvalidInputError("shape", part, "a shape with a pose, such as Box, Sphere or Mesh")
+    shapes = part.shapes()
+    [name] = distinct_names("name", [name], 1)
+    if not shapes or any(isinstance(shape, coal.Halfspace | coal.Plane) for shape in shapes):
+        raise InvalidInputError("shape", part, "a bounded shape: Box, Sphere, Capsule, Cylinder or Mesh")
+    taken = {item.name for item in geometry.geometryObjects} | {frame.name for frame in model.frames}
+    names = (name,) if len(shapes) == 1 else tuple(f"{name}.{k}" for k in range(len(shapes)))
+    for each in {name, *names}:
+        _new_name(each, taken, "a name that no link, body or part of the robot has")
+    index = frame_index(model, tool)
+    frame = model.frames[index]
+    geometry = geometry.copy()
+    for each, shape in zip(names, shapes, strict=True):
+        geometry.addGeometryObject(pin.GeometryObject(each, frame.parentJoint, index, frame.placement * part.pose, shape))
+    return geometry, names
+
+
+def without_bodies(geometry: pin.GeometryModel, names: Iterable[str]) -> pin.GeometryModel:
+    """The geometry without the bodies of these names."""
+    geometry = geometry.copy()
+    for name in names:
+        geometry.removeGeometryObject(name)
+    return geometry
+
+
+def _new_name(name: str, taken: Iterable[str], wanted: str) -> None:
+    if name in set(taken):
+        raise InvalidInputError("name", name, wanted)
