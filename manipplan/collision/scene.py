@@ -2,7 +2,7 @@
 
 import itertools
 import os
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import MISSING, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -56,8 +56,9 @@ class Scene(Pictured):
     def from_yaml(cls, file: str | Path) -> "Scene":
         """Read a scene: ``obstacles: [{shape: box, size: [1, 1, 0.1], position: [0, 0, -0.05], name: table}, ...]``.
 
-        Shapes are box (size), sphere (radius), capsule and cylinder (radius, length), plane and mesh (file, scale); each takes
-        position, rotation (matrix, or roll-pitch-yaw [rad]) and name. The path of a mesh is relative to the scene file.
+        Shapes are box (size), sphere (radius), capsule and cylinder (radius, length), plane, mesh (file or triangles, scale);
+        each takes position, rotation (matrix, or roll-pitch-yaw [rad]) and name. The path of a mesh is relative to the scene
+        file. A second key, `allowed`, may hold pairs of names.
 
         Raises FileFormatError or InvalidInputError that names the obstacle, the key and what is allowed.
         """
@@ -71,6 +72,44 @@ class Scene(Pictured):
             wanted = "a list under the key obstacles and, where pairs may touch, a list of pairs of names under allowed"
             raise FileFormatError("scene", f"{path}{keys}", wanted)
         return cls.from_entries(data["obstacles"], path.parent, allowed=data.get("allowed", ()))
+
+    @classmethod
+    def from_moveit(cls, file: str | Path, *, packages: Mapping[str, str | Path] | None = None) -> "Scene":
+        """Read a scene of MoveIt: its text format `.scene`, or the message PlanningScene as `.yaml`.
+
+        Objects of several shapes become several obstacles, named `id.0`, `id.1`, ... A plane becomes the half-space behind it.
+        Of the allowed collision matrix the pairs of an object and a link are taken.
+
+        Args:
+            file: the file; its frame is taken as the world.
+            packages: the folder of each package that a mesh names as `package://name/...`.
+
+        Raises:
+            FileFormatError: the file is cut off or holds something else; the message names the object and the entry.
+            UnknownNameError: a shape that this package does not have, such as a cone, or an unknown package.
+        """
+        from manipplan.collision.moveit_text import read_scene_text
+        from manipplan.collision.moveit_yaml import read_planning_scene
+
+        path = existing_file("file", file)
+        allowed: list[list[str]] = []
+        try:
+            if path.suffix.lower() in (".yaml", ".yml"):
+                folders = {name: Path(folder).expanduser() for name, folder in (packages or {}).items()}
+                objects, allowed = read_planning_scene(path, folders)
+            else:
+                objects = read_scene_text(path)
+        except (FileFormatError, UnknownNameError):
+            raise
+        except InvalidInputError as error:
+            raise FileFormatError("file", f"{path}, {error.argument}: {error.value}", error.allowed) from error
+        obstacles, parts = list[Obstacle](), dict[str, list[str]]()
+        for name, shapes in objects:
+            if name in parts:
+                raise FileFormatError("file", f"{path}, object {name}, twice", "objects with names that differ")
+            parts[name] = [name] if len(shapes) == 1 else [f"{name}.{k}" for k in range(len(shapes))]
+            obstacles += [shape.called(part) for part, shape in zip(parts[name], shapes, strict=True)]
+        return cls(obstacles, allowed=[(part, other) for name, other in allowed for part in parts[name]])
 
     def to_yaml(self, file: str | Path) -> None:
         """Write the scene so that `from_yaml` reads it back."""

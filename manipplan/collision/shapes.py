@@ -11,10 +11,9 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.robots.hulls import FARTHEST, convex_hull, has_hull
-from manipplan.robots.ply import fault_of
+from manipplan.collision import meshes
 from manipplan.support.checks import Array, existing_file, finite_array, number, number_array, pose_matrix
-from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.support.errors import InvalidInputError
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -143,54 +142,45 @@ class Plane(Obstacle):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Mesh(Obstacle):
-    """The mesh of a file (STL, OBJ, DAE, ...), with its vertices multiplied by `scale`.
+    """A mesh: of a file (STL, OBJ, DAE, ...), or of `triangles` (t, 3, 3) [m]; with its corners multiplied by `scale`.
 
-    A mesh is a hollow surface, inside which nothing would collide, so every connected part is replaced by its convex hull.
+    A mesh is a hollow surface, inside which nothing would collide, so every connected part is replaced by its convex hull: an
+    open bin in one piece counts as filled.
     """
 
-    file: str | Path
+    file: str | Path | None = None
+    triangles: ArrayLike | None = None
     scale: float = 1.0
     hulls: list[coal.CollisionGeometry] = field(init=False, repr=False)
     shape_name = "mesh"
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        object.__setattr__(self, "file", existing_file(self._argument("file"), self.file))
         object.__setattr__(self, "scale", number(self._argument("scale"), self.scale, above=0.0))
-        object.__setattr__(self, "hulls", _hulls(self._argument("file"), Path(self.file), self.scale))
+        if (self.file is None) == (self.triangles is None):
+            given = "neither" if self.file is None else "both"
+            raise InvalidInputError(self._argument("file"), f"{given} of file and triangles", "one of them")
+        if self.file is not None:
+            object.__setattr__(self, "file", existing_file(self._argument("file"), self.file))
+            hulls = meshes.hulls_of_file(self._argument("file"), Path(self.file), self.scale)
+        else:
+            triangles = finite_array(self._argument("triangles"), self.triangles, (None, 3, 3))  # type: ignore[arg-type]
+            object.__setattr__(self, "triangles", triangles)
+            hulls = meshes.hulls_of_triangles(self._argument("triangles"), self.scale * triangles)
+        object.__setattr__(self, "hulls", hulls)
 
     def shapes(self) -> list[coal.CollisionGeometry]:
         return self.hulls
 
 
+def half_space(coefficients: Array) -> Plane:
+    """The half-space a x + b y + c z + d <= 0 of `coefficients` (4,)."""
+    size = float(np.linalg.norm(coefficients[:3]))
+    if not size > 0:
+        raise InvalidInputError("plane", coefficients.tolist(), "a normal other than zero")
+    normal = coefficients[:3] / size
+    turn = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), normal).matrix()
+    return Plane(position=-coefficients[3] / size * normal, rotation=turn)
+
+
 OBSTACLES: dict[str, type[Obstacle]] = {kind.shape_name: kind for kind in (Box, Sphere, Capsule, Cylinder, Plane, Mesh)}
-
-
-def _hulls(argument: str, file: Path, scale: float) -> list[coal.CollisionGeometry]:
-    """Convex hulls of the connected parts of a mesh file."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    fault = fault_of(file) if file.suffix.lower() == ".ply" else None
-    if fault is not None:
-        raise FileFormatError(argument, str(file), f"a mesh (STL, OBJ, DAE, ...); {fault}")
-    try:
-        mesh = coal.MeshLoader(coal.NODE_TYPE.BV_OBBRSS).load(str(file), np.full(3, scale))
-    except (ValueError, RuntimeError) as error:
-        reason = " ".join(str(error).split())[:160]
-        raise FileFormatError(argument, str(file), f"a mesh (STL, OBJ, DAE, ...); the loader says: {reason}") from error
-    if not (mesh.num_tris and np.isfinite(np.array(mesh.vertices())).all()):
-        raise FileFormatError(argument, str(file), "a mesh of triangles with finite vertices")
-    vertices, same = np.unique(np.array(mesh.vertices()).round(9), axis=0, return_inverse=True)
-    faces = same[np.array([[t[0], t[1], t[2]] for t in map(mesh.tri_indices, range(mesh.num_tris))])]
-    links = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]]])
-    graph = coo_array((np.ones(len(links)), (links[:, 0], links[:, 1])), shape=(len(vertices),) * 2)
-    count, part_of = connected_components(graph, directed=False)
-    hulls = []
-    for part in range(count):
-        corners = vertices[part_of == part]
-        if not has_hull(corners):
-            wanted = f"a mesh whose parts have a volume, with corners within {FARTHEST:g} m; one part is flat or too far away"
-            raise FileFormatError(argument, str(file), wanted)
-        hulls.append(convex_hull(corners))
-    return hulls

@@ -9,7 +9,6 @@ from typing import Any
 import coal
 import numpy as np
 import pinocchio as pin
-import scipy
 
 from manipplan.collision import fitting
 from manipplan.collision.primitives import Primitive, outside
@@ -44,6 +43,8 @@ def find_or_fit(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
 
 def _key(triangles: Array, boxes: bool) -> str:
     """Hash of the triangles and of everything that fits them."""
+    import scipy
+
     parts = [Path(fitting.__file__).read_bytes(), f"{scipy.__version__} {np.__version__} {boxes}".encode()]
     return hashlib.sha256(b"\0".join([*parts, np.ascontiguousarray(triangles).tobytes()])).hexdigest()[:32]
 

@@ -95,7 +95,7 @@ class Robot(Pictured):
             srdf: MoveIt's semantic description: pairs that are not checked, named postures.
             name: name of the arm. Default: the robot's name in the file.
             locked: values [rad or m] at which other joints are locked. Default: the SRDF's first posture, or 0 (or the
-                nearest limit).
+                nearest limit). A value outside a joint's limits is taken, with a warning in the log.
             neutral: (n,) usual posture. Default: the SRDF's first posture, or the middle of the limits.
             package_dirs: where `package://` paths start; the folders above `file` are searched as well.
             **limits: lower, upper, velocity, acceleration, jerk, effort: one number or (n,), instead of the file's.

@@ -1,5 +1,6 @@
 """The part of a description that is the arm: its tool, active joints, values of the locked joints, limits, usual posture."""
 
+import logging
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -11,6 +12,8 @@ from manipplan.robots.limits import JointLimits
 from manipplan.robots.srdf import Semantics
 from manipplan.support.checks import Array, configurations, number
 from manipplan.support.errors import InvalidInputError, UnknownNameError, UnsupportedJointError
+
+log = logging.getLogger("manipplan")
 
 
 def choose_tool(model: pin.Model, tool: str | None, semantic: Semantics | None) -> str:
@@ -76,7 +79,7 @@ def locked_values(
             raise InvalidInputError(f"locked[{name!r}]", value, f"no value: a {joint.shortname()} stays at its origin")
         low, high = model.lowerPositionLimit[joint.idx_q], model.upperPositionLimit[joint.idx_q]
         if not low <= value <= high:
-            raise InvalidInputError(f"locked[{name!r}]", value, f"{low:g} to {high:g}")
+            log.warning("%s is locked at %g, outside its limits %g to %g", name, value, low, high)
     usual = semantic.states[0][1] if semantic is not None and semantic.states else {}
     held = {}
     for name in others:

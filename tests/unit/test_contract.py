@@ -103,7 +103,7 @@ def test_robots_and_scenes_are_values(panda):
     robot = panda.with_tool(pin.SE3.Identity(), name="tcp").at(np.eye(4)).attach(mp.Sphere(radius=0.02), name="part")
     assert robot.tool == "tcp" and robot.detach("part").n == panda.n == 7 and panda.tool == "panda_hand_tcp"
     scene = mp.Scene([mp.Box(size=(0.1, 0.1, 0.1), name="box")]).at(np.eye(4)) + mp.Scene([mp.Sphere(radius=0.1, name="ball")])
-    assert scene.names == ("box", "ball") and scene.without("box").names == ("ball",)
+    assert callable(mp.Scene.from_moveit) and scene.names == ("box", "ball") and scene.without("box").names == ("ball",)
 
 
 def test_paths_and_trajectories_have_their_names(planar, tmp_path):
