@@ -14,7 +14,7 @@ from manipplan.collision.shapes import Obstacle
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
-from manipplan.robots.source import FILES, FOLDERS, RobotSource
+from manipplan.robots.source import FILES, FOLDERS, FOLDERS_BY_NAME, RobotSource
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError
 from manipplan.support.files import absolute_and_relative, found_again
@@ -182,4 +182,6 @@ def _option(key: str, value: Any, change: Callable[[Any], Any]) -> Any:
         return change(value)
     if key in FOLDERS:
         return [change(each) for each in value]
+    if key in FOLDERS_BY_NAME:
+        return {name: change(folder) for name, folder in value.items()}
     return stored_array(value) if key in (*LIMITS, "neutral", "lengths") else value

@@ -1,8 +1,9 @@
 """Robot descriptions: read URDF and MJCF files into Pinocchio models with one plain number per joint."""
 
+import logging
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeVar
 
@@ -15,7 +16,10 @@ from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.model_tree import plain_angles
 from manipplan.robots.ply import fault_of
 from manipplan.robots.xml_files import DEEPEST, read_xml
-from manipplan.support.errors import FileFormatError
+from manipplan.support.checks import instance
+from manipplan.support.errors import FileFormatError, InvalidInputError
+
+log = logging.getLogger("manipplan")
 
 T = TypeVar("T")
 #: Pinocchio's name for the world, as a joint and as a frame.
@@ -42,9 +46,57 @@ class Mimic:
     offset: float
 
 
-def read_urdf(file: Path, package_dirs: Sequence[str | Path] = ()) -> Description:
+@dataclass(frozen=True, kw_only=True)
+class MeshFiles:
+    """Where the meshes of a URDF are.
+
+    Attributes:
+        package_dirs: folders in which packages are searched.
+        packages: folder of each package, by name.
+        wanted: whether the collision meshes are read; without them only the primitives of the description are checked.
+    """
+
+    package_dirs: Sequence[str | Path] = ()
+    packages: Mapping[str, str | Path] = field(default_factory=dict)
+    wanted: bool = True
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.packages, Mapping):
+            raise InvalidInputError("packages", self.packages, "a mapping from names of packages to their folders")
+        for name, folder in self.packages.items():
+            if not isinstance(folder, str | Path) or not Path(folder).expanduser().is_dir():
+                raise InvalidInputError(f"packages[{name!r}]", str(folder), "an existing folder")
+        instance("meshes", self.wanted, bool)
+
+    def folders(self, file: Path) -> list[str]:
+        """The folders in which packages are searched: `package_dirs`, and those above the file."""
+        return [str(folder) for folder in (*self.package_dirs, *file.resolve().parents)]
+
+    def urdf(self, file: Path) -> str:
+        """A URDF with the folders of packages in its paths, without the meshes that are not wanted."""
+        return self.applied(file, read_xml("file", file, "robot"))
+
+    def applied(self, file: Path, root: ET.Element) -> str:
+        """The same for the root of a URDF, which is changed."""
+        for mesh in root.iter("mesh"):
+            name, _, rest = str(mesh.get("filename", "")).removeprefix("package://").partition("/")
+            if mesh.get("filename", "").startswith("package://") and name in self.packages:
+                mesh.set("filename", str(Path(self.packages[name]).expanduser().resolve() / rest))
+        left_out = 0
+        for link in root.findall("link") if not self.wanted else ():
+            for collision in link.findall("collision"):
+                if collision.find("geometry/mesh") is not None:
+                    link.remove(collision)
+                    left_out += 1
+        if left_out:
+            log.warning("%s: %d collision meshes are left out, and nothing is checked for them", file, left_out)
+        return ET.tostring(root, encoding="unicode")
+
+
+def read_urdf(file: Path, meshes: "MeshFiles") -> Description:
     """The robot of a URDF; continuous joints become plain angles."""
     root = read_xml("file", file, "robot")
+    text = meshes.applied(file, root)
     if root.find("link") is None:
         raise FileFormatError("file", str(file), "a URDF with at least one <link>")
     mimics = {}
@@ -59,13 +111,13 @@ def read_urdf(file: Path, package_dirs: Sequence[str | Path] = ()) -> Descriptio
     _check_names(file, root)
     _check_chain(file, root)
     urdf_links.check_links(file, root)
-    folders = [str(folder) for folder in package_dirs] + [str(folder) for folder in file.resolve().parents]
+    folders = meshes.folders(file)
     _check_ply(file, root, folders)
-    model = _pinocchio(file, "a URDF", lambda: pin.buildModelFromUrdf(str(file)))
+    model = _pinocchio(file, "a URDF", lambda: pin.buildModelFromXML(text))
     geometry = _pinocchio(
         file,
-        "a URDF whose meshes can be found (package_dirs= says where package:// starts)",
-        lambda: pin.buildGeomFromUrdf(model, str(file), pin.GeometryType.COLLISION, package_dirs=folders),
+        "a URDF whose meshes can be found (packages= and package_dirs= say where, meshes=False leaves them out)",
+        lambda: pin.buildGeomFromUrdfString(model, text, pin.GeometryType.COLLISION, package_dirs=folders),
     )
     urdf_links.check_loaded(file, root, model, geometry)
     _check_meshes(file, geometry)

@@ -84,6 +84,8 @@ class Robot(Pictured):
         locked: Mapping[str, float] | None = None,
         neutral: ArrayLike | None = None,
         package_dirs: Sequence[str | Path] = (),
+        packages: Mapping[str, str | Path] | None = None,
+        meshes: bool = True,
         **limits: ArrayLike,
     ) -> "Robot":
         """Read an arm from a URDF.
@@ -98,6 +100,9 @@ class Robot(Pictured):
                 nearest limit). A value outside a joint's limits is taken, with a warning in the log.
             neutral: (n,) usual posture. Default: the SRDF's first posture, or the middle of the limits.
             package_dirs: where `package://` paths start; the folders above `file` are searched as well.
+            packages: folder of each package by its name in `package://name/...`, where the folder has another name.
+            meshes: whether collision meshes are read. Without them only the description's primitives are checked, and the log
+                says so.
             **limits: lower, upper, velocity, acceleration, jerk, effort: one number or (n,), instead of the file's.
 
         Raises:
@@ -106,8 +111,9 @@ class Robot(Pictured):
             UnsupportedJointError: an active joint is a mimic, floating or planar joint, or of another kind.
             InvalidInputError: joints out of order, or limits that are not positive.
         """
-        read = description.read_urdf(existing_file("file", file), package_dirs)
-        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, package_dirs)
+        places = description.MeshFiles(package_dirs=package_dirs, packages=packages or {}, wanted=meshes)
+        read = description.read_urdf(existing_file("file", file), places)
+        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, places)
 
     @classmethod
     def from_mjcf(
@@ -140,10 +146,12 @@ class Robot(Pictured):
         locked: Mapping[str, float] | None,
         neutral: ArrayLike | None,
         limits: Mapping[str, ArrayLike],
-        package_dirs: Sequence[str | Path] = (),
+        places: description.MeshFiles | None = None,
     ) -> "Robot":
         given: dict[str, Any] = {"tool": tool, "joints": joints, "srdf": srdf, "name": name, "locked": locked}
-        given |= {"neutral": neutral, "package_dirs": package_dirs, **limits}
+        given |= {"neutral": neutral, **limits}
+        if places is not None:
+            given |= {"package_dirs": places.package_dirs, "packages": places.packages, "meshes": places.wanted}
         semantic = read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
         whole = read.model
         tool = parts.choose_tool(whole, tool, semantic)

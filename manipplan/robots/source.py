@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from manipplan.robots.description import MeshFiles
 from manipplan.support.errors import UnknownNameError
 
 if TYPE_CHECKING:
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 
 KINDS = ("catalogue", "urdf", "mjcf", "planar")
 #: Options of `Robot.from_urdf` that are paths of files and folders.
-FILES, FOLDERS = ("srdf",), ("package_dirs",)
+FILES, FOLDERS, FOLDERS_BY_NAME = ("srdf",), ("package_dirs",), ("packages",)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,7 +27,7 @@ class RobotSource:
         name: the catalogue name, else "".
         file: absolute path of the URDF or MJCF that was read; None for the planar arm.
         options: other given options, as plain numbers, strings, tuples and paths: tool, joints, srdf, name, locked, neutral,
-            package_dirs and limits of `Robot.from_urdf`; lengths and radius of `planar_arm`.
+            package_dirs, packages, meshes and limits of `Robot.from_urdf`; lengths and radius of `planar_arm`.
     """
 
     kind: str
@@ -47,9 +48,9 @@ class RobotSource:
         return cls(kind=kind, name=name, file=path, options=kept)
 
     @property
-    def package_dirs(self) -> tuple[Path, ...]:
-        """The given folders in which packages are searched; the folders above `file` are searched as well."""
-        return tuple(self.options.get("package_dirs", ()))
+    def mesh_files(self) -> MeshFiles:
+        """Where the meshes of a URDF are."""
+        return MeshFiles(package_dirs=self.options.get("package_dirs", ()), packages=self.options.get("packages", {}))
 
     def load(self) -> "Robot":
         """Build the arm again, with the limits and the neutral posture with which it was read.
@@ -72,6 +73,10 @@ def _plain(key: str, value: Any) -> Any:
         return Path(value).expanduser().resolve()
     if key in FOLDERS:
         return tuple(Path(folder).expanduser().resolve() for folder in value)
+    if key in FOLDERS_BY_NAME:
+        return {str(name): Path(folder).expanduser().resolve() for name, folder in value.items()}
+    if isinstance(value, bool):
+        return value
     if isinstance(value, Mapping):
         return {str(name): float(each) for name, each in value.items()}
     if isinstance(value, str):

@@ -8,6 +8,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
+from manipplan.viz.viewer.bodies import appearance_of
 
 
 def test_panda_has_seven_joints_and_locked_fingers(panda):
@@ -227,6 +228,37 @@ def test_missing_mesh_is_named(tmp_path):
     )
     with pytest.raises(mp.FileFormatError, match="package_dirs"):
         mp.load_robot(file)
+
+
+def test_a_package_in_a_folder_of_another_name(tmp_path, caplog):
+    """The mesh is found, also when a saved robot is read again; without meshes only the primitives remain."""
+    (tmp_path / "parts").mkdir()
+    corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"]
+    faces = ["1 3 2", "1 2 4", "1 4 3", "2 3 4"]
+    (tmp_path / "parts" / "m.obj").write_text("".join([f"v {each}\n" for each in corners] + [f"f {each}\n" for each in faces]))
+    (tmp_path / "robot").mkdir()
+    file = tmp_path / "robot" / "arm.urdf"
+    mesh = "<collision><geometry><mesh filename='package://arm_description/m.obj'/></geometry></collision>"
+    ball = "<collision><geometry><sphere radius='0.1'/></geometry></collision>"
+    file.write_text(
+        f"<robot name='arm'><link name='a'/><link name='b'>{mesh}{ball}</link><joint name='j' type='revolute'><parent link='a'/>"
+        "<child link='b'/><axis xyz='0 0 1'/><limit lower='-1' upper='1' velocity='1' effort='1'/></joint></robot>"
+    )
+    packages = {"arm_description": tmp_path / "parts"}
+    robot = mp.Robot.from_urdf(file, packages=packages)
+    assert [item.name for item in robot.geometry.geometryObjects] == ["b_0", "b_1"] and not caplog.text
+    again = robot.source.load()
+    assert again.geometry.ngeoms == 2 and again.source == robot.source
+    assert appearance_of(robot).origin.startswith("collision geometry (the description has no visual")
+    bare = mp.Robot.from_urdf(file, meshes=False)
+    assert bare.geometry.ngeoms == 1 and "1 collision meshes are left out" in caplog.text
+    assert bare.source.load().geometry.ngeoms == 1
+    with pytest.raises(mp.FileFormatError, match="packages= and package_dirs= say where, meshes=False leaves them out"):
+        mp.Robot.from_urdf(file)
+    with pytest.raises(mp.InvalidInputError, match=r"packages\['arm_description'\].*an existing folder"):
+        mp.Robot.from_urdf(file, packages={"arm_description": tmp_path / "nowhere"})
+    with pytest.raises(mp.InvalidInputError, match="packages: got 3"):
+        mp.Robot.from_urdf(file, packages=3)
 
 
 def test_mimic_joints_cannot_be_active(two_link_urdf):

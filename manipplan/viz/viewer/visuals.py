@@ -22,9 +22,9 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
             whole = pin.buildModelFromMJCF(str(file))
             geometry = pin.buildGeomFromMJCF(whole, str(file), kind)
         else:
-            folders = [str(folder) for folder in (*source.package_dirs, *file.parents)]
-            whole = pin.buildModelFromUrdf(str(file))
-            geometry = pin.buildGeomFromUrdf(whole, str(file), kind, package_dirs=folders)
+            text, folders = source.mesh_files.urdf(file), source.mesh_files.folders(file)
+            whole = pin.buildModelFromXML(text)
+            geometry = pin.buildGeomFromUrdfString(whole, text, kind, package_dirs=folders)
         geometry = model_tree.reduce(model_tree.plain_angles(whole), geometry, robot.joint_names, robot.locked)[1]
     except (ValueError, RuntimeError, IndexError, FileFormatError) as error:
         return None, f"the visual meshes of {file.name} cannot be read: {' '.join(str(error).split())[:160]}"
