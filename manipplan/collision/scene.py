@@ -111,6 +111,22 @@ class Scene(Pictured):
             obstacles += [shape.called(part) for part, shape in zip(parts[name], shapes, strict=True)]
         return cls(obstacles, allowed=[(part, other) for name, other in allowed for part in parts[name]])
 
+    @classmethod
+    def from_mjcf(cls, file: str | Path) -> "Scene":
+        """The static bodies of a MuJoCo model: every colliding geom without a joint between it and the world.
+
+        A plane, also one with a size, becomes the half-space below it. Bodies that move are left out. Where the file holds the
+        arm as well, take its base out with `without`.
+
+        Raises:
+            FileFormatError: MuJoCo cannot read the file.
+            UnknownNameError: a static geom has a shape that this package does not have, such as an ellipsoid.
+            MissingExtraError: MuJoCo is not installed.
+        """
+        from manipplan.collision.mujoco_scene import read_static_bodies
+
+        return cls(read_static_bodies(existing_file("file", file)))
+
     def to_yaml(self, file: str | Path) -> None:
         """Write the scene so that `from_yaml` reads it back."""
         import yaml

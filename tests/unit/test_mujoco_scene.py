@@ -1,0 +1,73 @@
+"""The static bodies of an MJCF as obstacles: MuJoCo's own distances are the judge."""
+
+import sys
+
+import mujoco
+import pytest
+
+import manipplan as mp
+
+CELL = """<mujoco><compiler angle="degree"/>
+<asset><mesh name="wedge" vertex="0 0 0 0.1 0 0 0 0.1 0 0 0 0.1" scale="2 2 2"/></asset>
+<worldbody>
+<geom name="floor" type="plane" size="1 1 0.1" pos="0 0 -0.1"/>
+<body name="table" pos="0.5 0 0.2" euler="10 20 30"><geom name="top" type="box" size="0.2 0.3 0.01"/>
+<geom type="cylinder" size="0.02 0.1" pos="0 0 -0.1"/>
+<body name="cup" pos="0 0.1 0.1"><geom name="cup" type="capsule" fromto="0 0 0 0.1 0.1 0.1" size="0.03"/></body></body>
+<body name="ball" pos="1 0 0"><geom name="ball" type="sphere" size="0.05"/>
+<geom name="drawn" type="box" size="1 1 1" contype="0" conaffinity="0"/></body>
+<body name="wedge" pos="0 0.6 0.3" euler="0 40 0"><geom name="wedge" type="mesh" mesh="wedge"/></body>
+<body name="moving" pos="0 0 1"><joint name="j" type="hinge" axis="0 0 1"/><geom type="box" size="0.1 0.1 0.1"/>
+<body><geom type="box" size="0.1 0.1 0.1"/></body></body>
+<body name="probe" mocap="true" pos="0 0 5"><geom name="probe" type="sphere" size="0.05" contype="0" conaffinity="0"/></body>
+</worldbody></mujoco>"""
+
+
+@pytest.fixture
+def cell(tmp_path):
+    file = tmp_path / "cell.xml"
+    file.write_text(CELL)
+    return file
+
+
+def test_static_bodies_that_collide_are_obstacles(cell):
+    scene = mp.Scene.from_mjcf(cell)
+    assert scene.names == ("floor", "top", "table.2", "cup", "ball", "wedge")
+
+
+def test_distances_are_those_of_mujoco(cell, panda, rng):
+    """A ball carried by the arm is as far from each obstacle as MuJoCo's ball at the same place."""
+    scene = mp.Scene.from_mjcf(cell)
+    carrying = panda.attach(mp.Sphere(radius=0.05), "probe")
+    pairs = scene.collision_model(carrying).pair_names
+    model = mujoco.MjModel.from_xml_path(str(cell))
+    data = mujoco.MjData(model)
+    for q in panda.random_configuration(rng, size=8):
+        data.mocap_pos[0] = panda.kinematics().pose(q)[:3, 3]
+        mujoco.mj_forward(model, data)
+        ours = dict(zip(pairs, scene.distances(carrying, q), strict=True))
+        for name in scene.names:
+            geom = 2 if name == "table.2" else model.geom(name).id
+            theirs = mujoco.mj_geomDistance(model, data, model.geom("probe").id, geom, 10.0, None)
+            assert ours["probe", name] == pytest.approx(theirs, abs=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("<mujoco><worldbody><geom type='box' size='1 1'/></worldbody></mujoco>", "MuJoCo says"),
+        ("<scene/>", "MuJoCo says"),
+        ("<mujoco><worldbody><geom name='egg' type='ellipsoid' size='1 2 3'/></worldbody></mujoco>", "egg: got 'ellipsoid'"),
+    ],
+)
+def test_wrong_files(tmp_path, text, message):
+    file = tmp_path / "bad.xml"
+    file.write_text(text)
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.Scene.from_mjcf(file)
+
+
+def test_without_mujoco_the_error_says_how_to_install_it(cell, monkeypatch):
+    monkeypatch.setitem(sys.modules, "mujoco", None)
+    with pytest.raises(mp.MissingExtraError, match=r"pip install 'manipplan\[mujoco\]'"):
+        mp.Scene.from_mjcf(cell)
