@@ -11,6 +11,7 @@ from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.scene import Scene
 from manipplan.collision.stored_fits import find_or_fit
+from manipplan.robots.attached import number_names
 from manipplan.robots.hulls import has_hull
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -33,7 +34,8 @@ def build_model(robot: Robot, scene: Scene) -> CollisionModel:
     checked; `dropped` of the model lists them.
 
     Raises:
-        InvalidInputError: there are obstacles, but the robot's description has no collision geometry.
+        InvalidInputError: there are obstacles, but the robot's description has no collision geometry; or a name is both an
+            obstacle's and that of a carried part or, in an allowed pair, of a link.
         UnknownNameError: an allowed pair names something that neither the scene nor the robot has.
     """
     alone, origins = _self_model(robot)
@@ -41,33 +43,42 @@ def build_model(robot: Robot, scene: Scene) -> CollisionModel:
     bodies = list(range(alone.primitives))
     if scene.obstacles and not bodies:
         raise InvalidInputError("scene", repr(scene), f"no obstacles: {robot.name} has no collision geometry to check")
-    for name in scene.names:
-        if name in robot.carried:
-            wanted = f"a scene without {name!r}, which {robot.name} carries: scene.without({name!r})"
-            raise InvalidInputError("scene", repr(scene), wanted)
+    check_names(robot, scene)
     named = {k: robot.link_of(robot.geometry.geometryObjects[origin]) for k, origin in enumerate(origins)}
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
-        for k, shape in enumerate(obstacle.shapes()):
-            label = name if len(obstacle.shapes()) == 1 else f"{name}.{k}"
+        shapes = obstacle.shapes()
+        for label, shape in zip(number_names(name, len(shapes)), shapes, strict=True):
             index = geometry.addGeometryObject(pin.GeometryObject(label, 0, 0, obstacle.pose, shape))
             named[index] = name
             for body in bodies:
                 if geometry.geometryObjects[body].parentJoint > 0:
                     geometry.addCollisionPair(pin.CollisionPair(body, index))
     dropped = dict(alone.dropped)
-    if scene.allowed:
-        _drop_allowed(robot, scene, geometry, named, dropped)
+    _drop_allowed(scene, geometry, named, dropped)
     return CollisionModel(robot, geometry, dropped, alone.primitives)
 
 
-def _drop_allowed(
-    robot: Robot, scene: Scene, geometry: pin.GeometryModel, named: dict[int, str], dropped: dict[tuple[str, str], str]
-) -> None:
-    """Drop the pairs that the scene allows to touch; `named`: the link or obstacle of each object of `geometry`."""
-    links = [frame.name for frame in robot.model.frames if frame.type == pin.FrameType.BODY] + list(robot.carried)
+def check_names(robot: Robot, scene: Scene) -> None:
+    """Raise an error where a name of the scene is unclear, or an allowed pair names nothing that is there."""
+    for name in scene.names:
+        if name in robot.carried:
+            wanted = f"a scene without {name!r}, which {robot.name} carries: scene.without({name!r})"
+            raise InvalidInputError("scene", repr(scene), wanted)
+    links = [frame.name for frame in robot.model.frames if frame.type == pin.FrameType.BODY]
+    known = [*scene.names, *robot.carried, *links]
     for name in sorted(frozenset[str]().union(*scene.allowed)):
-        if name not in scene.names and name not in links:
-            raise UnknownNameError("allowed", name, [*scene.names, *links])
+        if name not in known:
+            raise UnknownNameError("allowed", name, known)
+        if name in scene.names and name in links:
+            raise InvalidInputError(
+                "allowed", name, f"another name for the obstacle {name!r}: a link of {robot.name} is called so"
+            )
+
+
+def _drop_allowed(
+    scene: Scene, geometry: pin.GeometryModel, named: dict[int, str], dropped: dict[tuple[str, str], str]
+) -> None:
+    """Drop the pairs that the scene allows to touch; `named`: the link, part or obstacle of each object of `geometry`."""
     for first, second in [(pair.first, pair.second) for pair in geometry.collisionPairs]:
         if frozenset((named[first], named[second])) in scene.allowed:
             geometry.removeCollisionPair(pin.CollisionPair(first, second))
@@ -87,7 +98,7 @@ def _self_model(robot: Robot) -> tuple[CollisionModel, list[int]]:
     samples = [robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)]
     for tighter in (_hull, _mesh):
         _tighten_coarse_pairs(robot, geometry, origins, samples, tighter)
-    _drop_always_touching(robot, geometry, dropped, samples)
+    _drop_always_touching(robot, geometry, origins, dropped, samples)
     return CollisionModel(robot, geometry, dropped, primitives), origins
 
 
@@ -101,8 +112,7 @@ def _primitive_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int]]:
             shapes = [(primitive.shape, item.placement * primitive.placement) for primitive in fitted]
         else:
             shapes = [(item.geometry, item.placement)]
-        for k, (shape, placement) in enumerate(shapes):
-            name = item.name if len(shapes) == 1 else f"{item.name}.{k}"
+        for name, (shape, placement) in zip(number_names(item.name, len(shapes)), shapes, strict=True):
             geometry.addGeometryObject(pin.GeometryObject(name, item.parentJoint, item.parentFrame, placement, shape))
             origins.append(origin)
     return geometry, origins
@@ -187,12 +197,13 @@ def _tighten_coarse_pairs(
 
 
 def _drop_always_touching(
-    robot: Robot, geometry: pin.GeometryModel, dropped: dict[tuple[str, str], str], samples: list[Array]
+    robot: Robot, geometry: pin.GeometryModel, origins: list[int], dropped: dict[tuple[str, str], str], samples: list[Array]
 ) -> None:
-    """Drop pairs that touch nearly everywhere: they touch by construction, as at a shoulder."""
+    """Drop pairs of links that touch nearly everywhere: they touch by construction, as at a shoulder."""
     model = CollisionModel(robot, geometry, {})
     counts = Counter(k for q in samples for k in model.touching_pairs(q))
     for k, pair in enumerate([(p.first, p.second) for p in geometry.collisionPairs]):
-        if counts[k] >= ALWAYS * len(samples):
+        carried = robot.carried.keys() & {robot.link_of(robot.geometry.geometryObjects[origins[body]]) for body in pair}
+        if counts[k] >= ALWAYS * len(samples) and not carried:
             geometry.removeCollisionPair(pin.CollisionPair(*pair))
             dropped[model.pair_names[k]] = f"touching at {counts[k]} of {len(samples)} configurations"

@@ -27,7 +27,7 @@ def fit_primitives(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
 
     Raises ManipplanError if a triangle is not inside the primitive of its part.
     """
-    triangles = subdivided(triangles)
+    triangles = subdivide(triangles)
     parts = [(triangles, enclose(triangles, boxes=boxes))]
     while len(parts) < MAX_PARTS:
         cuts = [_best_cut(part, boxes) for part, _ in parts]
@@ -80,7 +80,7 @@ def _best_cut(triangles: Array, boxes: bool) -> tuple[NDArray[np.bool_], NDArray
     return left, ~left
 
 
-def subdivided(triangles: Array) -> Array:
+def subdivide(triangles: Array) -> Array:
     """The same surface as triangles with edges of at most an eighth of its size, so that the parts overlap little."""
     size = np.linalg.norm(np.ptp(triangles.reshape(-1, 3), axis=0)) / 8
     small = []

@@ -1,4 +1,4 @@
-"""Scene: the obstacles around a robot, in code or from a YAML file."""
+"""Scene: the obstacles around a robot, in code or from a file (YAML, MoveIt, MuJoCo)."""
 
 import itertools
 import os
@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.collision.shapes import OBSTACLES, Obstacle
 from manipplan.paths.joint import JointPath
+from manipplan.robots.attached import number_names
+from manipplan.robots.description import MeshFiles
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, configurations, existing_file, instance, pose_matrix
 from manipplan.support.display import Pictured
@@ -88,26 +90,20 @@ class Scene(Pictured):
             FileFormatError: the file is cut off or holds something else; the message names the object and the entry.
             UnknownNameError: a shape that this package does not have, such as a cone, or an unknown package.
         """
-        from manipplan.collision.moveit_text import read_scene_text
-        from manipplan.collision.moveit_yaml import read_planning_scene
+        from manipplan.collision.formats.moveit_text import read_scene_text
+        from manipplan.collision.formats.moveit_yaml import read_planning_scene
 
         path = existing_file("file", file)
         allowed: list[list[str]] = []
-        try:
-            if path.suffix.lower() in (".yaml", ".yml"):
-                folders = {name: Path(folder).expanduser() for name, folder in (packages or {}).items()}
-                objects, allowed = read_planning_scene(path, folders)
-            else:
-                objects = read_scene_text(path)
-        except (FileFormatError, UnknownNameError):
-            raise
-        except InvalidInputError as error:
-            raise FileFormatError("file", f"{path}, {error.argument}: {error.value}", error.allowed) from error
-        obstacles, parts = list[Obstacle](), dict[str, list[str]]()
+        if path.suffix.lower() in (".yaml", ".yml"):
+            objects, allowed = read_planning_scene(path, MeshFiles(packages=packages or {}).packages)
+        else:
+            objects = read_scene_text(path)
+        obstacles, parts = list[Obstacle](), dict[str, tuple[str, ...]]()
         for name, shapes in objects:
             if name in parts:
                 raise FileFormatError("file", f"{path}, object {name}, twice", "objects with names that differ")
-            parts[name] = [name] if len(shapes) == 1 else [f"{name}.{k}" for k in range(len(shapes))]
+            parts[name] = number_names(name, len(shapes))
             obstacles += [shape.called(part) for part, shape in zip(parts[name], shapes, strict=True)]
         return cls(obstacles, allowed=[(part, other) for name, other in allowed for part in parts[name]])
 
@@ -115,15 +111,15 @@ class Scene(Pictured):
     def from_mjcf(cls, file: str | Path) -> "Scene":
         """The static bodies of a MuJoCo model: every colliding geom without a joint between it and the world.
 
-        A plane, also one with a size, becomes the half-space below it. Bodies that move are left out. Where the file holds the
-        arm as well, take its base out with `without`.
+        A plane, also a finite one, becomes the half-space below it. Bodies that move are left out. If the file holds an arm,
+        its base is static and becomes an obstacle: remove it with `scene.without`, or use a file without the arm.
 
         Raises:
             FileFormatError: MuJoCo cannot read the file.
             UnknownNameError: a static geom has a shape that this package does not have, such as an ellipsoid.
             MissingExtraError: MuJoCo is not installed.
         """
-        from manipplan.collision.mujoco_scene import read_static_bodies
+        from manipplan.collision.formats.mujoco_scene import read_static_bodies
 
         return cls(read_static_bodies(existing_file("file", file)))
 
@@ -171,16 +167,19 @@ class Scene(Pictured):
     def at(self, pose: ArrayLike | pin.SE3) -> "Scene":
         """The scene moved as a whole by `pose`, (4, 4) or pin.SE3."""
         pose = pose_matrix("pose", pose)
-        return Scene([obstacle.at(pose) for obstacle in self._named()], allowed=self.allowed)
+        return Scene([obstacle.at(pose) for obstacle in self.obstacles], allowed=self.allowed)
 
     def __add__(self, other: "Scene") -> "Scene":
-        """The obstacles and allowed pairs of both scenes; obstacles with a name of their own must have different ones."""
+        """The obstacles and allowed pairs of both scenes; obstacles of `other` without a name are numbered anew.
+
+        Raises InvalidInputError when a name of `other` is taken.
+        """
         if not isinstance(other, Scene):
             return NotImplemented
         both = Scene([*self._named(), *other.obstacles])
         now = dict(zip(other.names, both.names[len(self.names) :], strict=True))  # a numbered obstacle may get another number
         allowed = [[now.get(name, name) for name in pair] for pair in other.allowed]
-        return Scene(both._named(), allowed=[*self.allowed, *allowed])
+        return Scene(both.obstacles, allowed=[*self.allowed, *allowed])
 
     def without(self, *names: str) -> "Scene":
         """The scene without the obstacles of these names, and without the allowed pairs that name them.
@@ -258,6 +257,8 @@ class Scene(Pictured):
 
 
 def _pairs(allowed: Iterable[Collection[str]]) -> frozenset[frozenset[str]]:
+    if not isinstance(allowed, Iterable):
+        raise InvalidInputError("allowed", allowed, "pairs of two different names")
     pairs = set()
     for pair in allowed:
         names = list(pair) if isinstance(pair, Collection) and not isinstance(pair, str) else []

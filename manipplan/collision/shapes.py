@@ -142,9 +142,9 @@ class Plane(Obstacle):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Mesh(Obstacle):
-    """A mesh: of a file (STL, OBJ, DAE, ...), or of `triangles` (t, 3, 3) [m]; with its corners multiplied by `scale`.
+    """A mesh from a file (STL, OBJ, DAE, ...) or from `triangles` (t, 3, 3); corners times `scale` are in metres.
 
-    A mesh is a hollow surface, inside which nothing would collide, so every connected part is replaced by its convex hull: an
+    Every connected part is replaced by its convex hull, because a hollow surface would not collide with what is inside it: an
     open bin in one piece counts as filled.
     """
 
@@ -171,16 +171,6 @@ class Mesh(Obstacle):
 
     def shapes(self) -> list[coal.CollisionGeometry]:
         return self.hulls
-
-
-def half_space(coefficients: Array) -> Plane:
-    """The half-space a x + b y + c z + d <= 0 of `coefficients` (4,)."""
-    size = float(np.linalg.norm(coefficients[:3]))
-    if not size > 0:
-        raise InvalidInputError("plane", coefficients.tolist(), "a normal other than zero")
-    normal = coefficients[:3] / size
-    turn = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), normal).matrix()
-    return Plane(position=-coefficients[3] / size * normal, rotation=turn)
 
 
 OBSTACLES: dict[str, type[Obstacle]] = {kind.shape_name: kind for kind in (Box, Sphere, Capsule, Cylinder, Plane, Mesh)}

@@ -1,4 +1,4 @@
-"""Fitted primitives on disk, by the content of the mesh: fitting takes seconds an arm, and is done once on a machine."""
+"""Fitted primitives on disk, by the content of the mesh. Fitting takes seconds per arm and is done once per machine."""
 
 import hashlib
 import json
@@ -18,11 +18,15 @@ from manipplan.support.files import private_folder, write_text
 
 log = logging.getLogger("manipplan")
 
+#: Class of each stored shape, and its number of sizes.
+SHAPES = {"Box": (coal.Box, 3), "Sphere": (coal.Sphere, 1), "Capsule": (coal.Capsule, 2)}
+
 
 def find_or_fit(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
-    """The primitives of `fit_primitives`, from the cache folder where an earlier process left them there.
+    """The primitives of `fit_primitives`, read from the cache folder if an earlier process stored them.
 
-    What is read is checked like a fit: its primitives contain every triangle. Anything else is fitted again.
+    Stored primitives are used only if they contain every triangle; otherwise the mesh is fitted again. Raises ManipplanError as
+    `fit_primitives` does.
     """
     try:
         file = private_folder() / "primitives" / f"{_key(triangles, boxes)}.json"
@@ -31,7 +35,7 @@ def find_or_fit(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
     except OSError as error:
         log.info("fitted primitives are not kept on disk: %s", error)
         return fitting.fit_primitives(triangles, boxes=boxes)
-    if stored is not None and _contain(stored, fitting.subdivided(triangles)):
+    if stored is not None and _contain(stored, fitting.subdivide(triangles)):
         return stored
     fitted = fitting.fit_primitives(triangles, boxes=boxes)
     try:
@@ -42,7 +46,7 @@ def find_or_fit(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
 
 
 def _key(triangles: Array, boxes: bool) -> str:
-    """Hash of the triangles and of everything that fits them."""
+    """Hash of the triangles, of `boxes`, of the source of fitting.py and of the versions of NumPy and SciPy."""
     import scipy
 
     parts = [Path(fitting.__file__).read_bytes(), f"{scipy.__version__} {np.__version__} {boxes}".encode()]
@@ -79,8 +83,8 @@ def _plain(primitive: Primitive) -> dict[str, Any]:
 
 
 def _primitive(entry: Any) -> Primitive:
-    kind = {"Box": coal.Box, "Sphere": coal.Sphere, "Capsule": coal.Capsule}[entry["shape"]]
+    kind, count = SHAPES[entry["shape"]]
     sizes, pose = np.array(entry["sizes"], dtype=float), pose_matrix("pose", entry["pose"])
-    if sizes.shape != ({"Box": 3, "Sphere": 1, "Capsule": 2}[entry["shape"]],) or not (sizes >= 0).all():
+    if sizes.shape != (count,) or not (sizes >= 0).all():
         raise ValueError(f"sizes {sizes.tolist()} of a {entry['shape']}")
     return Primitive(shape=kind(*sizes), placement=pin.SE3(pose[:3, :3], pose[:3, 3]), volume=float(entry["volume"]))

@@ -70,8 +70,14 @@ def robot_data(robot: Robot, folder: Path) -> dict[str, Any]:
         "outlines": outlines(robot),
         "base": robot.base,
         "tools": [{"name": name, "pose": pose} for name, pose in robot.tools],
-        "carried": carried_data(robot, folder),
+        "parts": [[name, type(part.solid).__name__] for name, part in robot.carried.items()],
     }
+    carried = []
+    for name, part in robot.carried.items():
+        if not isinstance(part.solid, Obstacle) or "missing" in scene_data(Scene([part.solid]), folder):
+            return {**data, "missing": f"the part {name!r} of a class of your own, {type(part.solid).__name__}"}
+        carried.append(part.solid.called(name))
+    data["carried"] = scene_data(Scene(carried), folder)
     source = robot.source
     if source is None:
         return {**data, "missing": "an arm that was put together by hand"}
@@ -80,15 +86,6 @@ def robot_data(robot: Robot, folder: Path) -> dict[str, Any]:
     }
     file = absolute_and_relative(source.file, folder) if source.file is not None and source.kind != "catalogue" else None
     return {**data, "source": {"kind": source.kind, "name": source.name, "file": file, "options": options}}
-
-
-def carried_data(robot: Robot, folder: Path) -> Any:
-    """The data of the parts that a robot carries, or why there are none: one is of an unknown class."""
-    solids = [(name, part.solid) for name, part in robot.carried.items()]
-    for name, solid in solids:
-        if not isinstance(solid, Obstacle):
-            return {"missing": f"the part {name} of the class {type(solid).__name__}, which is not in this package"}
-    return scene_data(Scene([solid.called(name) for name, solid in solids if isinstance(solid, Obstacle)]), folder)
 
 
 def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | None) -> Robot:
@@ -103,7 +100,7 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
             }
             file = found_again(source["file"], folder) if source["file"] is not None else None
             arm = RobotSource(kind=source["kind"], name=source["name"], file=file, options=options).load()
-            arm = _with_changes(arm, path, data, folder)
+            arm = _apply_changes(arm, path, data, folder)
             limits = from_json(data["limits"], JointLimits)
             if limits.n == arm.n:  # otherwise it is another arm, which raises below
                 arm = replace(arm, limits=limits, neutral=stored_array(data["neutral"]))
@@ -118,7 +115,8 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
     stored.append(stored_array(data["outlines"]).reshape(-1, OUTLINE))
     names = tuple(data["joint_names"])
     found = (*fingerprint(arm), outlines(arm))
-    if arm.joint_names != names or not all(_same(a, b) for a, b in zip(found, stored, strict=True)):
+    parts = [[name, type(part.solid).__name__] for name, part in arm.carried.items()]
+    if arm.joint_names != names or parts != data["parts"] or not all(_same(a, b) for a, b in zip(found, stored, strict=True)):
         said = f"{arm.name} with {', '.join(arm.joint_names)} and tool {arm.tool}"
         wanted = (
             f"the robot of {path}: {data['arm']} with {', '.join(names)} and tool {data['tool']}, and links as when the plan "
@@ -131,7 +129,7 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
     return arm
 
 
-def _with_changes(arm: Robot, path: Path, data: Mapping[str, Any], folder: Path) -> Robot:
+def _apply_changes(arm: Robot, path: Path, data: Mapping[str, Any], folder: Path) -> Robot:
     """The arm with the base, the tool frames and the parts of the data."""
     base = stored_array(data["base"])
     if not np.array_equal(base, arm.base):
@@ -139,7 +137,7 @@ def _with_changes(arm: Robot, path: Path, data: Mapping[str, Any], folder: Path)
     for tool in data["tools"]:
         arm = arm.with_tool(stored_array(tool["pose"]), name=tool["name"])
     for part in scene_of(path, data["carried"], folder, None).obstacles:
-        arm = arm.attach(part, part.name)
+        arm = arm.attach(part)
     return arm
 
 

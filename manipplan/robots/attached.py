@@ -9,7 +9,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.robots.model_tree import frame_index
-from manipplan.support.checks import distinct_names
+from manipplan.support.checks import Array, distinct_names
 from manipplan.support.errors import InvalidInputError
 
 
@@ -41,13 +41,16 @@ class Part:
     bodies: tuple[str, ...]
 
 
+def number_names(name: str, count: int) -> tuple[str, ...]:
+    """`name` for one body; name.0, name.1, ... for several."""
+    return (name,) if count == 1 else tuple(f"{name}.{k}" for k in range(count))
+
+
 def with_frame(model: pin.Model, parent: str, pose: pin.SE3, name: str) -> pin.Model:
     """The model with one more frame, at `pose` in the frame `parent`.
 
     Raises InvalidInputError when `name` is not the name of a new frame.
     """
-    [name] = distinct_names("name", [name], 1)
-    _new_name(name, (frame.name for frame in model.frames), "a name that no frame of the robot has")
     model = model.copy()
     index = frame_index(model, parent)
     frame = model.frames[index]
@@ -55,7 +58,7 @@ def with_frame(model: pin.Model, parent: str, pose: pin.SE3, name: str) -> pin.M
     return model
 
 
-def moved(model: pin.Model, geometry: pin.GeometryModel, motion: pin.SE3) -> tuple[pin.Model, pin.GeometryModel]:
+def move_base(model: pin.Model, geometry: pin.GeometryModel, motion: pin.SE3) -> tuple[pin.Model, pin.GeometryModel]:
     """The arm as a whole, moved by `motion` in the world."""
     model, geometry = model.copy(), geometry.copy()
     for joint in range(1, model.njoints):
@@ -65,14 +68,14 @@ def moved(model: pin.Model, geometry: pin.GeometryModel, motion: pin.SE3) -> tup
         if frame.parentJoint == 0:
             frame.placement = motion * frame.placement
     for item in geometry.geometryObjects:
-        if item.parentJoint == 0:
+        if item.parentJoint == 0 and item.parentFrame < model.nframes:  # the floor of an MJCF belongs to no frame
             item.placement = motion * item.placement
     return model, geometry
 
 
-def keeps_plane(motion: pin.SE3) -> bool:
-    """Whether a motion maps the x-y plane to itself, and up to up."""
-    return bool(np.allclose(motion.rotation[2], [0.0, 0.0, 1.0], atol=1e-9) and abs(motion.translation[2]) < 1e-9)
+def keeps_plane(pose: Array) -> bool:
+    """Whether a pose (4, 4) maps the x-y plane to itself, and up to up."""
+    return bool(np.allclose(pose[2], [0.0, 0.0, 1.0, 0.0], atol=1e-9))
 
 
 def with_part(
@@ -82,16 +85,12 @@ def with_part(
 
     Raises InvalidInputError when the part has no bounded shape, or `name` is not the name of a new body.
     """
-    if not isinstance(part, Solid):
-        raise InvalidInputError("shape", part, "a shape with a pose, such as Box, Sphere or Mesh")
     shapes = part.shapes()
-    [name] = distinct_names("name", [name], 1)
     if not shapes or any(isinstance(shape, coal.Halfspace | coal.Plane) for shape in shapes):
         raise InvalidInputError("shape", part, "a bounded shape: Box, Sphere, Capsule, Cylinder or Mesh")
-    taken = {item.name for item in geometry.geometryObjects} | {frame.name for frame in model.frames}
-    names = (name,) if len(shapes) == 1 else tuple(f"{name}.{k}" for k in range(len(shapes)))
-    for each in {name, *names}:
-        _new_name(each, taken, "a name that no link, body or part of the robot has")
+    names = number_names(name, len(shapes))
+    for each in names:
+        check_new_name(each, model, geometry, ())
     index = frame_index(model, tool)
     frame = model.frames[index]
     geometry = geometry.copy()
@@ -108,6 +107,8 @@ def without_bodies(geometry: pin.GeometryModel, names: Iterable[str]) -> pin.Geo
     return geometry
 
 
-def _new_name(name: str, taken: Iterable[str], wanted: str) -> None:
-    if name in set(taken):
-        raise InvalidInputError("name", name, wanted)
+def check_new_name(name: str, model: pin.Model, geometry: pin.GeometryModel, parts: Iterable[str]) -> None:
+    """Raise InvalidInputError where `name` is not printable text, or that of a frame, a body or one of `parts`."""
+    [name] = distinct_names("name", [name], 1)
+    if name in parts or any(each.name == name for each in (*model.frames, *geometry.geometryObjects)):
+        raise InvalidInputError("name", name, "a name that no link, frame, body or part of the robot has")

@@ -48,42 +48,47 @@ class Mimic:
 
 @dataclass(frozen=True, kw_only=True)
 class MeshFiles:
-    """Where the meshes of a URDF are.
+    """Where the meshes of a URDF are, and whether its collision meshes are read.
 
     Attributes:
         package_dirs: folders in which packages are searched.
         packages: folder of each package, by name.
-        wanted: whether the collision meshes are read; without them only the primitives of the description are checked.
+        meshes: whether collision meshes are read; without them only the primitives of the description are checked.
     """
 
     package_dirs: Sequence[str | Path] = ()
     packages: Mapping[str, str | Path] = field(default_factory=dict)
-    wanted: bool = True
+    meshes: bool = True
 
     def __post_init__(self) -> None:
+        if isinstance(self.package_dirs, str | Path) or not isinstance(self.package_dirs, Sequence):
+            raise InvalidInputError("package_dirs", self.package_dirs, "a list of folders")
         if not isinstance(self.packages, Mapping):
             raise InvalidInputError("packages", self.packages, "a mapping from names of packages to their folders")
         for name, folder in self.packages.items():
             if not isinstance(folder, str | Path) or not Path(folder).expanduser().is_dir():
                 raise InvalidInputError(f"packages[{name!r}]", str(folder), "an existing folder")
-        instance("meshes", self.wanted, bool)
+        instance("meshes", self.meshes, bool)
 
     def folders(self, file: Path) -> list[str]:
         """The folders in which packages are searched: `package_dirs`, and those above the file."""
         return [str(folder) for folder in (*self.package_dirs, *file.resolve().parents)]
 
-    def urdf(self, file: Path) -> str:
-        """A URDF with the folders of packages in its paths, without the meshes that are not wanted."""
-        return self.applied(file, read_xml("file", file, "robot"))
+    def read(self, file: Path) -> str:
+        """The text of a URDF as `resolve` gives it."""
+        return self.resolve(file, read_xml("file", file, "robot"))
 
-    def applied(self, file: Path, root: ET.Element) -> str:
-        """The same for the root of a URDF, which is changed."""
+    def resolve(self, file: Path, root: ET.Element) -> str:
+        """The URDF as text, with the folders of `packages` in its paths, and without collision meshes if `meshes` is False.
+
+        This changes `root`.
+        """
         for mesh in root.iter("mesh"):
             name, _, rest = str(mesh.get("filename", "")).removeprefix("package://").partition("/")
             if mesh.get("filename", "").startswith("package://") and name in self.packages:
                 mesh.set("filename", str(Path(self.packages[name]).expanduser().resolve() / rest))
         left_out = 0
-        for link in root.findall("link") if not self.wanted else ():
+        for link in root.findall("link") if not self.meshes else ():
             for collision in link.findall("collision"):
                 if collision.find("geometry/mesh") is not None:
                     link.remove(collision)
@@ -93,10 +98,9 @@ class MeshFiles:
         return ET.tostring(root, encoding="unicode")
 
 
-def read_urdf(file: Path, meshes: "MeshFiles") -> Description:
+def read_urdf(file: Path, mesh_files: MeshFiles) -> Description:
     """The robot of a URDF; continuous joints become plain angles."""
     root = read_xml("file", file, "robot")
-    text = meshes.applied(file, root)
     if root.find("link") is None:
         raise FileFormatError("file", str(file), "a URDF with at least one <link>")
     mimics = {}
@@ -111,7 +115,8 @@ def read_urdf(file: Path, meshes: "MeshFiles") -> Description:
     _check_names(file, root)
     _check_chain(file, root)
     urdf_links.check_links(file, root)
-    folders = meshes.folders(file)
+    text = mesh_files.resolve(file, root)
+    folders = mesh_files.folders(file)
     _check_ply(file, root, folders)
     model = _pinocchio(file, "a URDF", lambda: pin.buildModelFromXML(text))
     geometry = _pinocchio(

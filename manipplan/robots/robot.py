@@ -97,7 +97,7 @@ class Robot(Pictured):
             srdf: MoveIt's semantic description: pairs that are not checked, named postures.
             name: name of the arm. Default: the robot's name in the file.
             locked: values [rad or m] at which other joints are locked. Default: the SRDF's first posture, or 0 (or the
-                nearest limit). A value outside a joint's limits is taken, with a warning in the log.
+                nearest limit). A value outside a joint's limits is accepted, with a warning in the log.
             neutral: (n,) usual posture. Default: the SRDF's first posture, or the middle of the limits.
             package_dirs: where `package://` paths start; the folders above `file` are searched as well.
             packages: folder of each package by its name in `package://name/...`, where the folder has another name.
@@ -109,11 +109,11 @@ class Robot(Pictured):
             FileFormatError: a file is missing, not XML, or Pinocchio cannot read it.
             UnknownNameError: a frame or joint does not exist (the nearest names are listed).
             UnsupportedJointError: an active joint is a mimic, floating or planar joint, or of another kind.
-            InvalidInputError: joints out of order, or limits that are not positive.
+            InvalidInputError: joints out of order, limits that are not positive, or a folder in `packages` that does not exist.
         """
-        places = description.MeshFiles(package_dirs=package_dirs, packages=packages or {}, wanted=meshes)
-        read = description.read_urdf(existing_file("file", file), places)
-        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, places)
+        mesh_files = description.MeshFiles(package_dirs=package_dirs, packages=packages or {}, meshes=meshes)
+        read = description.read_urdf(existing_file("file", file), mesh_files)
+        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, mesh_files)
 
     @classmethod
     def from_mjcf(
@@ -146,18 +146,18 @@ class Robot(Pictured):
         locked: Mapping[str, float] | None,
         neutral: ArrayLike | None,
         limits: Mapping[str, ArrayLike],
-        places: description.MeshFiles | None = None,
+        mesh_files: description.MeshFiles | None = None,
     ) -> "Robot":
         given: dict[str, Any] = {"tool": tool, "joints": joints, "srdf": srdf, "name": name, "locked": locked}
         given |= {"neutral": neutral, **limits}
-        if places is not None:
-            given |= {"package_dirs": places.package_dirs, "packages": places.packages, "meshes": places.wanted}
+        if mesh_files is not None:
+            given |= vars(mesh_files)
         semantic = read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
         whole = read.model
         tool = parts.choose_tool(whole, tool, semantic)
         chain = [whole.names[i] for i in whole.supports[whole.frames[model_tree.frame_index(whole, tool)].parentJoint]][1:]
         active = parts.choose_joints(whole, tool, chain, joints, read.mimics)
-        held = parts.locked_values(whole, active, dict(locked or {}), semantic, read.mimics)
+        held = parts.locked_values(whole, active, locked or {}, semantic, read.mimics)
         model, geometry = model_tree.reduce(whole, read.geometry, active, held)
         base = parts.limits_of(model, read.source, limits)
         if "acceleration" not in limits:
@@ -287,27 +287,32 @@ class Robot(Pictured):
         return replace(self, limits=limits, neutral=np.clip(self.neutral, limits.lower, limits.upper))
 
     def with_tool(self, pose: ArrayLike | pin.SE3, *, name: str = "tcp") -> "Robot":
-        """The arm with another tool frame, at `pose`, (4, 4) or pin.SE3, in the present one.
+        """The arm with another tool frame, at `pose`, (4, 4) or pin.SE3, in the current tool frame.
 
         Raises InvalidInputError when the pose is no pose, or a frame of the robot has that name already.
         """
         pose = pose_matrix("pose", pose)
         offset = pin.SE3(pose)
         carried = {each: replace(part, solid=part.solid.at(offset.inverse())) for each, part in self.carried.items()}
+        attached.check_new_name(name, self.model, self.geometry, self.carried)
         model = attached.with_frame(self.model, self.tool, offset, name)
         return replace(self, model=model, tool=name, tools=(*self.tools, (name, pose)), carried=carried)
 
     def at(self, pose: ArrayLike | pin.SE3) -> "Robot":
         """The arm with its base at `pose`, (4, 4) or pin.SE3, in the world; poses and obstacles are given in the world.
 
-        Raises InvalidInputError when the pose is no pose.
+        The floor of an MJCF stays where it is.
+
+        Raises InvalidInputError when the pose is no pose, or takes a planar arm out of the x-y plane.
         """
         base = pose_matrix("pose", pose)
+        if self.planar and not attached.keeps_plane(base):
+            raise InvalidInputError("pose", base.tolist(), "a pose in the x-y plane, in which a planar arm moves")
         motion = pin.SE3(base) * pin.SE3(self.base).inverse()
-        model, geometry = attached.moved(self.model, self.geometry, motion)
-        return replace(self, model=model, geometry=geometry, base=base, planar=self.planar and attached.keeps_plane(motion))
+        model, geometry = attached.move_base(self.model, self.geometry, motion)
+        return replace(self, model=model, geometry=geometry, base=base)
 
-    def attach(self, shape: Solid, name: str = "part") -> "Robot":
+    def attach(self, shape: Solid, *, name: str = "") -> "Robot":
         """The arm with a part in its hand, which is checked for collisions from now on.
 
         It is checked against everything but the bodies that move with the tool; what else it may touch, such as the table
@@ -316,10 +321,15 @@ class Robot(Pictured):
         Args:
             shape: an obstacle such as Box or Mesh, posed in the tool frame. One that is posed in the world is in the tool
                 frame as `shape.at(np.linalg.inv(robot.kinematics().pose(q)))`, with q the configuration of the grasp.
-            name: name of the part.
+            name: name of the part. Default: that of the shape, or "part".
 
-        Raises InvalidInputError when the shape is unbounded, or the robot has something of that name already.
+        Raises InvalidInputError when `shape` is not a shape with a pose or is unbounded, or the robot has a link, body or part
+        of that name.
         """
+        if not isinstance(shape, Solid) or isinstance(shape, type):
+            raise InvalidInputError("shape", shape, "a shape with a pose, such as Box, Sphere or Mesh")
+        name = name or shape.name or "part"
+        attached.check_new_name(name, self.model, self.geometry, self.carried)
         geometry, bodies = attached.with_part(self.model, self.geometry, self.tool, shape, name)
         return replace(self, geometry=geometry, carried={**self.carried, name: Part(solid=shape, bodies=bodies)})
 
@@ -328,7 +338,7 @@ class Robot(Pictured):
 
         Raises UnknownNameError when it carries no such part; the nearest names are listed.
         """
-        if name not in self.carried:
+        if not isinstance(name, str) or name not in self.carried:
             raise UnknownNameError("name", str(name), self.carried or ["none: the robot carries nothing"])
         geometry = attached.without_bodies(self.geometry, self.carried[name].bodies)
         return replace(self, geometry=geometry, carried={each: part for each, part in self.carried.items() if each != name})

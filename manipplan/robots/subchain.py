@@ -64,12 +64,14 @@ def choose_joints(
 def locked_values(
     model: pin.Model,
     active: list[str],
-    given: dict[str, float],
+    given: Mapping[str, float],
     semantic: Semantics | None,
     mimics: Mapping[str, description.Mimic],
 ) -> dict[str, float]:
     """Every other joint of the description with its locked value [rad or m]."""
     others = [name for name in list(model.names)[1:] if name not in active]
+    if not isinstance(given, Mapping):
+        raise InvalidInputError("locked", given, "a mapping from names of joints to their values")
     for name, value in given.items():
         if name not in others:
             raise UnknownNameError("locked", name, others)
@@ -77,9 +79,6 @@ def locked_values(
         joint = model.joints[model.getJointId(name)]
         if joint.nq != 1:
             raise InvalidInputError(f"locked[{name!r}]", value, f"no value: a {joint.shortname()} stays at its origin")
-        low, high = model.lowerPositionLimit[joint.idx_q], model.upperPositionLimit[joint.idx_q]
-        if not low <= value <= high:
-            log.warning("%s is locked at %g, outside its limits %g to %g", name, value, low, high)
     usual = semantic.states[0][1] if semantic is not None and semantic.states else {}
     held = {}
     for name in others:
@@ -92,6 +91,11 @@ def locked_values(
     for name, mimic in mimics.items():
         if name in held and name not in given and mimic.leader in held:
             held[name] = mimic.multiplier * held[mimic.leader] + mimic.offset
+    for name, value in held.items():
+        joint = model.joints[model.getJointId(name)]
+        low, high = (limit[joint.idx_q] for limit in (model.lowerPositionLimit, model.upperPositionLimit))
+        if joint.nq == 1 and not low <= value <= high:
+            log.warning("%s is locked at %g, outside its limits %g to %g", name, value, low, high)
     return held
 
 

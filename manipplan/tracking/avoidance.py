@@ -7,6 +7,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.collision import shapes
+from manipplan.collision.build import check_names
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
 from manipplan.robots.model_tree import axis_of, is_prismatic
@@ -87,8 +88,10 @@ class AvoidanceRows:
 def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> AvoidanceRows:
     """The rows of a robot at the symbolic configuration of `chain`.
 
-    Raises InvalidInputError for a robot without collision geometry, UnknownNameError for an unknown link.
+    Raises InvalidInputError for a robot without collision geometry, UnknownNameError for an unknown link or an unknown name in
+    an allowed pair.
     """
+    check_names(robot, avoidance.scene)
     bodies = Bodies.of(robot)
     guarded = _guarded(robot, bodies, avoidance)
     symbols = ca.SX.sym("obstacles", OBSTACLE_SIZE * len(avoidance.moving))

@@ -11,6 +11,7 @@ from manipplan.collision.build import add_self_pairs
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.collision.stored_fits import find_or_fit
+from manipplan.robots.attached import number_names
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
@@ -72,8 +73,7 @@ class Bodies:
                 log.warning("%s: a controller does not avoid %s; add a Plane to the scene", robot.name, item.name)
                 continue
             fitted = _capsules(item.geometry)
-            for k, (start, end, radius) in enumerate(fitted):
-                name = item.name if len(fitted) == 1 else f"{item.name}.{k}"
+            for name, (start, end, radius) in zip(number_names(item.name, len(fitted)), fitted, strict=True):
                 ends = [item.placement.act(point) for point in (start, end)]
                 link = robot.link_of(item)
                 items.append(Body(name=name, link=link, joint=item.parentJoint, start=ends[0], end=ends[1], radius=radius))

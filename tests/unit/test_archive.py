@@ -94,10 +94,17 @@ def stored(folder):
     return json.loads((folder / "plan.json").read_text())
 
 
+#: An octahedron around (0.1, 0, 0) with the bounding box of the block.
+TIPS = np.array([0.1, 0, 0]) + np.array([[0.05, 0, 0], [-0.05, 0, 0], [0, 0.1, 0], [0, -0.1, 0], [0, 0, 0.05], [0, 0, -0.05]])
+DIAMOND = TIPS[[[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]]]
+
+
 @pytest.fixture(scope="module")
 def changed_plan(planar):
     pose = pin.SE3(pin.utils.rotate("z", 0.4), np.array([0.2, -0.1, 0.0]))
-    robot = planar.at(pose).with_tool(pose, name="nozzle").attach(mp.Box(size=(0.1, 0.2, 0.1), position=(0.1, 0, 0)), "block")
+    robot = (
+        planar.at(pose).with_tool(pose, name="nozzle").attach(mp.Box(size=(0.1, 0.2, 0.1), position=(0.1, 0, 0)), name="block")
+    )
     robot = robot.with_tool(pose, name="tip")
     scene = mp.Scene([mp.Cylinder(radius=0.1, length=1.0, position=(0.0, 2.5, 0.0), name="post")], allowed=[("post", "block")])
     return made_plan(robot, mp.JointPath.line([0.1, 0.5, 0.7], [0.9, 1.0, 0.4]), scene=scene)
@@ -113,13 +120,16 @@ def test_an_arm_with_another_base_tool_and_part_comes_back(changed_plan, tmp_pat
     np.testing.assert_allclose(again.scene.distances(again.robot, q), changed_plan.scene.distances(changed_plan.robot, q))
 
 
-@pytest.mark.parametrize("other", ["tip", "block", "base"])
+@pytest.mark.parametrize("other", ["tip", "block", "base", "shape"])
 def test_an_arm_that_was_changed_otherwise_is_refused(changed_plan, planar, tmp_path, other):
     changed_plan.save(tmp_path)
     pose = planar.at(changed_plan.robot.base).base
     robot = planar.at(np.eye(4) if other == "base" else pose)
-    if other == "block":
+    if other in ("block", "shape"):
         robot = robot.with_tool(changed_plan.robot.tools[0][1] @ changed_plan.robot.tools[1][1])
+    if other == "shape":  # of the same bounding box
+        place = np.linalg.inv(changed_plan.robot.tools[1][1])
+        robot = robot.attach(mp.Mesh(triangles=DIAMOND, name="block").at(place))
     with pytest.raises(mp.FileFormatError, match="it is another robot"):
         mp.Plan.load(tmp_path, robot=robot)
 
@@ -141,7 +151,9 @@ def test_a_part_of_an_unknown_class_needs_the_robot(planar, tmp_path):
     for part in (Cube(size=(0.1, 0.1, 0.1)), Own()):
         robot = planar.attach(part)
         made_plan(robot, mp.JointPath.line([0.1, 0.5, 0.7], [0.9, 1.0, 0.4])).save(tmp_path)
-        with pytest.raises(mp.FileFormatError, match=r"(Cube|Own).*give robot="):
+        with pytest.raises(
+            mp.FileFormatError, match=r"with its robot, but it has the part '(part|own)'.*(Cube|Own).*give robot="
+        ):
             mp.Plan.load(tmp_path)
         assert mp.Plan.load(tmp_path, robot=robot).robot is robot
 

@@ -13,6 +13,10 @@ from manipplan.viz.viewer.bodies import appearance_of
 OFFSET = pin.SE3(pin.exp3(np.array([0.4, -0.2, 0.9])), np.array([0.02, -0.03, 0.15]))
 BASE = pin.SE3(pin.exp3(np.array([-0.3, 0.6, 1.2])), np.array([0.5, -0.7, 0.9]))
 
+#: Two tetrahedra apart from each other, as one mesh.
+CORNERS = 0.05 * np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])[[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]]
+TWO = mp.Mesh(triangles=np.concatenate([CORNERS, CORNERS + 0.2]))
+
 
 @pytest.fixture
 def qs(panda, rng):
@@ -30,7 +34,7 @@ def test_a_tool_frame_is_posed_in_the_one_before(panda, qs, given):
     np.testing.assert_allclose(poses(tool, qs), poses(panda, qs) @ OFFSET.homogeneous, atol=1e-12)
     twice = tool.with_tool(OFFSET, name="tip")
     np.testing.assert_allclose(poses(twice, qs), poses(panda, qs) @ (OFFSET * OFFSET).homogeneous, atol=1e-12)
-    with pytest.raises(mp.InvalidInputError, match="name: got 'nozzle'.*no frame"):
+    with pytest.raises(mp.InvalidInputError, match="name: got 'nozzle'.*no link, frame"):
         tool.with_tool(OFFSET, name="nozzle")
 
 
@@ -58,7 +62,9 @@ def test_every_solution_reaches_the_pose_in_the_world(panda):
 
 def test_a_planar_arm_stays_planar_in_its_plane(planar):
     turned = pin.SE3(pin.utils.rotate("z", 0.7), np.array([0.3, 0.4, 0.0]))
-    assert planar.at(turned).planar and not planar.at(BASE).planar
+    assert planar.at(turned).planar
+    with pytest.raises(mp.InvalidInputError, match="pose in the x-y plane"):
+        planar.at(BASE)
     q = np.array([0.3, -0.5, 0.8])
     x, y = turned.act(np.array([*planar.kinematics().pose(q)[:2, 3], 0.0]))[:2]
     np.testing.assert_allclose(planar.at(turned).kinematics().pose(q)[:2, 3], [x, y], atol=1e-12)
@@ -68,7 +74,7 @@ def test_a_carried_part_moves_with_the_tool(panda, qs):
     """Distances of a carried ball to a ball in the world are those of their centres."""
     part = mp.Sphere(radius=0.03, position=(0.1, 0.02, 0.12))
     ball = mp.Sphere(radius=0.05, position=(0.4, 0.3, 0.6), name="ball")
-    carrying = panda.attach(part, "workpiece")
+    carrying = panda.attach(part, name="workpiece")
     scene = mp.Scene([ball])
     pair = scene.collision_model(carrying).pair_names.index(("workpiece", "ball"))
     centres = poses(panda, qs) @ [*part.position, 1.0]
@@ -78,7 +84,7 @@ def test_a_carried_part_moves_with_the_tool(panda, qs):
 
 
 def test_a_part_is_checked_against_the_arm_but_not_against_the_hand(panda):
-    rod = panda.attach(mp.Capsule(radius=0.01, length=1.0, position=(0, 0, 0.5)), "rod")
+    rod = panda.attach(mp.Capsule(radius=0.01, length=1.0, position=(0, 0, 0.5)), name="rod")
     others = {name for pair in mp.Scene().collision_model(rod).pair_names for name in pair if "rod" in pair} - {"rod"}
     links = {name.split(".")[0] for name in others}
     assert {"panda_link1_0", "panda_link3_0", "panda_link5_0"} <= links
@@ -89,9 +95,43 @@ def test_links_disabled_for_the_tool_are_not_disabled_for_the_part(panda):
     """The SRDF disables the hand against several links; what the hand carries has to be checked against them."""
     hand = mp.load_robot("panda", tool="panda_hand")
     assert any("panda_hand" in pair for pair in hand.disabled_pairs)
-    rod = hand.attach(mp.Capsule(radius=0.01, length=1.0, position=(0, 0, 0.5)), "rod")
+    rod = hand.attach(mp.Capsule(radius=0.01, length=1.0, position=(0, 0, 0.5)), name="rod")
     dropped = mp.Scene().collision_model(rod).dropped
     assert not any("rod" in pair for pair in dropped)
+
+
+def test_a_part_that_is_inside_a_link_is_told(panda):
+    """Links that touch everywhere are not checked; a carried part that does is."""
+    long = panda.attach(mp.Box(size=(0.05, 0.05, 2.0)), name="beam")
+    assert mp.Scene().in_collision(long, panda.neutral)
+    with pytest.raises(mp.InvalidInputError, match="beam.*overlap by"):
+        mp.plan(long, panda.neutral, panda.neutral + 0.1)
+
+
+def test_a_part_of_several_shapes(panda):
+    robot = panda.attach(TWO, name="pair")
+    scene = mp.Scene([mp.Sphere(radius=0.1, position=(0.5, 0, 0.5), name="ball")])
+
+    def with_the_ball(scene):
+        return [first for first, second in scene.collision_model(robot).pair_names if second == "ball" and "pair" in first]
+
+    assert with_the_ball(scene) == ["pair.0", "pair.1"] and not with_the_ball(scene.allow("pair", "ball"))
+    assert robot.detach("pair").geometry.ngeoms == panda.geometry.ngeoms
+    assert list(panda.attach(mp.Sphere(radius=0.1, name="cup")).carried) == ["cup"]
+
+
+def test_the_floor_of_an_mjcf_stays(tmp_path):
+    file = tmp_path / "arm.xml"
+    file.write_text(
+        "<mujoco><worldbody><geom name='floor' type='plane' size='1 1 1' pos='0 0 -1'/><body name='a'><joint name='i' type='hinge' "
+        "axis='0 0 1' range='-1 1'/><body name='b'><joint name='j' type='hinge' axis='0 1 0' range='-1 1'/>"
+        "<geom type='sphere' size='0.1' pos='0.5 0 0'/></body></body></worldbody></mujoco>"
+    )
+    robot = mp.Robot.from_mjcf(file, tool="b", velocity=1.0)
+    lifted = robot.at(pin.SE3(np.eye(3), np.array([0.0, 0.0, 0.3])))
+    np.testing.assert_allclose(
+        [mp.Scene().distances(each, [0.0, 0.0]).min() for each in (robot, lifted)], [0.9, 1.2], atol=1e-6
+    )
 
 
 def test_a_part_keeps_its_place_when_the_tool_changes(panda, qs):
@@ -121,7 +161,7 @@ def test_a_part_is_lifted_from_a_table(panda):
     table = mp.Box(size=(0.2, 0.2, 0.02), position=tool[:3, 3] - [0, 0, 0.11], name="table")
     part = mp.Box(size=(0.03, 0.03, 0.1), position=tool[:3, 3] - [0, 0, 0.05], name="part")
     scene = mp.Scene([table, part])
-    carrying = panda.attach(part.at(np.linalg.inv(tool)), "part")
+    carrying = panda.attach(part.at(np.linalg.inv(tool)))
     with pytest.raises(mp.InvalidInputError, match=r"scene without 'part'.*scene.without\('part'\)"):
         scene.in_collision(carrying, q)
     world = scene.without("part")
@@ -138,7 +178,7 @@ def test_a_part_that_needs_room_changes_the_plan(panda):
     free = mp.plan(panda, start, goal).path
     rod = mp.Capsule(radius=0.01, length=0.3, position=(0, 0, 0.15))
     post = mp.Sphere(radius=0.05, position=(poses(panda, free(0.5)) @ [0, 0, 0.25, 1])[:3], name="post")
-    plan = mp.plan(panda.attach(rod, "rod"), start, goal, mp.Scene([post]))
+    plan = mp.plan(panda.attach(rod, name="rod"), start, goal, mp.Scene([post]))
 
     def least(path):
         q = path(path.fine_samples(1e-3))
@@ -152,7 +192,7 @@ def test_a_part_that_needs_room_changes_the_plan(panda):
 
 @pytest.mark.parametrize("copied", [copy.deepcopy, lambda robot: pickle.loads(pickle.dumps(robot))])
 def test_copies_keep_what_was_changed(panda, qs, copied):
-    robot = panda.at(BASE).with_tool(OFFSET).attach(mp.Sphere(radius=0.1, position=(0, 0, 0.1)), "ball")
+    robot = panda.at(BASE).with_tool(OFFSET).attach(mp.Sphere(radius=0.1, position=(0, 0, 0.1)), name="ball")
     twin = copied(robot)
     np.testing.assert_array_equal(poses(twin, qs), poses(robot, qs))
     assert list(twin.carried) == ["ball"] and "carried: ball" in str(twin)
@@ -169,9 +209,13 @@ def test_copies_keep_what_was_changed(panda, qs, copied):
         (lambda robot: robot.at(np.full((4, 4), np.nan)), "pose: .*finite"),
         (lambda robot: robot.attach(mp.Plane()), "shape: .*a bounded shape"),
         (lambda robot: robot.attach(3), "shape: got 3.*such as Box"),
-        (lambda robot: robot.attach(mp.Sphere(radius=1), "panda_link3"), "name: got 'panda_link3'"),
+        (lambda robot: robot.attach(mp.Box), "shape: .*such as Box"),
+        (lambda robot: robot.attach(TWO, name="a").attach(mp.Sphere(radius=1), name="a"), "name: got 'a'"),
+        (lambda robot: robot.attach(mp.Sphere(radius=1), name="a").with_tool(np.eye(4), name="a"), "name: got 'a'"),
+        (lambda robot: robot.detach(["part"]), "name"),
+        (lambda robot: robot.attach(mp.Sphere(radius=1), name="panda_link3"), "name: got 'panda_link3'"),
         (lambda robot: robot.attach(mp.Sphere(radius=1)).attach(mp.Sphere(radius=1)), "name: got 'part'"),
-        (lambda robot: robot.attach(mp.Sphere(radius=1), 7), "name"),
+        (lambda robot: robot.attach(mp.Sphere(radius=1), name=7), "name"),
     ],
 )
 def test_wrong_arguments(panda, call, message):
@@ -180,7 +224,7 @@ def test_wrong_arguments(panda, call, message):
 
 
 def test_what_is_drawn_has_the_part_and_the_base(panda):
-    robot = panda.at(BASE).attach(mp.Sphere(radius=0.1, position=(0, 0, 0.2)), "ball")
+    robot = panda.at(BASE).attach(mp.Sphere(radius=0.1, position=(0, 0, 0.2)), name="ball")
     before, after = (appearance_of(each).bodies for each in (panda, robot))
     assert [body.name for body in after] == [*(body.name for body in before), "ball"]
     still = [k for k, body in enumerate(before) if body.joint == 0]

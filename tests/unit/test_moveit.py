@@ -197,7 +197,7 @@ def test_frames_are_followed_to_one_root(tmp_path):
         "world": {"collision_objects": [*message["world"]["collision_objects"], {**changed()["world"]["collision_objects"][0]}]}
     }
     two["world"]["collision_objects"][1] |= {"id": "other", "header": {"frame_id": "camera"}}
-    with pytest.raises(mp.FileFormatError, match=r"camera, tray.*one frame for all"):
+    with pytest.raises(mp.FileFormatError, match=r"'camera', 'tray'.*one frame for all"):
         read(tmp_path, two)
     loop = [{**transforms[0], "header": {"frame_id": "tray"}}, transforms[1]]
     with pytest.raises(mp.FileFormatError, match="not a loop"):
@@ -215,28 +215,44 @@ def test_pairs_of_an_object_and_a_link_may_touch(tmp_path):
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        ("", "a name, objects that begin|its name, objects"),
+        ("", "its name, objects that begin"),
         ("x\n* a\n1\nbox\n1 1 1\n0 0 0\n0 0 0 1\n0 0 0 0\n", "a last line"),
         ("x\n* a\n1\nbox\n1 1\n.\n", "object a: .*3 finite numbers for a box"),
         ("x\n* a\n1\nbox\n1 1 x\n.\n", "3 numbers for a box"),
         ("x\n* a\n1\nbox\n1 1 nan\n.\n", "3 finite numbers"),
         ("x\n* a\n1\nbox\n1 1 -1\n0 0 0\n0 0 0 1\n0 0 0 0\n.\n", "object a, Box.size"),
-        ("x\n* a\n1\nbox\n1 1 1\n0 0 0\n0 0 0 0\n0 0 0 0\n.\n", "quaternion"),
+        ("x\n* a\n1\nbox\n1 1 1\n0 0 0\n1 1 1 1\n0 0 0 0\n.\n", "quaternion"),
         ("x\n* a\n2\nbox\n1 1 1\n0 0 0\n0 0 0 1\n0 0 0 0\n.\n", "object a: the end.*a shape"),
         ("x\n* a\n1\nbox\n1 1 1\n0 0 0\n0 0 0 1\n0 0 0 0\n7\n.\n", "the next object"),
         ("x\n* a\n1.5\n.\n", "the number of shapes"),
         ("x\n* a\n1e300\n.\n", "the number of shapes"),
         ("x\n* a\n1\ncone\n1 1\n.\n", "'cone'"),
         ("x\n* a\n1\nmesh\n3 1\n0 0 0 1 0 0 0 1 0\n0 1 9\n0 0 0\n0 0 0 1\n0 0 0 0\n.\n", "vertices 0 to 2"),
-        (OLD.replace("* ball", "* table"), "names that differ|table"),
-        ({}, "a mapping|world"),
+        (OLD.replace("* ball", "* table"), "object table, twice.*names that differ"),
+        (OLD.replace("* table", "1\n* table"), "its name, objects"),
+        (OLD + "more\n", "its name, objects"),
+        (OLD.replace("* table", " * table").replace("* ball", " * ball"), "its name, objects"),
+        (OLD.replace("0.8 1.2", "0_8 1.2"), "3 finite numbers for a box"),
+        ({}, "the key world"),
+        ({"world": None}, "collision_objects"),
+        ({"world": {"collision_object": []}}, "'collision_object'.*collision_objects"),
+        (changed(primitivs=[]), "'primitivs'.*primitives"),
+        (changed(frame_id="other"), "'frame_id'"),
+        (changed(primitive_poses=[POSE, {"translation": [1, 0, 0]}]), "'translation'"),
+        (changed(primitive_poses=[POSE, {"position": {"X": 1}}]), "'X'"),
+        (changed(primitive_poses=[POSE, {"orientation": {"roll": 1}}]), "'roll'"),
+        ({**changed(), "fixed_frame_transforms": [{"child_frame_id": "a"}] * 2}, "'a' twice"),
+        (
+            {**changed(), "fixed_frame_transforms": [{"child_frame_id": "a", "transform": {"position": [1, 0, 0]}}]},
+            "'position'",
+        ),
         ([], "a mapping"),
         ({"world": {"collision_objects": 3}}, "collision_objects.*a list"),
         ({"world": {"collision_objects": [3]}}, r"collision_objects\[0\].*a mapping"),
         (changed(id=""), "a name"),
         (changed(primitives=[], primitive_poses=[]), "at least one primitive"),
         (changed(primitive_poses=[POSE]), "1 poses.*2, one for each"),
-        (changed(primitives=[{"type": 4, "dimensions": [1, 1]}], primitive_poses=[POSE]), "'4'|cone"),
+        (changed(primitives=[{"type": 4, "dimensions": [1, 1]}], primitive_poses=[POSE]), "'4'"),
         (changed(primitives=[{"type": "box", "dimensions": [1, 1]}], primitive_poses=[POSE]), r"table.primitives\[0\]"),
         (changed(primitives=[{"type": "sphere", "dimensions": [-1]}], primitive_poses=[POSE]), "above 0"),
         (changed(primitive_poses=[POSE, {**POSE, "orientation": [1, 1, 1, 1]}]), "quaternion"),
@@ -246,12 +262,22 @@ def test_pairs_of_an_object_and_a_link_may_touch(tmp_path):
         (changed(meshes=[{"resource": "t.stl"}], mesh_poses=[POSE]), "existing file"),
         (changed(meshes=[{"vertices": [], "triangles": []}], mesh_poses=[POSE]), "at least one triangle"),
         ({**changed(), "robot_state": {"attached_collision_objects": [{"object": {"id": "cup"}}]}}, "cup.*robot.attach"),
-        ({"world": {"octomap": {"octomap": {"data": [1, 2]}}}}, "octomap"),
+        ({"world": {"collision_objects": [], "octomap": {"octomap": {"data": [1, 2]}}}}, "octomap"),
     ],
 )
 def test_wrong_files(tmp_path, content, message):
     with pytest.raises(mp.InvalidInputError, match=message):
         read(tmp_path, content)
+
+
+def test_a_text_without_objects_is_an_empty_scene(tmp_path):
+    assert read(tmp_path, "(noname)\n.\n").names == ()
+
+
+@pytest.mark.parametrize("packages", [["x"], {"parts": 5}, {"parts": "nowhere"}])
+def test_wrong_packages(tmp_path, packages):
+    with pytest.raises(mp.InvalidInputError, match="packages"):
+        read(tmp_path, MESSAGE, packages=packages)
 
 
 def test_paddings_are_told(tmp_path, caplog):

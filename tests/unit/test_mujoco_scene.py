@@ -38,7 +38,7 @@ def test_static_bodies_that_collide_are_obstacles(cell):
 def test_distances_are_those_of_mujoco(cell, panda, rng):
     """A ball carried by the arm is as far from each obstacle as MuJoCo's ball at the same place."""
     scene = mp.Scene.from_mjcf(cell)
-    carrying = panda.attach(mp.Sphere(radius=0.05), "probe")
+    carrying = panda.attach(mp.Sphere(radius=0.05), name="probe")
     pairs = scene.collision_model(carrying).pair_names
     model = mujoco.MjModel.from_xml_path(str(cell))
     data = mujoco.MjData(model)

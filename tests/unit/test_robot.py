@@ -257,8 +257,9 @@ def test_a_package_in_a_folder_of_another_name(tmp_path, caplog):
         mp.Robot.from_urdf(file)
     with pytest.raises(mp.InvalidInputError, match=r"packages\['arm_description'\].*an existing folder"):
         mp.Robot.from_urdf(file, packages={"arm_description": tmp_path / "nowhere"})
-    with pytest.raises(mp.InvalidInputError, match="packages: got 3"):
-        mp.Robot.from_urdf(file, packages=3)
+    for options in ({"packages": 3}, {"package_dirs": 5}, {"packages": packages, "locked": 5}):
+        with pytest.raises(mp.InvalidInputError, match="packages: got 3|package_dirs: got 5|locked: got 5"):
+            mp.Robot.from_urdf(file, **options)
 
 
 def test_mimic_joints_cannot_be_active(two_link_urdf):

@@ -77,31 +77,48 @@ def test_an_allowed_pair_is_not_checked(panda):
 
 
 def test_two_links_may_touch(panda):
-    pair = ("panda_link5", "panda_hand")
+    pair = ("panda_link0", "panda_hand")
     free, checked = mp.Scene(allowed=[pair]).collision_model(panda), mp.Scene().collision_model(panda)
     gone = set(checked.pair_names) - set(free.pair_names)
-    assert {free.dropped[each] for each in gone} <= {"allowed in the scene"}
+    assert gone and {free.dropped[each] for each in gone} == {"allowed in the scene"}
+
+
+def test_a_name_means_one_thing(panda):
+    """An allowed name that is both an obstacle and a link would free two pairs."""
+    scene = mp.Scene([mp.Sphere(radius=0.1, name="panda_link1"), mp.Sphere(radius=0.1, name="table")])
+    assert scene.collision_model(panda).pair_names
+    with pytest.raises(mp.InvalidInputError, match="'panda_link1'.*another name for the obstacle"):
+        scene.allow("panda_link1", "table").collision_model(panda)
+
+
+def test_the_same_scene_twice_at_two_places():
+    shelf = mp.Scene([mp.Box(size=(1, 1, 1)), mp.Sphere(radius=1)])
+    assert (shelf + shelf.at(POSE)).names == (shelf.at(POSE) + shelf).names == ("box0", "sphere1", "box2", "sphere3")
 
 
 @pytest.mark.parametrize("pair", [("part", "panda_hnad"), ("prat", "panda_hand")])
 def test_names_of_allowed_pairs_are_checked(panda, pair):
     scene = mp.Scene([mp.Sphere(radius=0.1, name="part")], allowed=[pair])
-    with pytest.raises(mp.UnknownNameError, match=r"allowed.*(panda_hand|part)"):
-        scene.in_collision(panda, panda.neutral)
+    for check in (scene.collision_model, lambda robot: controller_among(robot, scene)):
+        with pytest.raises(mp.UnknownNameError, match=r"allowed.*(panda_hand|part)"):
+            check(panda)
 
 
-@pytest.mark.parametrize("allowed", [["ab"], [("a",)], [("a", "a")], [("a", "b", "c")], [("a", 3)], [("a", "")], [3]])
+@pytest.mark.parametrize("allowed", [["ab"], [("a",)], [("a", "a")], [("a", "b", "c")], [("a", 3)], [("a", "")], [3], 5, None])
 def test_wrong_pairs(allowed):
     with pytest.raises(mp.InvalidInputError, match="allowed.*pairs of two different names"):
         mp.Scene(allowed=allowed)
 
 
+def controller_among(robot, scene):
+    avoidance = mp.Avoidance(scene=scene, links=["panda_hand", "panda_link5"], itself=False)
+    return mp.Controller(robot, mp.formulations.LogDrive(), dt=0.01, avoidance=avoidance, compiled=False)
+
+
 def test_a_controller_ignores_allowed_pairs(panda):
     ball = mp.Sphere(radius=0.05, position=(0.6, 0.0, 0.5), name="ball")
-    pairs = [
-        mp.Controller(panda, mp.formulations.LogDrive(), dt=0.01, avoidance=mp.Avoidance(scene=each)).pairs
-        for each in (mp.Scene([ball]), mp.Scene([ball], allowed=[("ball", "panda_hand")]))
-    ]
+    scenes = mp.Scene([ball]), mp.Scene([ball], allowed=[("ball", "panda_hand")])
+    pairs = [controller_among(panda, each).pairs for each in scenes]
     gone = set(pairs[0]) - set(pairs[1])
     assert gone and all(second == "ball" and first.startswith("panda_hand") for first, second in gone)
 

@@ -67,7 +67,7 @@ def test_spoilt_files_are_fitted_again(cache, triangles, fits, spoil):
     file.write_text(spoil(json.loads(file.read_text())))
     found = find_or_fit(triangles)
     assert len(fits) == 2 and described(found) == described(expected)
-    depth = np.array([outside(each, fitting.subdivided(triangles).reshape(-1, 3)) for each in found])
+    depth = np.array([outside(each, fitting.subdivide(triangles).reshape(-1, 3)) for each in found])
     assert depth.min(axis=0).max() == 0.0
     find_or_fit(triangles)
     assert len(fits) == 2

@@ -2,7 +2,7 @@
 
 import pinocchio as pin
 
-from manipplan.robots import model_tree
+from manipplan.robots import attached, model_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.errors import FileFormatError
 
@@ -22,16 +22,13 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
             whole = pin.buildModelFromMJCF(str(file))
             geometry = pin.buildGeomFromMJCF(whole, str(file), kind)
         else:
-            text, folders = source.mesh_files.urdf(file), source.mesh_files.folders(file)
+            text, folders = source.mesh_files.read(file), source.mesh_files.folders(file)
             whole = pin.buildModelFromXML(text)
             geometry = pin.buildGeomFromUrdfString(whole, text, kind, package_dirs=folders)
-        geometry = model_tree.reduce(model_tree.plain_angles(whole), geometry, robot.joint_names, robot.locked)[1]
+        model, geometry = model_tree.reduce(model_tree.plain_angles(whole), geometry, robot.joint_names, robot.locked)
     except (ValueError, RuntimeError, IndexError, FileFormatError) as error:
         return None, f"the visual meshes of {file.name} cannot be read: {' '.join(str(error).split())[:160]}"
-    base = pin.SE3(robot.base)
-    for item in geometry.geometryObjects:
-        if item.parentJoint == 0:
-            item.placement = base * item.placement
+    geometry = attached.move_base(model, geometry, pin.SE3(robot.base))[1]
     for item in robot.geometry.geometryObjects:
         if any(item.name in part.bodies for part in robot.carried.values()):
             geometry.addGeometryObject(item.copy())

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
-from manipplan.collision.shapes import Box, Cylinder, Mesh, Obstacle, Sphere, half_space
+from manipplan.collision.formats.moveit_shapes import half_space, pose_of, triangles_of
+from manipplan.collision.shapes import Box, Cylinder, Mesh, Obstacle, Sphere
 from manipplan.support.checks import Array, existing_file, finite_array
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.yaml_files import read_yaml
@@ -17,53 +18,101 @@ log = logging.getLogger("manipplan")
 
 #: Numbers of shapes in SolidPrimitive.msg.
 PRIMITIVES = {1: "box", 2: "sphere", 3: "cylinder"}
-#: What adds an object, in CollisionObject.msg: a number, a letter of a byte array, or a word.
+#: Values of `operation` in CollisionObject.msg that add an object: as a number, a byte or a word.
 ADD = (0, "\x00", "add", "ADD")
+#: Keys of PlanningScene.msg and CollisionObject.msg.
+MESSAGE = (
+    "name",
+    "robot_state",
+    "robot_model_name",
+    "fixed_frame_transforms",
+    "allowed_collision_matrix",
+    "link_padding",
+    "link_scale",
+    "object_colors",
+    "world",
+    "is_diff",
+)
+OBJECT = (
+    "header",
+    "id",
+    "type",
+    "pose",
+    "primitives",
+    "primitive_poses",
+    "meshes",
+    "mesh_poses",
+    "planes",
+    "plane_poses",
+    "operation",
+    "subframe_names",
+    "subframe_poses",
+)
+Packages = Mapping[str, str | Path]
+#: Name and shapes of each object, and pairs of names that may touch.
+Contents = tuple[list[tuple[str, list[Obstacle]]], list[list[str]]]
 #: Frames by name: the frame in which each is given, and its pose there.
 Frames = Mapping[str, tuple[str, pin.SE3]]
 
 
-def read_planning_scene(file: Path, packages: Mapping[str, Path]) -> tuple[list[tuple[str, list[Obstacle]]], list[list[str]]]:
+def read_planning_scene(file: Path, packages: Packages) -> Contents:
     """Name and shapes of each object, posed in one frame for all, and pairs of an object and a link that may touch.
 
     Pairs of links in the allowed collision matrix are left out: those of the robot's SRDF count.
 
-    Raises InvalidInputError that names the entry.
+    Raises:
+        FileFormatError: the file holds something else; the message names the entry.
+        UnknownNameError: a shape that this package does not have, such as a cone, or an unknown package.
     """
-    data = _mapping("PlanningScene", read_yaml("file", file))
-    if "world" not in data:
-        raise InvalidInputError("PlanningScene", sorted(map(str, data)), "a mapping with the key world")
-    world = _mapping("world", data["world"])
+    try:
+        return _read(file, packages)
+    except (FileFormatError, UnknownNameError):
+        raise
+    except InvalidInputError as error:
+        raise FileFormatError("file", f"{file}, {error.argument}: {error.value}", error.allowed) from error
+
+
+def _read(file: Path, packages: Packages) -> Contents:
+    data = _mapping("PlanningScene", read_yaml("file", file), MESSAGE)
+    world = _mapping("world", data.get("world"), ("collision_objects", "octomap"))
+    if "collision_objects" not in world:
+        raise InvalidInputError("PlanningScene", sorted(map(str, data)), "the key world with collision_objects")
     _check_left_out(file, data, world)
-    frames = dict(_transform(each) for each in _list("fixed_frame_transforms", data))
+    frames: dict[str, tuple[str, pin.SE3]] = {}
+    for each in _list("fixed_frame_transforms", data):
+        child, transform = _transform(each)
+        if child in frames:
+            raise InvalidInputError("fixed_frame_transforms", f"{child!r} twice", "each frame once")
+        frames[child] = transform
     objects, roots = [], set()
     for i, entry in enumerate(_list("collision_objects", world)):
-        name, frame, shapes = _object(f"collision_objects[{i}]", _mapping(f"collision_objects[{i}]", entry), file, packages)
+        where = f"collision_objects[{i}]"
+        name, frame, shapes = _object(where, _mapping(where, entry, OBJECT), file, packages)
         root, pose = _in_root(frame, frames)
-        roots |= {root} - {""}
+        roots.add(root)
         objects.append((name, [shape.at(pose) for shape in shapes]))
     if len(roots) > 1:
         wanted = "one frame for all objects, or fixed_frame_transforms that connect their frames"
-        raise InvalidInputError("frame_id", ", ".join(sorted(roots)), wanted)
+        raise InvalidInputError("frame_id", ", ".join(repr(root) for root in sorted(roots)), wanted)
     matrix = _mapping("allowed_collision_matrix", data.get("allowed_collision_matrix"))
     return objects, _allowed(matrix, [name for name, _ in objects])
 
 
 def _check_left_out(file: Path, data: Mapping[str, Any], world: Mapping[str, Any]) -> None:
-    """Raise InvalidInputError for bodies that are not read, and warn of paddings."""
+    """Raise InvalidInputError for an octomap or attached objects, which are not read; warn of link_padding and link_scale."""
     octomap = _mapping("octomap", _mapping("octomap", world.get("octomap")).get("octomap"))
     carried = _list("attached_collision_objects", _mapping("robot_state", data.get("robot_state")))
     if octomap.get("data"):
-        raise InvalidInputError("octomap", f"{len(octomap['data'])} bytes", "an empty octomap: it is not read")
+        raise InvalidInputError("octomap", "data", "an empty octomap: it is not read")
     if carried:
         names = [_mapping("object", _mapping("attached_collision_objects", each).get("object")).get("id") for each in carried]
         raise InvalidInputError("attached_collision_objects", names, "none: attach parts to the robot with robot.attach")
-    for key, usual in (("link_padding", 0.0), ("link_scale", 1.0)):
-        if any(_mapping(key, each).get(key[5:], usual) != usual for each in _list(key, data)):
+    for key, value, usual in (("link_padding", "padding", 0.0), ("link_scale", "scale", 1.0)):
+        if any(_mapping(key, each).get(value, usual) != usual for each in _list(key, data)):
             log.warning("%s: %s is not used; give clearance= instead", file, key)
 
 
-def _object(where: str, given: Mapping[str, Any], file: Path, packages: Mapping[str, Path]) -> tuple[str, str, list[Obstacle]]:
+def _object(where: str, given: Mapping[str, Any], file: Path, packages: Packages) -> tuple[str, str, list[Obstacle]]:
     """Name and frame of a collision object, and its shapes posed in that frame."""
     name = given.get("id")
     if not isinstance(name, str) or not name.strip():
@@ -84,7 +133,7 @@ def _object(where: str, given: Mapping[str, Any], file: Path, packages: Mapping[
             elif kind == "meshes":
                 shape = _mesh(at, entry, file, packages)
             else:
-                shape = half_space(finite_array(f"{at}.coef", entry.get("coef", ()), (4,)))
+                shape = half_space(f"{at}.coef", finite_array(f"{at}.coef", entry.get("coef", ()), (4,)))
             shapes.append(shape.at(place * _pose(f"{name}.{key}[{i}]", pose)))
     if not shapes:
         raise InvalidInputError(name, "no shape", "at least one primitive, mesh or plane")
@@ -102,7 +151,7 @@ def _primitive(where: str, given: Mapping[str, Any]) -> Obstacle:
     return Sphere(radius=float(sizes[0])) if kind == "sphere" else Cylinder(length=float(sizes[0]), radius=float(sizes[1]))
 
 
-def _mesh(where: str, given: Mapping[str, Any], file: Path, packages: Mapping[str, Path]) -> Obstacle:
+def _mesh(where: str, given: Mapping[str, Any], file: Path, packages: Packages) -> Obstacle:
     if "resource" in given:
         scale = finite_array(f"{where}.dimensions", given.get("dimensions", [1.0, 1.0, 1.0]), (3,))
         if scale.min() != scale.max():
@@ -111,24 +160,22 @@ def _mesh(where: str, given: Mapping[str, Any], file: Path, packages: Mapping[st
     vertices = np.array([_vector(f"{where}.vertices", each, "xyz") for each in _list("vertices", given)]).reshape(-1, 3)
     faces = [_mapping(where, each).get("vertex_indices", ()) for each in _list("triangles", given)]
     corners = np.array([finite_array(f"{where}.triangles", face, (3,)) for face in faces]).reshape(-1, 3)
-    if not np.isin(corners, np.arange(len(vertices))).all():
-        raise InvalidInputError(f"{where}.triangles", f"vertex {corners.max():g}", f"vertices 0 to {len(vertices) - 1}")
-    return Mesh(triangles=vertices[corners.astype(int)])
+    return Mesh(triangles=triangles_of(f"{where}.triangles", vertices, corners))
 
 
-def _file(where: str, resource: str, file: Path, packages: Mapping[str, Path]) -> Path:
+def _file(where: str, resource: str, file: Path, packages: Packages) -> Path:
     if not resource.startswith("package://"):
         return existing_file(where, file.parent / resource.removeprefix("file://"))
     package, _, rest = resource.removeprefix("package://").partition("/")
     if package not in packages:
         raise UnknownNameError("packages", package, packages or ["none: give packages={name: folder}"])
-    return existing_file(where, packages[package] / rest)
+    return existing_file(where, Path(packages[package]) / rest)
 
 
 def _transform(entry: Any) -> tuple[str, tuple[str, pin.SE3]]:
-    given = _mapping("fixed_frame_transforms", entry)
+    given = _mapping("fixed_frame_transforms", entry, ("header", "child_frame_id", "transform"))
     transform = _mapping("transform", given.get("transform"))
-    pose = _pose("transform", {"position": transform.get("translation"), "orientation": transform.get("rotation")})
+    pose = _pose("transform", transform, ("translation", "rotation"))
     return str(given.get("child_frame_id", "")).strip("/"), (_frame_of(given), pose)
 
 
@@ -156,22 +203,16 @@ def _allowed(matrix: Mapping[str, Any], objects: list[str]) -> list[list[str]]:
     return pairs
 
 
-def _pose(where: str, value: Any) -> pin.SE3:
-    """A pose of mappings or lists: position x, y, z and orientation x, y, z, w; zeros mean no rotation, as in MoveIt."""
-    given = _mapping(where, value)
-    position = _vector(f"{where}.position", given.get("position"), "xyz")
-    quaternion = _vector(f"{where}.orientation", given.get("orientation"), "xyzw")
-    size = np.linalg.norm(quaternion)
-    if size == 0:
-        return pin.SE3(np.eye(3), position)
-    if not 0.99 < size < 1.01:
-        raise InvalidInputError(f"{where}.orientation", quaternion.tolist(), "a quaternion x, y, z, w of length 1")
-    return pin.SE3(pin.Quaternion(quaternion / size).matrix(), position)
+def _pose(where: str, value: Any, keys: tuple[str, str] = ("position", "orientation")) -> pin.SE3:
+    """A pose of mappings or lists under two keys: x, y, z and a quaternion x, y, z, w."""
+    given = _mapping(where, value, keys)
+    position = _vector(f"{where}.{keys[0]}", given.get(keys[0]), "xyz")
+    return pose_of(f"{where}.{keys[1]}", position, _vector(f"{where}.{keys[1]}", given.get(keys[1]), "xyzw"))
 
 
 def _vector(where: str, value: Any, keys: str) -> Array:
     if isinstance(value, Mapping):
-        value = [value.get(key, 0.0) for key in keys]
+        value = [_mapping(where, value, tuple(keys)).get(key, 0.0) for key in keys]
     return finite_array(where, value if value is not None else np.zeros(len(keys)), (len(keys),))
 
 
@@ -179,12 +220,15 @@ def _frame_of(given: Mapping[str, Any]) -> str:
     return str(_mapping("header", given.get("header")).get("frame_id") or "").strip("/")
 
 
-def _mapping(where: str, value: Any) -> Mapping[str, Any]:
-    """A mapping; {} for nothing."""
+def _mapping(where: str, value: Any, keys: tuple[str, ...] | None = None) -> Mapping[str, Any]:
+    """A mapping with no other keys than `keys`; {} for nothing."""
     if value is None:
         return {}
     if not isinstance(value, Mapping):
-        raise FileFormatError(where, str(value)[:80], "a mapping")
+        raise InvalidInputError(where, str(value)[:80], "a mapping")
+    for key in value:
+        if keys is not None and key not in keys:
+            raise UnknownNameError(where, str(key), keys)
     return value
 
 

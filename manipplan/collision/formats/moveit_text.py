@@ -1,12 +1,14 @@
 """MoveIt's text format for scenes, `.scene`: objects with their shapes, poses and colours."""
 
+import itertools
 from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 import pinocchio as pin
 
-from manipplan.collision.shapes import Box, Cylinder, Mesh, Obstacle, Sphere, half_space
+from manipplan.collision.formats.moveit_shapes import half_space, pose_of, triangles_of
+from manipplan.collision.shapes import Box, Cylinder, Mesh, Obstacle, Sphere
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 
@@ -18,7 +20,9 @@ COLOUR = 4
 def read_scene_text(file: Path) -> list[tuple[str, list[Obstacle]]]:
     """Name and shapes of each object, posed in the world.
 
-    Raises FileFormatError that names the object when the file is cut off or holds something else.
+    Raises:
+        FileFormatError: the file is cut off or holds something else; the message names the object.
+        UnknownNameError: a shape that this package does not have, such as a cone.
     """
     try:
         lines = file.read_text(encoding="utf-8").splitlines()
@@ -26,17 +30,19 @@ def read_scene_text(file: Path) -> list[tuple[str, list[Obstacle]]]:
         raise FileFormatError("file", str(file), f"text in UTF-8 ({error})") from error
     starts = [k for k, line in enumerate(lines) if line.startswith("*")]
     ends = [k for k, line in enumerate(lines) if line.strip() == "."]
-    if not ends or 0 in starts or any(k > ends[0] for k in starts):
+    first = starts[0] if starts else ends[0] if ends else 0
+    between = lines[1:first] + (lines[ends[0] + 1 :] if ends else [])
+    if not ends or first == 0 or any(k > ends[0] for k in starts) or any(line.strip() for line in between):
         raise FileFormatError("file", str(file), "a scene of MoveIt: its name, objects that begin with *, and a last line .")
     objects = []
-    for first, last in zip(starts, [*starts[1:], ends[0]], strict=True):
+    for first, last in itertools.pairwise([*starts, ends[0]]):
         name = lines[first][1:].strip()
         where = f"{file}, object {name}"
         try:
             objects.append((name, _Words(where, lines[first + 1 : last]).shapes()))
         except (FileFormatError, UnknownNameError):
             raise
-        except InvalidInputError as error:  # such as a negative radius
+        except InvalidInputError as error:
             raise FileFormatError("file", f"{where}, {error.argument}: {error.value}", error.allowed) from error
     return objects
 
@@ -76,34 +82,29 @@ class _Words:
             radius, length = self._numbers("a cylinder", 2)
             return Cylinder(radius=radius, length=length)
         if kind == "plane":
-            return half_space(self._numbers("a plane", 4))
+            return half_space("plane", self._numbers("a plane", 4))
         if kind == "mesh":
             counts = self._count("the number of vertices", least=3), self._count("the number of triangles", least=1)
             vertices = self._numbers("vertices", 3 * counts[0]).reshape(-1, 3)
             corners = self._numbers("triangles", 3 * counts[1])
-            if not np.isin(corners, np.arange(len(vertices))).all():
-                raise self._error(f"vertices 0 to {len(vertices) - 1} in triangles", f"{corners.max():g}")
-            return Mesh(triangles=vertices[corners.astype(int)].reshape(-1, 3, 3))
+            return Mesh(triangles=triangles_of("triangles", vertices, corners.reshape(-1, 3)))
         raise UnknownNameError(self.where, kind, SHAPES)
 
     def _pose(self) -> pin.SE3:
         """Position and unit quaternion x, y, z, w."""
         values = self._numbers("a pose", 7)
-        size = np.linalg.norm(values[3:])
-        if not 0.99 < size < 1.01:
-            raise self._error("a quaternion x y z w of length 1", " ".join(map(str, values[3:])))
-        return pin.SE3(pin.Quaternion(values[3:] / size).matrix(), values[:3])
+        return pose_of("orientation", values[:3], values[3:])
 
     def _count(self, wanted: str, least: int = 0) -> int:
         [value] = self._numbers(wanted, 1)
         if value != int(value) or not least <= value <= len(self.words):
-            raise self._error(f"{wanted}, at least {least}", f"{value:g}")
+            raise self._error(f"{wanted}, {least} to {len(self.words)}", f"{value:g}")
         return int(value)
 
     def _numbers(self, wanted: str, count: int) -> Array:
         words = self.words[self.at : self.at + count]
         try:
-            values = np.array([float(word) for word in words])
+            values = np.array([float(word) if "_" not in word else np.nan for word in words])
         except ValueError as error:
             raise self._error(f"{count} numbers for {wanted}", str(error)) from error
         if len(values) < count or not np.isfinite(values).all():

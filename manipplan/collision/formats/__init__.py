@@ -1,0 +1,1 @@
+"""Readers of scenes from elsewhere: files of MoveIt and MuJoCo go in, obstacles come out."""

@@ -1,0 +1,38 @@
+"""What both formats of MoveIt share: poses, planes and triangles."""
+
+import numpy as np
+import pinocchio as pin
+
+from manipplan.collision.shapes import Plane
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
+
+#: Maximum difference of a quaternion's length from 1.
+UNIT = 0.01
+
+
+def pose_of(argument: str, position: Array, quaternion: Array) -> pin.SE3:
+    """The pose of a position (3,) [m] and a quaternion x, y, z, w; zeros mean no rotation, as in MoveIt."""
+    size = np.linalg.norm(quaternion)
+    if size == 0:
+        return pin.SE3(np.eye(3), position)
+    if abs(size - 1.0) > UNIT:
+        raise InvalidInputError(argument, quaternion.tolist(), "a quaternion x, y, z, w of length 1")
+    return pin.SE3(pin.Quaternion(quaternion / size).matrix(), position)
+
+
+def half_space(argument: str, coefficients: Array) -> Plane:
+    """The half-space a x + b y + c z + d <= 0 of `coefficients` (4,)."""
+    size = float(np.linalg.norm(coefficients[:3]))
+    if not size > 0:
+        raise InvalidInputError(argument, coefficients.tolist(), "a plane with a normal other than zero")
+    normal = coefficients[:3] / size
+    turn = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), normal).matrix()
+    return Plane(position=-coefficients[3] / size * normal, rotation=turn)
+
+
+def triangles_of(argument: str, vertices: Array, corners: Array) -> Array:
+    """Triangles (t, 3, 3) of vertices (v, 3) and the numbers of their corners (t, 3), from 0."""
+    if not np.isin(corners, np.arange(len(vertices))).all():
+        raise InvalidInputError(argument, f"vertex {corners.max():g}", f"vertices 0 to {len(vertices) - 1}")
+    return np.asarray(vertices[corners.astype(int)])
