@@ -11,7 +11,7 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.robots import mjcf_bodies, urdf_links
+from manipplan.robots import attached, mjcf_bodies, urdf_links
 from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.model_tree import plain_angles
 from manipplan.robots.ply import fault_of
@@ -142,6 +142,7 @@ def read_mjcf(file: Path) -> Description:
         lambda: pin.buildGeomFromMJCF(model, str(file), pin.GeometryType.COLLISION),
     )
     mjcf_bodies.check_loaded(file, root, model, geometry)
+    model, geometry = attached.move_base(model, geometry, mjcf_bodies.root_pose(root))
     _check_meshes(file, geometry)
     return Description(file=file, source="MJCF", model=plain_angles(model), geometry=geometry, mimics={})
 

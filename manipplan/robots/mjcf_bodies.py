@@ -2,6 +2,7 @@
 uninitialised memory.
 """
 
+import tempfile
 import xml.etree.ElementTree as ET
 from collections import Counter
 from collections.abc import Iterator, Mapping
@@ -65,6 +66,27 @@ def check_loaded(file: Path, root: ET.Element, model: pin.Model, geometry: pin.G
             hint = "" if body else "; give the body a name"
             fault = f"{described[body]} in the file, {loaded[body]} loaded{hint}"
             raise _error(file, f"the collision geoms of body {body!r}: {fault}")
+
+
+def root_pose(root: ET.Element) -> pin.SE3:
+    """The pose of the only body of the world if no joint moves it, otherwise the identity: Pinocchio leaves that pose out.
+
+    Pinocchio itself reads it, from a copy with one more body around it.
+    """
+    bodies = [body for world in root.findall("worldbody") for body in world.findall("body")]
+    if len(bodies) != 1 or any(bodies[0].find(joint) is not None for joint in ("joint", "freejoint")):
+        return pin.SE3.Identity()
+    copied = ET.Element("mujoco")
+    copied.extend(root.findall("compiler"))
+    around = ET.SubElement(ET.SubElement(copied, "worldbody"), "body", name="around")
+    ET.SubElement(
+        around, "body", {key: value for key, value in bodies[0].attrib.items() if key != "childclass"} | {"name": "root"}
+    )
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "root.xml"
+        ET.ElementTree(copied).write(file)
+        model = pin.buildModelFromMJCF(str(file))
+    return model.frames[model.getFrameId("root")].placement
 
 
 def _error(file: Path, fault: str) -> FileFormatError:

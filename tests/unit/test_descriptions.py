@@ -1,5 +1,6 @@
 """Descriptions that cannot be read as they were meant: no body of a robot is left out without an error."""
 
+import mujoco
 import numpy as np
 import pytest
 
@@ -176,3 +177,36 @@ def test_deep_descriptions(urdf, mjcf):
     file.write_text(file.read_text().replace("</robot>", joints + "</robot>"))
     with pytest.raises(mp.FileFormatError, match="at most 500 links in one chain"):
         mp.load_robot(file)
+
+
+@pytest.mark.parametrize("joint", ["", "<joint name='i' type='hinge' axis='1 0 0' range='-1 1'/>"], ids=["fixed", "hinge"])
+@pytest.mark.parametrize(
+    "place", ["pos='0.1 0.2 1'", "pos='0 0 1' euler='0 0 90'", "quat='0.5 0.5 0.5 0.5'", "pos='1 0 0' axisangle='0 1 0 30'", ""]
+)
+def test_the_first_body_of_an_mjcf_stands_where_mujoco_has_it(tmp_path, joint, place):
+    """Pinocchio leaves out the pose of a first body without a joint."""
+    file = tmp_path / "arm.xml"
+    file.write_text(
+        f"<mujoco><worldbody><geom name='floor' type='plane' size='1 1 1' pos='0 0 -2'/><body name='a' {place}>{joint}"
+        "<geom type='box' size='.1 .2 .3' pos='0 0.1 0'/><body name='b' pos='0.3 0 0'><joint name='j' type='hinge' axis='0 0 1' "
+        "range='-1 1'/><geom type='sphere' size='.05' pos='0.1 0 0'/><body name='c' pos='0.4 0 0' euler='20 0 0'><joint name='k' "
+        "type='slide' axis='0 1 0' range='-1 1'/><geom name='tip' type='capsule' size='.05 .1' pos='0.3 0 0'/></body></body></body>"
+        "</worldbody></mujoco>"
+    )
+    robot = mp.Robot.from_mjcf(file, tool="c", velocity=1.0)
+    model = mujoco.MjModel.from_xml_path(str(file))
+    data = mujoco.MjData(model)
+    for q in robot.random_configuration(np.random.default_rng(0), size=4):
+        data.qpos[:] = q
+        mujoco.mj_forward(model, data)
+        pose = robot.kinematics(mp.Task.position(), compiled=False).pose(q)
+        np.testing.assert_allclose(pose[:3, 3], data.body("c").xpos, atol=1e-9)
+        np.testing.assert_allclose(pose[:3, :3], data.body("c").xmat.reshape(3, 3), atol=1e-9)
+        ours = mp.Scene().collision_model(robot)
+        pair = next(
+            k
+            for k, names in enumerate(ours.pair_names)
+            if set(names) == {"cGeom_0", "floor"} or ("tip" in names and "floor" in names)
+        )
+        theirs = mujoco.mj_geomDistance(model, data, model.geom("tip").id, model.geom("floor").id, 10.0, None)
+        assert ours.distances(q)[pair] == pytest.approx(theirs, abs=1e-6)

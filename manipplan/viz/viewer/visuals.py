@@ -2,8 +2,9 @@
 
 import pinocchio as pin
 
-from manipplan.robots import attached, model_tree
+from manipplan.robots import attached, mjcf_bodies, model_tree
 from manipplan.robots.robot import Robot
+from manipplan.robots.xml_files import read_xml
 from manipplan.support.errors import FileFormatError
 
 
@@ -21,6 +22,7 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
         if source.kind == "mjcf":
             whole = pin.buildModelFromMJCF(str(file))
             geometry = pin.buildGeomFromMJCF(whole, str(file), kind)
+            whole, geometry = attached.move_base(whole, geometry, mjcf_bodies.root_pose(read_xml("file", file, "mujoco")))
         else:
             text, folders = source.mesh_files.read(file), source.mesh_files.folders(file)
             whole = pin.buildModelFromXML(text)
