@@ -134,6 +134,7 @@ def test_an_arm_that_was_changed_otherwise_is_refused(changed_plan, planar, tmp_
         mp.Plan.load(tmp_path, robot=robot)
 
 
+@pytest.mark.slow
 def test_a_part_of_an_unknown_class_needs_the_robot(planar, tmp_path):
     class Cube(mp.Box):
         pass

@@ -52,6 +52,7 @@ def test_arm_and_scene_at_another_place_have_the_same_distances(panda, demo_prob
     np.testing.assert_allclose(after, before, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_every_solution_reaches_the_pose_in_the_world(panda):
     moved = panda.at(BASE).with_tool(OFFSET)
     pose = poses(moved, moved.neutral)
@@ -172,6 +173,7 @@ def test_a_part_is_lifted_from_a_table(panda):
     assert near.allow("part", "table").in_collision(carrying, q)
 
 
+@pytest.mark.slow
 def test_a_part_that_needs_room_changes_the_plan(panda):
     """The plan of an arm that carries a rod keeps the rod clear, as coal sees the rod alone."""
     start, goal = panda.neutral, panda.neutral + [1.4, 0, 0, 0, 0, 0, 0]
@@ -223,6 +225,7 @@ def test_wrong_arguments(panda, call, message):
         call(panda)
 
 
+@pytest.mark.slow
 def test_what_is_drawn_has_the_part_and_the_base(panda):
     robot = panda.at(BASE).attach(mp.Sphere(radius=0.1, position=(0, 0, 0.2)), name="ball")
     before, after = (appearance_of(each).bodies for each in (panda, robot))
