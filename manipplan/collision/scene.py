@@ -42,14 +42,16 @@ class Scene(Pictured):
         for obstacle in obstacles:
             if not isinstance(obstacle, Obstacle):
                 raise InvalidInputError("obstacles", obstacle, f"a list of {', '.join(k.__name__ for k in OBSTACLES.values())}")
-        given = [obstacle.name for obstacle in obstacles if obstacle.name]
-        doubled = next((name for name in given if given.count(name) > 1), None)
-        if doubled is not None:
-            raise InvalidInputError("obstacles", doubled, "names that differ")
+        taken = set[str]()
+        for obstacle in obstacles:
+            if obstacle.name in taken:
+                raise InvalidInputError("obstacles", obstacle.name, "names that differ")
+            taken |= {obstacle.name} - {""}
         names: list[str] = []
         for i, obstacle in enumerate(obstacles):
             numbered = (f"{obstacle.shape_name}{k}" for k in itertools.count(i))
-            names.append(obstacle.name or next(name for name in numbered if name not in names and name not in given))
+            names.append(obstacle.name or next(name for name in numbered if name not in taken))
+            taken.add(names[-1])
         self.obstacles = tuple(obstacles)
         self.names = tuple(names)
         self.allowed = _pairs(allowed)

@@ -47,7 +47,8 @@ class Obstacle(ABC):
     def at(self, pose: ArrayLike | pin.SE3) -> Self:
         """A copy moved by `pose`, (4, 4) or pin.SE3: T_world_obstacle becomes `pose` T_world_obstacle."""
         moved = pin.SE3(pose_matrix("pose", pose)) * self.pose
-        return self._changed(position=moved.translation, rotation=moved.rotation)
+        position, rotation = finite_array("pose", moved.translation, (3,)), finite_array("pose", moved.rotation, (3, 3))
+        return self._changed(position=position, rotation=rotation)
 
     def called(self, name: str) -> Self:
         """A copy with another name."""
@@ -157,16 +158,16 @@ class Mesh(Obstacle):
     def __post_init__(self) -> None:
         super().__post_init__()
         object.__setattr__(self, "scale", number(self._argument("scale"), self.scale, above=0.0))
-        if (self.file is None) == (self.triangles is None):
-            given = "neither" if self.file is None else "both"
-            raise InvalidInputError(self._argument("file"), f"{given} of file and triangles", "one of them")
-        if self.file is not None:
+        if self.file is not None and self.triangles is None:
             object.__setattr__(self, "file", existing_file(self._argument("file"), self.file))
             hulls = meshes.hulls_of_file(self._argument("file"), Path(self.file), self.scale)
-        else:
-            triangles = finite_array(self._argument("triangles"), self.triangles, (None, 3, 3))  # type: ignore[arg-type]
+        elif self.triangles is not None and self.file is None:
+            triangles = finite_array(self._argument("triangles"), self.triangles, (None, 3, 3))
             object.__setattr__(self, "triangles", triangles)
             hulls = meshes.hulls_of_triangles(self._argument("triangles"), self.scale * triangles)
+        else:
+            given = "neither" if self.file is None else "both"
+            raise InvalidInputError(self._argument("file"), f"{given} of file and triangles", "one of them")
         object.__setattr__(self, "hulls", hulls)
 
     def shapes(self) -> list[coal.CollisionGeometry]:

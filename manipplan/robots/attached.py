@@ -47,10 +47,7 @@ def number_names(name: str, count: int) -> tuple[str, ...]:
 
 
 def with_frame(model: pin.Model, parent: str, pose: pin.SE3, name: str) -> pin.Model:
-    """The model with one more frame, at `pose` in the frame `parent`.
-
-    Raises InvalidInputError when `name` is not the name of a new frame.
-    """
+    """The model with one more frame, at `pose` in the frame `parent`."""
     model = model.copy()
     index = frame_index(model, parent)
     frame = model.frames[index]
@@ -83,7 +80,7 @@ def with_part(
 ) -> tuple[pin.GeometryModel, tuple[str, ...]]:
     """The geometry with a part posed in the frame `tool`, and the names of its bodies.
 
-    Raises InvalidInputError when the part has no bounded shape, or `name` is not the name of a new body.
+    Raises InvalidInputError when the part has no bounded shape, or one of its bodies would have a name that is taken.
     """
     shapes = part.shapes()
     if not shapes or any(isinstance(shape, coal.Halfspace | coal.Plane) for shape in shapes):

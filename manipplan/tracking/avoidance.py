@@ -111,9 +111,8 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
     if avoidance.itself:
         for i, j in bodies.pairs:
             first, second = bodies.items[i], bodies.items[j]
-            if (first not in guarded and second not in guarded) or frozenset(
-                (first.link, second.link)
-            ) in avoidance.scene.allowed:
+            unguarded = first not in guarded and second not in guarded
+            if unguarded or frozenset((first.link, second.link)) in avoidance.scene.allowed:
                 continue
             near = nearest(_capsule(chain, first), _capsule(chain, second))
             rate = _rate(chain, lines, first.joint, near.first, near.normal)

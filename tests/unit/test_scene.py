@@ -234,3 +234,20 @@ def test_faces_of_a_robots_ply_file(tmp_path, name):
     )
     with pytest.raises(mp.FileFormatError, match=r"m\.ply: a face names corner 1e\+07 of 4"):
         mp.load_robot(tmp_path / "arm.urdf")
+
+
+def test_a_mesh_is_a_file_or_triangles(tmp_path):
+    file = tetrahedra(tmp_path / "one.stl", [0.0])
+    for given, said in (({}, "neither"), ({"file": file, "triangles": np.zeros((1, 3, 3))}, "both")):
+        with pytest.raises(mp.InvalidInputError, match=f"{said} of file and triangles"):
+            mp.Mesh(**given)
+    for triangles in (np.zeros((0, 3, 3)), np.zeros((2, 3, 3)), np.zeros((2, 3)), [[["a"] * 3] * 3]):
+        with pytest.raises(mp.InvalidInputError, match="triangles"):
+            mp.Mesh(triangles=triangles)
+
+
+def test_a_moved_obstacle_is_frozen():
+    moved = mp.Box(size=(1, 1, 1)).at(np.eye(4))
+    for array in (moved.position, moved.rotation):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 1.0
