@@ -4,7 +4,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 OLD := .peers/manipplan-0.1
 
-.PHONY: demo test test-all test-long browser ffmpeg lint types docs links pictures benchmark benchmark-peers benchmark-paths benchmark-convergence clean
+.PHONY: demo test test-all test-long browser ffmpeg lint types docs links pictures fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
@@ -57,6 +57,10 @@ links: $(READY)
 pictures: $(READY)
 	$(BIN)/python docs/make_pictures.py
 
+# Edited files for every loader, 10,000 each: half an hour. Files at fault are kept in .faults.
+fuzz: $(READY)
+	$(BIN)/python benchmarks/fuzz_loaders.py --faults .faults
+
 benchmark: $(READY)
 	$(BIN)/python benchmarks/panda_boxes.py
 	$(BIN)/python benchmarks/panda_pairs.py
@@ -69,6 +73,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py
 	$(BIN)/python benchmarks/planar_suite.py
+	$(BIN)/python benchmarks/collision_shapes.py
 	$(BIN)/python benchmarks/gallery.py
 	$(BIN)/python benchmarks/documentation.py
 
@@ -83,6 +88,7 @@ benchmark-paths: $(READY)
 benchmark-convergence: $(READY) $(OLD)
 	$(BIN)/python benchmarks/convergence.py --old $(OLD)
 	$(BIN)/python benchmarks/version_01.py --old $(OLD)
+	$(BIN)/python benchmarks/collision.py --old $(OLD)
 
 $(OLD):
 	git worktree add --detach $(OLD) 6f9afba

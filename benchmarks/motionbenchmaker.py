@@ -119,7 +119,7 @@ def main(arguments: Sequence[str] | None = None) -> list[Outcome]:
     chosen = [problem for of_set in by_set.values() for problem in of_set[: given.problems]]
     refused = [each for each in (refusal(robot, problem) for problem in every) if each is not None]
     counts = Counter(each.result for each in refused)
-    mp.plan(robot, robot.neutral, robot.neutral + 0.1)  # fits primitives and compiles, which no row counts
+    mp.plan(robot, robot.neutral, robot.neutral + 0.1)  # compiles, which no row counts
     found = [outcome(robot, problem) for problem in track(chosen, description="planning")]
     solved, optimised = (sum(each.result in names for each in found) for names in (SOLVED, OPTIMISED))
     lines = [
@@ -133,7 +133,7 @@ def main(arguments: Sequence[str] | None = None) -> list[Outcome]:
         "",
         f"Of all {len(every)} problems {len(refused)} are refused before any planning: {counts[BEYOND]} have an end "
         f"{BEYOND}, and "
-        f"{counts[TOUCHES]} are {TOUCHES} by the primitives that stand for the links. Of these {counts[TOUCHES]}, "
+        f"{counts[TOUCHES]} are {TOUCHES}; of these {counts[TOUCHES]}, "
         f"{sum(each.meshes_free for each in refused)} touch no obstacle with the meshes of the links.",
         "",
         f"The first {given.problems} of each set; Python {platform.python_version()}, {platform.machine()}; command: "

@@ -61,7 +61,7 @@ def main() -> None:
         f"| minimum manipulability over the seed's: worst, median, best | {least.min():.3g}, {np.median(least):.3g}, "
         f"{least.max():.3g} |",
         f"| wall time after the first call: median, worst | {np.median(times):.2f} s, {times.max():.2f} s |",
-        f"| first call, with fitting primitives and building programs | {first:.2f} s |",
+        f"| first call, with building programs | {first:.2f} s |",
         "",
         f"Python {platform.python_version()}, {platform.machine()}, two shared cores; command: `make benchmark`.",
     ]

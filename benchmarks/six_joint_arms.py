@@ -70,7 +70,7 @@ def main(arguments: Sequence[str] | None = None) -> list[Outcome]:
     given = parser.parse_args(arguments)
     robot = mp.load_robot("ur5")
     kinematics = robot.kinematics()
-    mp.plan(robot, robot.neutral, robot.neutral + 0.1)  # fits primitives and compiles, which no row counts
+    mp.plan(robot, robot.neutral, robot.neutral + 0.1)  # compiles, which no row counts
     found = []
     for start, goal in track(list(pairs(robot, given.pairs)), description="planning"):
         one_aspect = aspect(kinematics, start) == aspect(kinematics, goal)

@@ -1,50 +1,79 @@
-"""Draw docs/_static/viewer.png: the demo's plan in the viewer, as a browser shows it.
+"""Draw docs/_static/viewer.png and viewer_checked.png: plans in the viewer, as a browser shows them.
 
-Run: python docs/make_viewer_picture.py
+Run: python docs/make_viewer_picture.py [viewer] [viewer_checked]
 """
 
 import io
 import shutil
+import sys
 from pathlib import Path
 
+import numpy as np
 from PIL import Image
 from playwright.sync_api import sync_playwright
 
 import manipplan as mp
 from manipplan.jobs.demo import panda_among_boxes
 
-PICTURE = Path(__file__).parent / "_static" / "viewer.png"
+FOLDER = Path(__file__).parent / "_static"
 FLAGS = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist")
 #: Where the motion is looked at, as a share of its duration.
 PLACE = 0.45
+#: Time after which a picture is given up [ms]: without a graphics card it can take a minute.
+PATIENCE = 240_000
 
 
-def main() -> None:
+def demo():
+    """The demo's plan."""
     problem = panda_among_boxes()
-    plan = mp.plan(
-        problem.robot,
-        problem.start,
-        problem.goal,
-        problem.scene,
-        objective=mp.PathObjective(power=problem.power),
-        clearance=problem.clearance,
-    )
+    objective = mp.PathObjective(power=problem.power)
+    return mp.plan(problem.robot, problem.start, problem.goal, problem.scene, objective=objective, clearance=problem.clearance)
+
+
+def beside_a_block():
+    """A short motion of a UR5, whose links are cut into several pieces."""
+    start = np.array([-0.9, -1.25, 1.55, -1.9, -1.3, 0.0])
+    block = mp.Box(size=(0.2, 0.2, 0.3), position=(-0.35, 0.55, 0.15), name="block")
+    return mp.plan(mp.load_robot("ur5"), start, start + np.array([0.9, 0.2, -0.3, 0.2, 0.3, 0.2]), mp.Scene([block]))
+
+
+#: Each picture: its plan, the switches that are on and off, and the size of the window.
+PICTURES = {
+    "viewer": (demo, (), (), (1200, 760)),
+    "viewer_checked": (
+        beside_a_block,
+        ("what is checked",),
+        ("seed", "path, seed", "ellipsoid, tool", "ellipsoids, path"),
+        (1200, 830),
+    ),
+}
+
+
+def main(names) -> None:
     chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))))
-    with plan.show(port=0, open_browser=False) as viewer, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
-        page = browser.new_page(viewport={"width": 1200, "height": 760})
-        page.goto(viewer.url)
-        page.locator(".mantine-Notification-closeButton").click(timeout=60_000)  # it tells that there is no graphics card
-        viewer.time = PLACE * plan.trajectory.duration
-        before, after = b"", page.screenshot()
-        while after != before:  # without a graphics card the scene appears slowly
-            page.wait_for_timeout(4000)
-            before, after = after, page.screenshot()
-        shot = Image.open(io.BytesIO(after)).convert("RGB")
-        browser.close()
-    shot.quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(PICTURE, optimize=True)
-    print(f"wrote {PICTURE}, {PICTURE.stat().st_size // 1000} kB")
+    for name in names or PICTURES:
+        make, on, off, (width, height) = PICTURES[name]
+        plan, file = make(), FOLDER / f"{name}.png"
+        with plan.show(port=0, open_browser=False) as viewer, sync_playwright() as playwright:
+            browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+            page = browser.new_page(viewport={"width": width, "height": height})
+            page.set_default_timeout(PATIENCE)
+            page.goto(viewer.url)
+            page.locator(".mantine-Notification-closeButton").click()  # it tells that there is no graphics card
+            viewer.time = PLACE * plan.trajectory.duration
+            labels = list(viewer.stage.layers)
+            for switch in (*on, *off):
+                page.get_by_role("checkbox").nth(labels.index(switch)).click(force=True)
+            before, after = b"", page.screenshot()
+            while after != before:  # without a graphics card the scene appears slowly
+                page.wait_for_timeout(4000)
+                before, after = after, page.screenshot()
+            assert all(viewer.stage.layers[switch].visible for switch in on), "the click came to nothing"
+            shot = Image.open(io.BytesIO(after)).convert("RGB")
+            browser.close()
+        shot.quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(file, optimize=True)
+        print(f"wrote {file}, {file.stat().st_size // 1000} kB")
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])

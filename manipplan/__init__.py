@@ -12,7 +12,7 @@ One call runs a whole row, for instance ``mp.plan(robot, start, goal, scene)``.
 
 from manipplan.collision.path_clearance import PathClearance
 from manipplan.collision.scene import Scene
-from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Sphere
+from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, PointCloud, Sphere
 from manipplan.cost.integral import PathCost, path_cost
 from manipplan.cost.objective import PathObjective
 from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
@@ -127,6 +127,7 @@ __all__ = [
     "Plan",
     "Plane",
     "PlanningError",
+    "PointCloud",
     "Posture",
     "Refinement",
     "Report",

@@ -2,7 +2,7 @@
 
 The data hold a gripper that grasps an object, which our arms do not have or hold otherwise:
 
-- Panda: the fingers stand at 65 mm in the data, beyond their limit of 40 mm. `robot` holds them at 40 mm.
+- Panda: the fingers stand at 65 mm in the data, beyond their limit of 40 mm. `robot` holds them there, as the data have them.
 - UR5: the data have a Robotiq gripper. `robot` is the bare arm, so its hand is smaller than in the data. The base stands on a
   pedestal in the data; `load` moves the obstacles into the frame of the base instead.
 """
@@ -20,7 +20,7 @@ import manipplan as mp
 
 HERE = Path(__file__).resolve().parent
 #: Joints that `robot` holds, and where [m].
-LOCKED = {"panda": {"panda_finger_joint1": 0.04, "panda_finger_joint2": 0.04}, "ur5": {}}
+LOCKED = {"panda": {"panda_finger_joint1": 0.065, "panda_finger_joint2": 0.065}, "ur5": {}}
 #: The base of the arm in the frame of the data: position [m] and turn about z [rad].
 BASE = {"panda": ((0.0, 0.0, 0.0), 0.0), "ur5": ((0.0, 0.0, 0.9144), 1.57)}
 

@@ -37,7 +37,7 @@ def follow(
 
     Args:
         options: Options of the robot and its scene.
-        robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
+        robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         poses: CSV file with the columns x, y, z [m], qw, qx, qy, qz.
         positions: Number of positions at which configurations are enumerated.
         epsilon: Maximum step of a joint between neighbouring positions [rad or m].

@@ -28,7 +28,7 @@ def improve(
 
     Args:
         options: Options of the robot and its scene.
-        robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
+        robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         recorded: CSV file with the columns time [s], q_JOINT [rad or m] for each joint; velocities may follow.
         tolerance: Maximum deviation of the tool from the recorded poses [m] [rad].
         duration: Duration of the new motion [s]; default: that of the recording.

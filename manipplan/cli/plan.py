@@ -37,7 +37,7 @@ def plan(
 
     Args:
         options: Options of the robot and its scene.
-        robot: A name that `manipplan robots` lists, or a URDF or MJCF file.
+        robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         start: One angle [rad] or length [m] per joint, or the name of a state in the robot's SRDF.
         goal: As `start`.
         out: Folder for the files that are written.

@@ -13,7 +13,7 @@ def robots(name: Positional[str | None] = None, /) -> None:
     """List the known arms, or print the table of one.
 
     Args:
-        name: An arm's name, or a URDF or MJCF file.
+        name: An arm's name, or a URDF, xacro or MJCF file.
     """
     console = Console()
     if name is not None:

@@ -1,18 +1,19 @@
 """Build a collision model: the bodies of a robot and of a scene, and the pairs of them that are checked."""
 
 from collections import Counter
-from collections.abc import Callable
 
 import coal
 import numpy as np
 import pinocchio as pin
+from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.scene import Scene
-from manipplan.collision.stored_fits import find_or_fit
+from manipplan.collision.shapes import Part
+from manipplan.collision.stored_fits import find_or_cut
 from manipplan.robots.attached import number_names
-from manipplan.robots.hulls import has_hull
+from manipplan.robots.hulls import convex_hull
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -22,13 +23,14 @@ from manipplan.support.memo import once_per_owner
 #: construction.
 SAMPLES = 200
 ALWAYS = 0.95
-#: Maximum share of the samples at which a pair's primitives touch while its meshes do not. Above it the pair is checked with
-#: convex hulls and, when these are too coarse as well, with its meshes.
+#: Maximum share of the samples at which a pair's pieces touch while its meshes do not; above it the meshes are checked.
 COARSE = 0.02
+#: Distances above this need not be known to tell whether a pair touches [m].
+TOUCHING = 1e-6
 
 
 def build_model(robot: Robot, scene: Scene) -> CollisionModel:
-    """The collision model of a robot among the obstacles of a scene, with primitives for the robot's meshes.
+    """The collision model of a robot among the obstacles of a scene, with convex pieces for the robot's meshes.
 
     An SRDF's disabled pairs, adjacent pairs, pairs that touch nearly everywhere and pairs that the scene allows are not
     checked; `dropped` of the model lists them.
@@ -40,22 +42,31 @@ def build_model(robot: Robot, scene: Scene) -> CollisionModel:
     """
     alone, origins = _self_model(robot)
     geometry = alone.geometry.copy()
-    bodies = list(range(alone.primitives))
-    if scene.obstacles and not bodies:
+    if scene.obstacles and not alone.bodies:
         raise InvalidInputError("scene", repr(scene), f"no obstacles: {robot.name} has no collision geometry to check")
     check_names(robot, scene)
+    dropped, radii, solids = dict(alone.dropped), dict[int, float](), set[int]()
     named = {k: robot.link_of(robot.geometry.geometryObjects[origin]) for k, origin in enumerate(origins)}
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
-        shapes = obstacle.shapes()
-        for label, shape in zip(number_names(name, len(shapes)), shapes, strict=True):
-            index = geometry.addGeometryObject(pin.GeometryObject(label, 0, 0, obstacle.pose, shape))
+        parts = obstacle.parts()
+        for label, part in zip(number_names(name, len(parts)), parts, strict=True):
+            index = geometry.addGeometryObject(pin.GeometryObject(label, 0, 0, obstacle.pose, part.shape))
             named[index] = name
-            for body in bodies:
-                if geometry.geometryObjects[body].parentJoint > 0:
+            radii[index] = part.radius
+            if part.closed and isinstance(part.shape, coal.BVHModelBase):
+                solids.add(index)
+            for body in range(alone.bodies):
+                item = geometry.geometryObjects[body]
+                if item.parentJoint > 0:
                     geometry.addCollisionPair(pin.CollisionPair(body, index))
-    dropped = dict(alone.dropped)
+                elif (
+                    frozenset((named[body], name)) not in scene.allowed and (depth := _overlap(item, part, obstacle.pose)) >= 0
+                ):
+                    dropped[item.name, label] = f"neither moves; they overlap by {1e3 * depth:.2g} mm"
     _drop_allowed(scene, geometry, named, dropped)
-    return CollisionModel(robot, geometry, dropped, alone.primitives)
+    return CollisionModel(
+        robot, geometry, dropped, bodies=alone.bodies, excess=alone.excess, radii=radii, solids=frozenset(solids)
+    )
 
 
 def check_names(robot: Robot, scene: Scene) -> None:
@@ -86,36 +97,47 @@ def _drop_allowed(
             dropped[pair] = "allowed in the scene"
 
 
+def _overlap(body: pin.GeometryObject, part: Part, pose: pin.SE3) -> float:
+    """How deep a body that does not move and a part of an obstacle overlap [m]; negative where they do not touch."""
+    places = [coal.Transform3s(place.rotation, place.translation) for place in (body.placement, pose)]
+    apart = coal.distance(body.geometry, places[0], part.shape, places[1], coal.DistanceRequest(), coal.DistanceResult())
+    return part.radius - float(apart)
+
+
 @once_per_owner
 def _self_model(robot: Robot) -> tuple[CollisionModel, list[int]]:
-    """The robot alone: its primitives and the pairs of its own bodies that are checked.
+    """The robot alone: its convex pieces and the pairs of its own bodies that are checked.
 
     Also the object of the robot's geometry that each object of the model represents.
     """
-    geometry, origins = _primitive_geometry(robot)
-    primitives = geometry.ngeoms
+    geometry, origins, excess = _convex_geometry(robot)
+    bodies = geometry.ngeoms
     dropped = add_self_pairs(robot, geometry, origins)
-    samples = [robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)]
-    for tighter in (_hull, _mesh):
-        _tighten_coarse_pairs(robot, geometry, origins, samples, tighter)
-    _drop_always_touching(robot, geometry, origins, dropped, samples)
-    return CollisionModel(robot, geometry, dropped, primitives), origins
+    samples = np.array([robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)])
+    touching = _touching(robot, geometry, samples)
+    if _use_meshes_for_coarse_pairs(robot, geometry, origins, samples, touching):
+        touching = _touching(robot, geometry, samples)
+    _drop_always_touching(robot, geometry, origins, dropped, touching)
+    return CollisionModel(robot, geometry, dropped, bodies=bodies, excess=excess), origins
 
 
-def _primitive_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int]]:
-    """The robot's geometry without meshes, and the object of the description that each primitive represents."""
+def _convex_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int], dict[str, float]]:
+    """The robot's geometry with convex pieces for its meshes, and the object of the description that each represents.
+
+    Also by how much each piece is known to stick out of its mesh [m].
+    """
     geometry = pin.GeometryModel()
-    origins = []
+    origins, excess = [], {}
     for origin, item in enumerate(robot.geometry.geometryObjects):
+        shapes, out = [item.geometry], [0.0]
         if isinstance(item.geometry, coal.BVHModelBase):
-            fitted = find_or_fit(mesh_triangles(item.geometry))
-            shapes = [(primitive.shape, item.placement * primitive.placement) for primitive in fitted]
-        else:
-            shapes = [(item.geometry, item.placement)]
-        for name, (shape, placement) in zip(number_names(item.name, len(shapes)), shapes, strict=True):
-            geometry.addGeometryObject(pin.GeometryObject(name, item.parentJoint, item.parentFrame, placement, shape))
+            pieces = find_or_cut(mesh_triangles(item.geometry))
+            shapes, out = [convex_hull(piece.corners) for piece in pieces], [piece.excess for piece in pieces]
+        for name, shape, beyond in zip(number_names(item.name, len(shapes)), shapes, out, strict=True):
+            geometry.addGeometryObject(pin.GeometryObject(name, item.parentJoint, item.parentFrame, item.placement, shape))
             origins.append(origin)
-    return geometry, origins
+            excess[name] = beyond
+    return geometry, origins, excess
 
 
 def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]) -> dict[tuple[str, str], str]:
@@ -143,44 +165,29 @@ def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]
     return dropped
 
 
-def _hull(item: pin.GeometryObject) -> pin.GeometryObject:
-    if not isinstance(item.geometry, coal.BVHModelBase):
-        return _renamed(item, item.geometry, "exact")
-    if not has_hull(np.unique(np.array(item.geometry.vertices()), axis=0)):  # a flat mesh has no hull and is used as it is
-        return _mesh(item)
-    item.geometry.buildConvexHull(True, "Qt")
-    return _renamed(item, item.geometry.convex, "hull")
+def _touching(robot: Robot, geometry: pin.GeometryModel, samples: Array) -> NDArray[np.bool_]:
+    """Whether each pair touches at each of the samples (m, n); (m, k)."""
+    return np.asarray(CollisionModel(robot, geometry, {}).distance_rows(samples, beyond=TOUCHING) <= 0)
 
 
-def _mesh(item: pin.GeometryObject) -> pin.GeometryObject:
-    return _renamed(item, item.geometry, "mesh")
+def _use_meshes_for_coarse_pairs(
+    robot: Robot, geometry: pin.GeometryModel, origins: list[int], samples: Array, touching: NDArray[np.bool_]
+) -> bool:
+    """Check pairs with their meshes whose pieces are `touching` (m, k) at samples (m, n) where the meshes are not.
 
-
-def _renamed(item: pin.GeometryObject, shape: coal.CollisionGeometry, suffix: str) -> pin.GeometryObject:
-    return pin.GeometryObject(f"{item.name}.{suffix}", item.parentJoint, item.parentFrame, item.placement, shape)
-
-
-def _tighten_coarse_pairs(
-    robot: Robot,
-    geometry: pin.GeometryModel,
-    origins: list[int],
-    samples: list[Array],
-    tighter: Callable[[pin.GeometryObject], pin.GeometryObject],
-) -> None:
-    """Use tighter shapes for pairs that touch at samples where the meshes that they represent do not."""
+    Returns whether there are any.
+    """
     pairs = [(p.first, p.second) for p in geometry.collisionPairs]
     stands_for = [(origins[i], origins[j]) for i, j in pairs]
     described = robot.geometry.copy()
     described_pairs = {pair: k for k, pair in enumerate(dict.fromkeys(stands_for))}
     for i, j in described_pairs:
         described.addCollisionPair(pin.CollisionPair(i, j))
-    model = CollisionModel(robot, geometry, {})
     data, described_data = robot.model.createData(), pin.GeometryData(described)
     coarse = Counter[tuple[int, int]]()
-    for number, q in enumerate(samples):
-        touching = {stands_for[k] for k in model.touching_pairs(q)}
-        pin.updateGeometryPlacements(robot.model, data, described, described_data, q)
-        for pair in touching:
+    for number in np.flatnonzero(touching.any(axis=1)):
+        pin.updateGeometryPlacements(robot.model, data, described, described_data, samples[number])
+        for pair in {stands_for[k] for k in np.flatnonzero(touching[number])}:
             if not pin.computeCollision(described, described_data, described_pairs[pair]):
                 coarse[pair] += SAMPLES if number == 0 else 1  # one wrong contact in the neutral posture is enough
     replaced = {pair for pair, count in coarse.items() if count > COARSE * SAMPLES}
@@ -188,22 +195,31 @@ def _tighten_coarse_pairs(
     for pair in sorted(replaced):
         for origin in pair:
             if origin not in added:
-                added[origin] = geometry.addGeometryObject(tighter(robot.geometry.geometryObjects[origin]))
+                item = robot.geometry.geometryObjects[origin]
+                mesh = pin.GeometryObject(
+                    f"{item.name}.mesh", item.parentJoint, item.parentFrame, item.placement, item.geometry
+                )
+                added[origin] = geometry.addGeometryObject(mesh)
                 origins.append(origin)
         geometry.addCollisionPair(pin.CollisionPair(added[pair[0]], added[pair[1]]))
     for (i, j), origin_pair in zip(pairs, stands_for, strict=True):
         if origin_pair in replaced:
             geometry.removeCollisionPair(pin.CollisionPair(i, j))
+    return bool(replaced)
 
 
 def _drop_always_touching(
-    robot: Robot, geometry: pin.GeometryModel, origins: list[int], dropped: dict[tuple[str, str], str], samples: list[Array]
+    robot: Robot,
+    geometry: pin.GeometryModel,
+    origins: list[int],
+    dropped: dict[tuple[str, str], str],
+    touching: NDArray[np.bool_],
 ) -> None:
-    """Drop pairs of links that touch nearly everywhere: they touch by construction, as at a shoulder."""
-    model = CollisionModel(robot, geometry, {})
-    counts = Counter(k for q in samples for k in model.touching_pairs(q))
+    """Drop pairs of links that are `touching` (m, k) nearly everywhere: they touch by construction, as at a shoulder."""
+    counts = touching.sum(axis=0)
     for k, pair in enumerate([(p.first, p.second) for p in geometry.collisionPairs]):
         carried = robot.carried.keys() & {robot.link_of(robot.geometry.geometryObjects[origins[body]]) for body in pair}
-        if counts[k] >= ALWAYS * len(samples) and not carried:
+        if counts[k] >= ALWAYS * len(touching) and not carried:
             geometry.removeCollisionPair(pin.CollisionPair(*pair))
-            dropped[model.pair_names[k]] = f"touching at {counts[k]} of {len(samples)} configurations"
+            first, second = (geometry.geometryObjects[body].name for body in pair)
+            dropped[first, second] = f"touching at {counts[k]} of {len(touching)} configurations"

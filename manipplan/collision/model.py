@@ -1,14 +1,19 @@
-"""CollisionModel: a robot as convex primitives among the obstacles of a scene, and the pairs that are checked."""
+"""CollisionModel: a robot as convex bodies among the obstacles of a scene, and the pairs that are checked."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Mapping
+from functools import cached_property
+from types import MappingProxyType
 
 import coal
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from manipplan.collision.contact import Contact, Witness
-from manipplan.collision.primitives import core_of
+from manipplan.collision.kernel import TOUCHING, UNDECIDED, DistanceKernel, find_kernel
+from manipplan.collision.primitives import core_of, mesh_triangles
+from manipplan.collision.surfaces.meshes import triangle_tree
+from manipplan.collision.surfaces.shells import winding_number
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -16,82 +21,154 @@ from manipplan.support.errors import InvalidInputError
 
 #: Accuracy of coal's distances between curved bodies [m]; at coal's default, 1e-6, gradients are off by 5 %.
 GJK_TOLERANCE = 1e-10
+#: Number of configurations of a path that are checked at a time.
+BLOCK = 256
+#: Every so many configurations all distances are measured first, to bound the smallest.
+COARSE_STEP = 16
 
 
 class CollisionModel:
-    """Collision checks and distances of one robot with itself and with a scene, by Pinocchio and coal.
+    """Collision checks and distances of one robot with itself and with a scene: by a compiled kernel, otherwise by coal.
 
-    Not safe to share between threads: it holds Pinocchio's working data.
+    Not safe to share between threads: it holds working data.
 
     Attributes:
-        geometry: the primitives of the robot and the obstacles, with the pairs that are checked.
+        geometry: the convex bodies of the robot and the obstacles, with the pairs that are checked.
         pair_names: (first, second) of every pair; the first belongs to the robot.
-        dropped: pairs of the robot's bodies that are not checked, with the reason.
-        primitives: number of primitives of the robot, which are the first objects of `geometry`.
+        dropped: pairs that are not checked, with the reason.
+        bodies: number of convex bodies of the robot, which are the first objects of `geometry`.
+        excess: by how much bodies that are pieces of a mesh are known to stick out of it [m], by name.
+        radii: distances around objects of `geometry` that belong to them as well [m], by index; 0 for the others.
+        solids: indices of the surfaces in `geometry` that are solid inside.
     """
 
     def __init__(
-        self, robot: Robot, geometry: pin.GeometryModel, dropped: Mapping[tuple[str, str], str], primitives: int = 0
+        self,
+        robot: Robot,
+        geometry: pin.GeometryModel,
+        dropped: Mapping[tuple[str, str], str],
+        *,
+        bodies: int = 0,
+        excess: Mapping[str, float] = MappingProxyType({}),
+        radii: Mapping[int, float] = MappingProxyType({}),
+        solids: Collection[int] = (),
     ) -> None:
         self.robot = robot
-        self.primitives = primitives
+        self.bodies = bodies
         self.geometry = geometry
         self.dropped = dropped
+        self.excess = excess
+        self.radii = radii
+        self.solids = solids
         objects = geometry.geometryObjects
         self.pair_names = tuple((objects[p.first].name, objects[p.second].name) for p in geometry.collisionPairs)
         self._data = robot.model.createData()
         self._geometry_data = pin.GeometryData(geometry)
         for request in self._geometry_data.distanceRequests:
             request.gjk_tolerance = GJK_TOLERANCE
-        self._results = [self._geometry_data.distanceResults[k] for k in range(len(self.pair_names))]
-        self._margin = 0.0
+        pairs = [(p.first, p.second) for p in geometry.collisionPairs]
+        self._radii = np.array([radii.get(i, 0.0) + radii.get(j, 0.0) for i, j in pairs])
+        self._solid_pairs = {k: pair for k, pair in enumerate(pairs) if pair[1] in solids}
+        self._margin = np.nan  # coal's, set when it is first asked
         self._cores: dict[int, tuple[Array, float]] = {}
+        self._surfaces: dict[int, Array] = {}
 
-    def in_collision(self, q: Array, *, clearance: float = 0.0) -> bool:
-        """Whether any pair is nearer than `clearance` [m] at q (n,); 0: whether any pair touches."""
-        self._set_margin(clearance)
-        return bool(pin.computeCollisions(self.robot.model, self._data, self.geometry, self._geometry_data, q, True))
+    def __repr__(self) -> str:
+        own = {f"{item.name}.mesh" for item in self.robot.geometry.geometryObjects}  # described meshes come after the bodies
+        others = sum(item.name not in own for item in list(self.geometry.geometryObjects)[self.bodies :])
+        most = 1e3 * max(self.excess.values(), default=0.0)
+        counts = f"{self.bodies} bodies, {others} parts of obstacles, {len(self.pair_names)} pairs"
+        return f"CollisionModel({self.robot.name!r}, {counts}, excess up to {most:.1f} mm)"
 
-    def touches(self, q: Array, pairs: Iterable[int], *, clearance: float = 0.0) -> bool:
-        """Whether any of the pairs with these indices is nearer than `clearance` [m] at q (n,)."""
-        self._set_margin(clearance)
-        pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
-        return any(pin.computeCollision(self.geometry, self._geometry_data, int(pair)) for pair in pairs)
+    @cached_property
+    def _kernel(self) -> DistanceKernel | None:
+        radii = np.array([self.radii.get(k, 0.0) for k in range(self.geometry.ngeoms)])
+        return find_kernel(self.robot, self.geometry, radii, self.solids)
 
     def copy(self) -> "CollisionModel":
         """A copy with its own working data, for another thread."""
-        return CollisionModel(self.robot, self.geometry.copy(), self.dropped, self.primitives)
+        copied = CollisionModel(
+            self.robot,
+            self.geometry,
+            self.dropped,
+            bodies=self.bodies,
+            excess=self.excess,
+            radii=self.radii,
+            solids=self.solids,
+        )
+        copied.__dict__["_kernel"] = None if self._kernel is None else self._kernel.copy()
+        return copied
 
-    def with_pairs(self, pairs: Iterable[int]) -> "CollisionModel":
+    def with_pairs(self, pairs: NDArray[np.intp]) -> "CollisionModel":
         """The same bodies with only the pairs of these indices, in this order."""
         geometry = self.geometry.copy()
         geometry.removeAllCollisionPairs()
-        for pair in pairs:
-            geometry.addCollisionPair(self.geometry.collisionPairs[int(pair)])
-        return CollisionModel(self.robot, geometry, self.dropped, self.primitives)
+        for pair in pairs.tolist():
+            geometry.addCollisionPair(self.geometry.collisionPairs[pair])
+        chosen = CollisionModel(self.robot, geometry, self.dropped, bodies=self.bodies, radii=self.radii, solids=self.solids)
+        chosen.__dict__["_kernel"] = None if self._kernel is None else self._kernel.with_pairs(pairs)
+        return chosen
 
-    def touching_pairs(self, q: Array) -> list[int]:
-        """Indices of the pairs that touch at q (n,)."""
-        self._set_margin(0.0)
-        pin.computeCollisions(self.robot.model, self._data, self.geometry, self._geometry_data, q, False)
-        return [k for k, result in enumerate(self._geometry_data.collisionResults) if result.isCollision()]
+    def in_collision(self, q: Array, *, clearance: float = 0.0) -> bool:
+        """Whether any pair is nearer than `clearance` [m] at q (n,); 0: whether any pair touches."""
+        verdict = UNDECIDED if self._kernel is None else self._kernel.check(q, clearance)
+        return verdict == TOUCHING if verdict != UNDECIDED else self._touches(q, clearance)
 
-    def distances(self, q: Array) -> Array:
-        """Signed distances (k,) of all pairs at q (n,) [m]."""
-        pin.computeDistances(self.robot.model, self._data, self.geometry, self._geometry_data, q)
-        return np.array([result.min_distance for result in self._results])
+    def in_collision_rows(self, q: Array, *, clearance: float = 0.0) -> NDArray[np.bool_]:
+        """The same for every row of q (m, n); (m,)."""
+        if self._kernel is None:
+            return np.array([self._touches(each, clearance) for each in q], dtype=bool)
+        verdicts = self._kernel.check_rows(q, clearance)
+        found: NDArray[np.bool_] = verdicts == TOUCHING
+        for k in np.flatnonzero(verdicts == UNDECIDED):
+            found[k] = self._touches(q[k], clearance)
+        return found
 
-    def pair_distances(self, q: Array, pairs: Iterable[int]) -> list[float]:
-        """Signed distance [m] of the pairs with these indices at q (n,)."""
-        pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
-        return [pin.computeDistance(self.geometry, self._geometry_data, pair).min_distance for pair in pairs]
+    def distances(self, q: Array, *, beyond: float = np.inf) -> Array:
+        """Signed distances (k,) of all pairs at q (n,) [m], those above `beyond` cut off there."""
+        found: Array = self.distance_rows(np.asarray(q)[None], beyond=beyond)[0]
+        return found
+
+    def distance_rows(self, q: Array, *, beyond: float | Array = np.inf) -> Array:
+        """Signed distances (m, k) of all pairs at q (m, n) [m], those above `beyond`, a number or (m,), cut off there."""
+        reach = np.broadcast_to(np.asarray(beyond, dtype=float), (len(q),))
+        if self._kernel is None:
+            return np.asarray(
+                np.minimum(np.array([self._all_distances(each) for each in q]).reshape(len(q), -1), reach[:, None])
+            )
+        found: Array = self._kernel.distances(q, np.maximum(reach, 0.0))
+        if found.size and np.isnan(found.min()):
+            for k, pair in zip(*np.nonzero(np.isnan(found)), strict=True):
+                found[k, pair] = self._distance(q[k], int(pair))
+        return np.asarray(np.minimum(found, reach[:, None])) if (reach < 0).any() else found
+
+    def pair_distances(self, q: Array, pairs: ArrayLike) -> Array:
+        """Signed distance [m] of one pair at each configuration: of pairs (m,) at q (m, n); (m,)."""
+        chosen = np.asarray(pairs, dtype=np.int64)
+        if self._kernel is None:
+            return np.array([self._distance(each, int(pair)) for each, pair in zip(q, chosen, strict=True)])
+        found: Array = self._kernel.pair_distances(q, chosen)
+        for k in np.flatnonzero(np.isnan(found)):
+            found[k] = self._distance(q[k], int(chosen[k]))
+        return found
+
+    def least_distance(self, q: Array) -> tuple[float, int, int]:
+        """The smallest distance at all q (m, n) [m], its row, and the index of its pair; inf, 0, -1 if nothing is checked."""
+        if not self.pair_names:
+            return np.inf, 0, -1
+        bound = np.inf
+        for some in (q[:1], q[::COARSE_STEP]):
+            bound = float(self.distance_rows(some, beyond=bound).min())
+        rows = self.distance_rows(q, beyond=bound + 1e-9)  # so that the smallest itself is not cut off
+        row, pair = divmod(int(rows.argmin()), rows.shape[1])
+        return float(rows[row, pair]), row, pair
 
     def distance_gradient(self, q: Array, pair: int) -> Array:
         """Gradient (n,) of the distance of a pair at q (n,) [m per rad or m]."""
         model, data = self.robot.model, self._data
         pin.computeJointJacobians(model, data, q)
         pin.updateGeometryPlacements(model, data, self.geometry, self._geometry_data)
-        result = pin.computeDistance(self.geometry, self._geometry_data, pair)
+        result = self._nearest(q, pair)
         bodies = self.geometry.collisionPairs[pair]
         gradient = np.zeros(self.robot.n)
         for body, point, side in (
@@ -109,20 +186,20 @@ class CollisionModel:
     def contact(self, q: Array, pair: int) -> Contact:
         """Nearest points and separating plane of the pair with the given index at q (n,)."""
         pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
-        result = pin.computeDistance(self.geometry, self._geometry_data, pair)
+        result = self._nearest(q, pair)
         bodies = self.geometry.collisionPairs[pair]
         first, second = (self.geometry.geometryObjects[i].parentJoint for i in (bodies.first, bodies.second))
         normal = -np.array(result.normal)  # coal's points from the first to the second
         place = self._data.oMi[second]
         points, radius = self._core(bodies.first)
         return Contact(
-            distance=float(result.min_distance),
+            distance=float(result.min_distance - self._radii[pair]),
             first=first,
             second=second,
             normal=place.rotation.T @ normal,
-            offset=float(normal @ (result.getNearestPoint2() - place.translation)),
+            offset=float(normal @ (result.getNearestPoint2() - place.translation)) + self.radii.get(bodies.second, 0.0),
             points=points,
-            radius=radius,
+            radius=radius + self.radii.get(bodies.first, 0.0),
         )
 
     def witness(self, q: Array, pair: int) -> tuple[Witness, Array]:
@@ -131,7 +208,7 @@ class CollisionModel:
         The vector (3,) is in the frame of the joint that carries the second body.
         """
         pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
-        result = pin.computeDistance(self.geometry, self._geometry_data, pair)
+        result = self._nearest(q, pair)
         bodies = self.geometry.collisionPairs[pair]
         normal = np.array(result.normal)  # coal's points from the first body to the second
         carriers, points, radii = [], [], []
@@ -144,7 +221,9 @@ class CollisionModel:
             carriers.append(int(item.parentJoint))
             points.append(self._data.oMi[item.parentJoint].actInv(np.array(nearest) - radius * outwards))
             radii.append(radius)
-        witness = Witness(first=carriers[0], second=carriers[1], point=points[0], other=points[1], radius=sum(radii))
+        witness = Witness(
+            first=carriers[0], second=carriers[1], point=points[0], other=points[1], radius=sum(radii) + self._radii[pair]
+        )
         return witness, -self._data.oMi[carriers[1]].rotation.T @ normal
 
     def turned(self, q: Array, vector: Array, joint: int, into: int) -> Array:
@@ -184,8 +263,8 @@ class CollisionModel:
         Samples that are far apart come first, so that a collision is found early.
         """
         s = path.fine_samples(step)
-        q = path(s)
-        return not any(self.in_collision(q[k], clearance=clearance) for k in _coarse_to_fine(len(s)))
+        q = path(s)[_coarse_to_fine(len(s))]
+        return not any(self.in_collision_rows(q[k : k + BLOCK], clearance=clearance).any() for k in range(0, len(q), BLOCK))
 
     def _core(self, body: int) -> tuple[Array, float]:
         """Core points (k, 3) of a geometry object in its joint's frame, and the radius around them [m]."""
@@ -195,11 +274,62 @@ class CollisionModel:
             self._cores[body] = points @ item.placement.rotation.T + item.placement.translation, radius
         return self._cores[body]
 
-    def _set_margin(self, clearance: float) -> None:
+    def _touches(self, q: Array, clearance: float) -> bool:
+        """`in_collision` by coal."""
         if clearance != self._margin:
-            for request in self._geometry_data.collisionRequests:
-                request.security_margin = clearance
-            self._margin = clearance
+            self._set_margin(clearance)
+        if pin.computeCollisions(self.robot.model, self._data, self.geometry, self._geometry_data, q, True):
+            return True
+        return any(self._is_inside(pair) for pair in self._solid_pairs)
+
+    def _all_distances(self, q: Array) -> Array:
+        """Signed distances (k,) of all pairs at q (n,) [m] by coal."""
+        pin.computeDistances(self.robot.model, self._data, self.geometry, self._geometry_data, q)
+        distances: Array = np.array([each.min_distance for each in self._geometry_data.distanceResults]) - self._radii
+        inside = [pair for pair in self._solid_pairs if distances[pair] > 0 and self._is_inside(pair)]
+        distances[inside] *= -1
+        return distances
+
+    def _distance(self, q: Array, pair: int) -> float:
+        """Signed distance of one pair at q (n,) [m] by coal."""
+        pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
+        distance = float(pin.computeDistance(self.geometry, self._geometry_data, pair).min_distance - self._radii[pair])
+        return -distance if distance > 0 and pair in self._solid_pairs and self._is_inside(pair) else distance
+
+    def _nearest(self, q: Array, pair: int) -> coal.DistanceResult:
+        """Nearest points of a pair at q (n,), where the bodies are placed; a mesh is looked at only where it is nearest."""
+        bodies = self.geometry.collisionPairs[pair]
+        second = self.geometry.geometryObjects[bodies.second]
+        if self._kernel is None or second.parentJoint > 0 or not isinstance(second.geometry, coal.BVHModelBase):
+            return pin.computeDistance(self.geometry, self._geometry_data, pair)
+        corners = self._kernel.nearest_triangle(q, pair)
+        if corners is None:
+            return pin.computeDistance(self.geometry, self._geometry_data, pair)
+        first, place = self.geometry.geometryObjects[bodies.first], self._geometry_data.oMg[bodies.first]
+        result, request = coal.DistanceResult(), self._geometry_data.distanceRequests[pair]
+        here, there = coal.Transform3s(place.rotation, place.translation), coal.Transform3s()
+        coal.distance(first.geometry, here, triangle_tree(corners, np.arange(3)[None]), there, request, result)
+        return result
+
+    def _is_inside(self, pair: int) -> bool:
+        """Whether a point of a pair's first body is inside the solid that is its second, where the bodies are placed."""
+        body, solid = self._solid_pairs[pair]
+        item = self.geometry.geometryObjects[body]
+        point = self._data.oMi[item.parentJoint].act(self._core(body)[0][0])
+        if solid not in self._surfaces:
+            surface = self.geometry.geometryObjects[solid]
+            place = surface.placement
+            self._surfaces[solid] = mesh_triangles(surface.geometry) @ place.rotation.T + place.translation
+        triangles = self._surfaces[solid]
+        if (point < triangles.min(axis=(0, 1))).any() or (point > triangles.max(axis=(0, 1))).any():
+            return False
+        return bool(abs(winding_number(triangles, point[None])[0]) > 0.5)
+
+    def _set_margin(self, clearance: float) -> None:
+        """Let coal count pairs nearer than `clearance` [m] as touching."""
+        for request, radius in zip(self._geometry_data.collisionRequests, self._radii, strict=True):
+            request.security_margin = clearance + radius
+        self._margin = clearance
 
 
 def _coarse_to_fine(count: int) -> list[int]:

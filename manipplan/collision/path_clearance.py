@@ -25,6 +25,8 @@ NARROW = 1e-5
 MOST_CHECKS = 100_000
 #: Number of pieces checked together first, on paths of more pieces than this, such as trajectories.
 RUN = 16
+#: Up to so many pairs per configuration are measured one by one, more of them all together.
+FEW = 4
 
 
 @one_line
@@ -162,8 +164,9 @@ class _Search:
 
         `known` holds the bounds from the parent interval.
         """
-        distances = self._distances(q, rows, pairs)
-        bounds = np.maximum(known, distances - SLACK - self.motion.motion(q, change, rows, pairs))
+        motion = self.motion.motion(q, change, rows, pairs)
+        distances = self._distances(q, motion, rows, pairs)
+        bounds = np.maximum(known, distances - SLACK - motion)
         least = int(distances.argmin())
         if distances[least] < self.upper:
             self.upper, self.nearest = float(distances[least]), (float(middles[rows[least]]), int(pairs[least]))
@@ -178,12 +181,14 @@ class _Search:
             least = int(bounds.argmin())
             self.lower, self.lowest = float(bounds[least]), (float(middles[rows[least]]), int(pairs[least]))
 
-    def _distances(self, q: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
+    def _distances(self, q: Array, motion: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
+        """Distances (e,) of pairs at rows of q (m, n); cut off where that closes the pair and lowers no bound."""
         self.checks += len(rows)
-        found = np.empty(len(rows))
-        order = np.argsort(rows, kind="stable")
-        ends = np.searchsorted(rows[order], np.arange(len(q) + 1))
-        for k, configuration in enumerate(q):
-            chosen = order[ends[k] : ends[k + 1]]
-            found[chosen] = self.model.pair_distances(configuration, pairs[chosen].tolist())
-        return found
+        if len(rows) <= FEW * len(q):
+            return self.model.pair_distances(q[rows], pairs)
+        most = np.zeros(len(q))
+        np.maximum.at(most, rows, motion)
+        upper = self.upper if np.isfinite(self.upper) else float(self.model.distance_rows(q[:1]).min())
+        target = self._target if np.isfinite(self.upper) or self.tolerance is None else upper
+        beyond = np.maximum(target + most + 2 * SLACK, upper)
+        return np.asarray(self.model.distance_rows(q, beyond=beyond)[rows, pairs])

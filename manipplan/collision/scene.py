@@ -4,6 +4,7 @@ import itertools
 import os
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import MISSING, fields
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,17 +15,21 @@ from numpy.typing import ArrayLike, NDArray
 from manipplan.collision.shapes import OBSTACLES, Obstacle
 from manipplan.paths.joint import JointPath
 from manipplan.robots.attached import number_names
-from manipplan.robots.description import MeshFiles
+from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, configurations, existing_file, instance, pose_matrix
 from manipplan.support.display import Pictured
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
-from manipplan.support.files import write_text
+from manipplan.support.files import write_bytes, write_text
 from manipplan.support.memo import once_per_owner, state_without_memo
 
 if TYPE_CHECKING:
     from manipplan.collision.model import CollisionModel
     from manipplan.collision.path_clearance import PathClearance
+
+
+#: Maximum number of points that are written into a scene file.
+MOST_POINTS = 1000
 
 
 class Scene(Pictured):
@@ -60,9 +65,9 @@ class Scene(Pictured):
     def from_yaml(cls, file: str | Path) -> "Scene":
         """Read a scene: ``obstacles: [{shape: box, size: [1, 1, 0.1], position: [0, 0, -0.05], name: table}, ...]``.
 
-        Shapes are box (size), sphere (radius), capsule and cylinder (radius, length), plane, mesh (file or triangles, scale);
-        each takes position, rotation (matrix, or roll-pitch-yaw [rad]) and name. The path of a mesh is relative to the scene
-        file. A second key, `allowed`, may hold pairs of names.
+        Shapes are box (size), sphere (radius), capsule and cylinder (radius, length), plane, mesh (file or triangles, scale,
+        up, fill) and cloud (file or points, radius, spacing); each takes position, rotation (matrix, or roll-pitch-yaw [rad])
+        and name. The path of a file is relative to the scene file. A second key, `allowed`, may hold pairs of names.
 
         Raises FileFormatError or InvalidInputError that names the obstacle, the key and what is allowed.
         """
@@ -98,7 +103,7 @@ class Scene(Pictured):
         path = existing_file("file", file)
         allowed: list[list[str]] = []
         if path.suffix.lower() in (".yaml", ".yml"):
-            objects, allowed = read_planning_scene(path, MeshFiles(packages=packages or {}).packages)
+            objects, allowed = read_planning_scene(path, UrdfFiles(packages=packages or {}).packages)
         else:
             objects = read_scene_text(path)
         obstacles, parts = list[Obstacle](), dict[str, tuple[str, ...]]()
@@ -113,7 +118,8 @@ class Scene(Pictured):
     def from_mjcf(cls, file: str | Path) -> "Scene":
         """The static bodies of a MuJoCo model: every colliding geom without a joint between it and the world.
 
-        A plane, also a finite one, becomes the half-space below it. Bodies that move are left out. If the file holds an arm,
+        A plane, also a finite one, becomes the half-space below it. A mesh is what its triangles say, while MuJoCo takes its
+        convex hull. Bodies that move are left out. If the file holds an arm,
         its base is static and becomes an obstacle: remove it with `scene.without`, or use a file without the arm.
 
         Raises:
@@ -126,14 +132,22 @@ class Scene(Pictured):
         return cls(read_static_bodies(existing_file("file", file)))
 
     def to_yaml(self, file: str | Path) -> None:
-        """Write the scene so that `from_yaml` reads it back."""
+        """Write the scene so that `from_yaml` reads it back.
+
+        More than 1,000 points of a cloud that is not of a file go to a file beside it, such as scene.cloud3.npy.
+        """
         import yaml
 
-        folder = Path(file).expanduser().resolve().parent
-        entries = [
-            {key: os.path.relpath(value, folder) if isinstance(value, Path) else value for key, value in entry.items()}
-            for entry in self.entries()
-        ]
+        path = Path(file).expanduser().resolve()
+        entries = self.entries()
+        for k, entry in enumerate(entries):
+            if len(entry.get("points", ())) > MOST_POINTS:
+                entry["file"] = path.with_name(f"{path.stem}.cloud{k}.npy")
+                points = np.array(entry.pop("points"))
+                write_bytes(entry["file"], partial(np.save, arr=points))
+            for key, value in entry.items():
+                if isinstance(value, Path):
+                    entry[key] = os.path.relpath(value, path.parent)
         data = {"obstacles": entries, **({"allowed": self.allowed_names()} if self.allowed else {})}
         write_text(file, yaml.safe_dump(data, sort_keys=False, default_flow_style=None))
 
@@ -141,11 +155,11 @@ class Scene(Pictured):
     def from_entries(
         cls, entries: Sequence[Any], folder: str | Path = ".", *, allowed: Iterable[Collection[str]] = ()
     ) -> "Scene":
-        """The scene of `entries`, each a mapping as in a YAML file; paths of mesh files are relative to `folder`."""
+        """The scene of `entries`, each a mapping as in a YAML file; paths of files are relative to `folder`."""
         return cls([_obstacle(f"obstacles[{i}]", entry, Path(folder)) for i, entry in enumerate(entries)], allowed=allowed)
 
     def entries(self) -> list[dict[str, Any]]:
-        """Name, shape and numbers of every obstacle as plain values; the file of a mesh as a Path.
+        """Name, shape and numbers of every obstacle as plain values; a file as a Path.
 
         Raises InvalidInputError for an obstacle of a class that is not in this package.
         """
@@ -221,8 +235,9 @@ class Scene(Pictured):
         """Whether the robot touches an obstacle or itself at q (n,); a boolean array for q (..., n)."""
         model = self.collision_model(robot)
         batch = configurations("q", q, robot.n)
-        hits = np.array([model.in_collision(each) for each in batch.reshape(-1, robot.n)], dtype=bool)
-        return bool(hits[0]) if batch.ndim == 1 else hits.reshape(batch.shape[:-1])
+        if batch.ndim == 1:
+            return model.in_collision(batch)
+        return model.in_collision_rows(batch.reshape(-1, robot.n)).reshape(batch.shape[:-1])
 
     def distances(self, robot: Robot, q: ArrayLike) -> Array:
         """Signed distance of every pair [m], (k,) for q (n,), (..., k) for q (..., n); negative where they overlap.
@@ -231,8 +246,8 @@ class Scene(Pictured):
         """
         model = self.collision_model(robot)
         batch = configurations("q", q, robot.n)
-        rows = [model.distances(each) for each in batch.reshape(-1, robot.n)]
-        return np.array(rows).reshape((*batch.shape[:-1], len(model.pair_names)))
+        rows = model.distance_rows(batch.reshape(-1, robot.n))
+        return rows.reshape((*batch.shape[:-1], len(model.pair_names)))
 
     def path_clearance(
         self, robot: Robot, path: JointPath, *, clearance: float = 0.0, tolerance: float | None = 1e-3

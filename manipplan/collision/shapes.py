@@ -4,23 +4,56 @@ import copy
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, Literal, Self
 
 import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.collision import meshes
-from manipplan.support.checks import Array, existing_file, finite_array, number, number_array, pose_matrix
-from manipplan.support.errors import InvalidInputError
+from manipplan.collision.primitives import mesh_triangles
+from manipplan.collision.surfaces import clouds, meshes, shells
+from manipplan.robots.hulls import FARTHEST
+from manipplan.support.checks import ROTATION, Array, existing_file, finite_array, number, number_array, pose_matrix
+from manipplan.support.errors import FileFormatError, InvalidInputError
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Part:
+    """A part of an obstacle, in its frame.
+
+    Attributes:
+        shape: a coal shape: Box, Sphere, Capsule, Cylinder, Halfspace, a convex hull, or BVHModelOBBRSS for triangles.
+        radius: distance around the shape that belongs to the part as well [m].
+        closed: whether what is inside the shape is solid; False for surfaces and points. The triangles of a closed
+            BVHModelOBBRSS face outward, and inward around cavities: where their winding number is not 0, the part is solid.
+    """
+
+    shape: coal.CollisionGeometry
+    radius: float = 0.0
+    closed: bool = True
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the triangles of a tree, not the tree: coal writes 1.7 kB for each."""
+        if isinstance(self.shape, coal.BVHModelBase):
+            return _part_of_triangles, (mesh_triangles(self.shape), self.radius, self.closed)
+        return _part_of_shape, (self.shape, self.radius, self.closed)
+
+
+def _part_of_triangles(triangles: Array, radius: float, closed: bool) -> Part:
+    return Part(shape=meshes.triangle_tree(*shells.merged_corners(triangles)), radius=radius, closed=closed)
+
+
+def _part_of_shape(shape: coal.CollisionGeometry, radius: float, closed: bool) -> Part:
+    return Part(shape=shape, radius=radius, closed=closed)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Obstacle(ABC):
     """A static obstacle. Its pose in the world: `position` (3,) [m] of its centre and `rotation`.
 
-    `rotation` is None, a rotation matrix (3, 3), or roll, pitch and yaw (3,) [rad] as in URDF.
+    `rotation` is None, a rotation matrix (3, 3), or roll, pitch and yaw (3,) [rad] as in URDF. No position, size or corner is
+    beyond `FARTHEST`.
     """
 
     position: ArrayLike = (0.0, 0.0, 0.0)
@@ -31,12 +64,13 @@ class Obstacle(ABC):
     def __post_init__(self) -> None:
         if not isinstance(self.name, str):
             raise InvalidInputError(f"{type(self).__name__}.name", self.name, "text")
-        object.__setattr__(self, "position", finite_array(self._argument("position"), self.position, (3,)))
+        object.__setattr__(self, "position", finite_array(self._argument("position"), self.position, (3,), most=FARTHEST))
         if self.rotation is not None:
             object.__setattr__(self, "rotation", self._rotation_matrix(self.rotation))
         for length in ("radius", "length"):
             if hasattr(self, length):
-                object.__setattr__(self, length, number(self._argument(length), getattr(self, length), above=0.0))
+                value = number(self._argument(length), getattr(self, length), above=0.0, most=FARTHEST)
+                object.__setattr__(self, length, value)
 
     @property
     def pose(self) -> pin.SE3:
@@ -47,7 +81,8 @@ class Obstacle(ABC):
     def at(self, pose: ArrayLike | pin.SE3) -> Self:
         """A copy moved by `pose`, (4, 4) or pin.SE3: T_world_obstacle becomes `pose` T_world_obstacle."""
         moved = pin.SE3(pose_matrix("pose", pose)) * self.pose
-        position, rotation = finite_array("pose", moved.translation, (3,)), finite_array("pose", moved.rotation, (3, 3))
+        position = finite_array("pose", moved.translation, (3,), most=FARTHEST)
+        rotation = finite_array("pose", moved.rotation, (3, 3))
         return self._changed(position=position, rotation=rotation)
 
     def called(self, name: str) -> Self:
@@ -62,8 +97,12 @@ class Obstacle(ABC):
         return changed
 
     @abstractmethod
+    def parts(self) -> list[Part]:
+        """The parts that make up the obstacle, in its own frame."""
+
     def shapes(self) -> list[coal.CollisionGeometry]:
-        """Convex coal shapes that make up the obstacle, in its own frame."""
+        """The coal shapes of `parts`."""
+        return [part.shape for part in self.parts()]
 
     def _argument(self, name: str) -> str:
         return f"{self.name or type(self).__name__}.{name}"
@@ -72,7 +111,7 @@ class Obstacle(ABC):
         argument = self._argument("rotation")
         if number_array(argument, rotation).shape == (3,):
             return np.asarray(pin.rpy.rpyToMatrix(*finite_array(argument, rotation, (3,))))
-        matrix = finite_array(argument, rotation, (3, 3))
+        matrix = finite_array(argument, rotation, (3, 3), most=1.0 + ROTATION)
         if not np.allclose(matrix @ matrix.T, np.eye(3), atol=1e-6) or np.linalg.det(matrix) < 0:
             raise InvalidInputError(argument, rotation, "a rotation matrix (3, 3), or roll, pitch, yaw (3,) [rad]")
         return matrix
@@ -87,13 +126,13 @@ class Box(Obstacle):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        size = finite_array(self._argument("size"), self.size, (3,))
+        size = finite_array(self._argument("size"), self.size, (3,), most=FARTHEST)
         if not (size > 0).all():
             raise InvalidInputError(self._argument("size"), self.size, "three numbers above zero [m]")
         object.__setattr__(self, "size", size)
 
-    def shapes(self) -> list[coal.CollisionGeometry]:
-        return [coal.Box(np.asarray(self.size))]
+    def parts(self) -> list[Part]:
+        return [Part(shape=coal.Box(np.asarray(self.size)))]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -103,8 +142,8 @@ class Sphere(Obstacle):
     radius: float
     shape_name = "sphere"
 
-    def shapes(self) -> list[coal.CollisionGeometry]:
-        return [coal.Sphere(self.radius)]
+    def parts(self) -> list[Part]:
+        return [Part(shape=coal.Sphere(self.radius))]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -115,8 +154,8 @@ class Capsule(Obstacle):
     length: float
     shape_name = "capsule"
 
-    def shapes(self) -> list[coal.CollisionGeometry]:
-        return [coal.Capsule(self.radius, self.length)]
+    def parts(self) -> list[Part]:
+        return [Part(shape=coal.Capsule(self.radius, self.length))]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -127,8 +166,8 @@ class Cylinder(Obstacle):
     length: float
     shape_name = "cylinder"
 
-    def shapes(self) -> list[coal.CollisionGeometry]:
-        return [coal.Cylinder(self.radius, self.length)]
+    def parts(self) -> list[Part]:
+        return [Part(shape=coal.Cylinder(self.radius, self.length))]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -137,41 +176,167 @@ class Plane(Obstacle):
 
     shape_name = "plane"
 
-    def shapes(self) -> list[coal.CollisionGeometry]:
-        return [coal.Halfspace(np.array([0.0, 0.0, 1.0]), 0.0)]
+    def parts(self) -> list[Part]:
+        return [Part(shape=coal.Halfspace(np.array([0.0, 0.0, 1.0]), 0.0))]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Mesh(Obstacle):
-    """A mesh from a file (STL, OBJ, DAE, ...) or from `triangles` (t, 3, 3); corners times `scale` are in metres.
+    """Triangles of a file (STL, OBJ, PLY, DAE, glTF, GLB), or `triangles` (t, 3, 3); their numbers times `scale` are metres.
 
-    Every connected part is replaced by its convex hull, because a hollow surface would not collide with what is inside it: an
-    open bin in one piece counts as filled.
+    A mesh is what its triangles say. Triangles that enclose a volume are a solid; shells inside it that face inward are its
+    cavities. All others are surfaces without thickness: an open bin is empty, and a body in it is free. Corners within 1e-9 m
+    are one, triangles without an area are left out, and a closed part that is inside out is turned.
+
+    Args:
+        file: its objects are read together, with the transforms of its scene. Polygons are split into triangles. Units and
+            vertical axes that DAE and glTF files state are not applied, as in URDF: `scale` and `up` say them. A difference is
+            logged as a warning. glTF needs `pip install 'manipplan[mesh]'`.
+        triangles: corners of each triangle; outward sides are not needed, except around cavities.
+        scale: metres per unit of the file.
+        up: its vertical axis, which becomes z: "z" or "y".
+        fill: "hull" replaces each part connected by corners by its convex hull, so an open bin counts as filled: less
+            exact, and faster. None does not.
+
+    Raises:
+        FileFormatError: the file is missing or broken, or has no triangle with an area or corners beyond 1e6 m.
+        InvalidInputError: another argument is invalid, or a part that is to be filled is flat.
+        MissingExtraError: trimesh is needed for glTF and is not installed.
     """
 
     file: str | Path | None = None
     triangles: ArrayLike | None = None
     scale: float = 1.0
-    hulls: list[coal.CollisionGeometry] = field(init=False, repr=False)
+    up: Literal["z", "y"] = "z"
+    fill: Literal["hull"] | None = None
+    built: tuple[Part, ...] = field(init=False, repr=False)
     shape_name = "mesh"
 
     def __post_init__(self) -> None:
         super().__post_init__()
         object.__setattr__(self, "scale", number(self._argument("scale"), self.scale, above=0.0))
-        if self.file is not None and self.triangles is None:
-            object.__setattr__(self, "file", existing_file(self._argument("file"), self.file))
-            hulls = meshes.hulls_of_file(self._argument("file"), Path(self.file), self.scale)
-        elif self.triangles is not None and self.file is None:
-            triangles = finite_array(self._argument("triangles"), self.triangles, (None, 3, 3))
-            object.__setattr__(self, "triangles", triangles)
-            hulls = meshes.hulls_of_triangles(self._argument("triangles"), self.scale * triangles)
-        else:
+        for name, allowed in (("up", ("z", "y")), ("fill", (None, "hull"))):
+            if not any(getattr(self, name) is each or getattr(self, name) == each for each in allowed):
+                raise InvalidInputError(self._argument(name), getattr(self, name), " or ".join(map(repr, allowed)))
+        if (self.file is None) == (self.triangles is None):
             given = "neither" if self.file is None else "both"
             raise InvalidInputError(self._argument("file"), f"{given} of file and triangles", "one of them")
-        object.__setattr__(self, "hulls", hulls)
+        if self.file is None:
+            argument = self._argument("triangles")
+            given_triangles = finite_array(argument, self.triangles if self.triangles is not None else (), (None, 3, 3))
+            object.__setattr__(self, "triangles", given_triangles)
+            object.__setattr__(self, "built", self._build(argument, given_triangles))
+            return
+        argument = self._argument("file")
+        object.__setattr__(self, "file", existing_file(argument, self.file))
+        read = meshes.triangles_of_file(argument, Path(self.file), self.scale, self.up)
+        try:
+            object.__setattr__(self, "built", self._build(argument, read))
+        except InvalidInputError as error:
+            raise FileFormatError(argument, f"{self.file}: {error.value}", error.allowed) from error
 
-    def shapes(self) -> list[coal.CollisionGeometry]:
-        return self.hulls
+    def parts(self) -> list[Part]:
+        return list(self.built)
+
+    def _build(self, argument: str, triangles: Array) -> tuple[Part, ...]:
+        placed = meshes.placed_triangles(argument, triangles, self.scale, self.up)
+        found = (meshes.hull_parts if self.fill == "hull" else meshes.mesh_parts)(argument, placed)
+        return tuple(Part(shape=shape, closed=closed) for shape, closed in found)
 
 
-OBSTACLES: dict[str, type[Obstacle]] = {kind.shape_name: kind for kind in (Box, Sphere, Capsule, Cylinder, Plane, Mesh)}
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PointCloud(Obstacle):
+    """Balls of `radius` [m] about points, such as those of a depth camera.
+
+    Args:
+        points: (k, 3) [m] in the frame of `position` and `rotation`.
+        file: in place of `points`, a file with them: PLY, PCD, NPY or NPZ (one array, or one named points). Points that are
+            not finite, which are invalid in such files, are left out.
+        radius: it depends on the sensor, so it has no default: half the distance between neighbouring points plus their error,
+            or more. Between smaller balls a thin object can pass.
+        spacing: thins the points: of those in one cube of this edge [m] one is kept, and the radius of all balls grows by
+            √3 spacing, so that they cover all that was covered. 0 keeps all.
+
+    Raises:
+        FileFormatError: the file is missing or broken.
+        InvalidInputError: an argument is invalid, there is no point, or one lies beyond 1e6 m.
+    """
+
+    points: ArrayLike | None = None
+    file: str | Path | None = None
+    radius: float
+    spacing: float = 0.0
+    built: clouds.Points = field(init=False, repr=False)
+    shape_name = "cloud"
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        object.__setattr__(self, "spacing", number(self._argument("spacing"), self.spacing, least=0.0))
+        if (self.file is None) == (self.points is None):
+            given = "neither" if self.file is None else "both"
+            raise InvalidInputError(self._argument("points"), f"{given} of points and file", "one of them")
+        if self.file is None:
+            argument = self._argument("points")
+            points = finite_array(argument, self.points if self.points is not None else (), (None, 3))
+            object.__setattr__(self, "points", points)
+        else:
+            from manipplan.collision.formats.cloud_files import read_points
+
+            argument = self._argument("file")
+            object.__setattr__(self, "file", existing_file(argument, self.file))
+            points = read_points(argument, Path(self.file))
+        try:
+            kept = clouds.thinned(clouds.near_points(argument, points), self.spacing)
+        except InvalidInputError as error:
+            if self.file is None:
+                raise
+            raise FileFormatError(argument, f"{self.file}: {error.value}", error.allowed) from error
+        object.__setattr__(self, "built", clouds.Points(kept))
+
+    @classmethod
+    def from_file(cls, file: str | Path, *, radius: float, spacing: float = 0.0, **options: Any) -> Self:
+        """The points of a file (PLY, PCD, NPY, NPZ); further options are position, rotation and name."""
+        return cls(file=file, radius=radius, spacing=spacing, **options)
+
+    @classmethod
+    def from_depth(
+        cls,
+        image: ArrayLike,
+        intrinsics: ArrayLike,
+        *,
+        radius: float,
+        pose: ArrayLike | pin.SE3 | None = None,
+        farthest: float = np.inf,
+        spacing: float = 0.0,
+        name: str = "",
+    ) -> Self:
+        """The points that a depth camera sees.
+
+        Args:
+            image: (h, w) distance of each pixel along the optical axis [m]; pixels of 0, NaN, inf or less than 0 are invalid
+                and left out. Divide an image in millimetres by 1000.
+            intrinsics: (fx, fy, cx, cy) [pixels], or the matrix (3, 3) that holds them.
+            radius: of the balls, as in `PointCloud`.
+            pose: T_world_camera, (4, 4) or pin.SE3; the camera looks along z, x points right and y down in the image.
+            farthest: depth beyond which points are left out [m].
+            spacing: thins the points, as in `PointCloud`.
+            name: name of the obstacle.
+
+        Raises InvalidInputError when an argument is invalid or no pixel is valid.
+        """
+        points = clouds.depth_points(image, intrinsics, farthest)
+        cloud = cls(points=points, radius=radius, spacing=spacing, name=name)
+        return cloud if pose is None else cloud.at(pose)
+
+    @property
+    def kept(self) -> Array:
+        """The points (k, 3) that count, in the cloud's frame [m]: all, or those left by `spacing`."""
+        return self.built.points
+
+    def parts(self) -> list[Part]:
+        return [Part(shape=self.built.tree(), radius=self.radius + np.sqrt(3.0) * self.spacing, closed=False)]
+
+
+OBSTACLES: dict[str, type[Obstacle]] = {
+    kind.shape_name: kind for kind in (Box, Sphere, Capsule, Cylinder, Plane, Mesh, PointCloud)
+}

@@ -1,4 +1,4 @@
-"""Fitted primitives on disk, by the content of the mesh. Fitting takes seconds per arm and is done once per machine."""
+"""Fitted primitives and convex pieces on disk, by the content of the mesh: both take seconds per arm, once per machine."""
 
 import hashlib
 import json
@@ -10,11 +10,11 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.collision import fitting
+from manipplan.collision import fitting, pieces
 from manipplan.collision.primitives import Primitive, outside
 from manipplan.support.checks import Array, pose_matrix
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.files import private_folder, write_text
+from manipplan.support.files import private_folder, write_bytes, write_text
 
 log = logging.getLogger("manipplan")
 
@@ -45,11 +45,45 @@ def find_or_fit(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
     return fitted
 
 
-def _key(triangles: Array, boxes: bool) -> str:
-    """Hash of the triangles, of `boxes`, of the source of fitting.py and of the versions of NumPy and SciPy."""
-    import scipy
+def find_or_cut(triangles: Array) -> list[pieces.Piece]:
+    """The pieces of `convex_pieces`, read from the cache folder if an earlier process stored them."""
+    try:
+        file = private_folder() / "pieces" / _key(triangles, False)
+        file.parent.mkdir(mode=0o700, exist_ok=True)
+        stored = _read_pieces(file)
+    except OSError as error:
+        log.info("convex pieces are not kept on disk: %s", error)
+        return pieces.convex_pieces(triangles)
+    if stored is not None:
+        return stored
+    found = pieces.convex_pieces(triangles)
+    rows = [np.column_stack([each.corners, np.tile([k, each.excess], (len(each.corners), 1))]) for k, each in enumerate(found)]
+    plain = np.concatenate(rows).tobytes()
+    try:
+        write_bytes(file, lambda stream: stream.write(hashlib.sha256(plain).digest() + plain))
+    except InvalidInputError as error:
+        log.info("convex pieces are not kept on disk: %s", error)
+    return found
 
-    parts = [Path(fitting.__file__).read_bytes(), f"{scipy.__version__} {np.__version__} {boxes}".encode()]
+
+def _read_pieces(file: Path) -> list[pieces.Piece] | None:
+    """The pieces of a file; None if there is no file, or it is not as it was written."""
+    try:
+        stored = file.read_bytes()
+    except FileNotFoundError:
+        return None
+    if hashlib.sha256(stored[32:]).digest() != stored[:32]:
+        log.debug("%s is made again", file)
+        return None
+    rows = np.frombuffer(stored[32:]).reshape(-1, 5)  # a corner, the number of its piece, and the excess of that piece
+    split = np.split(rows, np.flatnonzero(np.diff(rows[:, 3])) + 1)
+    return [pieces.Piece(corners=each[:, :3], excess=float(each[0, 4])) for each in split]
+
+
+def _key(triangles: Array, boxes: bool) -> str:
+    """Hash of the triangles, of `boxes`, of the sources of the fits and of the version of NumPy."""
+    sources = b"".join(Path(str(module.__file__)).read_bytes() for module in (fitting, pieces))
+    parts = [sources, f"{np.__version__} {boxes}".encode()]
     return hashlib.sha256(b"\0".join([*parts, np.ascontiguousarray(triangles).tobytes()])).hexdigest()[:32]
 
 

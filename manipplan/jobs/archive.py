@@ -128,7 +128,7 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
         )
     except FileFormatError:
         raise
-    except (InvalidInputError, KeyError, TypeError, ValueError, AttributeError, OverflowError) as error:
+    except (InvalidInputError, KeyError, TypeError, ValueError, AttributeError, OverflowError, OSError) as error:
         reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
         raise FileFormatError("file", str(path), f"a result written by Plan.save, unchanged since ({reason})") from error
 

@@ -54,7 +54,8 @@ class Report:
         clearance, nearest_pair: minimum distance [m] measured at evenly spaced times, and its pair; inf and () if nothing
             is checked.
         proven_clearance: lower bound on the distances of all checked pairs on the whole trajectory, at all times [m].
-        collision_free: whether the required clearance is kept at samples between which no joint moves more than 1e-3 rad or m.
+        collision_free: whether the required clearance is proven on the whole trajectory or, where the proof does not decide,
+            kept at samples between which no joint moves more than 1e-3 rad or m.
         limits: highest use of the limits of position, velocity, acceleration and, where they limit the motion, jerk and
             torque.
         position_unit: "rad" or "m", of the joint that comes closest to a position limit.
@@ -118,13 +119,10 @@ class Report:
             use["jerk"] = jerk_use(trajectory, robot.limits)
         if torque:
             use["torque"] = torque_use(trajectory, robot.model, robot.limits.effort)
-        distances = np.array([model.distances(q) for q in path(np.linspace(0.0, 1.0, PLACES + 1))])
-        least, pair = np.inf, ()
-        if distances.size:
-            nearest = int(distances.argmin()) % distances.shape[1]
-            least, pair = float(distances.min()), model.pair_names[nearest]
+        least, _, nearest = model.least_distance(path(np.linspace(0.0, 1.0, PLACES + 1)))
+        pair = model.pair_names[nearest] if nearest >= 0 else ()
         proof = path_clearance(model, path, clearance=clearance)
-        free = model.path_is_free(path, CHECK_STEP, max(clearance - TOLERANCE, 0.0))
+        free = proof.proven or model.path_is_free(path, CHECK_STEP, max(clearance - TOLERANCE, 0.0))
         goal_error = float(np.abs(trajectory.q[-1] - goal).max())
         kept = use["position"].ratio <= TOLERANCE and all(
             each.ratio <= 1 + TOLERANCE for kind, each in use.items() if kind != "position"

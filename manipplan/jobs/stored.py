@@ -14,11 +14,11 @@ from manipplan.collision.shapes import Obstacle
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
-from manipplan.robots.source import FILES, FOLDERS, FOLDERS_BY_NAME, RobotSource
+from manipplan.robots.source import FILES, FOLDERS, FOLDERS_BY_NAME, TRUST, RobotSource
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError
 from manipplan.support.files import absolute_and_relative, found_again
-from manipplan.support.json_data import from_json, stored_array
+from manipplan.support.json_data import from_json, packed_array, stored_array, unpacked_array
 
 log = logging.getLogger("manipplan")
 
@@ -26,6 +26,8 @@ log = logging.getLogger("manipplan")
 SAME = 1e-6
 #: Number of values for a body's joint, placement and box.
 OUTLINE = 1 + 12 + 6
+#: Number of points or triangles of an obstacle above which they are stored compressed.
+MANY = 100
 LIMITS = ("lower", "upper", "velocity", "acceleration", "jerk", "effort")
 
 
@@ -82,7 +84,9 @@ def robot_data(robot: Robot, folder: Path) -> dict[str, Any]:
     if source is None:
         return {**data, "missing": "an arm that was put together by hand"}
     options = {
-        key: _option(key, value, lambda path: absolute_and_relative(path, folder)) for key, value in source.options.items()
+        key: _option(key, value, lambda path: absolute_and_relative(path, folder))
+        for key, value in source.options.items()
+        if key != TRUST
     }
     file = absolute_and_relative(source.file, folder) if source.file is not None and source.kind != "catalogue" else None
     return {**data, "source": {"kind": source.kind, "name": source.name, "file": file, "options": options}}
@@ -96,7 +100,9 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
         source = data["source"]
         try:
             options = {
-                key: _option(key, value, lambda each: found_again(each, folder)) for key, value in source["options"].items()
+                key: _option(key, value, lambda each: found_again(each, folder))
+                for key, value in source["options"].items()
+                if key != TRUST  # a saved plan may come from anywhere
             }
             file = found_again(source["file"], folder) if source["file"] is not None else None
             arm = RobotSource(kind=source["kind"], name=source["name"], file=file, options=options).load()
@@ -148,10 +154,7 @@ def _same(first: Array, second: Array) -> bool:
 def scene_data(scene: Scene, folder: Path) -> Any:
     """The data of a scene for a file in `folder`, or why there are none: an obstacle is of an unknown class."""
     try:
-        obstacles = [
-            {key: absolute_and_relative(value, folder) if isinstance(value, Path) else value for key, value in entry.items()}
-            for entry in scene.entries()
-        ]
+        obstacles = [{key: _stored(value, folder) for key, value in entry.items()} for entry in scene.entries()]
         return {"obstacles": obstacles, "allowed": scene.allowed_names()}
     except InvalidInputError as error:
         return {"missing": str(error)}
@@ -163,15 +166,25 @@ def scene_of(path: Path, data: Any, folder: Path, given: Scene | None) -> Scene:
         return instance("scene", given, Scene)
     if "missing" in data:
         raise FileFormatError("file", str(path), f"a result with its scene, but {data['missing']}; give scene=")
-    entries = [
-        {key: found_again(value, folder) if key == "file" else value for key, value in entry.items()}
-        for entry in data["obstacles"]
-    ]
+    entries = [{key: _restored(key, value, folder) for key, value in entry.items()} for entry in data["obstacles"]]
     try:
         return Scene.from_entries(entries, folder, allowed=data["allowed"])
     except InvalidInputError as error:
-        wanted = f"a result whose scene can be built again ({error}); put its meshes back, or give scene="
+        wanted = f"a result whose scene can be built again ({error}); put its files back, or give scene="
         raise FileFormatError("file", str(path), wanted) from error
+
+
+def _stored(value: Any, folder: Path) -> Any:
+    """A value of an obstacle: paths as two, many numbers compressed."""
+    if isinstance(value, Path):
+        return absolute_and_relative(value, folder)
+    return packed_array(np.array(value, dtype=float)) if isinstance(value, list) and len(value) > MANY else value
+
+
+def _restored(key: str, value: Any, folder: Path) -> Any:
+    if key == "file":
+        return found_again(value, folder)
+    return unpacked_array(value) if isinstance(value, Mapping) else value
 
 
 def _option(key: str, value: Any, change: Callable[[Any], Any]) -> Any:

@@ -290,9 +290,8 @@ def _clearance(path: JointPath, model: CollisionModel | None) -> tuple[float, fl
     s = np.linspace(0.0, 1.0, PLACES + 1)
     least, at, pair = np.inf, 0.0, 0
     for _ in range(3):  # 400 intervals, then 40 around the smallest distance, then 40 around that
-        distances: Array = np.array([model.distances(q) for q in path(s)])
-        k, nearest = divmod(int(distances.argmin()), distances.shape[1])
-        if distances[k, nearest] < least:
-            least, at, pair = float(distances[k, nearest]), float(s[k]), nearest
+        distance, k, nearest = model.least_distance(path(s))
+        if distance < least:
+            least, at, pair = distance, float(s[k]), nearest
         s = np.linspace(s[max(k - 1, 0)], s[min(k + 1, len(s) - 1)], 41)
     return least, at, tuple(model.pair_names[pair])

@@ -130,9 +130,9 @@ POINTS = 2
 Place = tuple[float, int]
 
 
-def distance_profile(model: CollisionModel, q: Array) -> Array:
-    """Distance of every pair (m, k) [m] at each of the configurations q (m, n)."""
-    return on_grid(np.array([model.distances(each) for each in on_grid(q, FINE)]), FINE_DISTANCE)
+def distance_profile(model: CollisionModel, q: Array, beyond: float = np.inf) -> Array:
+    """Distance of every pair (m, k) [m] at each of the configurations q (m, n), cut off at `beyond` [m]."""
+    return on_grid(model.distance_rows(on_grid(q, FINE), beyond=beyond), FINE_DISTANCE)
 
 
 def dips(distances: Array, near: float) -> list[Place]:
@@ -182,7 +182,7 @@ def nearest(model: CollisionModel, path: JointPath, places: Sequence[Place], *, 
     if len(places) <= MOST_PLACES:
         return tuple(places)
     at = configurations(path, [s for s, _ in places])
-    distances = np.array([model.contact(q, pair).distance for q, (_, pair) in zip(at, places, strict=True)])
+    distances = model.pair_distances(at, [pair for _, pair in places])
     chosen = np.argsort(on_grid(distances, FINE_DISTANCE), kind="stable")[:MOST_PLACES]
     return tuple(places[k] for k in sorted(chosen) if distances[k] <= most)
 

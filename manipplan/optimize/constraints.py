@@ -141,10 +141,8 @@ class ClearanceTable:
         values = self.linear(z, z).value
         line, change = self._at
         q = line + product(change, z)
-        true = [
-            self.surroundings.model.pair_distances(each, [pair])[0] for each, (_, pair, _) in zip(q, self.places, strict=True)
-        ]
-        kept = np.flatnonzero(values >= np.array(true) - self.surroundings.target - STRICT)
+        true = self.surroundings.model.pair_distances(q, [pair for _, pair, _ in self.places])
+        kept = np.flatnonzero(values >= true - self.surroundings.target - STRICT)
         if not len(kept):
             return None
         return replace(self, places=tuple(self.places[k] for k in kept), columns=self.columns[kept])

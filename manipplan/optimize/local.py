@@ -293,7 +293,8 @@ class LocalSearch:
         even = np.linspace(0.0, 1.0, len(s))
         places: tuple[near.Place, ...] = ()
         if self.model is not None:
-            places = tuple(near.dips(near.distance_profile(self.model, first(s)), self.clearance + near.NEAR))
+            limit = self.clearance + near.NEAR
+            places = tuple(near.dips(near.distance_profile(self.model, first(s), limit), limit))
         found: list[LowEnergy] = []
         free: list[float] = []  # g of those that are free
         for _ in range(ROUNDS):
@@ -358,10 +359,11 @@ class LocalSearch:
         solution is appended to `history`.
         """
         path = self.program.basis.path(self.start, self.goal, solution.coefficients)
-        distances = np.full((near.PLACES + 1, 1), np.inf)
-        if self.model is not None:
-            distances = near.distance_profile(self.model, path(np.linspace(0.0, 1.0, near.PLACES + 1)))
-        least = float(distances.min(initial=np.inf))
+        distances, least = np.full((near.PLACES + 1, 1), np.inf), np.inf
+        if self.model is not None and self.model.pair_names:
+            q = path(np.linspace(0.0, 1.0, near.PLACES + 1))
+            distances = near.distance_profile(self.model, q, self.clearance + near.NEAR)
+            least = min(float(distances.min()), self.model.least_distance(q)[0])
         failed_at: tuple[near.Place, ...] = ()
         g = self.program.integral.cost(path).g
         self.history.append(Step(first=name, g=g, clearance=least, solver=solution.status))

@@ -133,13 +133,12 @@ class LengthModel:
         return np.asarray(total.reshape(size, size, n, n).transpose(0, 2, 1, 3).reshape(size * n, size * n))
 
 
-#: Number of intervals of the grid along the path. Distances are always measured at every SPACING-th place, and at the others
-#: where a pair can come near.
+#: Number of intervals of the grid along the path. A band of rows around the path is only kept at every SPACING-th place.
 INTERVALS, SPACING = 160, 4
-#: Between two such places a distance may change by this factor times its largest change from one to the next, plus this [m].
-FASTER, SLOWEST = 1.5, 0.02
 #: Margin kept beyond the required distance, so that the proof, whose bounds are not exact, succeeds [m].
 MARGIN = 5e-5
+#: Distances further above the target than this, and than the band of rows, are cut off [m].
+FARTHEST = 0.05
 #: Only pairs that come within this distance of the target on a reference path are measured [m].
 WATCHED = 0.25
 #: A path becomes the new reference when it is further than this from the old one, summed over the joints [rad or m].
@@ -209,7 +208,7 @@ class Surroundings:
         s = np.linspace(0.0, 1.0, INTERVALS + 1)
         q = configurations(path, s)
         watch = self._watched(q)
-        pairs, grid = watch.pairs, watch.profile(q, self.target + CLOSE)
+        pairs, grid = watch.pairs, distance_profile(watch.model, q, self.target + max(band, FARTHEST))
         wanted = grid < self.target + CLOSE
         wanted[::SPACING] |= grid[::SPACING] < self.target + band
         found = [(float(grid[k, c]), float(s[k]), int(pairs[c]), False) for k, c in zip(*np.nonzero(wanted), strict=True)]
@@ -274,7 +273,7 @@ class Surroundings:
     def _watched(self, q: Array) -> "_Watch":
         """The pairs that come near on paths about q (m, n)."""
         if self._watch is None or np.abs(q - self._watch.reference).sum(axis=1).max() > MOVED:
-            nearest = distance_profile(self.model, q[::SPACING]).min(axis=0)
+            nearest = distance_profile(self.model, q[::SPACING], self.target + WATCHED).min(axis=0)
             pairs = np.flatnonzero(nearest < self.target + WATCHED)
             self._watch = _Watch(reference=q, pairs=pairs, model=self.model.with_pairs(pairs))
         return self._watch
@@ -333,9 +332,7 @@ class Surroundings:
     def _at(self, path: JointPath, s: Array, pairs: list[int]) -> Array:
         """Distances [m] of pairs (k,) at s (k,), rounded, since the place of a minimum depends on the last bits."""
         q = configurations(path, s)
-        return on_grid(
-            np.array([self.model.pair_distances(each, [pair])[0] for each, pair in zip(q, pairs, strict=True)]), FINE_DISTANCE
-        )
+        return on_grid(self.model.pair_distances(q, pairs), FINE_DISTANCE)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -351,18 +348,3 @@ class _Watch:
     reference: Array
     pairs: NDArray[np.intp]
     model: CollisionModel
-
-    def profile(self, q: Array, near: float) -> Array:
-        """Distances (m, k) of the pairs at q (m, n) [m]; interpolated where a pair cannot be nearer than `near`."""
-        if not len(self.pairs):
-            return np.empty((len(q), 0))
-        coarse = distance_profile(self.model, q[::SPACING])
-        share = np.arange(len(q)) / SPACING
-        low = np.minimum(share.astype(int), len(coarse) - 2)
-        grid = coarse[low] + (share - low)[:, None] * (coarse[low + 1] - coarse[low])
-        change = FASTER * np.abs(np.diff(coarse, axis=0)).max(axis=0, initial=0.0) + SLOWEST
-        measured = ((coarse[:-1] + coarse[1:] - change) / 2 < near)[low]
-        measured[::SPACING] = False
-        for k in np.flatnonzero(measured.any(axis=1)):
-            grid[k, measured[k]] = self.model.pair_distances(q[k], np.flatnonzero(measured[k]).tolist())
-        return on_grid(grid, FINE_DISTANCE)

@@ -5,13 +5,14 @@ import io
 import json
 import tokenize
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from manipplan.paths.trajectory import Trajectory
-from manipplan.support.checks import existing_file, whole_number
+from manipplan.support.checks import existing_file, finite_array, whole_number
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_bytes, write_text
 
@@ -56,9 +57,10 @@ def from_csv(file: str | Path) -> Trajectory:
         if alone:
             from scipy.interpolate import CubicSpline
 
-            t = data[:, 0] - data[0, 0]
-            velocity = CubicSpline(t, data[:, 1:])(t, 1)
-            return Trajectory(t=t, q=data[:, 1:], qd=velocity, joint_names=tuple(names))
+            data = finite_array("cells", data, (None, 1 + n))
+            t, q = data[:, 0] - data[0, 0], data[:, 1:]
+            still = Trajectory(t=t, q=q, qd=np.zeros_like(q), joint_names=tuple(names))  # t and q are checked first
+            return replace(still, qd=CubicSpline(t, q)(t, 1))
         return Trajectory(t=data[:, 0], q=data[:, 1 : 1 + n], qd=data[:, 1 + n :], joint_names=tuple(names))
 
     return _reading(path, wanted, read)

@@ -12,6 +12,10 @@ from manipplan.support.checks import Array, distinct_names, finite_array, number
 from manipplan.support.display import Pictured, one_line
 from manipplan.support.errors import InvalidInputError
 
+#: Shortest time between samples [s], and largest time [s], position [rad or m] and velocity [rad/s or m/s]: beyond these the
+#: coefficients of the cubics overflow.
+SHORTEST, LARGEST = 1e-12, 1e12
+
 
 @one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -35,10 +39,12 @@ class Trajectory(Pictured):
         names = distinct_names("joint_names", self.joint_names, np.shape(self.q)[-1] if np.ndim(self.q) else 0)
         if len(t) < 2 or t[0] != 0 or not (np.diff(t) > 0).all():
             raise InvalidInputError("t", t, "at least two times, increasing from 0")
+        if not (np.diff(t) >= SHORTEST).all() or t[-1] > LARGEST:
+            raise InvalidInputError("t", t, f"times at least {SHORTEST:g} s apart, up to {LARGEST:g} s")
         shape = (len(t), len(names))
         object.__setattr__(self, "t", t)
-        object.__setattr__(self, "q", finite_array("q", self.q, shape))
-        object.__setattr__(self, "qd", finite_array("qd", self.qd, shape))
+        object.__setattr__(self, "q", finite_array("q", self.q, shape, most=LARGEST))
+        object.__setattr__(self, "qd", finite_array("qd", self.qd, shape, most=LARGEST))
         object.__setattr__(self, "joint_names", names)
 
     @property

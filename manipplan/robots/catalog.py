@@ -10,7 +10,7 @@ import pinocchio as pin
 from numpy.typing import ArrayLike
 
 from manipplan.robots.limits import JointLimits
-from manipplan.robots.model_tree import frame_index
+from manipplan.robots.model_tree import MOST_ACTIVE, frame_index
 from manipplan.robots.robot import Robot
 from manipplan.robots.source import RobotSource
 from manipplan.support.checks import number, number_array
@@ -129,10 +129,10 @@ def available_robots() -> tuple[str, ...]:
 
 
 def load_robot(name: str | Path, **options: object) -> Robot:
-    """An arm by its catalogue name, or from a URDF or MJCF file.
+    """An arm by its catalogue name, or from a URDF, xacro or MJCF file.
 
     Args:
-        name: one of `available_robots()`, or a path that ends in .urdf, .xml or .mjcf.
+        name: one of `available_robots()`, or a path that ends in .urdf, .xacro, .xml or .mjcf.
         **options: as for `Robot.from_urdf` (tool, joints, srdf, locked, velocity, acceleration, jerk, ...).
 
     Raises:
@@ -140,9 +140,9 @@ def load_robot(name: str | Path, **options: object) -> Robot:
         MissingExtraError: the package with the robot descriptions is not installed.
     """
     if not isinstance(name, str | Path):
-        raise InvalidInputError("name", name, "a name of the catalogue, or the path of a URDF or MJCF file")
+        raise InvalidInputError("name", name, "a name of the catalogue, or the path of a URDF, xacro or MJCF file")
     file = Path(name).expanduser()
-    if file.suffix == ".urdf":
+    if file.suffix in (".urdf", ".xacro"):
         return Robot.from_urdf(file, **options)  # type: ignore[arg-type]  # checked by from_urdf itself
     if file.suffix in (".xml", ".mjcf"):
         return Robot.from_mjcf(file, **options)  # type: ignore[arg-type]
@@ -176,14 +176,16 @@ def planar_arm(lengths: ArrayLike, *, radius: float | None = None) -> Robot:
     The links lie in stacked planes, so they may cross each other; obstacles are avoided with links of `radius`.
 
     Args:
-        lengths: (n,) link lengths [m], n >= 2.
+        lengths: (n,) link lengths [m], 2 <= n <= 100.
         radius: radius of the links [m], for obstacles and pictures. Default 3 % of the shortest link.
 
-    Raises InvalidInputError when a length is not positive or there are fewer than two lengths.
+    Raises InvalidInputError when a length is not positive or there are fewer than two or too many lengths.
     """
     size = number_array("lengths", lengths)
     if size.ndim != 1 or len(size) < 2 or not (np.isfinite(size).all() and (size > 0).all()):
         raise InvalidInputError("lengths", lengths, "at least two finite numbers above zero [m]")
+    if len(size) > MOST_ACTIVE:
+        raise InvalidInputError("lengths", f"{len(size)} lengths", f"at most {MOST_ACTIVE}")
     radius = 0.03 * float(size.min()) if radius is None else number("radius", radius, above=0.0)
     n = len(size)
     model = pin.Model()

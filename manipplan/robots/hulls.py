@@ -7,7 +7,7 @@ from manipplan.support.checks import Array
 
 #: A body is flat when it is thinner than this share of its longest side.
 FLAT = 1e-6
-#: Maximum distance of a mesh corner from its frame, along each axis [m].
+#: Maximum distance of a mesh corner from its frame and of an obstacle from the origin, along each axis, and maximum size [m].
 FARTHEST = 1e6
 
 

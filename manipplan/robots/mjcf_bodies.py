@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pinocchio as pin
 
-from manipplan.robots.xml_files import numbers
+from manipplan.robots.xml_files import MOST_BODIES, MOST_JOINTS, numbers
 from manipplan.support.errors import FileFormatError
 
 #: Elements with bodies or geoms in them that Pinocchio leaves out.
@@ -34,6 +34,8 @@ COUNTS = {
 PLACED = ("body", "geom", "joint", "inertial", "mesh")
 #: Number of sizes that each shape needs; one where `fromto` gives its length.
 SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "box": 3, "ellipsoid": 3}
+#: Maximum number of joints of one body, as in MuJoCo: the memory that Pinocchio takes for them grows without bounds.
+BODY_JOINTS = 6
 
 Attributes = Mapping[str, str]
 
@@ -48,13 +50,29 @@ def check_bodies(file: Path, root: ET.Element) -> None:
             if value is not None and numbers(value, count) is None:
                 wanted = f"{count} finite numbers" if count > 1 else "a finite number"
                 raise _error(file, f"{_called(element)} needs {attribute} with {wanted}, not {value!r}")
+        joints = len(element.findall("joint")) if element.tag == "body" else 0
+        if joints > BODY_JOINTS:
+            raise _error(file, f"at most {BODY_JOINTS} joints in {_called(element)}, not {joints}")
+        if element.tag == "default":
+            twice = [tag for tag, count in Counter(each.tag for each in element).items() if count > 1 and tag != "default"]
+            if twice:
+                raise _error(file, f"<default> with each element once, not several <{twice[0]}>")
+    for tag in ("body", "joint", "default"):
+        count = sum(1 for _ in root.iter(tag))
+        if count > MOST_JOINTS:
+            raise _error(file, f"at most {MOST_JOINTS} <{tag}>, not {count}")
     if len(root.findall("worldbody")) != 1:
         raise _error(file, f"one <worldbody>, not {len(root.findall('worldbody'))}")
-    for body, geom, attributes in _geoms(root):
-        if _collides(attributes):
-            fault = _size_fault(attributes)
-            if fault is not None:
-                raise _error(file, f"{_called(geom)} of {body}: {fault}")
+    first = root.findall("worldbody/body")
+    if len(first) > 1:
+        raise _error(file, f"one <body> in <worldbody>, not {len(first)}: Pinocchio leaves out all but the first")
+    colliding = [each for each in _geoms(root) if _collides(each[2])]
+    if len(colliding) > MOST_BODIES:
+        raise _error(file, f"at most {MOST_BODIES} colliding geoms, not {len(colliding)}")
+    for body, geom, attributes in colliding:
+        fault = _size_fault(attributes)
+        if fault is not None:
+            raise _error(file, f"{_called(geom)} of {body}: {fault}")
 
 
 def check_loaded(file: Path, root: ET.Element, model: pin.Model, geometry: pin.GeometryModel) -> None:

@@ -8,6 +8,8 @@ import pinocchio as pin
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError
 
+#: Maximum number of active joints: Pinocchio's data hold several numbers for every three of them.
+MOST_ACTIVE = 100
 #: Added to the names of links while joints are locked.
 _LINK = " (link)"
 
@@ -71,11 +73,11 @@ def reduce(
         joint = model.joints[model.getJointId(name)]
         if joint.nq == 1:
             q[joint.idx_q] = value
-    # Pinocchio looks up a locked joint by name alone, so a link of the same name is renamed meanwhile.
+    # Pinocchio looks up a locked joint, and the frame below it, by name alone: links of the same name are renamed meanwhile.
     model = model.copy()
-    joints = set(model.names)
+    taken = {frame.name for frame in model.frames if frame.type != pin.FrameType.BODY} | set(model.names)
     for frame in model.frames:
-        if frame.type == pin.FrameType.BODY and frame.name in joints:
+        if frame.type == pin.FrameType.BODY and frame.name in taken:
             frame.name = frame.name + _LINK
     reduced, [geometry] = pin.buildReducedModel(model, [geometry], [model.getJointId(name) for name in held], q)
     for frame in reduced.frames:
@@ -93,14 +95,14 @@ def frame_index(model: pin.Model, name: str) -> int:
 
 def adjacent_pairs(model: pin.Model, geometry: pin.GeometryModel) -> frozenset[frozenset[str]]:
     """Names of geometry objects whose links are the same or joined by one joint: these touch by construction."""
-    objects = list(geometry.geometryObjects)
-    pairs = set()
-    for j, second in enumerate(objects):
-        for first in objects[:j]:
-            a, b = first.parentJoint, second.parentJoint
-            if a == b or model.parents[a] == b or model.parents[b] == a:
-                pairs.add(frozenset((first.name, second.name)))
-    return frozenset(pairs)
+    parents = list(model.parents)
+    bodies = [(item.name, item.parentJoint) for item in geometry.geometryObjects]
+    return frozenset(
+        frozenset((first, second))
+        for j, (second, b) in enumerate(bodies)
+        for first, a in bodies[:j]
+        if a == b or parents[a] == b or parents[b] == a
+    )
 
 
 def leaf_bodies(model: pin.Model) -> list[str]:

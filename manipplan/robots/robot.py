@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from manipplan.robots import attached, description, model_tree
 from manipplan.robots import subchain as parts
 from manipplan.robots.attached import Part, Solid
+from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
 from manipplan.robots.source import RobotSource
 from manipplan.robots.srdf import NamedStates, read_srdf, write_srdf
@@ -86,14 +87,17 @@ class Robot(Pictured):
         package_dirs: Sequence[str | Path] = (),
         packages: Mapping[str, str | Path] | None = None,
         meshes: bool = True,
+        arguments: Mapping[str, str | float | bool] | None = None,
+        trust_file: bool = False,
         **limits: ArrayLike,
     ) -> "Robot":
-        """Read an arm from a URDF.
+        """Read an arm from a URDF, or from a xacro file, whose name ends in .xacro.
 
         Args:
-            file: the URDF.
+            file: the URDF or xacro file.
             tool: frame (link or joint) whose motion counts. Default: the end effector of the SRDF, or the only leaf.
-            joints: the active joints, from base to tool. Default: all that move the tool.
+            joints: the active joints, from base to tool. Default: all that move the tool. Joints that mimic another follow it;
+                it has to be locked.
             srdf: MoveIt's semantic description: pairs that are not checked, named postures.
             name: name of the arm. Default: the robot's name in the file.
             locked: values [rad or m] at which other joints are locked. Default: the SRDF's first posture, or 0 (or the
@@ -103,17 +107,22 @@ class Robot(Pictured):
             packages: folder of each package by its name in `package://name/...`, where the folder has another name.
             meshes: whether collision meshes are read. Without them only the description's primitives are checked, and the log
                 says so.
+            arguments: values of a xacro file's arguments, by name.
+            trust_file: whether a xacro file may run Python code and read any file and environment variable. Otherwise it
+                gets arithmetic, text, lists and mappings, and files of its own and the other packages.
             **limits: lower, upper, velocity, acceleration, jerk, effort: one number or (n,), instead of the file's.
 
         Raises:
-            FileFormatError: a file is missing, not XML, or Pinocchio cannot read it.
-            UnknownNameError: a frame or joint does not exist (the nearest names are listed).
-            UnsupportedJointError: an active joint is a mimic, floating or planar joint, or of another kind.
+            FileFormatError: a file is missing, not XML, cannot be expanded, or Pinocchio cannot read it.
+            UnknownNameError: a frame, joint or xacro argument does not exist (the nearest names are listed).
+            UnsupportedJointError: an active joint is a mimic, floating or planar joint, or another joint mimics it.
+            MissingExtraError: the file is a xacro file, and the package xacro is not installed.
             InvalidInputError: joints out of order, limits that are not positive, or a folder in `packages` that does not exist.
         """
-        mesh_files = description.MeshFiles(package_dirs=package_dirs, packages=packages or {}, meshes=meshes)
-        read = description.read_urdf(existing_file("file", file), mesh_files)
-        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, mesh_files)
+        places = UrdfFiles(package_dirs=package_dirs, packages=packages or {}, meshes=meshes)
+        files = replace(places, arguments=arguments or {}, trust_file=trust_file)
+        read = description.read_urdf(existing_file("file", file), files)
+        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, files)
 
     @classmethod
     def from_mjcf(
@@ -146,12 +155,12 @@ class Robot(Pictured):
         locked: Mapping[str, float] | None,
         neutral: ArrayLike | None,
         limits: Mapping[str, ArrayLike],
-        mesh_files: description.MeshFiles | None = None,
+        files: UrdfFiles | None = None,
     ) -> "Robot":
         given: dict[str, Any] = {"tool": tool, "joints": joints, "srdf": srdf, "name": name, "locked": locked}
         given |= {"neutral": neutral, **limits}
-        if mesh_files is not None:
-            given |= vars(mesh_files)
+        if files is not None:
+            given |= vars(files)
         semantic = read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
         whole = read.model
         tool = parts.choose_tool(whole, tool, semantic)
@@ -323,7 +332,8 @@ class Robot(Pictured):
                 frame as `shape.at(np.linalg.inv(robot.kinematics().pose(q)))`, with q the configuration of the grasp.
             name: name of the part. Default: that of the shape, or "part".
 
-        Raises InvalidInputError when `shape` is not a shape with a pose or is unbounded, or the robot has a link, body or part
+        Raises InvalidInputError when `shape` is not a shape with a pose, is unbounded, a cloud of points or a mesh that is not
+        convex (`fill="hull"` of Mesh makes it so), or the robot has a link, body or part
         of that name.
         """
         if not isinstance(shape, Solid) or isinstance(shape, type):

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from manipplan.robots.description import MeshFiles
+from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.support.errors import UnknownNameError
 
 if TYPE_CHECKING:
@@ -16,6 +16,10 @@ if TYPE_CHECKING:
 KINDS = ("catalogue", "urdf", "mjcf", "planar")
 #: Options of `Robot.from_urdf` that are paths of files and folders.
 FILES, FOLDERS, FOLDERS_BY_NAME = ("srdf",), ("package_dirs",), ("packages",)
+#: The option that maps names to text.
+TEXTS = "arguments"
+#: The option that lets a file run code: it is the user's, and never read from a saved plan.
+TRUST = "trust_file"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,9 +29,10 @@ class RobotSource:
     Attributes:
         kind: "catalogue", "urdf", "mjcf" or "planar".
         name: the catalogue name, else "".
-        file: absolute path of the URDF or MJCF that was read; None for the planar arm.
+        file: absolute path of the URDF, xacro or MJCF file that was read; None for the planar arm.
         options: other given options, as plain numbers, strings, tuples and paths: tool, joints, srdf, name, locked, neutral,
-            package_dirs, packages, meshes and limits of `Robot.from_urdf`; lengths and radius of `planar_arm`.
+            package_dirs, packages, meshes, arguments, trust_file and limits of `Robot.from_urdf`; lengths and radius of
+            `planar_arm`.
     """
 
     kind: str
@@ -48,9 +53,10 @@ class RobotSource:
         return cls(kind=kind, name=name, file=path, options=kept)
 
     @property
-    def mesh_files(self) -> MeshFiles:
-        """Where the meshes of a URDF are."""
-        return MeshFiles(package_dirs=self.options.get("package_dirs", ()), packages=self.options.get("packages", {}))
+    def urdf_files(self) -> UrdfFiles:
+        """How a URDF or xacro file is read, and where its meshes are."""
+        names = ("package_dirs", "packages", "arguments", "trust_file")
+        return UrdfFiles(**{name: self.options[name] for name in names if name in self.options})
 
     def load(self) -> "Robot":
         """Build the arm again, with the limits and the neutral posture with which it was read.
@@ -75,6 +81,8 @@ def _plain(key: str, value: Any) -> Any:
         return tuple(Path(folder).expanduser().resolve() for folder in value)
     if key in FOLDERS_BY_NAME:
         return {str(name): Path(folder).expanduser().resolve() for name, folder in value.items()}
+    if key == TEXTS:
+        return {str(name): str(each) for name, each in value.items()}
     if isinstance(value, bool):
         return value
     if isinstance(value, Mapping):

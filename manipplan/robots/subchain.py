@@ -7,8 +7,9 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.robots import description, model_tree
+from manipplan.robots import model_tree
 from manipplan.robots.limits import JointLimits
+from manipplan.robots.mimics import Mimic, follow
 from manipplan.robots.srdf import Semantics
 from manipplan.support.checks import Array, configurations, number
 from manipplan.support.errors import InvalidInputError, UnknownNameError, UnsupportedJointError
@@ -32,22 +33,33 @@ def choose_tool(model: pin.Model, tool: str | None, semantic: Semantics | None) 
 
 
 def choose_joints(
-    model: pin.Model, tool: str, chain: list[str], joints: Sequence[str] | None, mimics: Mapping[str, description.Mimic]
+    model: pin.Model, tool: str, chain: list[str], joints: Sequence[str] | None, mimics: Mapping[str, Mimic]
 ) -> list[str]:
-    """Names of the active joints: the given ones, or all that move the tool."""
+    """Names of the active joints: the given ones, or all that move the tool, but for followers of a joint that does not.
+
+    A leader cannot be active: chains, kinematics and collision checks have one joint per number of q.
+    """
     if isinstance(joints, str):
         raise InvalidInputError("joints", joints, "a list of names")
-    active = list(chain) if joints is None else list(joints)
+    held = [joint for joint in chain if joint in mimics and mimics[joint].leader not in chain]
+    active = [joint for joint in chain if joint not in held] if joints is None else list(joints)
     for joint in active:
         if joint not in list(model.names)[1:]:
             raise UnknownNameError("joints", str(joint), list(model.names)[1:])
         if joint not in chain:
             raise InvalidInputError("joints", joint, f"joints that move the tool {tool}: {', '.join(chain)}")
         if joint in mimics:
-            raise UnsupportedJointError("joints", joint, f"independent joints; this one mimics {mimics[joint].leader}")
+            leader = mimics[joint].leader
+            wanted = f"independent joints; {joint} mimics {leader}. Leave both out of joints=, and lock the leader:"
+            remedy = f"locked={{{leader!r}: value}} holds {joint} at {mimics[joint]}"
+            raise UnsupportedJointError("joints", joint, f"{wanted} {remedy}")
         followers = [follower for follower, mimic in mimics.items() if mimic.leader == joint]
         if followers:
-            raise UnsupportedJointError("joints", joint, f"joints that no other joint mimics; {followers[0]} mimics it")
+            wanted = (
+                f"joints that no other joint mimics; {followers[0]} mimics it, and would have to move with it, which is not"
+            )
+            remedy = f"leave {joint} out of joints= and lock it: locked={{{joint!r}: value}}"
+            raise UnsupportedJointError("joints", joint, f"{wanted} supported; {remedy}")
         kind = model.joints[model.getJointId(joint)]
         if kind.nv != 1 or not (model_tree.is_prismatic(kind) or model_tree.is_revolute(kind)):
             raise UnsupportedJointError(
@@ -56,6 +68,8 @@ def choose_joints(
     ordered = [joint for joint in chain if joint in active]
     if active != ordered:
         raise InvalidInputError("joints", active, f"each joint once, from base to tool: {', '.join(ordered)}")
+    if len(active) > model_tree.MOST_ACTIVE:
+        raise InvalidInputError("joints", f"{len(active)} joints", f"at most {model_tree.MOST_ACTIVE} active joints")
     if not active:
         raise InvalidInputError("joints", active, f"at least one joint that moves the tool {tool}")
     return active
@@ -66,7 +80,7 @@ def locked_values(
     active: list[str],
     given: Mapping[str, float],
     semantic: Semantics | None,
-    mimics: Mapping[str, description.Mimic],
+    mimics: Mapping[str, Mimic],
 ) -> dict[str, float]:
     """Every other joint of the description with its locked value [rad or m]."""
     others = [name for name in list(model.names)[1:] if name not in active]
@@ -88,9 +102,7 @@ def locked_values(
             held[name] = float(given.get(name, np.clip(usual.get(name, 0.0), low, high)))
         else:
             held[name] = float(given.get(name, 0.0))
-    for name, mimic in mimics.items():
-        if name in held and name not in given and mimic.leader in held:
-            held[name] = mimic.multiplier * held[mimic.leader] + mimic.offset
+    held = follow(held, given, mimics)
     for name, value in held.items():
         joint = model.joints[model.getJointId(name)]
         low, high = (limit[joint.idx_q] for limit in (model.lowerPositionLimit, model.upperPositionLimit))

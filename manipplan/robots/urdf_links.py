@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pinocchio as pin
 
-from manipplan.robots.xml_files import numbers
+from manipplan.robots.xml_files import MOST_BODIES, MOST_JOINTS, numbers
 from manipplan.support.errors import FileFormatError
 
 #: Attributes of each shape, with the number of values of each.
@@ -17,10 +17,18 @@ INERTIA = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
 def check_links(file: Path, root: ET.Element) -> None:
-    """Raise FileFormatError for the first collision or inertial element that is not valid.
+    """Raise FileFormatError for the first place of a joint, collision or inertial element that is not valid.
 
-    The message names the link, the element and its fault.
+    The message names the joint or link, the element and its fault.
     """
+    bodies = len(root.findall("link/collision"))
+    if bodies > MOST_BODIES:
+        raise FileFormatError("file", str(file), f"a URDF with at most {MOST_BODIES} collision elements, not {bodies}")
+    joints = root.findall("joint")
+    if len(joints) > MOST_JOINTS:
+        raise FileFormatError("file", str(file), f"a URDF with at most {MOST_JOINTS} joints, not {len(joints)}")
+    for joint in joints:
+        _raise(file, f"joint {joint.get('name')}", _origin_fault(joint) or _axis_fault(joint))
     for link in root.findall("link"):
         name = link.get("name")
         for k, element in enumerate(link.findall("collision"), start=1):
@@ -41,7 +49,7 @@ def check_loaded(file: Path, root: ET.Element, model: pin.Model, geometry: pin.G
 
 def _raise(file: Path, where: str, fault: str | None) -> None:
     if fault is not None:
-        raise FileFormatError("file", str(file), f"a URDF whose links can all be read; {where}: {fault}")
+        raise FileFormatError("file", str(file), f"a URDF whose links and joints can all be read; {where}: {fault}")
 
 
 def _collision_fault(collision: ET.Element) -> str | None:
@@ -80,6 +88,13 @@ def _inertial_fault(inertial: ET.Element) -> str | None:
     for attribute in INERTIA:
         if numbers(inertia.get(attribute), 1) is None:
             return f"<inertia> needs {attribute} with a number, not {inertia.get(attribute)!r}"
+    return None
+
+
+def _axis_fault(joint: ET.Element) -> str | None:
+    for axis in joint.findall("axis"):
+        if axis.get("xyz") is not None and numbers(axis.get("xyz"), 3) is None:
+            return f"<axis> needs xyz with 3 numbers, not {axis.get('xyz')!r}"
     return None
 
 

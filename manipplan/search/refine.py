@@ -241,8 +241,7 @@ class _Refiner:
         slopes, slack = np.zeros((len(q), ROWS, self.robot.n)), np.ones((len(q), ROWS))
         if self.model is None:
             return slopes, slack
-        for k, each in enumerate(q):
-            distances = self.model.distances(each)
+        for k, (each, distances) in enumerate(zip(q, self.model.distance_rows(q, beyond=self.clearance + NEAR), strict=True)):
             for row, pair in enumerate(np.argsort(distances)[:ROWS]):
                 if distances[pair] < self.clearance + NEAR:
                     slopes[k, row] = self.model.distance_gradient(each, int(pair))
@@ -264,7 +263,7 @@ class _Refiner:
         errors = self.program.rows.errors(q, self.poses)
         if (np.abs(errors) > np.maximum(self.tolerance, MET)).any():
             return False
-        return self.model is None or not any(self.model.in_collision(each, clearance=self.clearance) for each in q)
+        return self.model is None or not self.model.in_collision_rows(q, clearance=self.clearance).any()
 
     def _bound(self) -> float:
         """The bound of the samples, raised by ascent at the positions that determine it."""

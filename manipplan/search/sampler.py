@@ -6,7 +6,6 @@ from functools import lru_cache
 
 import numpy as np
 
-from manipplan.collision.screening import Screening, free_rows
 from manipplan.ik.enumeration import CHUNK
 from manipplan.ik.newton import search
 from manipplan.ik.solver import Solver, turns_about
@@ -29,7 +28,6 @@ class CandidateSampler:
         self.solver = Solver.of(robot, task=spec.task, held=spec.held, method=spec.method, seed=spec.seed)
         self.kinematics = robot.kinematics(self.solver.task, measure=spec.measure, threads=1)
         self.collision = spec.collision_model()
-        self._screening = Screening.of(self.collision) if self.collision is not None else None
         self._own = threading.local()
         few = robot.random_configuration(np.random.default_rng(0), size=2)
         self.kinematics.manipulability(few)  # compiled before threads use it
@@ -50,11 +48,11 @@ class CandidateSampler:
         return q, self.kinematics.manipulability(q), reached
 
     def _free(self, q: Array) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
-        if self.collision is None or self._screening is None:
+        if self.collision is None:
             return np.ones(len(q), dtype=np.bool_)
         if not hasattr(self._own, "model"):
             self._own.model = self.collision.copy()
-        return free_rows(self._screening, self._own.model, q, self.spec.clearance)
+        return np.asarray(~self._own.model.in_collision_rows(q, clearance=self.spec.clearance))
 
     def nearest_miss(self, pose: Array) -> tuple[float, float, list[str]]:
         """Smallest error to a pose over random starts [m, rad], and the joints that are at a limit there."""

@@ -17,13 +17,16 @@ ROTATION = 1e-6
 LARGEST_SEED = 2**31 - 1
 
 
-def finite_array(argument: str, value: ArrayLike, shape: tuple[int | None, ...]) -> Array:
-    """`value` as a read-only float array of `shape` (None: any length), every entry finite."""
+def finite_array(argument: str, value: ArrayLike, shape: tuple[int | None, ...], *, most: float = np.inf) -> Array:
+    """`value` as a read-only float array of `shape` (None: any length), every entry finite and within ±`most`."""
     array = number_array(argument, value)
     if array.ndim != len(shape) or any(want not in (None, have) for want, have in zip(shape, array.shape, strict=True)):
         wanted = "(" + ", ".join("any" if k is None else str(k) for k in shape) + ("," if len(shape) == 1 else "") + ")"
         raise InvalidInputError(argument, value, f"numbers of shape {wanted}, not {array.shape}")
-    return _all_finite(argument, value, array)
+    _all_finite(argument, value, array)
+    if (np.abs(array) > most).any():
+        raise InvalidInputError(argument, value, f"numbers from {-most:g} to {most:g}")
+    return array
 
 
 def configurations(argument: str, value: ArrayLike, n: int) -> Array:

@@ -21,7 +21,7 @@ class InvalidInputError(ManipplanError, ValueError):
         self.argument = argument
         self.value = value
         self.allowed = allowed
-        super().__init__(f"{argument}: got {_short(value)}; allowed: {allowed}")
+        super().__init__(f"{_cut(argument, 400)}: got {_short(value)}; allowed: {_cut(allowed, 2000)}")
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.argument, self.value, self.allowed)
@@ -118,8 +118,12 @@ class PlanningError(ManipplanError):
 
 
 def _short(value: object) -> str:
-    text = " ".join(_SHORT.repr(value).split())
-    return text if len(text) <= 160 else text[:157] + "..."
+    return _cut(" ".join(_SHORT.repr(value).split()), 160)
+
+
+def _cut(text: str, longest: int) -> str:
+    """The text, cut off after `longest` characters: it may hold text from a file."""
+    return text if len(text) <= longest else text[: longest - 3] + "..."
 
 
 #: Truncated representations: a value may hold a million numbers.

@@ -19,7 +19,7 @@ from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNa
 from manipplan.symbolic.machine_code import do_without, wants_machine_code
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, obstacle_numbers
-from manipplan.tracking.bodies import Bodies
+from manipplan.tracking.bodies import Bodies, Body
 from manipplan.tracking.bounds import limits_jerk
 from manipplan.tracking.formulations import Formulation
 from manipplan.tracking.machine import MachineCode, Sources
@@ -175,6 +175,11 @@ class Controller:
     def __repr__(self) -> str:
         how = "machine code" if self.compiled else "virtual machine"
         return f"Controller({self.robot!r}, {self.formulation!r}, dt={self.dt:g}, task={self.task.name!r}, {how})"
+
+    @property
+    def bodies(self) -> tuple[Body, ...]:
+        """The capsules that an avoidance keeps apart, each with its radius and its excess beyond the link."""
+        return Bodies.of(self.robot).items
 
     def sources(self) -> Sources:
         """The controller in C."""

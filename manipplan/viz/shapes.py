@@ -9,7 +9,8 @@ import pinocchio as pin
 
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.collision.scene import Scene
-from manipplan.collision.shapes import Plane
+from manipplan.collision.shapes import Plane, PointCloud
+from manipplan.collision.surfaces.shells import merged_corners
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
@@ -20,6 +21,8 @@ AROUND, UP = 28, 14
 DIRECTIONS = 50
 #: Minimum angle between neighbouring faces of a hull at which the edge between them is drawn [rad].
 CREASE = 0.35
+#: Maximum number of triangles of a mesh among the obstacles, and of cubes of a cloud.
+TRIANGLES, CUBES = 5000, 2000
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,11 +71,22 @@ def surface_of(shape: coal.CollisionGeometry) -> Surface:
 
 
 def obstacle_surfaces(scene: Scene) -> Iterator[tuple[str, Surface]]:
-    """Name and surface, in the world, of each bounded obstacle; for a mesh, all its parts together."""
+    """Name and surface, in the world, of each bounded obstacle; for a mesh, all its parts together.
+
+    A mesh that is not convex is drawn with at most about `TRIANGLES` triangles, a cloud as at most `CUBES` cubes.
+    """
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
-        if not isinstance(obstacle, Plane):
-            parts = [surface_of(shape).placed(obstacle.pose) for shape in obstacle.shapes()]
-            yield name, joined(parts)
+        if isinstance(obstacle, PointCloud):
+            yield name, _cubes(evenly_chosen(obstacle.kept, CUBES), obstacle.parts()[0].radius).placed(obstacle.pose)
+        elif not isinstance(obstacle, Plane):
+            shapes = obstacle.shapes()
+            parts = [_mesh(each) if isinstance(each, coal.BVHModelBase) else surface_of(each) for each in shapes]
+            yield name, joined(part.placed(obstacle.pose) for part in parts)
+
+
+def evenly_chosen(points: Array, most: int) -> Array:
+    """At most `most` of points (k, 3), at equal steps through them."""
+    return points if len(points) <= most else points[np.linspace(0, len(points) - 1, most).astype(int)]
 
 
 def joined(parts: Iterable[Surface]) -> Surface:
@@ -160,6 +174,34 @@ def _hull(points: Array) -> Surface:
             if other > face and normals[face] @ normals[other] < np.cos(CREASE):
                 edges.append(points[np.delete(corners, k)])
     return Surface(faces=tuple(faces), edges=tuple(edges))
+
+
+def _mesh(mesh: coal.BVHModelBase) -> Surface:
+    """The triangles of a mesh, and the edges where it bends or ends; corners in one cell of a grid are one if it has many."""
+    triangles = mesh_triangles(mesh)
+    corners, faces = merged_corners(triangles)
+    cell = np.ptp(corners, axis=0).max() / 200
+    while len(faces) > TRIANGLES:
+        corners, faces = merged_corners((np.rint(corners / cell) * cell)[faces])
+        faces = faces[np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1]]
+        cell *= 1.3
+    normals = np.cross(corners[faces[:, 1]] - corners[faces[:, 0]], corners[faces[:, 2]] - corners[faces[:, 0]])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+    sides: dict[tuple[int, ...], list[int]] = {}
+    for k, face in enumerate(faces.tolist()):
+        for side in ((0, 1), (1, 2), (2, 0)):
+            sides.setdefault(tuple(sorted(face[each] for each in side)), []).append(k)
+    bends = np.cos(CREASE)
+    edges = [side for side, beside in sides.items() if len(beside) != 2 or abs(normals[beside[0]] @ normals[beside[1]]) < bends]
+    return Surface(faces=tuple(corners[faces]), edges=tuple(corners[list(edge)] for edge in edges))
+
+
+def _cubes(points: Array, radius: float) -> Surface:
+    """A cube about each of points (k, 3), as large as the ball of `radius` [m]."""
+    corners = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    sides = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
+    faces = points[:, None, None] + (np.pi / 6) ** (1 / 3) * radius * corners[sides]
+    return Surface(faces=tuple(faces.reshape(-1, 4, 3)), edges=())
 
 
 def _directions() -> Array:

@@ -31,7 +31,7 @@ def draw_surface(ax: Any, surface: Surface, colour: str, *, alpha: float, edges:
     shades = _brightness(surface.faces)[:, None] * to_rgb(colour)
     lit = np.concatenate([np.clip(shades, 0, 1), np.full((len(shades), 1), alpha)], axis=1)
     ax.add_collection3d(Poly3DCollection(_equal(surface.faces), facecolors=lit, edgecolors="none", linewidths=0))
-    if edges:
+    if edges and surface.edges:  # a cloud has none
         ax.add_collection3d(Line3DCollection(surface.edges, colors=colour, linewidths=0.8))
 
 

@@ -18,6 +18,8 @@ BODY_FIRST, BODY_LAST = "#DDE3EA", "#B9C4D0"
 FLOOR = "#C9C9C9"
 CANDIDATE = "#BFC5CC"
 LIMIT = "#D55E00"
+#: Neighbouring bodies that are checked for collisions.
+PIECES = ("#5B9DC9", "#EDBD58", "#5DB996", "#DBA0C1", "#94CFEF", "#E28F55")
 JOINTS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#000000", "#8F8F00", "#7F3C8D")
 
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")

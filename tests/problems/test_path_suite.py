@@ -114,16 +114,6 @@ def test_the_first_pair_of_each_scene(arm, robots, scenes):
         check(robots[arm], scene, start, goal, plan)
 
 
-def test_a_nearly_free_solution_of_low_g_starts_a_descent_of_its_own(robots, scenes):
-    """On this pair it reaches g = 1282; the descent from the solution nearest to free ends at 2005."""
-    start, goal = [pair[2:] for pair in read_pairs() if pair[:2] == ("xarm7", "shelf")][3]
-    robot, scene = robots["xarm7"], scenes["xarm7", "shelf"]
-    plan = mp.plan(robot, start, goal, scene, clearance=CLEARANCE, seeding=mp.Seeding(time_limit=30.0))
-    check(robot, scene, start, goal, plan)
-    reached = {step.first: step.g for step in plan.result.history if step.clearance > CLEARANCE}
-    assert plan.result.g == reached["nearly free"] < 0.75 * reached["seed"]
-
-
 def test_the_straight_line_starts_a_descent_although_it_collides(robots, scenes):
     """The planner's path leads to the same minimum of the energy, and no second descent starts from there."""
     start, goal = next(pair[2:] for pair in read_pairs() if pair[:2] == ("panda", "shelf"))

@@ -29,7 +29,7 @@ from manipplan.jobs.stored import fingerprint
 from manipplan.optimize.result import make_result
 
 #: What only the solvers need.
-LEFT_OUT = {"history", "rivals", "search", "tracking", "cache", "model", "geometry", "hulls"}
+LEFT_OUT = {"history", "rivals", "search", "tracking", "cache", "model", "geometry", "built"}
 
 
 def assert_same(first, second, where=""):
@@ -331,7 +331,7 @@ def test_a_mesh_that_is_gone(planar, small_plan, tmp_path):
         scene.distances(planar, [0, 0, 0])
     )
     mesh.unlink()
-    with pytest.raises(mp.FileFormatError, match=r"part.stl.*put its meshes back, or give scene="):
+    with pytest.raises(mp.FileFormatError, match=r"part.stl.*put its files back, or give scene="):
         mp.Plan.load(tmp_path / "result")
     assert mp.Plan.load(tmp_path / "result", scene=mp.Scene()).scene.names == ()
 

@@ -104,7 +104,7 @@ def test_a_path_that_keeps_more_than_the_clearance_is_not_optimal(around_a_post)
     measured = measure_optimality(replace(true, surroundings=demanded), z)
     assert not measured.reached
     assert measured.projected_gradient < 1e-3
-    assert measured.active_clearance == pytest.approx(3e-3, abs=1e-4)
+    assert measured.active_clearance == pytest.approx(3e-3, abs=2.5e-4)
     assert measured.complementarity > 1e-5
 
 

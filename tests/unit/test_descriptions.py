@@ -128,6 +128,21 @@ def test_one_worldbody(mjcf):
         mp.load_robot(mjcf(GEOM, after='<worldbody><body name="b"/></worldbody>'), velocity=1.0)
 
 
+def test_several_bodies_in_the_world(mjcf):
+    file = mjcf(GEOM)
+    file.write_text(file.read_text().replace("</worldbody>", '<body name="b"/></worldbody>'))
+    with pytest.raises(mp.FileFormatError, match="one <body> in <worldbody>, not 2: Pinocchio leaves out all but the first"):
+        mp.load_robot(file, velocity=1.0)
+
+
+def test_the_number_of_bodies_is_bounded(urdf, mjcf):
+    assert mp.load_robot(urdf(SPHERE * 200)).geometry.ngeoms == 200
+    with pytest.raises(mp.FileFormatError, match="at most 1000 collision elements, not 1001"):
+        mp.load_robot(urdf(SPHERE * 1001))
+    with pytest.raises(mp.FileFormatError, match="at most 1000 colliding geoms, not 3000"):
+        mp.load_robot(mjcf(GEOM * 3000), velocity=1.0)
+
+
 @pytest.mark.parametrize(
     ("before", "elements", "count"),
     [
@@ -210,3 +225,84 @@ def test_the_first_body_of_an_mjcf_stands_where_mujoco_has_it(tmp_path, joint, p
         )
         theirs = mujoco.mj_geomDistance(model, data, model.geom("tip").id, model.geom("floor").id, 10.0, None)
         assert ours.distances(q)[pair] == pytest.approx(theirs, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("before", "elements", "message"),
+    [
+        (
+            "",
+            "<joint name='i' type='slide' axis='0 1 0' range='0 1'/>" * 3000,
+            "at most 6 joints in <body name='arm'>, not 3001",
+        ),
+        ("", "".join(f"<body name='b{i}'><joint/><joint/></body>" for i in range(500)), "at most 1000 <joint>, not 1001"),
+        ("", "<body/>" * 1000, "at most 1000 <body>, not 1001"),
+        ("<default>" + 2 * "<geom friction='1'/>" + "</default>", GEOM, "<default> with each element once, not several <geom>"),
+        ("<default class='a'/>" * 1001, GEOM, "at most 1000 <default>, not 1001"),
+        ("", "<geom size='0.1' fromto='0 0 1e308 1 0 0'/>", "fromto with 6 finite numbers"),
+        ("", "<body name='b' axisangle='0 0 1e308 1'/>", "axisangle with 4 finite numbers"),
+    ],
+)
+def test_what_pinocchio_takes_all_memory_for(mjcf, before, elements, message):
+    with pytest.raises(mp.FileFormatError, match=message):
+        mp.load_robot(mjcf(elements, before=before), velocity=1.0)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 nan"/>', "joint turn: <axis> needs xyz with 3 numbers, not '0 0 nan'"),
+        ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1e308"/>', "joint turn: <axis> needs xyz"),
+        ("<axis", '<origin xyz="0 0 1e308"/><axis', "joint turn: <origin> needs xyz with 3 numbers"),
+        ("<axis", '<origin rpy="0 0"/><axis', "joint turn: <origin> needs rpy with 3 numbers"),
+    ],
+)
+def test_places_of_joints(urdf, old, new, message):
+    file = urdf(SPHERE)
+    file.write_text(file.read_text().replace(old, new))
+    with pytest.raises(mp.FileFormatError, match=message):
+        mp.load_robot(file)
+
+
+def test_the_number_of_joints_is_bounded(urdf):
+    file = urdf(SPHERE)
+    more = "".join(
+        f'<link name="l{i}"/><joint name="j{i}" type="fixed"><parent link="base"/><child link="l{i}"/></joint>'
+        for i in range(1000)
+    )
+    file.write_text(file.read_text().replace("</robot>", f"{more}</robot>"))
+    with pytest.raises(mp.FileFormatError, match="at most 1000 joints, not 1001"):
+        mp.load_robot(file)
+
+
+def test_a_fixed_joint_called_as_another_link(tmp_path):
+    """Pinocchio looks up the frame below a locked joint by name alone."""
+    file = tmp_path / "arm.urdf"
+    file.write_text(
+        '<robot name="a"><link name="base"/><link name="arm"/><link name="tip"/><link name="right"/>'
+        '<joint name="turn" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/>'
+        '<limit lower="-1" upper="1" velocity="1" effort="1"/></joint>'
+        '<joint name="right" type="fixed"><parent link="arm"/><child link="tip"/><origin xyz="1 0 0"/></joint>'
+        '<joint name="slide" type="prismatic"><parent link="arm"/><child link="right"/><axis xyz="0 1 0"/>'
+        '<limit lower="0" upper="1" velocity="1" effort="1"/></joint></robot>'
+    )
+    robot = mp.Robot.from_urdf(file, tool="tip")
+    assert robot.locked == {"slide": 0.0}
+    assert [frame.name for frame in robot.model.frames].count("right") == 2
+    np.testing.assert_allclose(robot.kinematics(mp.Task.position(), compiled=False).pose([0.0])[:3, 3], [1, 0, 0], atol=1e-12)
+
+
+def test_the_number_of_active_joints_is_bounded(urdf):
+    assert mp.planar_arm([0.1] * 100).n == 100
+    with pytest.raises(mp.InvalidInputError, match="lengths: got '101 lengths'; allowed: at most 100"):
+        mp.planar_arm([0.1] * 101)
+    file = urdf(SPHERE)
+    more = "".join(
+        f'<link name="l{i}"/><joint name="j{i}" type="revolute"><parent link="{f"l{i - 1}" if i else "arm"}"/>'
+        f'<child link="l{i}"/><limit lower="-1" upper="1" velocity="1" effort="1"/></joint>'
+        for i in range(100)
+    )
+    file.write_text(file.read_text().replace("</robot>", f"{more}</robot>"))
+    with pytest.raises(mp.InvalidInputError, match="joints: got '101 joints'; allowed: at most 100 active joints"):
+        mp.load_robot(file)
+    assert mp.Robot.from_urdf(file, tool="l3").n == 5

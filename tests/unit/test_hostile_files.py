@@ -100,3 +100,38 @@ def test_motions_of_too_many_time_steps(planar):
     path = mp.CartesianPath.line(planar.kinematics().pose([0.0, 1.0, 1.0]), planar.kinematics().pose([0.1, 1.0, 1.0]))
     with pytest.raises(mp.InvalidInputError, match="at most 1,000,000 time steps"):
         mp.track(planar, path, [0.0, 1.0, 1.0], mp.formulations.LogDrive(), dt=1e-9, duration=1.0)
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"t": [0.0, 1e-320]}, "t: got .*times at least 1e-12 s apart, up to 1e"),
+        ({"t": [0.0, 1e300]}, "t: got .*times at least 1e-12 s apart, up to 1e"),
+        ({"q": [[0.0], [1e308]]}, "q: got .*numbers from -1e"),
+        ({"qd": [[0.0], [-1e308]]}, "qd: got .*numbers from -1e"),
+    ],
+)
+def test_motions_whose_coefficients_overflow(tmp_path, values, message):
+    given = {"t": [0.0, 1.0], "q": [[0.0], [1.0]], "qd": [[0.0], [0.0]], **values}
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.Trajectory(**{key: np.array(value) for key, value in given.items()}, joint_names=("a",))
+    file = tmp_path / "motion.csv"
+    rows = [f"{t!r},{q!r}" for t, [q] in zip(given["t"], given["q"], strict=True)]
+    file.write_text("\n".join(["time,q_a", *rows]))
+    if "qd" not in values:
+        with pytest.raises(mp.FileFormatError, match=message):
+            mp.Trajectory.from_csv(file)
+
+
+def test_recorded_times_of_a_csv_that_are_too_close(tmp_path):
+    file = tmp_path / "motion.csv"
+    file.write_text("time,q_a\n0,0\n1e-300,1\n2e-300,3\n1,4\n")
+    with pytest.raises(mp.FileFormatError, match="times at least 1e-12 s apart"):
+        mp.Trajectory.from_csv(file)
+
+
+def test_messages_have_a_longest_length():
+    text = "x" * 10**6
+    for error in (mp.InvalidInputError(text, text, text), mp.FileFormatError(text, [text] * 100, text)):
+        assert len(str(error)) < 3000
+        assert error.allowed == text

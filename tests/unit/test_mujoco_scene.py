@@ -56,7 +56,7 @@ def test_distances_are_those_of_mujoco(cell, panda, rng):
     ("text", "message"),
     [
         ("<mujoco><worldbody><geom type='box' size='1 1'/></worldbody></mujoco>", "MuJoCo says"),
-        ("<scene/>", "MuJoCo says"),
+        ("<scene/>", "root is <mujoco>, not <scene>"),
         ("<mujoco><worldbody><geom name='egg' type='ellipsoid' size='1 2 3'/></worldbody></mujoco>", "egg: got 'ellipsoid'"),
     ],
 )
@@ -65,6 +65,31 @@ def test_wrong_files(tmp_path, text, message):
     file.write_text(text)
     with pytest.raises(mp.InvalidInputError, match=message):
         mp.Scene.from_mjcf(file)
+
+
+def test_geoms_of_one_mesh_share_its_hull(cell):
+    more = "<geom type='mesh' mesh='wedge' pos='0 0 1' name='other'/>"
+    cell.write_text(cell.read_text().replace('mesh="wedge"/>', f'mesh="wedge"/>{more}', 1))
+    first, second = mp.Scene.from_mjcf(cell).obstacles[-2:]
+    assert (first.name, second.name) == ("wedge", "other")
+    assert first.shapes()[0] is second.shapes()[0]
+    assert abs(second.pose.translation - first.pose.translation).max() > 0.5
+
+
+def test_names_are_in_utf_8(tmp_path):
+    (tmp_path / "part.xml").write_bytes(b"<mujoco><worldbody><body name='\x80'><geom size='1'/></body></worldbody></mujoco>")
+    whole = "<mujoco><include file='part.xml'/></mujoco>"
+    for text in ((tmp_path / "part.xml").read_bytes(), whole.encode()):
+        (tmp_path / "cell.xml").write_bytes(text)
+        with pytest.raises(mp.FileFormatError, match="UTF-8"):
+            mp.Scene.from_mjcf(tmp_path / "cell.xml")
+
+
+@pytest.mark.parametrize("size", ["1e308", "1e7"])
+def test_sizes_are_bounded(tmp_path, size):
+    (tmp_path / "cell.xml").write_text(f"<mujoco><worldbody><geom type='box' size='1 1 {size}'/></worldbody></mujoco>")
+    with pytest.raises(mp.InvalidInputError, match=r"size: got .*(from -1e\+06 to 1e\+06|finite numbers)"):
+        mp.Scene.from_mjcf(tmp_path / "cell.xml")
 
 
 def test_without_mujoco_the_error_says_how_to_install_it(cell, monkeypatch):

@@ -255,6 +255,14 @@ def test_a_way_that_returns_is_named_once(planar, flat):
     assert [text.get_text() for text in flat.texts] == ["start and goal"]
 
 
+def test_a_cloud_is_drawn_and_named(panda, space, rng):
+    """Its balls have no edges to draw."""
+    cloud = mp.PointCloud(points=rng.uniform(size=(50, 3)), radius=0.02, name="scan")
+    viz.plot_arm(panda, mp.JointPath.line(panda.neutral, panda.neutral + 0.1), mp.Scene([cloud]), ax=space)
+    assert "scan" in [text.get_text() for text in space.texts]
+    assert max(len(each.get_facecolor()) for each in space.collections) >= 6 * 50
+
+
 def test_the_planar_arm_among_what_is_around_it(planar_plan, flat):
     wall = mp.Plane(name="wall", position=(-2.2, 0.0, 0.0), rotation=(0.0, np.pi / 2, 0.0))
     turned = mp.Box(size=(0.4, 0.2, 1.0), position=(2.0, 2.0, 0.0), rotation=(0.0, 0.0, 0.5), name="block")

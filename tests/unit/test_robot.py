@@ -38,11 +38,6 @@ def test_from_urdf_defaults_to_all_joints_that_move_the_tool(two_link_urdf):
     assert "default" in robot.limits.sources["acceleration"]
 
 
-def test_locked_mimic_follows_its_leader(two_link_urdf):
-    robot = mp.Robot.from_urdf(two_link_urdf(), tool="tip", locked={"finger": 0.03})
-    assert robot.locked["mirror"] == pytest.approx(2 * 0.03 + 0.01)
-
-
 def test_locking_holds_the_joint(two_link_urdf):
     free = mp.Robot.from_urdf(two_link_urdf(), tool="tip")
     held = mp.Robot.from_urdf(two_link_urdf(), tool="tip", joints=["turn"], locked={"slide": 0.2})
@@ -113,22 +108,12 @@ def test_given_limits_stand_in_for_bad_ones(two_link_urdf):
     np.testing.assert_allclose(robot.limits.velocity, 1.0)
 
 
-def test_a_follower_of_an_active_joint_is_told(two_link_urdf):
-    with pytest.raises(mp.UnsupportedJointError, match="finger.*mirror mimics it"):
-        mp.Robot.from_urdf(two_link_urdf(), tool="left")
-
-
 @pytest.mark.parametrize("value", ["nan", "inf", "two"])
 def test_wrong_numbers_in_an_srdf(two_link_urdf, tmp_path, value):
     srdf = tmp_path / "two.srdf"
     srdf.write_text(f'<robot name="two"><group_state name="a"><joint name="turn" value="{value}"/></group_state></robot>')
     with pytest.raises(mp.FileFormatError, match="srdf.*joint values"):
         mp.Robot.from_urdf(two_link_urdf(), tool="tip", srdf=srdf)
-
-
-def test_a_wrong_multiplier_of_a_mimic(two_link_urdf):
-    with pytest.raises(mp.FileFormatError, match="<mimic> of turn"):
-        mp.Robot.from_urdf(two_link_urdf('<mimic joint="slide" multiplier="two"/>'), tool="tip")
 
 
 def test_a_part_of_a_known_arm():
@@ -260,17 +245,6 @@ def test_a_package_in_a_folder_of_another_name(tmp_path, caplog):
     for options in ({"packages": 3}, {"package_dirs": 5}, {"packages": packages, "locked": 5}):
         with pytest.raises(mp.InvalidInputError, match="packages: got 3|package_dirs: got 5|locked: got 5"):
             mp.Robot.from_urdf(file, **options)
-
-
-def test_mimic_joints_cannot_be_active(two_link_urdf):
-    with pytest.raises(mp.UnsupportedJointError, match="mirror.*mimics finger"):
-        mp.Robot.from_urdf(two_link_urdf(), tool="right")
-
-
-def test_a_leader_of_the_chain_cannot_be_active(two_link_urdf):
-    file = two_link_urdf('<mimic joint="slide"/>')
-    with pytest.raises(mp.UnsupportedJointError, match="turn"):
-        mp.Robot.from_urdf(file, tool="tip")
 
 
 def test_floating_joint_is_named(tmp_path):

@@ -172,14 +172,25 @@ def test_obstacles_need_a_robot_with_geometry(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "stretch", [(1, 1, 1e-7), (1, 1, 1e-8), (1, 1, 0), (1e15, 1, 1), (1.5e23, 1, 1), (1e7, 1e7, 1e7), (1e-10, 1e-10, 1e-10)]
+    ("stretch", "message"),
+    [
+        ((1, 1, 1e-7), "one is flat"),
+        ((1, 1, 1e-8), "one is flat"),
+        ((1, 1, 0), "one is flat"),
+        ((1e15, 1, 1), r"within 1e\+06 m"),
+        ((1.5e23, 1, 1), r"within 1e\+06 m"),
+        ((1e7, 1e7, 1e7), r"within 1e\+06 m"),
+        ((1e-10, 1e-10, 1e-10), "at least one triangle with an area"),
+    ],
 )
-def test_meshes_that_are_flat_or_far_away(tmp_path, stretch):
+def test_meshes_that_are_flat_or_far_away(tmp_path, stretch, message):
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]) * stretch
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in corners.tolist()] + ["f 1 3 2", "f 1 2 4", "f 2 3 4", "f 3 1 4"]
     (tmp_path / "m.obj").write_text("\n".join(lines) + "\n")
-    with pytest.raises(mp.FileFormatError, match="one part is flat or too far away"):
-        mp.Mesh(file=tmp_path / "m.obj")
+    with pytest.raises(mp.FileFormatError, match=message):
+        mp.Mesh(file=tmp_path / "m.obj", fill="hull")
+    if "flat" in message:
+        assert isinstance(mp.Mesh(file=tmp_path / "m.obj").shapes()[0], coal.BVHModelOBBRSS)
 
 
 @pytest.mark.parametrize("thickness", [1e-2, 1e-5])
@@ -234,6 +245,32 @@ def test_faces_of_a_robots_ply_file(tmp_path, name):
     )
     with pytest.raises(mp.FileFormatError, match=r"m\.ply: a face names corner 1e\+07 of 4"):
         mp.load_robot(tmp_path / "arm.urdf")
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("shape: sphere, radius: 1.0e+308", "radius.*at most 1e\\+06"),
+        ("shape: cylinder, radius: 1, length: 2.0e+6", "length.*at most 1e\\+06"),
+        ("shape: box, size: [1, 1, 1.0e+308]", "size.*numbers from -1e\\+06 to 1e\\+06"),
+        ("shape: plane, position: [0, 0, -1.0e+7]", "position.*numbers from -1e\\+06 to 1e\\+06"),
+        ("shape: plane, rotation: [[1.0e+200, 0, 0], [0, 1, 0], [0, 0, 1]]", "rotation.*numbers from -1 to 1"),
+        ("shape: mesh, triangles: [[[0, 0, 0], [1, 0, 0], [0, 1.0e+308, 0]]]", "corners within 1e\\+06 m"),
+    ],
+)
+def test_numbers_of_obstacles_are_bounded(tmp_path, text, message):
+    file = tmp_path / "scene.yaml"
+    file.write_text(f"obstacles: [{{{text}}}]")
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.Scene.from_yaml(file)
+
+
+def test_an_obstacle_is_not_moved_beyond_the_bounds():
+    far = np.eye(4)
+    far[0, 3] = 6e5
+    moved = mp.Sphere(radius=1.0).at(far)
+    with pytest.raises(mp.InvalidInputError, match="pose"):
+        moved.at(far)
 
 
 def test_a_mesh_is_a_file_or_triangles(tmp_path):

@@ -17,6 +17,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 import trimesh
+import viser
 from PIL import Image
 
 import manipplan as mp
@@ -27,6 +28,7 @@ from manipplan.viz.viewer import plan_viewer
 from manipplan.viz.viewer import server as pages
 from manipplan.viz.viewer.bodies import appearance_of
 from manipplan.viz.viewer.chart import Chart, Curve
+from manipplan.viz.viewer.checked import capsules, convex_bodies
 from manipplan.viz.viewer.triangles import MOST, triangles_of
 
 FLAGS = (
@@ -199,6 +201,56 @@ def test_switches_hide_what_they_name(shown, page):
     drawn(page, differs_from=before)
     for name in labels[:4]:
         shown.stage.layers[name].visible = True
+
+
+def test_what_is_checked_replaces_the_links(plan):
+    """The bodies stand where Pinocchio puts those of the collision model; the links are hidden meanwhile."""
+    robot = mp.planar_arm([0.5, 0.4])
+    scene = mp.Scene([mp.Box(size=(0.1, 0.1, 0.1), position=(2.0, 0.0, 0.0))])
+    plan = moved(plan, robot, scene=scene)
+    with plan.show(port=0, open_browser=False) as page:
+        checked, around = (page.stage.layers[name] for name in ("what is checked", "controller's capsules"))
+        assert not checked.visible and not around.visible
+        names = [f"/robot/{body.joint}/checked{k}" for k, body in enumerate(convex_bodies(robot))]
+        assert names and not any(page.server.scene.get_handle_by_name(name) for name in names)  # made when first shown
+        checked.visible = True
+        page.time = 0.6 * plan.trajectory.duration
+        model = scene.collision_model(robot)
+        data, placed = robot.model.createData(), pin.GeometryData(model.geometry)
+        pin.updateGeometryPlacements(robot.model, data, model.geometry, placed, plan.trajectory(page.time))
+        for k, name in enumerate(names):
+            handle, item = page.server.scene.get_handle_by_name(name), model.geometry.geometryObjects[k]
+            frame = page.stage.robot.frames[item.parentJoint]
+            turn = pin.Quaternion(*(float(c) for c in frame.wxyz)).toRotationMatrix()
+            ours = np.asarray(handle.vertices) @ turn.T + frame.position
+            theirs = triangles_of(item.geometry)[0] @ placed.oMg[k].rotation.T + placed.oMg[k].translation
+            np.testing.assert_allclose(ours, theirs, atol=1e-6)
+            assert handle.visible
+        assert not any(link.visible for link in page.stage.robot.meshes)
+        around.visible = True
+        checked.visible = False
+        assert all(link.visible for link in page.stage.robot.meshes)
+        assert not any(page.server.scene.get_handle_by_name(name).visible for name in names)
+        assert page.server.scene.get_handle_by_name("/robot/1/capsule0").visible
+
+
+def test_capsules_are_drawn_where_the_controller_has_them():
+    robot = mp.planar_arm([0.5, 0.4])
+    controller = mp.Controller(robot, mp.formulations.Classical(), dt=0.01, compiled=False)
+    for drawn_body, body in zip(capsules(robot), controller.bodies, strict=True):
+        axis = body.end - body.start
+        share = np.clip((drawn_body.vertices - body.start) @ axis / (axis @ axis), 0.0, 1.0)
+        distances = np.linalg.norm(drawn_body.vertices - body.start - share[:, None] * axis, axis=1)
+        np.testing.assert_allclose(distances, body.radius, atol=1e-4)
+        assert drawn_body.joint == body.joint
+
+
+def test_there_is_nothing_to_check_without_collision_geometry(plan, tmp_path):
+    file = tmp_path / "arm.urdf"
+    file.write_text(ARM.format(visual="", collision=""))
+    plan = moved(plan, mp.Robot.from_urdf(file, tool="tip"), start=[0.1, 0.1, 0.1])
+    with plan.show(port=0, open_browser=False) as page:
+        assert "what is checked" not in page.stage.layers
 
 
 def test_the_seed_is_where_it_has_covered_the_same_share_of_its_length(shown, plan):
@@ -379,6 +431,23 @@ def test_every_kind_of_obstacle_is_drawn(plan, tmp_path):
         assert [name.text for name in names] == ["sphere0", "capsule1", "cylinder2", "<part>", "ground"]
         assert names[0].position[2] > 0.2  # above the sphere
         assert page.stage.layers["grid"].position[2] < -0.02
+
+
+def test_clouds_are_drawn_as_points():
+    from manipplan.viz.viewer.surroundings import POINTS, draw_obstacles
+
+    server = viser.ViserServer(port=0, verbose=False)
+    try:
+        points = np.random.default_rng(0).random((9000, 3))
+        scene = mp.Scene([mp.PointCloud(points=points, radius=0.01, position=(2, 0, 0), name="scan")])
+        _, _, seen = draw_obstacles(server.scene, scene)
+        node = server.scene.get_handle_by_name("/obstacles/0")
+        assert len(node.points) == POINTS and node.point_size == pytest.approx(0.02) and node.position[0] == 2.0
+        np.testing.assert_allclose(seen, [points.min(axis=0) + [2, 0, 0], points.max(axis=0) + [2, 0, 0]])
+        label = server.scene.get_handle_by_name("/names/0").position  # above the points, not above the camera
+        np.testing.assert_allclose(label, [*((seen[0] + seen[1])[:2] / 2), seen[1][2] + 0.02], rtol=1e-6)
+    finally:
+        server.stop()
 
 
 def surface(page, name):

@@ -4,7 +4,8 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.shapes import Plane
-from manipplan.support.checks import Array
+from manipplan.robots.hulls import FARTHEST
+from manipplan.support.checks import Array, finite_array
 from manipplan.support.errors import InvalidInputError
 
 #: Maximum difference of a quaternion's length from 1.
@@ -13,7 +14,8 @@ UNIT = 0.01
 
 def pose_of(argument: str, position: Array, quaternion: Array) -> pin.SE3:
     """The pose of a position (3,) [m] and a quaternion x, y, z, w; zeros mean no rotation, as in MoveIt."""
-    size = np.linalg.norm(quaternion)
+    finite_array("position", position, (3,), most=FARTHEST)
+    size = np.linalg.norm(finite_array(argument, quaternion, (4,), most=1.0 + UNIT))
     if size == 0:
         return pin.SE3(np.eye(3), position)
     if abs(size - 1.0) > UNIT:
@@ -23,12 +25,15 @@ def pose_of(argument: str, position: Array, quaternion: Array) -> pin.SE3:
 
 def half_space(argument: str, coefficients: Array) -> Plane:
     """The half-space a x + b y + c z + d <= 0 of `coefficients` (4,)."""
-    size = float(np.linalg.norm(coefficients[:3]))
+    size = float(np.linalg.norm(finite_array(argument, coefficients, (4,), most=FARTHEST)[:3]))
     if not size > 0:
         raise InvalidInputError(argument, coefficients.tolist(), "a plane with a normal other than zero")
     normal = coefficients[:3] / size
+    distance = float(coefficients[3]) / size
+    if not abs(distance) <= FARTHEST:
+        raise InvalidInputError(argument, coefficients.tolist(), f"a plane within {FARTHEST:g} m")
     turn = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), normal).matrix()
-    return Plane(position=-coefficients[3] / size * normal, rotation=turn)
+    return Plane(position=-distance * normal, rotation=turn)
 
 
 def triangles_of(argument: str, vertices: Array, corners: Array) -> Array:

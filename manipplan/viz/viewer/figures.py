@@ -10,7 +10,7 @@ from manipplan.measures.ellipsoid import velocity_ellipsoid
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.viz import style
-from manipplan.viz.viewer.bodies import appearance_of
+from manipplan.viz.viewer.bodies import Body, appearance_of
 
 #: Opacity of the ghost robot shown for comparison.
 GHOST = 0.45
@@ -26,6 +26,7 @@ class RobotFigure:
     Attributes:
         root: viser's handle of the whole robot; its `visible` shows and hides it.
         frames: viser's handles of the world frame and the joint frames.
+        meshes: viser's handles of the drawn bodies.
     """
 
     def __init__(self, scene: Any, root: str, robot: Robot, *, ghost: str | None = None) -> None:
@@ -33,20 +34,12 @@ class RobotFigure:
         self._data = robot.model.createData()
         self.root: Any = scene.add_frame(root, show_axes=False)
         self.frames: list[Any] = [scene.add_frame(f"{root}/{i}", show_axes=False) for i in range(robot.model.njoints)]
+        self.meshes: list[Any] = []
         for k, body in enumerate(appearance_of(robot).bodies):
             if ghost is not None and not body.joint:
                 continue  # it would coincide with that of the other robot
             colour = body.colour if ghost is None else (*rgb(ghost), GHOST)
-            scene.add_mesh_simple(
-                f"{root}/{body.joint}/{k}",
-                body.vertices,
-                body.faces,
-                color=tuple(colour[:3]),
-                opacity=colour[3] if colour[3] < 1 else None,
-                side="double",
-                cast_shadow=ghost is None,
-                receive_shadow=False,
-            )
+            self.meshes.append(draw_body(scene, f"{root}/{body.joint}/{k}", body, colour, casts=ghost is None))
         self.place(robot.neutral)
 
     def place(self, q: Array) -> None:
@@ -54,6 +47,20 @@ class RobotFigure:
         pin.forwardKinematics(self.robot.model, self._data, q)
         for frame, placement in zip(self.frames[1:], list(self._data.oMi)[1:], strict=True):
             put(frame, placement)
+
+
+def draw_body(scene: Any, name: str, body: Body, colour: tuple[float, ...], *, casts: bool) -> Any:
+    """Draw a body in a colour with opacity (4,); `casts`: whether it casts a shadow. Returns viser's handle."""
+    return scene.add_mesh_simple(
+        name,
+        body.vertices,
+        body.faces,
+        color=tuple(colour[:3]),
+        opacity=colour[3] if colour[3] < 1 else None,
+        side="double",
+        cast_shadow=casts,
+        receive_shadow=False,
+    )
 
 
 class EllipsoidFigure:

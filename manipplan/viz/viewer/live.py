@@ -20,6 +20,7 @@ from manipplan.tracking.step import StepStatus
 from manipplan.viz import style
 from manipplan.viz.motions import linear_kinematics
 from manipplan.viz.viewer.chart import Chart, Curve
+from manipplan.viz.viewer.checked import checked_layers
 from manipplan.viz.viewer.figures import EllipsoidFigure, RobotFigure, corners, ellipsoid_scale, put
 from manipplan.viz.viewer.motion import limits_now
 from manipplan.viz.viewer.panel import switches, table
@@ -161,6 +162,7 @@ class LiveViewer(Page):
         self.target = self._target
         self._layers = {"ellipsoid, tool": self.ellipsoid.mesh}
         self._layers |= surround(self.server, robot, self._first, scene, box)
+        self._layers |= checked_layers(self.server.scene, self.robot)
         self.handle.on_update(self._drag)
 
     def _drag(self, event: Any) -> None:

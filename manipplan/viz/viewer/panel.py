@@ -9,7 +9,7 @@ def switches(gui: Any, layers: Mapping[str, Any]) -> None:
     """A folder with a checkbox per layer, labelled with its name, that shows and hides it."""
 
     def switch(name: str, handle: Any) -> None:
-        box = gui.add_checkbox(name, initial_value=True)
+        box = gui.add_checkbox(name, initial_value=bool(handle.visible))
         box.on_update(lambda _: setattr(handle, "visible", box.value))
 
     with gui.add_folder("Show"):

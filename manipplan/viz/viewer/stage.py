@@ -6,6 +6,7 @@ import numpy as np
 
 from manipplan.support.checks import Array
 from manipplan.viz import style
+from manipplan.viz.viewer.checked import checked_layers
 from manipplan.viz.viewer.figures import EllipsoidFigure, RobotFigure, rgb
 from manipplan.viz.viewer.motion import Motion
 from manipplan.viz.viewer.surroundings import surround
@@ -21,7 +22,7 @@ class Stage:
         motion: the motion that is shown.
         robot, seed: figures of the arm on its motion and on the seed; seed is None without a seed.
         ellipsoid: the ellipsoid at the tool.
-        layers: viser's handles by the name of a switch; their `visible` shows and hides them.
+        layers: viser's handles, or a CheckedFigure, by the name of a switch; their `visible` shows and hides them.
     """
 
     def __init__(self, server: Any, motion: Motion) -> None:
@@ -41,6 +42,7 @@ class Stage:
         self.layers["ellipsoid, tool"] = self.ellipsoid.mesh
         self.layers["ellipsoids, path"] = fixed
         self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.plan.scene, motion.box)
+        self.layers |= checked_layers(scene, self.robot)
         self.place(0.0)
 
     def place(self, t: float) -> None:

@@ -6,9 +6,11 @@ import coal
 import numpy as np
 
 from manipplan.collision.scene import Scene
+from manipplan.collision.shapes import PointCloud
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.viz import style
+from manipplan.viz.shapes import evenly_chosen
 from manipplan.viz.viewer.figures import corners, put, rgb
 from manipplan.viz.viewer.triangles import PLANE, triangles_of
 
@@ -21,6 +23,8 @@ FILL = 0.92
 #: Distance beyond the arm up to which obstacles and static parts of the robot are in the view, as a share of the diagonal of
 #: the arm's workspace box.
 NEAR = 0.2
+#: Maximum number of points that are drawn of a cloud.
+POINTS = 5000
 
 
 def draw_obstacles(scene: Any, obstacles: Scene) -> tuple[Any, Any, Array]:
@@ -29,8 +33,19 @@ def draw_obstacles(scene: Any, obstacles: Scene) -> tuple[Any, Any, Array]:
     names = scene.add_frame("/names", show_axes=False)
     seen = [np.empty((0, 3))]
     for k, (name, obstacle) in enumerate(zip(obstacles.names, obstacles.obstacles, strict=True)):
-        top = -np.inf
-        for i, shape in enumerate(obstacle.shapes()):
+        top, above = -np.inf, obstacle.pose.translation.copy()
+        if isinstance(obstacle, PointCloud):
+            points = evenly_chosen(obstacle.kept, POINTS).astype(np.float32)
+            size = 2 * obstacle.parts()[0].radius
+            cloud = scene.add_point_cloud(
+                f"/obstacles/{k}", points, rgb(style.OBSTACLE), point_size=size, point_shape="circle", precision="float32"
+            )
+            put(cloud, obstacle.pose)
+            placed = obstacle.kept @ obstacle.pose.rotation.T + obstacle.pose.translation
+            top = placed[:, 2].max()
+            above = (placed.min(axis=0) + placed.max(axis=0)) / 2  # its frame is often that of the camera
+            seen.append(np.array([placed.min(axis=0), placed.max(axis=0)]))
+        for i, shape in enumerate(() if isinstance(obstacle, PointCloud) else obstacle.shapes()):
             triangles = triangles_of(shape)
             if triangles is None:
                 continue
@@ -48,7 +63,6 @@ def draw_obstacles(scene: Any, obstacles: Scene) -> tuple[Any, Any, Array]:
             top = max(top, placed[:, 2].max()) if not endless else top
             if not endless:
                 seen.append(np.array([placed.min(axis=0), placed.max(axis=0)]))
-        above = obstacle.pose.translation.copy()
         above[2] = max(above[2], top) + 0.02
         if not np.isfinite(top):  # a plane: its name beside the arm in the initial view
             above -= 0.1 * PLANE * (obstacle.pose.rotation[:, 0] + obstacle.pose.rotation[:, 1])

@@ -5,7 +5,7 @@ import pinocchio as pin
 from manipplan.robots import attached, mjcf_bodies, model_tree
 from manipplan.robots.robot import Robot
 from manipplan.robots.xml_files import read_xml
-from manipplan.support.errors import FileFormatError
+from manipplan.support.errors import ManipplanError
 
 
 def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
@@ -24,11 +24,11 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
             geometry = pin.buildGeomFromMJCF(whole, str(file), kind)
             whole, geometry = attached.move_base(whole, geometry, mjcf_bodies.root_pose(read_xml("file", file, "mujoco")))
         else:
-            text, folders = source.mesh_files.read(file), source.mesh_files.folders(file)
+            text, folders = source.urdf_files.read(file), source.urdf_files.folders(file)
             whole = pin.buildModelFromXML(text)
             geometry = pin.buildGeomFromUrdfString(whole, text, kind, package_dirs=folders)
         model, geometry = model_tree.reduce(model_tree.plain_angles(whole), geometry, robot.joint_names, robot.locked)
-    except (ValueError, RuntimeError, IndexError, FileFormatError) as error:
+    except (ValueError, RuntimeError, IndexError, ManipplanError) as error:
         return None, f"the visual meshes of {file.name} cannot be read: {' '.join(str(error).split())[:160]}"
     geometry = attached.move_base(model, geometry, pin.SE3(robot.base))[1]
     for item in robot.geometry.geometryObjects:

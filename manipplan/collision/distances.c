@@ -1,0 +1,556 @@
+/* Distances between the bodies of an arm, and between them and obstacles.
+
+   A shape is a convex core with a radius around it; the distance of two shapes is that of their cores minus both radii. The
+   distance of two cores comes from the algorithm of Gilbert, Johnson and Keerthi (GJK): each step gives a point of the
+   difference of the two (an upper bound) and a separating direction (a lower bound), so that every answer is proven.
+
+   Obstacles are in a tree of axis-parallel boxes; each mesh and each point cloud has a tree of its triangles or points below its
+   place there. All arrays belong to the caller. Vectors are in metres. */
+
+#include <math.h>
+#include <string.h>
+
+enum { POINTS, BOX, CYLINDER, HALFSPACE, SURFACE, UNKNOWN };
+enum { FREE, TOUCHING, UNDECIDED };
+
+typedef struct {
+    long n;                 /* number of joints */
+    const double *fixed;    /* (n, 12) rotation and origin of each joint in the frame of the joint before it, at q = 0 */
+    const double *axes;     /* (n, 3) axis in the joint's frame */
+    const long *slides;     /* (n) whether the joint is prismatic */
+    long bodies;            /* number of shapes */
+    const long *joint;      /* joint that carries each; 0: the world */
+    const long *kind;
+    const long *first;      /* POINTS: its first core point; SURFACE: its first leaf */
+    const long *count;      /* and their number */
+    const double *radius;
+    const double *pose;     /* (bodies, 12) of the core in the joint's frame: BOX, CYLINDER, HALFSPACE */
+    const double *size;     /* (bodies, 3) half sides; radius and half length; - */
+    const double *ball;     /* (bodies, 4) centre in the joint's frame, and radius of a ball around the shape */
+    const double *x, *y, *z;/* core points in the joint's frame */
+    long selves;            /* pairs that are checked one by one */
+    const long *self;       /* (selves, 3) two bodies and the number of the pair */
+    long movers;            /* bodies that are checked against the tree */
+    const long *mover;
+    const long *pair_of;    /* (movers, bodies) number of the pair; -1: not checked */
+    long groups;            /* movers of one joint, one after another */
+    const long *group;      /* (groups, 3) joint, first mover, number of movers */
+    const double *group_ball; /* (groups, 4) centre in the joint's frame, and radius of a ball around them */
+    long pairs;             /* number of pairs */
+    long top;               /* root of the tree of obstacles; -1: there is none */
+    const double *node_box; /* (nodes, 6) least and largest corner */
+    const long *node;       /* (nodes, 2) children; a leaf has -1 and the obstacle or, below a surface, its leaf */
+    const long *root;       /* (bodies) root of a surface's tree */
+    const double *corners;  /* (leaves, 9) triangles; a point has three equal corners */
+    double *frames;         /* (n + 1, 12) work: rotation and origin of each joint in the world */
+    double *centres;        /* (bodies, 3) work: centre of each ball in the world */
+} World;
+
+typedef struct {
+    long kind, count;
+    const double *x, *y, *z;
+    const double *frame;    /* of the joint: POINTS; of the core: BOX, CYLINDER */
+    const double *size;
+    double own[12];
+} Core;
+
+static const double EXACT = 1e-11;   /* gap between the bounds at which a distance is found [m] */
+static const double MEETING = 1e-10; /* cores nearer than this meet [m] */
+static const double TINY = 1e-6;     /* triangles smaller than this are points [m] */
+static const int MOST_STEPS = 300;   /* cylinders converge slowly; polytopes need about ten steps */
+
+static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+static void act(const double *frame, const double *p, double *out) {
+    for (int i = 0; i < 3; i++)
+        out[i] = frame[3 * i] * p[0] + frame[3 * i + 1] * p[1] + frame[3 * i + 2] * p[2] + frame[9 + i];
+}
+
+static void turn_back(const double *frame, const double *v, double *out) {
+    for (int i = 0; i < 3; i++) out[i] = frame[i] * v[0] + frame[3 + i] * v[1] + frame[6 + i] * v[2];
+}
+
+static void compose(const double *a, const double *b, double *out) {
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++)
+            out[3 * i + j] = a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
+        out[9 + i] = a[3 * i] * b[9] + a[3 * i + 1] * b[10] + a[3 * i + 2] * b[11] + a[9 + i];
+    }
+}
+
+static void place(const World *w, const double *q) {
+    double *frames = w->frames;
+    static const double still[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+    memcpy(frames, still, sizeof still);
+    for (long j = 0; j < w->n; j++) {
+        const double *a = w->axes + 3 * j;
+        double moved[12];
+        if (w->slides[j]) {
+            memcpy(moved, still, sizeof still);
+            for (int i = 0; i < 3; i++) moved[9 + i] = q[j] * a[i];
+        } else {
+            double s = sin(q[j]), c = cos(q[j]), k = 1 - c;
+            double turn[12] = {c + k * a[0] * a[0],        k * a[0] * a[1] - s * a[2], k * a[0] * a[2] + s * a[1],
+                               k * a[1] * a[0] + s * a[2], c + k * a[1] * a[1],        k * a[1] * a[2] - s * a[0],
+                               k * a[2] * a[0] - s * a[1], k * a[2] * a[1] + s * a[0], c + k * a[2] * a[2],
+                               0, 0, 0};
+            memcpy(moved, turn, sizeof turn);
+        }
+        double joint[12];
+        compose(frames + 12 * j, w->fixed + 12 * j, joint);
+        compose(joint, moved, frames + 12 * (j + 1));
+    }
+    for (long b = 0; b < w->bodies; b++)
+        if (w->joint[b] > 0) act(frames + 12 * w->joint[b], w->ball + 4 * b, w->centres + 3 * b);
+}
+
+static void core_of(const World *w, long body, Core *core) {
+    const double *frame = w->frames + 12 * w->joint[body];
+    core->kind = w->kind[body];
+    core->size = w->size + 3 * body;
+    if (core->kind == POINTS) {
+        long k = w->first[body];
+        core->count = w->count[body], core->x = w->x + k, core->y = w->y + k, core->z = w->z + k, core->frame = frame;
+    } else {
+        compose(frame, w->pose + 12 * body, core->own);
+        core->frame = core->own;
+    }
+}
+
+/* The first of the core points that are farthest along d. The products are vectorised, the search for the largest is not. */
+static long farthest(const Core *core, const double *d) {
+    const double *x = core->x, *y = core->y, *z = core->z;
+    double best = d[0] * x[0] + d[1] * y[0] + d[2] * z[0];
+    long first = 0, k = 1;
+    double along[64];
+    for (; k < core->count;) {
+        long run = core->count - k < 64 ? core->count - k : 64;
+        for (long i = 0; i < run; i++) along[i] = d[0] * x[k + i] + d[1] * y[k + i] + d[2] * z[k + i];
+        for (long i = 0; i < run; i++)
+            if (along[i] > best) best = along[i], first = k + i;
+        k += run;
+    }
+    return first;
+}
+
+/* The point of a core that is farthest along v. */
+static void support(const Core *core, const double *v, double *out) {
+    double d[3], p[3];
+    turn_back(core->frame, v, d);
+    if (core->kind == POINTS) {
+        long at = farthest(core, d);
+        p[0] = core->x[at], p[1] = core->y[at], p[2] = core->z[at];
+    } else if (core->kind == BOX) {
+        for (int i = 0; i < 3; i++) p[i] = d[i] >= 0 ? core->size[i] : -core->size[i];
+    } else {
+        double across = sqrt(d[0] * d[0] + d[1] * d[1]), share = across > 0 ? core->size[0] / across : 0;
+        p[0] = share * d[0], p[1] = share * d[1], p[2] = d[2] >= 0 ? core->size[1] : -core->size[1];
+    }
+    act(core->frame, p, out);
+}
+
+typedef struct { double point[4][3]; int count; double nearest[3]; } Simplex;
+
+static void keep(Simplex *s, const int *chosen, int count) {
+    double kept[4][3];
+    for (int i = 0; i < count; i++) memcpy(kept[i], s->point[chosen[i]], sizeof kept[i]);
+    memcpy(s->point, kept, sizeof kept);
+    s->count = count;
+}
+
+static void on_line(const double *a, const double *b, double t, double *out) {
+    for (int i = 0; i < 3; i++) out[i] = a[i] + t * (b[i] - a[i]);
+}
+
+/* The point of the triangle a b c that is nearest to the origin, and the corners that span it (bits). */
+static int of_triangle(const double *a, const double *b, const double *c, double *out) {
+    double ab[3], ac[3];
+    for (int i = 0; i < 3; i++) ab[i] = b[i] - a[i], ac[i] = c[i] - a[i];
+    double d1 = -dot(ab, a), d2 = -dot(ac, a), d3 = -dot(ab, b), d4 = -dot(ac, b), d5 = -dot(ab, c), d6 = -dot(ac, c);
+    if (d1 <= 0 && d2 <= 0) { memcpy(out, a, 3 * sizeof *a); return 1; }
+    if (d3 >= 0 && d4 <= d3) { memcpy(out, b, 3 * sizeof *b); return 2; }
+    if (d6 >= 0 && d5 <= d6) { memcpy(out, c, 3 * sizeof *c); return 4; }
+    double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) { on_line(a, b, d1 / (d1 - d3), out); return 3; }
+    double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) { on_line(a, c, d2 / (d2 - d6), out); return 5; }
+    double va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) { on_line(b, c, (d4 - d3) / (d4 - d3 + d5 - d6), out); return 6; }
+    double whole = va + vb + vc;
+    for (int i = 0; i < 3; i++) out[i] = a[i] + ab[i] * (vb / whole) + ac[i] * (vc / whole);
+    return 7;
+}
+
+/* Move `nearest` to the point of the simplex that is nearest to the origin and drop the corners that do not span it.
+   Returns whether the simplex contains the origin. */
+static int reduce(Simplex *s) {
+    static const int face[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+    if (s->count == 1) { memcpy(s->nearest, s->point[0], sizeof s->nearest); return 0; }
+    if (s->count == 2) {
+        double ab[3];
+        for (int i = 0; i < 3; i++) ab[i] = s->point[1][i] - s->point[0][i];
+        double whole = dot(ab, ab), t = whole > 0 ? -dot(ab, s->point[0]) / whole : 0;
+        if (t <= 0) { int one[] = {0}; keep(s, one, 1); memcpy(s->nearest, s->point[0], sizeof s->nearest); }
+        else if (t >= 1) { int one[] = {1}; keep(s, one, 1); memcpy(s->nearest, s->point[0], sizeof s->nearest); }
+        else on_line(s->point[0], s->point[1], t, s->nearest);
+        return 0;
+    }
+    double best = INFINITY, found[3];
+    int chosen[3] = {0, 1, 2}, bits = 7, inside = s->count == 4;
+    for (int f = 0; f < (s->count == 3 ? 1 : 4); f++) {
+        const double *a = s->point[face[f][0]], *b = s->point[face[f][1]], *c = s->point[face[f][2]];
+        if (s->count == 4) {
+            const double *other = s->point[6 - face[f][0] - face[f][1] - face[f][2]];
+            double ab[3], ac[3], to[3];
+            for (int i = 0; i < 3; i++) ab[i] = b[i] - a[i], ac[i] = c[i] - a[i], to[i] = other[i] - a[i];
+            double normal[3] = {ab[1] * ac[2] - ab[2] * ac[1], ab[2] * ac[0] - ab[0] * ac[2], ab[0] * ac[1] - ab[1] * ac[0]};
+            double origin = -dot(normal, a), fourth = dot(normal, to);
+            if (fourth == 0) inside = 0;                   /* flat: the nearest face counts */
+            else if (origin * fourth >= 0) continue;       /* the origin is on the inner side of this face */
+            inside = 0;
+        }
+        double p[3];
+        int which = of_triangle(a, b, c, p);
+        double square = dot(p, p);
+        if (square < best) { best = square, bits = which; memcpy(found, p, sizeof p); memcpy(chosen, face[f], sizeof chosen); }
+    }
+    if (s->count == 4 && inside) return 1;
+    if (best == INFINITY) return 0;                        /* rounding: no face decides, nothing is gained */
+    int kept[3], count = 0;
+    for (int i = 0; i < 3; i++) if (bits >> i & 1) kept[count++] = chosen[i];
+    keep(s, kept, count);
+    memcpy(s->nearest, found, sizeof found);
+    return 0;
+}
+
+/* Bounds on the distance of two cores. Stops when the lower bound exceeds `enough`, or the upper one is at most `little`.
+   `towards` is a first guess of the direction from the second core to the first. Returns 0 if the cores meet. */
+static int bounds(const Core *one, const Core *two, const double *towards, double enough, double little, double *low, double *high) {
+    Simplex s;
+    double v[3], a[3], b[3], minus[3];
+    double size = sqrt(dot(towards, towards));
+    for (int i = 0; i < 3; i++) v[i] = size > 0 ? towards[i] / size : i == 0;
+    *low = -INFINITY, *high = INFINITY;
+    s.count = 0;
+    for (int step = 0; step < MOST_STEPS; step++) {
+        for (int i = 0; i < 3; i++) minus[i] = -v[i];
+        support(one, minus, a);
+        support(two, v, b);
+        double corner[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+        double length = sqrt(dot(v, v)), under = dot(v, corner) / length;
+        if (under > *low) *low = under;
+        if (*low > enough || *high - *low <= EXACT) return 1;
+        for (int i = 0; i < s.count; i++)
+            if (memcmp(s.point[i], corner, sizeof corner) == 0) return 1;
+        memcpy(s.point[s.count++], corner, sizeof corner);
+        if (reduce(&s)) return 0;
+        double apart = sqrt(dot(s.nearest, s.nearest));
+        if (apart >= *high && step > 0) return 1;          /* rounding: no progress */
+        *high = apart;
+        if (apart <= MEETING) return 0;
+        if (apart <= little || *high - *low <= EXACT) return 1;
+        memcpy(v, s.nearest, sizeof v);
+        if (s.count == 4) return 1;
+    }
+    return 1;
+}
+
+/* The same for two shapes: bounds on the signed distance minus both radii. Returns 0 if the cores meet. */
+static int shape_bounds(const World *w, long i, const Core *one, long j, const Core *two, const double *towards, double enough,
+                        double little, double *low, double *high) {
+    double radii = w->radius[i] + w->radius[j];
+    int apart = bounds(one, two, towards, enough + radii, little + radii, low, high);
+    *low -= radii, *high -= radii;
+    return apart;
+}
+
+/* Distance of a shape from a half-space: exact. */
+static double over_plane(const World *w, long body, const Core *core, long plane) {
+    double frame[12], down[3], p[3];
+    compose(w->frames + 12 * w->joint[plane], w->pose + 12 * plane, frame);
+    for (int i = 0; i < 3; i++) down[i] = -frame[3 * i + 2];
+    support(core, down, p);
+    double height = 0;
+    for (int i = 0; i < 3; i++) height -= down[i] * (p[i] - frame[9 + i]);
+    return height - w->radius[body] - w->radius[plane];
+}
+
+static double square_from_box(const double *p, const double *box) {
+    double square = 0;
+    for (int i = 0; i < 3; i++) {
+        double under = box[i] - p[i], over = p[i] - box[3 + i], gap = under > over ? under : over;
+        gap = gap > 0 ? gap : 0;
+        square += gap * gap;
+    }
+    return square;
+}
+
+static double from_box(const double *p, const double *box) { return sqrt(square_from_box(p, box)); }
+
+static void box_core(const double *box, Core *core, double *half) {
+    static const double straight[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    memcpy(core->own, straight, sizeof straight);
+    for (int i = 0; i < 3; i++) core->own[9 + i] = (box[i] + box[3 + i]) / 2, half[i] = (box[3 + i] - box[i]) / 2;
+    core->kind = BOX, core->frame = core->own, core->size = half;
+}
+
+/* How often the ray from p along d leaves the surface, less how often it enters: its winding number about p. */
+static int leaves(const World *w, long node, const double *p, const double *d) {
+    const double *box = w->node_box + 6 * node;
+    double near = 0, far = INFINITY;
+    for (int i = 0; i < 3; i++) {
+        double t = (box[i] - p[i]) / d[i], u = (box[3 + i] - p[i]) / d[i];
+        if (t > u) { double kept = t; t = u, u = kept; }
+        near = t > near ? t : near, far = u < far ? u : far;
+    }
+    if (near > far) return 0;
+    const long *child = w->node + 2 * node;
+    if (child[0] >= 0) return leaves(w, child[0], p, d) + leaves(w, child[1], p, d);
+    const double *c = w->corners + 9 * child[1];
+    double e[3], f[3], s[3];
+    for (int i = 0; i < 3; i++) e[i] = c[3 + i] - c[i], f[i] = c[6 + i] - c[i], s[i] = p[i] - c[i];
+    double h[3] = {d[1] * f[2] - d[2] * f[1], d[2] * f[0] - d[0] * f[2], d[0] * f[1] - d[1] * f[0]}, det = dot(e, h);
+    if (det == 0) return 0;
+    double u = dot(s, h) / det;
+    if (u < 0 || u > 1) return 0;
+    double g[3] = {s[1] * e[2] - s[2] * e[1], s[2] * e[0] - s[0] * e[2], s[0] * e[1] - s[1] * e[0]};
+    double v = dot(d, g) / det;
+    if (v < 0 || u + v > 1 || dot(f, g) / det <= 0) return 0;
+    return det < 0 ? 1 : -1;
+}
+
+/* Whether a point is inside a closed surface, by the majority of three rays. */
+static int within(const World *w, long surface, const double *p) {
+    static const double ray[3][3] = {{0.612372, 0.353553, 0.707107}, {-0.41779, 0.83127, -0.36701}, {0.11731, -0.51449, -0.84943}};
+    if (from_box(p, w->node_box + 6 * w->root[surface]) > 0) return 0;
+    int votes = 0;
+    for (int k = 0; k < 3; k++) votes += leaves(w, w->root[surface], p, ray[k]) != 0;
+    return votes >= 2;
+}
+
+/* A search for what is near one body: pairs nearer than `reach`, each with its least distance, or whether any is. */
+typedef struct {
+    const World *w;
+    long body;
+    const Core *core;
+    const long *pair;     /* number of the pair with each body */
+    double reach;         /* distances above it are not looked for */
+    double *out;          /* distances by pair; 0: only look for touching */
+    int verdict;
+    long leaf;            /* of a surface: the triangle or point that was nearest last */
+} Search;
+
+static double reach_of(const Search *s, long obstacle) {
+    return s->out ? s->out[s->pair[obstacle]] : s->reach;
+}
+
+/* A found distance: low and high bound it; met: the cores meet. */
+static void tell(Search *s, long obstacle, int apart, double low, double high) {
+    if (s->out) {
+        double *best = s->out + s->pair[obstacle];
+        if (!apart) *best = NAN;                            /* the depth is not known here */
+        else if (high < *best) *best = high - low <= 1e3 * EXACT ? high : NAN;
+    } else if (!apart || high <= s->reach) s->verdict = TOUCHING;
+    else if (low <= s->reach && s->verdict == FREE) s->verdict = UNDECIDED;
+}
+
+static int ended(const Search *s, long obstacle) {
+    return s->out ? isnan(s->out[s->pair[obstacle]]) : s->verdict == TOUCHING;
+}
+
+/* Look at the triangles or points below a node of a surface. */
+static void surface(Search *s, long obstacle, long node) {
+    const World *w = s->w;
+    const double *box = w->node_box + 6 * node, *centre = w->centres + 3 * s->body, extra = w->radius[obstacle];
+    double reach = reach_of(s, obstacle);
+    double around = from_box(centre, box) - w->ball[4 * s->body + 3] - extra;
+    if (ended(s, obstacle) || around > reach) return;
+    const long *child = w->node + 2 * node;
+    double towards[3], low, high;
+    if (child[0] < 0) {
+        const double *c = w->corners + 9 * child[1];
+        static const double still[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+        double x[3] = {c[0], c[3], c[6]}, y[3] = {c[1], c[4], c[7]}, z[3] = {c[2], c[5], c[8]};
+        int point = 1;                                      /* points of clouds are tiny triangles */
+        for (int i = 0; i < 3; i++) point &= fabs(c[3 + i] - c[i]) < TINY && fabs(c[6 + i] - c[i]) < TINY;
+        Core leaf = {.kind = POINTS, .count = point ? 1 : 3, .x = x, .y = y, .z = z, .frame = still};
+        for (int i = 0; i < 3; i++) towards[i] = centre[i] - c[i];
+        double little = s->out ? -INFINITY : reach;
+        int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, towards, reach, little, &low, &high);
+        if (!apart || low <= reach) tell(s, obstacle, apart, low, high), s->leaf = child[1];
+        return;
+    }
+    double half[3];
+    Core all;
+    box_core(box, &all, half);
+    for (int i = 0; i < 3; i++) towards[i] = centre[i] - all.own[9 + i];
+    if (half[0] + half[1] + half[2] < 2 * w->ball[4 * s->body + 3]) { /* small beside the body: worth a look at the whole box */
+        double inside = -extra - w->radius[s->body];
+        int apart = bounds(s->core, &all, towards, reach - inside, INFINITY, &low, &high);
+        if (apart && low + inside > reach) return;
+    }
+    double first = from_box(centre, w->node_box + 6 * child[0]), second = from_box(centre, w->node_box + 6 * child[1]);
+    int order = second < first;
+    surface(s, obstacle, child[order]);
+    surface(s, obstacle, child[1 - order]);
+}
+
+/* Compare the body with another one; `box`: one around that in the world, or 0. */
+static void look_at(Search *s, long obstacle, const double *box) {
+    const World *w = s->w;
+    if (s->pair[obstacle] < 0 || ended(s, obstacle)) return;
+    long kind = w->kind[obstacle];
+    double low = -INFINITY, high = INFINITY;
+    if (kind == UNKNOWN || w->kind[s->body] == UNKNOWN || w->kind[s->body] == SURFACE || w->kind[s->body] == HALFSPACE) {
+        tell(s, obstacle, 1, low, high);
+    } else if (kind == HALFSPACE) {
+        low = over_plane(w, s->body, s->core, obstacle);
+        if (low <= reach_of(s, obstacle)) tell(s, obstacle, 1, low, low);
+    } else if (kind == SURFACE) {
+        surface(s, obstacle, w->root[obstacle]);
+        if (w->size[3 * obstacle] > 0 && !ended(s, obstacle)) {  /* a closed surface: a body inside it touches */
+            double p[3], v[3] = {1, 0, 0};
+            support(s->core, v, p);
+            if (within(w, obstacle, p)) tell(s, obstacle, 0, low, high);
+        }
+    } else {
+        double towards[3], reach = reach_of(s, obstacle);
+        const double *a = w->centres + 3 * s->body, *b = w->centres + 3 * obstacle;
+        for (int i = 0; i < 3; i++) towards[i] = a[i] - b[i];
+        double reaches = reach + w->ball[4 * s->body + 3] + w->ball[4 * obstacle + 3];
+        if (dot(towards, towards) > reaches * reaches) return;
+        if (box && square_from_box(a, box) > 0)             /* from the nearest point of the box: a better first direction */
+            for (int i = 0; i < 3; i++) towards[i] = a[i] < box[i] ? a[i] - box[i] : a[i] > box[3 + i] ? a[i] - box[3 + i] : 0;
+        Core other;
+        core_of(w, obstacle, &other);
+        int apart = shape_bounds(w, s->body, s->core, obstacle, &other, towards, reach, s->out ? -INFINITY : reach, &low, &high);
+        if (!apart || low <= reach) tell(s, obstacle, apart, low, high);
+    }
+}
+
+static void descend(Search *s, long node) {
+    const World *w = s->w;
+    const double *box = w->node_box + 6 * node, reaches = s->reach + w->ball[4 * s->body + 3];
+    if (square_from_box(w->centres + 3 * s->body, box) > reaches * reaches || (!s->out && s->verdict == TOUCHING)) return;
+    const long *child = w->node + 2 * node;
+    if (child[0] < 0) look_at(s, child[1], box);
+    else descend(s, child[0]), descend(s, child[1]);
+}
+
+/* Whether any obstacle's box is nearer to a ball than its radius. */
+static int is_near(const World *w, const double *centre, double square, long node) {
+    if (square_from_box(centre, w->node_box + 6 * node) > square) return 0;
+    const long *child = w->node + 2 * node;
+    return child[0] < 0 || is_near(w, centre, square, child[0]) || is_near(w, centre, square, child[1]);
+}
+
+static int examine(const World *w, const double *q, double reach, double *out) {
+    int verdict = FREE, finite = 1;
+    for (long j = 0; j < w->n; j++) finite &= isfinite(q[j]) != 0;
+    if (out)
+        for (long k = 0; k < w->pairs; k++) out[k] = finite ? reach : NAN;
+    if (!finite) return UNDECIDED;
+    place(w, q);
+    for (long g = 0; g < w->groups && w->top >= 0; g++) {
+        const long *group = w->group + 3 * g;
+        const double *ball = w->group_ball + 4 * g;
+        double centre[3], reaches = reach + ball[3];
+        act(w->frames + 12 * group[0], ball, centre);
+        if (!is_near(w, centre, reaches * reaches, w->top)) continue;
+        for (long m = group[1]; m < group[1] + group[2]; m++) {
+            Core core;
+            Search s = {w, w->mover[m], &core, w->pair_of + m * w->bodies, reach, out, verdict, -1};
+            core_of(w, s.body, &core);
+            descend(&s, w->top);
+            verdict = s.verdict;
+            if (!out && verdict == TOUCHING) return TOUCHING;
+        }
+    }
+    for (long k = 0; k < w->selves; k++) {
+        long one = w->self[3 * k], two = w->self[3 * k + 1], pairs[1];
+        const double *a = w->centres + 3 * one, *b = w->centres + 3 * two;
+        double gap[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]}, reaches = reach + w->ball[4 * one + 3] + w->ball[4 * two + 3];
+        if (dot(gap, gap) > reaches * reaches) continue;
+        Core core;
+        core_of(w, one, &core);
+        pairs[0] = w->self[3 * k + 2];
+        Search s = {w, one, &core, pairs - two, reach, out, verdict, -1};
+        look_at(&s, two, 0);
+        verdict = s.verdict;
+        if (!out && verdict == TOUCHING) return TOUCHING;
+    }
+    return verdict;
+}
+
+/* Whether any pair is nearer than `clearance` at q (n): FREE, TOUCHING or UNDECIDED. */
+int manipplan_check_one(const World *w, const double *q, double clearance) { return examine(w, q, clearance, 0); }
+
+/* Whether any pair is nearer than `clearance` at each of m configurations q (m, n): FREE, TOUCHING or UNDECIDED. */
+void manipplan_check(const World *w, const double *q, long m, double clearance, signed char *verdicts) {
+    for (long k = 0; k < m; k++) verdicts[k] = (signed char)examine(w, q + k * w->n, clearance, 0);
+}
+
+/* Distances (m, pairs) at q (m, n), cut off at reach (m); nan where cores meet, so that only a depth would tell, or rounding
+   prevails. */
+void manipplan_distances(const World *w, const double *q, long m, const double *reach, double *out) {
+    for (long k = 0; k < m; k++) examine(w, q + k * w->n, reach[k], out + k * w->pairs);
+}
+
+/* The distance of one pair at each of m configurations: bodies (m, 2), the second of which may stand still; out (m).
+   leaf (m): the triangle or point of the second body that is nearest; -1 if that is no surface. */
+void manipplan_pairs(const World *w, const double *q, long m, const long *bodies, double *out, long *leaf) {
+    for (long k = 0; k < m; k++) {
+        long one = bodies[2 * k], two = bodies[2 * k + 1], pair = 0;
+        Core core;
+        place(w, q + k * w->n);
+        core_of(w, one, &core);
+        out[k] = INFINITY;
+        Search s = {w, one, &core, &pair - two, INFINITY, out + k, FREE, -1};
+        look_at(&s, two, 0);
+        leaf[k] = s.leaf;
+    }
+}
+
+static double middle(const double *box, int axis) { return box[axis] + box[3 + axis]; }
+
+/* Order items so that the one at `at` has no item with a larger middle before it and none with a smaller one after it. */
+static void halve(const double *box, long *item, long count, long at, int axis) {
+    long low = 0, high = count - 1;
+    while (low < high) {
+        double pivot = middle(box + 6 * item[(low + high) / 2], axis);
+        long i = low, j = high;
+        while (i <= j) {
+            while (middle(box + 6 * item[i], axis) < pivot) i++;
+            while (middle(box + 6 * item[j], axis) > pivot) j--;
+            if (i <= j) { long kept = item[i]; item[i++] = item[j], item[j--] = kept; }
+        }
+        if (at <= j) high = j;
+        else if (at >= i) low = i;
+        else return;
+    }
+}
+
+/* A tree over `count` boxes, from node `root` on: 2 count - 1 nodes. `item` (count) holds the numbers of the boxes and is
+   reordered; `name` (boxes): what a leaf says. Returns the number of the next free node. */
+long manipplan_tree(const double *box, long *item, long count, const long *name, long root, double *node_box, long *node) {
+    double *all = node_box + 6 * root;
+    memcpy(all, box + 6 * item[0], 6 * sizeof *all);
+    for (long k = 1; k < count; k++)
+        for (int i = 0; i < 3; i++) {
+            const double *each = box + 6 * item[k];
+            if (each[i] < all[i]) all[i] = each[i];
+            if (each[3 + i] > all[3 + i]) all[3 + i] = each[3 + i];
+        }
+    if (count == 1) {
+        node[2 * root] = -1, node[2 * root + 1] = name[item[0]];
+        return root + 1;
+    }
+    int axis = 0;
+    for (int i = 1; i < 3; i++)
+        if (all[3 + i] - all[i] > all[3 + axis] - all[axis]) axis = i;
+    halve(box, item, count, count / 2, axis);
+    node[2 * root] = root + 1;
+    long next = manipplan_tree(box, item, count / 2, name, root + 1, node_box, node);
+    node[2 * root + 1] = next;
+    return manipplan_tree(box, item + count / 2, count - count / 2, name, next, node_box, node);
+}

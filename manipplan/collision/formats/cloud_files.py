@@ -1,0 +1,131 @@
+"""Files of points: PLY, PCD, NPY and NPZ."""
+
+import tokenize
+import zipfile
+import zlib
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from manipplan.robots.meshes.ply import read_ply
+from manipplan.support.checks import Array
+from manipplan.support.errors import FileFormatError
+
+#: Endings of the files that are read.
+ENDINGS = (".ply", ".pcd", ".npy", ".npz")
+#: NumPy's letters for the types of PCD.
+KINDS = {"F": "f", "I": "i", "U": "u"}
+#: Maximum number of bytes of an array: a small compressed file can announce any size.
+MOST_BYTES = 2_000_000_000
+#: What reading a broken file raises; NumPy and zipfile raise the unusual ones.
+READING = (
+    *(ValueError, KeyError, IndexError, OSError, EOFError, OverflowError, MemoryError),
+    *(zipfile.BadZipFile, zlib.error, tokenize.TokenError, SyntaxError, TypeError, NotImplementedError, RuntimeError),
+)
+
+
+def read_points(argument: str, file: Path) -> Array:
+    """The finite points (k, 3) of a file; raises FileFormatError with the fault."""
+    ending = file.suffix.lower()
+    if ending not in ENDINGS:
+        raise FileFormatError(argument, str(file), f"points in a file that ends with {', '.join(ENDINGS)}")
+    try:
+        if ending == ".ply":
+            points = read_ply(file).vertices
+        elif ending == ".pcd":
+            points = _pcd(file.read_bytes())
+        else:
+            points = _numpy(file)
+    except READING as error:
+        reason = " ".join(str(error).split())[:160]
+        raise FileFormatError(argument, str(file), f"points in the format {ending[1:].upper()}; {reason}") from error
+    points = points[np.isfinite(points).all(axis=1)]
+    if not len(points):
+        raise FileFormatError(argument, str(file), "at least one finite point")
+    return points
+
+
+def _numpy(file: Path) -> Array:
+    """The array of an NPY file, or of an NPZ file the one that is called points, or the only one."""
+    if file.suffix.lower() == ".npz":
+        with zipfile.ZipFile(file) as archive:
+            if sum(each.file_size for each in archive.infolist()) > MOST_BYTES:
+                raise ValueError(f"it unpacks to more than {MOST_BYTES:g} bytes")
+    loaded = np.load(file, mmap_mode="r" if file.suffix.lower() == ".npy" else None, allow_pickle=False)
+    if isinstance(loaded, Mapping):
+        names = list(loaded)
+        if "points" not in names and len(names) != 1:
+            raise ValueError(f"its arrays are {', '.join(names)[:80] or 'none'}; one of them has to be called points")
+        loaded = loaded["points" if "points" in names else names[0]]
+    if loaded.ndim != 2 or loaded.shape[1] != 3 or loaded.dtype.kind not in "fiu":
+        raise ValueError(f"an array of {loaded.dtype} of shape {loaded.shape} instead of numbers (k, 3)")
+    return np.array(loaded, dtype=float)
+
+
+def _pcd(data: bytes) -> Array:
+    """The points of a PCD file: text, binary, or binary with LZF compression."""
+    head, at = dict[str, list[str]](), 0
+    while "DATA" not in head:
+        end = data.find(b"\n", at)
+        if end < 0:
+            raise ValueError("no DATA line")
+        words = data[at:end].decode("ascii", errors="replace").partition("#")[0].split()
+        at = end + 1
+        if words:
+            head[words[0].upper()] = words[1:]
+    fields = head["FIELDS"]
+    sizes, counts = ([int(word) for word in head.get(key, ["1"] * len(fields))] for key in ("SIZE", "COUNT"))
+    kinds = [f"<{KINDS[kind]}{size}" for kind, size in zip(head["TYPE"], sizes, strict=True)]
+    total = int(head["POINTS"][0]) if "POINTS" in head else int(head["WIDTH"][0]) * int(head["HEIGHT"][0])
+    if not {"x", "y", "z"} <= set(fields) or min(total, *counts, *sizes) < 0:
+        raise ValueError(f"its fields are {' '.join(fields)[:80]}, {total} points")
+    axes = [fields.index(axis) for axis in "xyz"]
+    row = sum(size * count for size, count in zip(sizes, counts, strict=True))
+    body, form = data[at:], (head["DATA"] or [""])[0].lower()
+    if form == "ascii":
+        first = np.cumsum([0, *counts])
+        values = body.split()
+        if len(values) != total * first[-1]:
+            raise ValueError(f"{len(values)} numbers instead of {total * first[-1]}")
+        table = np.array(values, dtype=object).reshape(total, first[-1])
+        return table[:, [first[axis] for axis in axes]].astype(float)
+    if form == "binary_compressed":
+        packed, size = (int(word) for word in np.frombuffer(body, "<u4", 2))
+        if size != total * row or packed > len(body) - 8 or size > MOST_BYTES:
+            raise ValueError(f"{len(body)} bytes that unpack to {size}, for {total} points of {row} bytes")
+        body = _lzf(body[8 : 8 + packed], size)
+        first = total * np.cumsum([0, *(size * count for size, count in zip(sizes, counts, strict=True))])
+        return np.stack([np.frombuffer(body, kinds[axis], total, first[axis]).astype(float) for axis in axes], axis=1)
+    if form != "binary" or len(body) < total * row:
+        raise ValueError(f"{len(body)} bytes of {form!r} for {total} points of {row} bytes")
+    kind = np.dtype([(f"{k}", kind, (count,)) for k, (kind, count) in enumerate(zip(kinds, counts, strict=True))])
+    rows = np.frombuffer(body, kind, total)
+    return np.stack([rows[f"{axis}"][:, 0].astype(float) for axis in axes], axis=1)
+
+
+def _lzf(packed: bytes, size: int) -> bytes:
+    """Data in the format LZF, unpacked: runs of bytes, and references to bytes before."""
+    out, at = bytearray(), 0
+    while at < len(packed):
+        control = packed[at]
+        at += 1
+        if control < 32:  # a run of control + 1 bytes
+            out += packed[at : at + control + 1]
+            at += control + 1
+        else:  # a reference: length in 3 bits, or 7 and another byte; distance in 13 bits
+            length = control >> 5
+            if length == 7:
+                length += packed[at]
+                at += 1
+            start = len(out) - ((control & 31) << 8) - packed[at] - 1
+            at += 1
+            if start < 0:
+                raise ValueError("its compressed data refer to bytes before the first")
+            for k in range(start, start + length + 2):  # the copy may overlap what it appends
+                out.append(out[k])
+        if len(out) > size:
+            break
+    if len(out) != size:
+        raise ValueError(f"its compressed data unpack to {len(out)} bytes instead of {size}")
+    return bytes(out)

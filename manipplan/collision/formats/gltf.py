@@ -1,0 +1,89 @@
+"""glTF files, text and binary, read by trimesh after a look at what they need."""
+
+import json
+import struct
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from manipplan.collision.formats.polygons import moved_triangles
+from manipplan.support.checks import Array
+from manipplan.support.errors import MissingExtraError
+
+#: Extensions that say nothing about the shape.
+HARMLESS = ("KHR_materials", "KHR_texture", "KHR_lights", "EXT_texture", "EXT_lights")
+#: Modes of a primitive: points and lines have no triangles; 4, the default, are triangles, 5 are strips of them.
+LINES, TRIANGLES = (0, 1, 2, 3), (4, 5)
+
+
+def read_gltf(file: Path) -> Array:
+    """Triangles (t, 3, 3) of the default scene, in its root frame.
+
+    Raises:
+        ValueError: the file is not valid, or needs an extension or a kind of primitive that is not read.
+        MissingExtraError: trimesh is not installed.
+    """
+    count = _announced(_document(file.read_bytes()))
+    try:
+        import trimesh
+    except ImportError as error:
+        raise MissingExtraError("trimesh", "mesh") from error
+    try:
+        scene = trimesh.load_scene(file, process=False)
+        found = [
+            moved_triangles(np.asarray(mesh.vertices, dtype=float)[np.asarray(mesh.faces)], transform)
+            for transform, mesh in _placed(scene)
+        ]
+    except Exception as error:  # trimesh raises whatever happens to it on a broken file
+        raise ValueError(f"trimesh says: {type(error).__name__}: {error}") from error
+    triangles = np.concatenate([np.empty((0, 3, 3)), *found])
+    if count and not len(triangles):
+        raise ValueError("none of its triangles can be read")
+    return triangles
+
+
+def _placed(scene: Any) -> list[tuple[Array, Any]]:
+    """Transform (4, 4) and mesh of each node that has triangles."""
+    placed = []
+    for node in scene.graph.nodes_geometry:
+        transform, name = scene.graph[node]
+        mesh = scene.geometry[name]
+        if hasattr(mesh, "faces"):
+            placed.append((np.asarray(transform, dtype=float), mesh))
+    return placed
+
+
+def _document(data: bytes) -> Any:
+    """The JSON of a file."""
+    if data[:4] == b"glTF":
+        try:
+            _, version, length, size, kind = struct.unpack_from("<4sIIII", data)
+        except struct.error as error:
+            raise ValueError("it is cut off") from error
+        if version != 2 or length > len(data) or kind != 0x4E4F534A:
+            raise ValueError("it is cut off, or not version 2")
+        data = data[20 : 20 + size]
+    try:
+        return json.loads(data)
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"its JSON cannot be read ({error})") from error
+
+
+def _announced(document: Any) -> int:
+    """The number of primitives with triangles."""
+    if not isinstance(document, dict):
+        raise ValueError("its JSON is not an object")
+    for name in document.get("extensionsRequired", ()):
+        if not str(name).startswith(HARMLESS):
+            raise ValueError(f"it needs the extension {name}, which is not read")
+    if document.get("skins"):
+        raise ValueError("it has skins, which are not read")
+    count = 0
+    for mesh in document.get("meshes", ()):
+        for primitive in mesh.get("primitives", ()) if isinstance(mesh, dict) else ():
+            mode = primitive.get("mode", TRIANGLES[0]) if isinstance(primitive, dict) else None
+            if mode not in (*LINES, *TRIANGLES):
+                raise ValueError(f"it has primitives of mode {mode!r}; triangles (4) and strips (5) are read")
+            count += mode in TRIANGLES
+    return count

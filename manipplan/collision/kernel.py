@@ -1,0 +1,328 @@
+"""The compiled kernel that decides collisions and measures distances: `distances.c`, with the arrays of one collision model."""
+
+import ctypes
+import logging
+import threading
+from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from manipplan.collision.primitives import core_of, mesh_triangles
+from manipplan.robots.model_tree import axis_of, is_prismatic
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.support.compiler import NATIVE, load_library
+from manipplan.support.errors import CompilerError
+
+log = logging.getLogger("manipplan")
+
+#: As in distances.c.
+POINTS, BOX, CYLINDER, HALFSPACE, SURFACE, UNKNOWN = range(6)
+FREE, TOUCHING, UNDECIDED = range(3)
+#: Half the size of boxes around what has no bounds [m].
+ENDLESS = 1e9
+
+Numbers = NDArray[np.int64]
+
+
+class _World(ctypes.Structure):
+    """`World` of distances.c."""
+
+    _fields_ = [
+        (name, ctypes.c_long if name in ("n", "bodies", "selves", "movers", "groups", "pairs", "top") else ctypes.c_void_p)
+        for name in (
+            *("n", "fixed", "axes", "slides", "bodies", "joint", "kind", "first", "count", "radius", "pose", "size", "ball"),
+            *("x", "y", "z", "selves", "self", "movers", "mover", "pair_of", "groups", "group", "group_ball", "pairs", "top"),
+            *("node_box", "node", "root", "corners", "frames", "centres"),
+        )
+    ]
+
+
+@cache
+def _library() -> ctypes.CDLL | None:
+    """The compiled kernel; None, with a message in the log, where there is no working C compiler."""
+    source = Path(__file__).with_name("distances.c").read_text(encoding="utf-8")
+    flags = [flag for flag in NATIVE if flag != "-O2"] + ["-O3", "-lm"]
+    try:
+        return load_library(source, _loaded, flags=flags, subject="collision checks, once per machine")
+    except CompilerError as error:
+        log.warning("collisions are checked by coal alone, which takes about ten times as long: %s", error)
+        return None
+
+
+def _loaded(file: Path) -> ctypes.CDLL:
+    library = ctypes.CDLL(str(file))
+    pointer = ctypes.c_void_p
+    library.manipplan_check.argtypes = [pointer, pointer, ctypes.c_long, ctypes.c_double, pointer]
+    library.manipplan_distances.argtypes = [pointer, pointer, ctypes.c_long, pointer, pointer]
+    library.manipplan_pairs.argtypes = [pointer, pointer, ctypes.c_long, pointer, pointer, pointer]
+    for call in (library.manipplan_check, library.manipplan_distances, library.manipplan_pairs):
+        call.restype = None
+    library.manipplan_tree.argtypes = [pointer, pointer, ctypes.c_long, pointer, ctypes.c_long, pointer, pointer]
+    library.manipplan_tree.restype = ctypes.c_long
+    return library
+
+
+def _check_one(library: ctypes.CDLL) -> Callable[[int, int, float], int]:
+    """The check of one configuration. It keeps Python's lock, which takes longer to give back than the check takes."""
+    return ctypes.PYFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double)(("manipplan_check_one", library))
+
+
+def find_kernel(
+    robot: Robot, geometry: pin.GeometryModel, radii: Array | None = None, closed: Collection[int] = ()
+) -> "DistanceKernel | None":
+    """The kernel for the pairs of `geometry`; None without a working C compiler.
+
+    Args:
+        robot: the arm.
+        geometry: its bodies and the obstacles.
+        radii: (g,) added all around each object [m]; None: zeros.
+        closed: the objects that are surfaces and solid inside.
+    """
+    library = _library()
+    if library is None:
+        return None
+    return DistanceKernel(
+        library, _arrays(library, robot, geometry, np.zeros(geometry.ngeoms) if radii is None else radii, closed)
+    )
+
+
+class DistanceKernel:
+    """Checks of one collision model by compiled code. Threads take turns, since it holds working memory; `copy` has its own."""
+
+    def __init__(self, library: ctypes.CDLL, arrays: Mapping[str, NDArray[Any]]) -> None:
+        self._library = library
+        self._arrays = dict(arrays) | {name: arrays[name].copy() for name in ("frames", "centres")}
+        self._n, self._bodies = len(arrays["axes"]), arrays["pair_bodies"]
+        numbers = {
+            "n": self._n,
+            "bodies": len(arrays["joint"]),
+            "selves": len(arrays["self"]),
+            "movers": len(arrays["mover"]),
+            "groups": len(arrays["group"]),
+            "pairs": len(self._bodies),
+            "top": int(arrays["top"][0]),
+        }
+        places = {name: array.ctypes.data for name, array in self._arrays.items() if name not in ("pair_bodies", "top")}
+        self._world = _World(**numbers, **places)
+        self._at = ctypes.addressof(self._world)
+        self._lock = threading.Lock()
+        self._q = np.zeros(self._n)
+        self._q_at, self._check_one = self._q.ctypes.data, _check_one(library)
+
+    def copy(self) -> "DistanceKernel":
+        """The same with its own working memory, for another thread."""
+        return DistanceKernel(self._library, self._arrays)
+
+    def with_pairs(self, pairs: Numbers) -> "DistanceKernel":
+        """The same for only the pairs of these indices, in this order."""
+        number = np.full(len(self._bodies) + 1, -1, dtype=np.int64)  # the last entry is for what is not a pair
+        number[pairs] = np.arange(len(pairs))
+        alone = self._arrays["self"]
+        alone = np.column_stack([alone[:, :2], number[alone[:, 2]]])[number[alone[:, 2]] >= 0]
+        changed = {"pair_of": number[self._arrays["pair_of"]], "self": alone, "pair_bodies": self._bodies[pairs]}
+        return DistanceKernel(
+            self._library, self._arrays | {name: np.ascontiguousarray(each) for name, each in changed.items()}
+        )
+
+    def check(self, q: Array, clearance: float) -> int:
+        """FREE, TOUCHING or UNDECIDED at q (n,): whether any pair is as near as `clearance` [m]."""
+        with self._lock:
+            self._q[:] = q
+            return int(self._check_one(self._at, self._q_at, clearance))
+
+    def check_rows(self, q: Array, clearance: float) -> NDArray[np.int8]:
+        """The same for every row of q (m, n)."""
+        q = np.ascontiguousarray(q, dtype=float)
+        verdicts = np.empty(len(q), dtype=np.int8)
+        with self._lock:
+            self._library.manipplan_check(self._at, q.ctypes.data, len(q), clearance, verdicts.ctypes.data)
+        return verdicts
+
+    def distances(self, q: Array, reach: Array) -> Array:
+        """Distances (m, k) of all pairs at q (m, n), cut off at `reach` (m,) >= 0 [m]; nan where this kernel cannot tell."""
+        q, reach = np.ascontiguousarray(q, dtype=float), np.ascontiguousarray(reach, dtype=float)
+        found = np.empty((len(q), len(self._bodies)))
+        with self._lock:
+            self._library.manipplan_distances(self._at, q.ctypes.data, len(q), reach.ctypes.data, found.ctypes.data)
+        return found
+
+    def pair_distances(self, q: Array, pairs: Numbers) -> Array:
+        """Distance (m,) of one pair at each configuration: of pairs (m,) at q (m, n); nan where this kernel cannot tell [m]."""
+        q, bodies = np.ascontiguousarray(q, dtype=float), np.ascontiguousarray(self._bodies[pairs])
+        return self._pairs(q, bodies)[0]
+
+    def nearest_triangle(self, q: Array, pair: int) -> Array | None:
+        """Corners (3, 3) of the triangle of a pair's second body nearest to the first at q (n,); None if it has none."""
+        leaf = int(self._pairs(np.ascontiguousarray(q, dtype=float)[None], self._bodies[pair : pair + 1])[1][0])
+        return self._arrays["corners"][leaf].reshape(3, 3) if leaf >= 0 else None
+
+    def _pairs(self, q: Array, bodies: Numbers) -> tuple[Array, Numbers]:
+        found, leaf = np.empty(len(q)), np.empty(len(q), dtype=np.int64)
+        places = (q.ctypes.data, len(q), bodies.ctypes.data, found.ctypes.data, leaf.ctypes.data)
+        with self._lock:
+            self._library.manipplan_pairs(self._at, *places)
+        return found, leaf
+
+
+def _arrays(
+    library: ctypes.CDLL, robot: Robot, geometry: pin.GeometryModel, radii: Array, closed: Collection[int]
+) -> dict[str, NDArray[Any]]:
+    """The arrays of `World`, and the bodies of each pair, the moving one first."""
+    model, objects = robot.model, list(geometry.geometryObjects)
+    joint = np.array([item.parentJoint for item in objects], dtype=np.int64)
+    arrays: dict[str, NDArray[Any]] = {
+        "fixed": np.array([_flat(place) for place in model.jointPlacements[1:]]).reshape(-1, 12),
+        "axes": np.array([axis_of(joint) for joint in model.joints[1:]]),
+        "slides": np.array([is_prismatic(joint) for joint in model.joints[1:]], dtype=np.int64),
+        "joint": joint,
+        **_shapes(objects, radii, closed),
+        "frames": np.empty((robot.n + 1, 12)),
+    }
+    arrays["centres"] = arrays["ball"][:, :3]
+    pairs = np.array([(p.first, p.second) for p in geometry.collisionPairs], dtype=np.int64).reshape(-1, 2)
+    swapped = joint[pairs[:, 0]] == 0
+    pairs[swapped] = pairs[swapped, ::-1]
+    arrays |= _pair_tables(pairs, joint)
+    arrays |= _groups(arrays["mover"], joint, arrays["ball"])
+    still = np.array(sorted(set(pairs[joint[pairs[:, 1]] == 0, 1].tolist())), dtype=np.int64)
+    arrays |= _trees(library, objects, still, arrays["ball"], arrays["radius"])
+    return {name: np.ascontiguousarray(array) for name, array in arrays.items()}
+
+
+def _flat(place: pin.SE3) -> Array:
+    """Rotation by rows and origin (12,)."""
+    return np.concatenate([np.asarray(place.rotation).ravel(), np.asarray(place.translation)])
+
+
+def _shapes(objects: Sequence[pin.GeometryObject], radii: Array, closed: Collection[int]) -> dict[str, NDArray[Any]]:
+    """The arrays that describe each object's shape; the trees of surfaces are built later."""
+    count = len(objects)
+    kind, first, number = (np.zeros(count, dtype=np.int64) for _ in range(3))
+    radius, pose, size, ball = radii.astype(float).copy(), np.zeros((count, 12)), np.zeros((count, 3)), np.zeros((count, 4))
+    cores: list[Array] = []
+    begin = 0
+    for k, item in enumerate(objects):
+        shape, place = item.geometry, item.placement
+        pose[k] = _flat(place)
+        if isinstance(shape, coal.Box):
+            kind[k], size[k] = BOX, shape.halfSide
+            ball[k] = *place.translation, np.linalg.norm(shape.halfSide)
+        elif isinstance(shape, coal.Cylinder):
+            kind[k], size[k, :2] = CYLINDER, (shape.radius, shape.halfLength)
+            ball[k] = *place.translation, np.hypot(shape.radius, shape.halfLength)
+        elif isinstance(shape, coal.Halfspace):
+            turn = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), np.asarray(shape.n)).matrix()
+            kind[k], pose[k] = HALFSPACE, _flat(place * pin.SE3(turn, shape.d * np.asarray(shape.n)))
+            ball[k, 3] = ENDLESS
+        elif isinstance(shape, coal.Sphere | coal.Capsule | coal.ConvexBase):
+            points, around = core_of(shape)
+            points = points @ place.rotation.T + place.translation
+            kind[k], first[k], number[k] = POINTS, begin, len(points)
+            radius[k] += around
+            ball[k] = _ball(points)
+            cores.append(points)
+            begin += len(points)
+        elif isinstance(shape, coal.BVHModelBase) and item.parentJoint == 0:
+            kind[k], size[k, 0] = SURFACE, k in closed
+            ball[k] = _ball(np.array(shape.vertices()) @ place.rotation.T + place.translation)
+        elif isinstance(shape, coal.BVHModelBase):  # a moving mesh is left to coal where it is near
+            kind[k], ball[k] = UNKNOWN, _ball(np.array(shape.vertices()) @ place.rotation.T + place.translation)
+        else:
+            kind[k], ball[k, 3] = UNKNOWN, ENDLESS
+        ball[k, 3] += radius[k]
+    points = np.concatenate([*cores, np.zeros((1, 3))])
+    named = {"kind": kind, "first": first, "count": number, "radius": radius, "pose": pose, "size": size, "ball": ball}
+    return named | {axis: points[:, i].copy() for i, axis in enumerate("xyz")}
+
+
+def _ball(points: Array) -> Array:
+    """Centre and radius (4,) of a ball around points (k, 3), seldom much larger than the least one."""
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2
+    for step in range(2, 12):  # towards the farthest point [badoiu2003]
+        far = points[np.argmax(((points - centre) ** 2).sum(axis=1))]
+        centre = centre + (far - centre) / step / 2
+    return np.array([*centre, np.sqrt(((points - centre) ** 2).sum(axis=1).max())])
+
+
+def _pair_tables(pairs: Numbers, joint: Numbers) -> dict[str, Numbers]:
+    """Pairs of two moving bodies one by one, and for bodies that meet what stands still a table of their pairs."""
+    meets_still = joint[pairs[:, 1]] == 0
+    several = set(pairs[meets_still, 0].tolist())  # np.unique imports numpy.ma
+    mover = np.array(sorted(several, key=lambda body: (joint[body], body)), dtype=np.int64)
+    row = {int(body): k for k, body in enumerate(mover)}
+    pair_of = np.full((len(mover), len(joint)), -1, dtype=np.int64)
+    numbers = np.flatnonzero(meets_still)
+    pair_of[[row[body] for body in pairs[numbers, 0].tolist()], pairs[numbers, 1]] = numbers
+    alone = np.flatnonzero(~meets_still)
+    return {"pair_bodies": pairs, "mover": mover, "pair_of": pair_of, "self": np.column_stack([pairs[alone], alone])}
+
+
+def _groups(mover: Numbers, joint: Numbers, ball: Array) -> dict[str, NDArray[Any]]:
+    """The movers of each joint, which stand one after another, and a ball around theirs."""
+    first = np.flatnonzero(np.diff(joint[mover], prepend=-1))
+    number = np.diff(np.append(first, len(mover)))
+    balls = []
+    for at, count in zip(first, number, strict=True):
+        own = ball[mover[at : at + count]]
+        low, high = (own[:, :3] - own[:, 3:]).min(axis=0), (own[:, :3] + own[:, 3:]).max(axis=0)
+        centre = (low + high) / 2
+        balls.append([*centre, (np.linalg.norm(own[:, :3] - centre, axis=1) + own[:, 3]).max()])
+    group = np.column_stack([joint[mover[first]], first, number])
+    return {"group": group, "group_ball": np.array(balls).reshape(-1, 4)}
+
+
+def _trees(
+    library: ctypes.CDLL, objects: Sequence[pin.GeometryObject], still: Numbers, ball: Array, radius: Array
+) -> dict[str, NDArray[Any]]:
+    """The tree of what stands still with the number of its root, -1 without any, and before it those of surfaces."""
+    root = np.full(len(objects), -1, dtype=np.int64)
+    triangles = {
+        int(k): mesh_triangles(objects[k].geometry) @ objects[k].placement.rotation.T + objects[k].placement.translation
+        for k in still
+        if isinstance(objects[k].geometry, coal.BVHModelBase)
+    }
+    nodes = 2 * (sum(map(len, triangles.values())) + len(still))
+    node_box, node = np.empty((nodes, 6)), np.empty((nodes, 2), dtype=np.int64)
+    boxes = np.array([_box_around(objects[k], ball[k]) for k in still]).reshape(-1, 6)
+    free = begin = 0
+    for row, k in enumerate(still.tolist()):
+        if k in triangles:
+            corners = triangles[k]
+            box = np.concatenate([corners.min(axis=1), corners.max(axis=1)], axis=1)
+            root[k] = free
+            free = _grow(library, box, np.arange(begin, begin + len(corners)), free, node_box, node)
+            begin += len(corners)
+            boxes[row] = node_box[root[k]] + np.repeat([-radius[k], radius[k]], 3)
+    top = free if len(still) else -1
+    if len(still):
+        _grow(library, boxes, still, free, node_box, node)
+    corners = np.concatenate([each.reshape(-1, 9) for each in triangles.values()] + [np.zeros((1, 9))])
+    return {"node_box": node_box, "node": node, "root": root, "corners": corners, "top": np.array([top])}
+
+
+def _grow(library: ctypes.CDLL, box: Array, names: Numbers, root: int, node_box: Array, node: Numbers) -> int:
+    """Build a tree over boxes (k, 6) from node `root` on; returns the next free node."""
+    box, items, names = np.ascontiguousarray(box), np.arange(len(box)), np.ascontiguousarray(names, dtype=np.int64)
+    given = (box.ctypes.data, items.ctypes.data, len(box), names.ctypes.data, root, node_box.ctypes.data, node.ctypes.data)
+    return int(library.manipplan_tree(*given))
+
+
+def _box_around(item: pin.GeometryObject, ball: Array) -> Array:
+    """Least and largest corner (6,) of an axis-parallel box around an object, in the world."""
+    shape, place = item.geometry, item.placement
+    if isinstance(shape, coal.Box):
+        half = np.abs(place.rotation) @ shape.halfSide
+        return np.concatenate([place.translation - half, place.translation + half])
+    if ball[3] < ENDLESS and isinstance(shape, coal.ConvexBase):
+        points = core_of(shape)[0] @ place.rotation.T + place.translation
+        return np.concatenate([points.min(axis=0), points.max(axis=0)])
+    if ball[3] < ENDLESS:
+        return np.concatenate([ball[:3] - ball[3], ball[:3] + ball[3]])
+    return np.repeat([-ENDLESS, ENDLESS], 3)

@@ -1,0 +1,197 @@
+"""Convex pieces in place of a mesh: each contains its part of the mesh, and sticks out of it as little as their number allows.
+
+The mesh is cut by planes, always the piece that sticks out most, and each piece is the convex hull of what lies on its side of
+the cuts. A closed mesh is filled: the solid between cuts lies in the hull of its surface there and of the points inside it at
+which three cuts meet.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import coal
+import numpy as np
+
+from manipplan.collision.fitting import subdivide
+from manipplan.collision.surfaces.shells import winding_number
+from manipplan.robots.hulls import has_hull
+from manipplan.support.checks import Array
+
+#: A piece that sticks out of the mesh by no more than this is not cut again [m].
+GOOD = 2e-3
+#: Maximum number of pieces of a mesh.
+MOST_PIECES = 6
+#: Maximum number of points on the surface of a piece at which its excess is measured.
+MOST_SAMPLES = 400
+#: Maximum number of points on the mesh by which cuts are compared, and the share of the width at either end without cuts.
+MOST_POINTS, END = 400, 0.05
+#: Positions of the cuts that are compared, as shares of the width along an axis.
+CUTS = (0.25, 0.5, 0.75)
+#: A flat or tiny part is thickened by this to a body with a volume [m].
+THICKNESS = 1e-4
+
+#: Normal and offset of a cut; the part lies where normal · x <= offset.
+Plane = tuple[Array, float]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Piece:
+    """A convex piece of a mesh.
+
+    Attributes:
+        corners: (k, 3) corners of its hull [m].
+        excess: the farthest that it sticks out of the mesh at the points where that was measured [m].
+    """
+
+    corners: Array
+    excess: float
+
+
+def convex_pieces(triangles: Array) -> list[Piece]:
+    """At most MOST_PIECES convex pieces that contain `triangles` (t, 3, 3) [m] and, if they are closed, their inside."""
+    mesh = _Mesh(triangles)
+    open_pieces = [_Part(mesh, triangles, np.empty((0, 3)), ())]
+    done: list[_Part] = []
+    while open_pieces and len(open_pieces) + len(done) < MOST_PIECES:
+        part = open_pieces.pop(int(np.argmax([each.excess for each in open_pieces])))
+        cut = part.best_cut() if part.excess > GOOD else None
+        if cut is None:
+            done.append(part)
+            continue
+        axis, offset = cut
+        for sign in (1.0, -1.0):
+            side, cuts = _clip(part.triangles, sign * axis, sign * offset), (*part.cuts, (sign * axis, sign * offset))
+            inner = mesh.inner_corners(cuts)
+            if len(side) or len(inner) > 3:
+                open_pieces.append(_Part(mesh, side, inner, cuts))
+    return [Piece(corners=part.corners, excess=part.excess) for part in [*done, *open_pieces]]
+
+
+class _Part:
+    """The part of a mesh between some cuts, by its triangles (t, 3, 3) and its corners inside the mesh (c, 3), and its hull."""
+
+    def __init__(self, mesh: "_Mesh", triangles: Array, inner: Array, cuts: tuple[Plane, ...]) -> None:
+        from scipy.spatial import ConvexHull
+
+        self.triangles, self.cuts = triangles, cuts
+        points = np.unique(np.concatenate([triangles.reshape(-1, 3), inner]), axis=0)
+        if not has_hull(points):
+            box = np.array(np.meshgrid(*[[-THICKNESS / 2, THICKNESS / 2]] * 3)).reshape(3, -1).T
+            points = (points[:, None] + box).reshape(-1, 3)
+        hull = ConvexHull(points, qhull_options="Qt")
+        self.corners = np.asarray(points[hull.vertices])
+        self.excess, self._worst = mesh.excess(points[hull.simplices], cuts)
+
+    def best_cut(self) -> Plane | None:
+        """The plane, normal to a main axis, whose sides need the smallest volume; None if the part is too small to cut."""
+        points = subdivide(self.triangles).mean(axis=1)
+        points = np.concatenate(
+            [points[:: 1 + len(points) // MOST_POINTS], self.corners[:: 1 + len(self.corners) // MOST_POINTS]]
+        )
+        axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2]
+        best, least = None, np.inf
+        for axis in [*axes, *np.eye(3)]:
+            along = points @ axis
+            low, width = along.min(), np.ptp(along)
+            for offset in [*(low + width * np.array(CUTS)), float(self._worst @ axis)]:
+                if not END * width < offset - low < (1 - END) * width:
+                    continue
+                volume = _volume(points[along <= offset]) + _volume(points[along >= offset])
+                if volume < least:
+                    best, least = (np.asarray(axis), float(offset)), volume
+        return best
+
+
+class _Mesh:
+    """A whole mesh, from which distances are measured."""
+
+    def __init__(self, triangles: Array) -> None:
+        self._triangles = triangles
+        self._surface = coal.BVHModelOBBRSS()
+        self._surface.beginModel(len(triangles), 3 * len(triangles))
+        self._surface.addVertices(triangles.reshape(-1, 3))
+        self._surface.addTriangles(np.arange(3 * len(triangles)).reshape(-1, 3))
+        self._surface.endModel()
+        # a box, since coal's distance of a sphere from a degenerate triangle is wrong
+        self._point, self._still = coal.Box(1e-9, 1e-9, 1e-9), coal.Transform3s()
+
+    def excess(self, faces: Array, cuts: Sequence[Plane]) -> tuple[float, Array]:
+        """The largest distance of sampled points on `faces` (f, 3, 3) outside the mesh [m], and that point.
+
+        A point of a hull is outside the mesh or on it, except on a cut, where it may be inside.
+        """
+        points = _sampled(faces)
+        distances = np.array([self._distance(point) for point in points])
+        on_cut = np.zeros(len(points), dtype=bool)
+        for axis, offset in cuts:
+            on_cut |= np.abs(points @ axis - offset) < 1e-7
+        for worst in np.argsort(-distances):
+            if not (on_cut[worst] and distances[worst] > GOOD and self._contains(points[worst])):
+                return float(distances[worst]), points[worst]
+        return 0.0, points[0]
+
+    def inner_corners(self, cuts: Sequence[Plane]) -> Array:
+        """Points (k, 3) inside the mesh where three cuts meet: corners of the solid between the cuts, on no triangle."""
+        found = [np.empty((0, 3))]
+        for three in combinations(cuts, 3):
+            normals, offsets = np.array([axis for axis, _ in three]), np.array([offset for _, offset in three])
+            if abs(np.linalg.det(normals)) < 1e-6:
+                continue
+            point = np.linalg.solve(normals, offsets)
+            if all(axis @ point <= offset + 1e-9 for axis, offset in cuts) and self._contains(point):
+                found.append(point[None])
+        return np.concatenate(found)
+
+    def _contains(self, point: Array) -> bool:
+        return bool(abs(winding_number(self._triangles, point[None])[0]) > 0.5)
+
+    def _distance(self, point: Array) -> float:
+        place = coal.Transform3s(np.eye(3), point)
+        result = coal.DistanceResult()
+        return float(coal.distance(self._point, place, self._surface, self._still, coal.DistanceRequest(), result))
+
+
+def _sampled(faces: Array) -> Array:
+    """Points (k, 3) spread evenly over triangles (f, 3, 3), the same in every run."""
+    area = np.linalg.norm(np.cross(faces[:, 1] - faces[:, 0], faces[:, 2] - faces[:, 0]), axis=1)
+    share = (np.arange(MOST_SAMPLES) + 0.5) / MOST_SAMPLES
+    chosen = np.searchsorted(np.cumsum(area) / area.sum(), share).clip(max=len(faces) - 1)
+    u, v = np.random.default_rng(0).random((2, MOST_SAMPLES))
+    u, v = np.where(u + v > 1, 1 - u, u), np.where(u + v > 1, 1 - v, v)
+    corner, second, third = (faces[chosen, k] for k in range(3))
+    return np.asarray(corner + u[:, None] * (second - corner) + v[:, None] * (third - corner))
+
+
+def _volume(points: Array) -> float:
+    """Volume of the hull of points (k, 3) [m³]; 0 for flat ones."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        return float(ConvexHull(points).volume) if len(points) > 3 else 0.0
+    except QhullError:
+        return 0.0
+
+
+def _clip(triangles: Array, normal: Array, offset: float) -> Array:
+    """The parts of triangles (t, 3, 3) with normal · x <= offset, as triangles."""
+    height = triangles @ normal - offset
+    below = height <= 0
+    count = below.sum(axis=1)
+    found = [triangles[count == 3]]
+    for number in (1, 2):
+        chosen = count == number
+        corners, heights = triangles[chosen], height[chosen]
+        # the corner that is alone on its side comes first
+        alone = below[chosen] if number == 1 else ~below[chosen]
+        order = (alone.argmax(axis=1)[:, None] + np.arange(3)) % 3
+        corners, heights = np.take_along_axis(corners, order[:, :, None], 1), np.take_along_axis(heights, order, 1)
+        cut = [
+            corners[:, 0] + (heights[:, 0] / (heights[:, 0] - heights[:, k]))[:, None] * (corners[:, k] - corners[:, 0])
+            for k in (1, 2)
+        ]
+        if number == 1:
+            found.append(np.stack([corners[:, 0], *cut], axis=1))
+        else:
+            found.append(np.stack([cut[0], corners[:, 1], corners[:, 2]], axis=1))
+            found.append(np.stack([cut[0], corners[:, 2], cut[1]], axis=1))
+    return np.concatenate(found)

@@ -1,0 +1,1 @@
+"""Surfaces of meshes and clouds of points, as coal takes them."""

@@ -1,0 +1,168 @@
+"""Expands a xacro file in a process of its own: see `xacro_files`, which starts it.
+
+The library xacro keeps its state in module variables and evaluates expressions by Python's `eval`; what it forbids there is
+easily avoided, for instance inside a lambda. Here, unless the file is trusted, `expressions` evaluates them instead, files are
+read from known folders only, and environment variables are not read.
+
+The process runs with an empty package `manipplan`: this module and what it imports need nothing but the standard library.
+"""
+
+import json
+import os
+import resource
+import sys
+from collections.abc import Mapping
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from manipplan.robots.formats.expressions import RefusedError, evaluate
+from manipplan.robots.formats.packages import PackageFolders
+
+#: Maximum number of files that include one another in a row.
+DEEPEST = 50
+#: Largest memory of this process [bytes].
+MEMORY = 2 * 2**30
+#: Largest URDF [characters], and largest file that may be written, with a URDF or with messages [bytes].
+LARGEST, WRITTEN = 100_000_000, 2**30
+#: What is replaced in the library. Another version may lack it: then nothing is expanded.
+REPLACED = {
+    "xacro": ("parse", "safe_eval", "eval_text", "process_file", "filestack", "_global_symbols", "Table"),
+    "xacro.substitution_args": ("_eval", "_eval_env", "_eval_optenv", "_eval_find", "_eval_dict", "convert_value"),
+}
+UNSUPPORTED = "this version of xacro is not supported, install another with: pip install 'manipplan[xacro]'"
+#: Texts that have to be refused before an untrusted file is read: they prove that the replacements take effect.
+PROBES = ("${(lambda: 1)()}", "${().__class__}", "$(eval [].__class__)", "$(env PATH)", "$(optenv PATH)")
+PROBE_FILE = "${xacro.load_yaml('/')}"
+
+
+class Arguments(dict[str, str]):
+    """Values of the arguments by name, and the names for which the files ask."""
+
+    def __init__(self, given: Mapping[str, str]) -> None:
+        super().__init__(given)
+        self.known: set[str] = set()
+
+    def __getitem__(self, name: str) -> str:
+        value = super().__getitem__(name)
+        self.known.add(name)
+        return value
+
+
+def main(folder: str) -> None:
+    """Expand the file of `request.json` in `folder`; `answer.json` gets the URDF, or the error."""
+    request = json.loads(Path(folder, "request.json").read_text(encoding="utf-8"))
+    sys.path[:] = request["path"]
+    for kind, most in ((resource.RLIMIT_AS, MEMORY), (resource.RLIMIT_FSIZE, WRITTEN)):
+        soft, hard = resource.getrlimit(kind)
+        with suppress(OSError, ValueError):  # macOS does not limit memory
+            resource.setrlimit(kind, (most if soft == resource.RLIM_INFINITY else min(most, soft), hard))
+    Path(folder, "answer.json").write_text(json.dumps(expanded(request)), encoding="utf-8")
+
+
+def expanded(request: Mapping[str, Any]) -> dict[str, Any]:
+    """The URDF and the names of the arguments, or an error and the files and macros in which it occurred."""
+    import xacro
+
+    packages = {name: Path(folder) for name, folder in request["packages"].items()}
+    package_dirs = [Path(folder) for folder in request["package_dirs"]]
+    folders = PackageFolders(file=Path(request["file"]), packages=packages, package_dirs=package_dirs)
+    arguments = Arguments(request["arguments"])
+    try:
+        _replace(folders, arguments, trust=request["trust"])
+        urdf = xacro.process_file(request["file"], mappings=arguments).toxml()
+    except RecursionError:
+        return {"error": "a macro or an include that calls itself without end", "where": _where(xacro)}
+    except Exception as error:
+        reason, cause = _reason(error)
+        if isinstance(cause, RecursionError):
+            reason = "an expression that is nested too deeply, or calls itself"
+        if isinstance(cause, MemoryError):
+            reason = f"it needs more than {MEMORY / 2**30:g} GiB of memory"
+        return {"error": reason, "where": _where(xacro)}
+    if len(urdf) > LARGEST:
+        return {"error": f"it expands to more than {LARGEST:,} characters", "where": []}
+    return {"urdf": urdf, "arguments": sorted(arguments.known)}
+
+
+def _replace(folders: PackageFolders, arguments: Arguments, *, trust: bool) -> None:
+    import xacro
+    from xacro import substitution_args
+
+    for module in (xacro, substitution_args):
+        missing = [name for name in REPLACED[module.__name__] if not hasattr(module, name)]
+        if missing:
+            raise RuntimeError(f"{UNSUPPORTED}; it has no {', '.join(missing)}")
+    parse = xacro.parse
+
+    def parse_and_note(text: Any, filename: str | None = None) -> Any:
+        if len(xacro.filestack) > DEEPEST:
+            xacro.filestack[2:] = []
+            raise RecursionError
+        document = parse(text, filename)
+        arguments.known |= {each.getAttribute("name") for each in document.getElementsByTagName("xacro:arg")}
+        return document
+
+    def find(name: str) -> str:
+        folder = folders.find(name)
+        if folder is None:
+            raise FileNotFoundError(f"the package {name!r} is not found; give its folder: packages={{{name!r}: folder}}")
+        return str(folder)
+
+    xacro.parse = parse_and_note
+    substitution_args._eval_find = substitution_args._eval_dict["find"] = find
+    if trust:
+        return
+
+    def open_known(path: str, *_: Any, **__: Any) -> Any:
+        if not folders.may_read(Path(path)):
+            wanted = "give its folder in packages= or package_dirs=, or trust_file=True"
+            raise RefusedError(f"{os.path.normpath(path)} is outside the folders that may be read; {wanted}")
+        if Path(path).exists() and not Path(path).is_file():
+            raise RefusedError(f"{path} is not a plain file")
+        return open(path, encoding="utf-8")  # noqa: PTH123  # in place of the built-in function; xacro closes it
+
+    def refuse_variable(name: str, default: str = "") -> str:  # noqa: ARG001  # called with it
+        raise RefusedError(f"the environment variable {name} is read only if trust_file=True; an argument can replace it")
+
+    def evaluate_extension(text: str, _: Any) -> str:
+        values = {name: substitution_args.convert_value(value, "auto") for name, value in arguments.items()}
+        known = {"true": True, "false": False, "str": str, "float": float, "int": int, "list": list, "dict": dict, "map": map}
+        known |= {"find": find, "env": refuse_variable, "optenv": refuse_variable}
+        known["arg"] = lambda name: substitution_args.convert_value(arguments[name], "auto")
+        return str(evaluate(text, {**values, **xacro._global_symbols["math"], **known}))
+
+    xacro.open = open_known
+    xacro.safe_eval = evaluate
+    substitution_args._eval = evaluate_extension
+    substitution_args._eval_env = substitution_args._eval_optenv = refuse_variable
+    for name in ("vars", "type"):  # from these, expressions could reach what the attributes of an object hide
+        dict.pop(xacro._global_symbols["python"], name, None)
+    for probe in (*PROBES, PROBE_FILE):
+        try:
+            xacro.eval_text(probe, xacro.Table(xacro._global_symbols))
+        except Exception as error:
+            if isinstance(_reason(error)[1], RefusedError):
+                continue
+        raise RuntimeError(f"{UNSUPPORTED}; it does not refuse {probe}")
+
+
+def _reason(error: BaseException) -> tuple[str, BaseException]:
+    """What went wrong, in one line, and its cause: the library wraps one exception into another."""
+    suffix = ""
+    while isinstance(getattr(error, "exc", None), BaseException):
+        suffix = getattr(error, "suffix", None) or suffix
+        error = error.exc  # type: ignore[attr-defined]  # of XacroException
+    text = str(error) or type(error).__name__
+    if isinstance(error, KeyError):
+        text = f"there is no {text}"
+    if type(error).__name__ == "ArgException":
+        text = f"the argument {text!r} has no value; give it in arguments="
+    return " ".join(f"{text} {suffix}".split()), error
+
+
+def _where(xacro: Any) -> list[str]:
+    """The files, from the one that was given to the one at fault, and then the macros."""
+    files = [os.path.normpath(each) for each in xacro.filestack or () if each]
+    macros = [f"macro {each.body.getAttribute('name')}" for each in xacro.macrostack or ()]
+    return files[-3:] + macros[-3:]

@@ -1,0 +1,83 @@
+"""Expands xacro files to URDF, in a process of its own: with a time limit, and without changes to this process."""
+
+import importlib.util
+import json
+import logging
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+from manipplan.robots.formats.packages import PackageFolders
+from manipplan.support import processes
+from manipplan.support.errors import FileFormatError, MissingExtraError, UnknownNameError
+from manipplan.support.untrusted import printable
+
+log = logging.getLogger("manipplan")
+
+#: Longest time for one file [s]. Large robots take less than 2 s.
+TIME_LIMIT = 60.0
+#: An empty package `manipplan`, because the whole one takes a second to import; then the child.
+_START = """
+import sys, types
+package = types.ModuleType("manipplan")
+package.__path__ = [sys.argv[1]]
+sys.modules["manipplan"] = package
+from manipplan.robots.formats.xacro_child import main
+main(sys.argv[2])
+"""
+
+
+def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool) -> str:
+    """The URDF that `folders.file` expands to.
+
+    Args:
+        folders: the file, and where its packages are.
+        arguments: values of its `xacro:arg` elements, by name.
+        trust: whether the file may run Python code and read any file and environment variable.
+
+    Raises:
+        MissingExtraError: the package xacro is not installed.
+        FileFormatError: the file cannot be expanded; the message gives xacro's reason, and the files and macros concerned.
+        UnknownNameError: no file has an argument of that name; the nearest names are listed.
+    """
+    if importlib.util.find_spec("xacro") is None:
+        raise MissingExtraError("xacro", "xacro")
+    file = folders.file
+    request = {
+        "file": str(file),
+        "arguments": dict(arguments),
+        "packages": {name: str(folder) for name, folder in folders.packages.items()},
+        "package_dirs": [str(folder) for folder in folders.package_dirs],
+        "trust": trust,
+        "path": [each if each else str(Path.cwd()) for each in sys.path],
+    }
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "request.json").write_text(json.dumps(request), encoding="utf-8")
+        package = str(Path(__file__).parents[2])
+        command = [sys.executable, "-I", "-S", "-X", "utf8", "-c", _START, package, folder]
+        try:
+            run = processes.run(command, limit=TIME_LIMIT)
+        except subprocess.TimeoutExpired as error:
+            raise _fault(file, f"it takes more than {TIME_LIMIT:g} s") from error
+        except OSError as error:
+            raise _fault(file, f"xacro cannot be started ({error.strerror})") from error
+        try:
+            answer = json.loads(Path(folder, "answer.json").read_text(encoding="utf-8"))
+        except (OSError, ValueError) as error:
+            last = (run.stderr.strip().splitlines() or ["no message"])[-1]
+            raise _fault(file, f"xacro ended with code {run.returncode}: {last}") from error
+    if "error" in answer:
+        where = " > ".join(answer["where"][1:])
+        raise _fault(file, answer["error"] + (f"; in {where}" if where else ""))
+    if run.stderr.strip():
+        log.warning("%s: xacro says: %s", file, " ".join(run.stderr[:2000].split()))
+    for name in arguments:
+        if name not in answer["arguments"]:
+            raise UnknownNameError("arguments", name, answer["arguments"] or ["none: the file has no arguments"])
+    return str(answer["urdf"])
+
+
+def _fault(file: Path, reason: str) -> FileFormatError:
+    return FileFormatError("file", str(file), f"a xacro file that can be expanded; {printable(reason)}")

@@ -1,0 +1,1 @@
+"""Mesh files from outside, judged before a mesh loader reads them."""

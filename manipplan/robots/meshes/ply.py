@@ -1,0 +1,234 @@
+"""PLY files, text and binary, read strictly: counts and indices are checked before anything uses them.
+
+The mesh loader of robots does not check the indices of the faces, or that every line is what the header says, and crashes. It
+only sees copies that are written here.
+"""
+
+import struct
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.support.checks import Array
+
+TYPES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I", "float": "f", "double": "d"}
+SIZED = {"int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I", "float32": "f", "float64": "d"}
+CODES = {**TYPES, **SIZED}
+#: Largest number of 32 bits.
+FARTHEST = float(np.finfo(np.float32).max)
+#: Names of the property that holds the corners of a face.
+CORNERS = ("vertex_indices", "vertex_index")
+#: Text formats of the header, with the byte order of the body.
+FORMATS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
+
+Rows = list[NDArray[np.float64]]
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Property:
+    """A property: its name, the code of its values and, for a list, the code of the list's length."""
+
+    name: str
+    code: str
+    length: str | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Element:
+    """An element, such as vertex or face: its name, its number of rows and their properties."""
+
+    name: str
+    count: int
+    properties: list[_Property]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ply:
+    """The contents of a PLY file: vertices (v, 3), and the corners of each face."""
+
+    vertices: Array
+    faces: Rows
+
+
+def fault_of(file: Path) -> str | None:
+    """The fault in the surface of a PLY file; None if there is none."""
+    try:
+        read_surface(file)
+    except (ValueError, OSError) as error:
+        return str(error)
+    return None
+
+
+def read_surface(file: Path) -> Ply:
+    """The contents of a PLY file that has faces, whose corners are finite. Raises ValueError with the fault."""
+    content = read_ply(file)
+    if not content.faces:
+        raise ValueError("no faces")
+    if min(map(len, content.faces)) < 3:
+        raise ValueError(f"a face has {min(map(len, content.faces))} corners")
+    wrong = np.flatnonzero(~(np.abs(content.vertices) <= FARTHEST).all(axis=1))
+    if len(wrong):
+        raise ValueError(f"corner {wrong[0]} is at {content.vertices[wrong[0]].tolist()}, not at finite places")
+    return content
+
+
+def write_ply(content: Ply, file: Path) -> None:
+    """Write vertices and faces as a binary PLY file."""
+    head = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(content.vertices)}\n"
+    head += "property float x\nproperty float y\nproperty float z\n"
+    head += f"element face {len(content.faces)}\nproperty list int int vertex_indices\nend_header\n"
+    faces = b"".join(struct.pack(f"<i{len(face)}i", len(face), *map(int, face)) for face in content.faces)
+    file.write_bytes(head.encode() + content.vertices.astype("<f4").tobytes() + faces)
+
+
+def read_ply(file: Path) -> Ply:
+    """The vertices and faces of a PLY file. Raises ValueError with the fault."""
+    data = file.read_bytes()
+    head, mark, body = data.partition(b"end_header")
+    if not mark:
+        raise ValueError("not a PLY file, or cut off (no end_header)")
+    try:
+        form, elements = _header(head.decode("ascii"))
+        body = body[body.index(b"\n") + 1 :]
+        reader = _Text(body) if form == "ascii" else _Binary(body, FORMATS[form])
+        values: dict[str, Mapping[str, Array | Rows]] = {}
+        for element in elements:
+            values[element.name] = reader.element(element)
+    except (ValueError, OverflowError, KeyError, IndexError, MemoryError, struct.error) as error:
+        raise ValueError(f"not a PLY file, or cut off ({type(error).__name__}: {error})") from error
+    vertex = values.get("vertex", {})
+    columns = [np.asarray(vertex.get(axis, ()), dtype=float) for axis in "xyz"]
+    if len({len(column) for column in columns}) > 1 or any(column.ndim != 1 for column in columns):
+        raise ValueError("its vertices lack x, y or z")
+    vertices = np.stack(columns, axis=1)
+    faces: Rows = []
+    if any(each.name == "face" and each.count for each in elements) and not any(key in values["face"] for key in CORNERS):
+        raise ValueError(f"a face without one list called {' or '.join(CORNERS)}")
+    for name, least in (("face", 0), ("tristrips", -1)):
+        for key in CORNERS:
+            rows = list(values.get(name, {}).get(key, ()))
+            _check_corners(rows, least, len(vertices))
+            faces += rows if name == "face" else []
+    return Ply(vertices=vertices, faces=faces)
+
+
+def _check_corners(rows: Rows, least: int, corners: int) -> None:
+    flat = np.concatenate(rows) if rows else np.empty(0)
+    wrong = flat[~((flat >= least) & (flat < corners) & (flat == np.floor(flat)))]
+    if len(wrong):
+        raise ValueError(f"a face names corner {wrong[0]:g} of {corners}")
+
+
+def _header(text: str) -> tuple[str, list[_Element]]:
+    form, elements = "", list[_Element]()
+    for line in text.splitlines():
+        words = line.split()
+        if words[:1] == ["format"]:
+            form = words[1]
+        elif words[:1] == ["element"]:
+            elements.append(_Element(name=words[1], count=int(words[2]), properties=[]))
+        elif words[:2] == ["property", "list"]:
+            elements[-1].properties.append(_Property(name=words[4], code=CODES[words[3]], length=CODES[words[2]]))
+        elif words[:1] == ["property"]:
+            elements[-1].properties.append(_Property(name=words[2], code=CODES[words[1]]))
+    if form not in FORMATS:
+        raise ValueError(f"format {form!r}")
+    if any(element.count < 0 for element in elements):
+        raise ValueError("a negative number of elements")
+    return form, elements
+
+
+class _Text:
+    """The numbers of a text file, element by element."""
+
+    def __init__(self, body: bytes) -> None:
+        self.words = body.split()
+        self.at = 0
+
+    def element(self, element: _Element) -> Mapping[str, Array | Rows]:
+        """The values of each property: (count,), or one array per row for a list."""
+        names = [each.name for each in element.properties]
+        if all(each.length is None for each in element.properties):
+            rows = self._numbers(element.count * len(names)).reshape(element.count if names else 0, len(names))
+            return dict(zip(names, rows.T, strict=True))
+        values: dict[str, Rows] = {name: [] for name in names}
+        for _ in range(element.count):
+            for each in element.properties:
+                size = 1 if each.length is None else int(self._numbers(1)[0])
+                values[each.name].append(self._numbers(size))
+        return values
+
+    def _numbers(self, count: int) -> Array:
+        if not 0 <= count <= len(self.words) - self.at:
+            raise ValueError(f"{count} numbers where {len(self.words) - self.at} are left")
+        self.at += count
+        return np.array(self.words[self.at - count : self.at], dtype=float)
+
+
+class _Binary:
+    """The numbers of a binary file, element by element."""
+
+    def __init__(self, body: bytes, order: str) -> None:
+        self.body = body
+        self.order = order
+        self.at = 0
+
+    def element(self, element: _Element) -> Mapping[str, Array | Rows]:
+        """The values of each property: (count,), or one array per row for a list."""
+        if not element.properties or not element.count:
+            return {}
+        sizes = self._sizes(element)
+        kind = self._row(element, sizes)
+        whole = element.count * kind.itemsize
+        if whole <= len(self.body) - self.at:
+            rows = np.frombuffer(self.body, kind, element.count, self.at)
+            if all((rows[f"length of {name}"] == size).all() for name, size in sizes.items()):
+                self.at += whole
+                return {
+                    each.name: list(rows[each.name].astype(float)) if each.length else rows[each.name].astype(float)
+                    for each in element.properties
+                }
+        elif not sizes:
+            raise ValueError(f"{whole} bytes where {len(self.body) - self.at} are left")
+        return self._row_by_row(element)
+
+    def _sizes(self, element: _Element) -> dict[str, int]:
+        """The length of each list in the first row."""
+        at, sizes = self.at, {}
+        for each in element.properties:
+            size = 1
+            if each.length is not None:
+                [size] = struct.unpack_from(self.order + each.length, self.body, at)
+                at += struct.calcsize(each.length)
+                sizes[each.name] = int(size)
+            if not 0 <= size <= len(self.body):
+                raise ValueError(f"a list of {size} numbers")
+            at += int(size) * struct.calcsize(each.code)
+        return sizes
+
+    def _row(self, element: _Element, sizes: Mapping[str, int]) -> "np.dtype[np.void]":
+        """The type of a row whose lists have these lengths."""
+        parts: list[tuple[str, str, tuple[int, ...]]] = []
+        for each in element.properties:
+            if each.length is not None:
+                parts.append((f"length of {each.name}", self.order + each.length, ()))
+            parts.append((each.name, self.order + each.code, () if each.length is None else (sizes[each.name],)))
+        return np.dtype(parts)
+
+    def _row_by_row(self, element: _Element) -> Mapping[str, Rows]:
+        values: dict[str, Rows] = {each.name: [] for each in element.properties}
+        for _ in range(element.count):
+            for each in element.properties:
+                size = 1
+                if each.length is not None:
+                    [size] = struct.unpack_from(self.order + each.length, self.body, self.at)
+                    self.at += struct.calcsize(each.length)
+                kind = np.dtype(self.order + each.code)
+                if not 0 <= size * kind.itemsize <= len(self.body) - self.at:
+                    raise ValueError(f"a list of {size} numbers where {len(self.body) - self.at} bytes are left")
+                values[each.name].append(np.frombuffer(self.body, kind, int(size), self.at).astype(float))
+                self.at += int(size) * kind.itemsize
+        return values

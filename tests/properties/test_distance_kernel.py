@@ -1,0 +1,275 @@
+"""The compiled kernel against coal, for arms and scenes of every shape, and the gradient of distances."""
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+from examples import examples
+from hypothesis import given
+from hypothesis import strategies as st
+
+import manipplan as mp
+from manipplan.collision.kernel import UNDECIDED
+
+ARMS = ["panda", "ur5", "planar", "two"]
+MORE_ARMS = [
+    "panda_collision",
+    "ur3",
+    "ur10",
+    "xarm7",
+    "kinova",
+    "z1",
+    "baxter_left",
+    "talos_right_arm",
+    "tiago",
+    "icub",
+    "so100",
+]
+SHAPES = ["box", "sphere", "capsule", "cylinder", "plane", "mesh", "ring", "cup", "cloud"]
+
+
+@pytest.fixture(scope="session")
+def wedge(tmp_path_factory):
+    """A mesh file of two separate parts: a tetrahedron and a slab."""
+    file = tmp_path_factory.mktemp("mesh") / "wedge.obj"
+    corners = [(0, 0, 0), (0.3, 0, 0), (0, 0.3, 0), (0.05, 0.05, 0.4), (0.5, 0, 0), (0.6, 0, 0), (0.5, 0.5, 0), (0.5, 0, 0.05)]
+    sides = [(1, 3, 2), (1, 2, 4), (2, 3, 4), (1, 4, 3)]
+    faces = sides + [tuple(k + 4 for k in side) for side in sides]
+    lines = ["v " + " ".join(map(str, corner)) for corner in corners] + ["f " + " ".join(map(str, face)) for face in faces]
+    file.write_text("\n".join(lines) + "\n")
+    return str(file)
+
+
+@pytest.fixture
+def arm(request, panda, ur5, planar, two_link_urdf):
+    known = {"panda": panda, "ur5": ur5, "planar": planar}
+    name = request.param
+    if name == "two":
+        return mp.load_robot(two_link_urdf(), tool="tip")
+    return known.get(name) or mp.load_robot(name)
+
+
+def obstacle(shape, place, turn, size, wedge):
+    options = {"position": place, "rotation": turn, "name": shape}
+    return {
+        "box": lambda: mp.Box(size=(size, 0.3 * size, 0.1 + size), **options),
+        "sphere": lambda: mp.Sphere(radius=size / 2, **options),
+        "capsule": lambda: mp.Capsule(radius=size / 4, length=size, **options),
+        "cylinder": lambda: mp.Cylinder(radius=size / 3, length=0.2 * size, **options),
+        "plane": lambda: mp.Plane(**options),
+        "mesh": lambda: mp.Mesh(file=wedge, scale=2 * size, **options),
+        "ring": lambda: mp.Mesh(triangles=size * ring(), **options),
+        "cup": lambda: mp.Mesh(triangles=size * ring()[::2], **options),
+        "cloud": lambda: mp.PointCloud(points=size * ring().reshape(-1, 3)[::3], radius=0.05 * size, **options),
+    }[shape]()
+
+
+def ring():
+    """Triangles (t, 3, 3) of a closed torus with radii 1 and 0.4, seen from outside counterclockwise."""
+    u, v = np.meshgrid(np.linspace(0, 2 * np.pi, 25), np.linspace(0, 2 * np.pi, 13), indexing="ij")
+    far = 1 + 0.4 * np.cos(v)
+    corner = np.stack([far * np.cos(u), far * np.sin(u), 0.4 * np.sin(v)], axis=-1)
+    corner[-1], corner[:, -1] = corner[0], corner[:, 0]
+    a, b, c, d = corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]
+    return np.concatenate([np.stack([a, b, c], axis=2), np.stack([a, c, d], axis=2)]).reshape(-1, 3, 3)
+
+
+def by_coal(model):
+    """A model without the kernel."""
+    slow = model.copy()
+    slow.__dict__["_kernel"] = None
+    return slow
+
+
+def assert_alike(found, expected):
+    """Distances to 3e-7 m, the size of a point of a cloud; of depths, which coal finds one way or another, only the sign."""
+    np.testing.assert_allclose(found[expected > 0], expected[expected > 0], rtol=0, atol=3e-7)
+    assert (found[expected <= 0] <= 0).all()
+
+
+def assert_kernel_is_right(model, q, clearance):
+    """Distances and verdicts equal those of coal; returns the verdicts."""
+    slow = by_coal(model)
+    distances = slow.distance_rows(q)
+    assert_alike(model.distance_rows(q), distances)
+    reach = np.linspace(-0.05, 0.3, len(q))
+    assert_alike(model.distance_rows(q, beyond=reach), np.minimum(distances, reach[:, None]))
+    if distances.size:
+        pairs = np.arange(len(q)) % distances.shape[1]
+        assert_alike(model.pair_distances(q, pairs), distances[np.arange(len(q)), pairs])
+        least, row, pair = model.least_distance(q)
+        assert_alike(np.array([least, distances[row, pair]]), np.full(2, distances.min()))
+    hit = model.in_collision_rows(q, clearance=clearance)
+    clear = np.abs(distances - clearance).min(axis=1, initial=np.inf) > 1e-8  # elsewhere rounding decides
+    np.testing.assert_array_equal(hit[clear], (distances < clearance).any(axis=1)[clear])
+    np.testing.assert_array_equal(hit, [model.in_collision(each, clearance=clearance) for each in q])
+    np.testing.assert_array_equal(hit[clear], slow.in_collision_rows(q, clearance=clearance)[clear])
+    return hit
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("arm", [*ARMS, *(pytest.param(name, marks=pytest.mark.long) for name in MORE_ARMS)], indirect=True)
+@pytest.mark.parametrize("clearance", [0.0, 0.04])
+def test_an_arm_among_obstacles_of_every_shape(arm, wedge, rng, clearance):
+    hits = []
+    for k, shape in enumerate(SHAPES):
+        place = 0.8 * arm.kinematics().pose(arm.random_configuration(rng))[:3, 3]
+        turn = rng.uniform(-3, 3, 3)
+        if shape == "plane":
+            place, turn = [0, 0, -0.1 - 0.2 * k / 6], [0.1, 0.2, 0.0]
+        scene = mp.Scene([obstacle(shape, place, turn, 0.4, wedge)])
+        q = arm.random_configuration(rng, size=60)
+        hits += list(assert_kernel_is_right(scene.collision_model(arm), q, clearance))
+    assert 5 < sum(hits) < len(hits) - 5  # both answers were at stake
+
+
+angle = st.floats(-np.pi, np.pi)
+
+
+@pytest.mark.slow
+@examples(60)
+@given(
+    shape=st.sampled_from(SHAPES),
+    place=st.tuples(*[st.floats(-1.0, 1.0)] * 3),
+    turn=st.tuples(*[angle] * 3),
+    size=st.floats(0.01, 1.5),
+    clearance=st.sampled_from([0.0, 1e-3, 0.02, 0.3]),
+    seed=st.integers(0, 2**31),
+)
+def test_any_single_obstacle(panda, wedge, shape, place, turn, size, clearance, seed):
+    scene = mp.Scene([obstacle(shape, place, turn, size, wedge)])
+    q = panda.random_configuration(np.random.default_rng(seed), size=6)
+    assert_kernel_is_right(scene.collision_model(panda), q, clearance)
+
+
+def test_the_clearance_is_a_sharp_border(panda):
+    """At a hair less than the distance a configuration is free, at a hair more it is not."""
+    scene = mp.Scene([mp.Sphere(radius=0.05, position=(0.6, 0.1, 0.3), name="ball")])
+    model = scene.collision_model(panda)
+    q = panda.neutral[None]
+    distance = model.distances(panda.neutral).min()
+    assert not model.in_collision_rows(q, clearance=distance - 1e-6).any()
+    assert model.in_collision_rows(q, clearance=distance + 1e-6).all()
+
+
+def test_a_body_inside_a_solid_mesh_touches_and_in_the_hole_of_a_ring_does_not(planar):
+    """The last link, about 1 cm thick, stands wholly inside the tube of a large ring, or in its hole."""
+    q = np.array([0.3, 0.4, 0.5])
+    middle = planar.kinematics().pose(q)[:3, 3]
+    rings = {
+        "inside": mp.Mesh(triangles=20 * ring(), position=middle - [20, 0, 0], name="inside"),
+        "hole": mp.Mesh(triangles=20 * ring(), position=middle, name="hole"),
+        "open": mp.Mesh(triangles=20 * ring()[1:], position=middle - [20, 0, 0], name="open"),
+    }
+    for name, mesh in rings.items():
+        model = mp.Scene([mesh]).collision_model(planar)
+        for each in (model, by_coal(model)):
+            assert each.in_collision(q) is (name == "inside")
+            distances = each.distances(q)[[k for k, pair in enumerate(model.pair_names) if pair[1] == name]]
+            assert ((distances < 0) if name == "inside" else (distances > 0)).all() and np.abs(distances).min() > 1
+
+
+def test_the_nearest_points_of_a_mesh_and_a_cloud(panda, rng):
+    """The witness of a pair, found at the nearest triangle alone, equals that of the whole mesh by coal."""
+    options = {"position": (0.5, 0.1, 0.4), "rotation": (0.3, 0.2, 0.1)}
+    meshes = [mp.Mesh(triangles=0.2 * ring(), name="ring", **options)]
+    meshes.append(mp.PointCloud(points=0.2 * ring().reshape(-1, 3), radius=0.02, name="cloud", position=(-0.5, 0.1, 0.4)))
+    model, compared = mp.Scene(meshes).collision_model(panda), 0
+    slow = by_coal(model)
+    for q in panda.random_configuration(rng, size=20):
+        distances = model.distances(q)
+        for pair in [k for k, d in enumerate(distances) if 1e-3 < d < 0.3 and model.pair_names[k][1] in ("ring", "cloud")]:
+            (one, normal), (other, expected) = model.witness(q, pair), slow.witness(q, pair)
+            np.testing.assert_allclose(normal, expected, atol=1e-4)
+            assert one.radius == pytest.approx(other.radius)
+            assert model.contact(q, pair).distance == pytest.approx(distances[pair], abs=3e-7)
+            compared += 1
+    assert compared > 50
+
+
+def test_threads_that_share_a_model_do_not_disturb_each_other(panda, rng):
+    model = mp.Scene([mp.Box(size=(0.3, 0.3, 0.3), position=(0.5, 0, 0.4), name="box")]).collision_model(panda)
+    batches = panda.random_configuration(rng, size=8 * 3000).reshape(8, 3000, 7)
+    alone = [model.in_collision_rows(q) for q in batches]
+    near = [model.distance_rows(q[:200], beyond=0.05) for q in batches]
+    with ThreadPoolExecutor(4) as pool:
+        together = [pool.submit(model.in_collision_rows, q) for q in batches]
+        distances = [pool.submit(model.distance_rows, q[:200], beyond=0.05) for q in batches]
+        single = [pool.submit(lambda q: [model.in_collision(each) for each in q[:500]], q) for q in batches]
+    for k in range(8):
+        np.testing.assert_array_equal(together[k].result(), alone[k])
+        np.testing.assert_array_equal(single[k].result(), alone[k][:500])
+        np.testing.assert_allclose(distances[k].result(), near[k], atol=2e-6)  # depths by coal
+
+
+def test_some_pairs_of_a_model(panda, rng):
+    scene = mp.Scene([mp.Sphere(radius=0.1, position=(0.4, 0.1 * k, 0.4), name=f"ball{k}") for k in range(4)])
+    model = scene.collision_model(panda)
+    pairs = np.array([40, 3, len(model.pair_names) - 1, 12, 0])
+    some, q = model.with_pairs(pairs), panda.random_configuration(rng, size=30)
+    assert some.pair_names == tuple(model.pair_names[k] for k in pairs)
+    assert_alike(some.distance_rows(q), model.distance_rows(q)[:, pairs])
+    assert_alike(some.pair_distances(q, np.arange(30) % 5), model.pair_distances(q, pairs[np.arange(30) % 5]))
+    assert model.with_pairs(np.array([], dtype=int)).distance_rows(q).shape == (30, 0)
+
+
+def test_what_is_not_finite_is_not_called_free(panda):
+    """Public calls refuse it; the kernel leaves it to coal."""
+    kernel = mp.Scene().collision_model(panda)._kernel
+    if kernel is not None:
+        q = np.array([[0, 0, 0, np.nan, 0, 1, 0], [0, 0, 0, -np.inf, 0, 1, 0]])
+        assert (kernel.check_rows(q, 0.0) == UNDECIDED).all() and np.isnan(kernel.distances(q, np.full(2, np.inf))).all()
+
+
+def test_no_pairs_is_free_everywhere():
+    arm = mp.load_robot("simple_humanoid_right_arm")
+    model = mp.Scene().collision_model(arm)
+    q = arm.random_configuration(np.random.default_rng(0), size=5)
+    assert not model.in_collision_rows(q).any()
+    assert model.least_distance(q) == (np.inf, 0, -1)
+
+
+# ---- the collision model
+
+
+@pytest.mark.parametrize("arm", ARMS, indirect=True)
+def test_the_gradient_of_each_distance_by_finite_differences(arm, wedge, rng):
+    """Of pairs that are apart; where the nearest points jump between features there is none, which differences show."""
+    scene = mp.Scene(
+        [
+            mp.Sphere(radius=0.05, position=(0.3, 0.4, 0.5), name="ball"),
+            mp.Capsule(radius=0.05, length=0.3, position=(-0.3, 0.4, 0.6), rotation=(0.4, 0.8, 0), name="bar"),
+        ]
+    )
+    model, step, compared = scene.collision_model(arm), 1e-3, 0
+    for q in arm.random_configuration(rng, size=6):
+        at = model.distances(q)
+        sides = [(model.distances(q + step * e), model.distances(q - step * e)) for e in np.eye(arm.n)]
+        central = np.array([(a - b) / (2 * step) for a, b in sides])
+        smooth = (np.array([np.abs(a + b - 2 * at) for a, b in sides]) < 4e-6).all(axis=0) & (at > 0.01)
+        for pair in np.flatnonzero(smooth):
+            np.testing.assert_allclose(model.distance_gradient(q, int(pair)), central[:, pair], atol=4e-3)
+            compared += 1
+        assert np.abs(central[:, smooth]).max() > 0.01
+    assert compared > 6
+
+
+def test_a_gradient_also_where_bodies_overlap(planar):
+    """The distance is negative; it still falls as the link goes deeper into the ball."""
+    q = np.array([0.3, 0.4, 0.5])
+    tool = planar.kinematics().pose(q)[:3, 3]
+    model = mp.Scene([mp.Sphere(radius=0.3, position=tool + [0.05, 0.1, 0], name="ball")]).collision_model(planar)
+    distances = model.distances(q)
+    pair = int(distances.argmin())
+    assert distances[pair] < 0
+    numbers = [(model.distances(q + 1e-6 * e)[pair] - model.distances(q - 1e-6 * e)[pair]) / 2e-6 for e in np.eye(3)]
+    np.testing.assert_allclose(model.distance_gradient(q, pair), numbers, atol=1e-3)
+
+
+def test_a_copy_answers_alike_and_for_itself(panda, rng):
+    model = mp.Scene([mp.Sphere(radius=0.2, position=(0.4, 0.2, 0.4), name="ball")]).collision_model(panda)
+    copy = model.copy()
+    assert copy.pair_names == model.pair_names and copy.bodies == model.bodies
+    for q in panda.random_configuration(rng, size=10):
+        np.testing.assert_array_equal(copy.distances(q), model.distances(q))
+        assert copy.in_collision(q, clearance=0.1) == model.in_collision(q, clearance=0.1)

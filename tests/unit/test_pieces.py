@@ -1,0 +1,91 @@
+"""Convex pieces contain the mesh and, where it is closed, its inside."""
+
+import coal
+import numpy as np
+import pytest
+from scipy.spatial import ConvexHull
+
+import manipplan as mp
+from manipplan.collision.pieces import GOOD, MOST_PIECES, convex_pieces
+from manipplan.collision.primitives import mesh_triangles
+from manipplan.collision.surfaces.shells import winding_number
+
+
+def in_some_piece(points, pieces, margin=1e-7):
+    """Whether each point (k, 3) lies in one of the pieces."""
+    inside = np.zeros(len(points), dtype=bool)
+    for piece in pieces:
+        planes = ConvexHull(piece.corners).equations
+        inside |= (points @ planes[:, :3].T + planes[:, 3] <= margin).all(axis=1)
+    return inside
+
+
+def points_on(triangles, rng, count):
+    corners = triangles[rng.integers(len(triangles), size=count)]
+    return np.einsum("kc,kci->ki", rng.dirichlet([1, 1, 1], count), corners)
+
+
+def points_inside(triangles, rng, count):
+    low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
+    points = rng.uniform(low, high, (count, 3))
+    return points[np.abs(winding_number(triangles, points)) > 0.5]
+
+
+def box(low, high):
+    """The triangles of a box."""
+    corner = np.array(np.meshgrid(*zip(low, high, strict=True), indexing="ij")).reshape(3, -1).T
+    hull = ConvexHull(corner)
+    outward = np.einsum(
+        "ki,ki->k", np.cross(*np.moveaxis(np.diff(corner[hull.simplices], axis=1), 1, 0)), hull.equations[:, :3]
+    )
+    return np.where(outward[:, None, None] > 0, corner[hull.simplices], corner[hull.simplices[:, ::-1]])
+
+
+def star():
+    """Three crossed bars, as one mesh."""
+    long, thin = 0.2, 0.04
+    sizes = [(long, thin, thin), (thin, long, thin), (thin, thin, long)]
+    return np.concatenate([box(-np.array(size), np.array(size)) for size in sizes])
+
+
+def links(name):
+    robot = mp.load_robot(name)
+    return {
+        item.name: mesh_triangles(item.geometry)
+        for item in robot.geometry.geometryObjects
+        if isinstance(item.geometry, coal.BVHModelBase) and item.parentJoint > 0
+    }
+
+
+@pytest.mark.parametrize("mesh", ["star", "ur5 wrist_1_link_0", "ur5 shoulder_link_0", "ur3 wrist_1_link_0"])
+def test_surface_and_inside_lie_in_the_pieces(mesh, rng):
+    triangles = star() if mesh == "star" else links(mesh.split()[0])[mesh.split()[1]]
+    pieces = convex_pieces(triangles)
+    assert 1 < len(pieces) <= MOST_PIECES
+    inside = points_inside(triangles, rng, 3000)
+    assert len(inside) > 100
+    assert in_some_piece(inside, pieces).all()
+    assert in_some_piece(points_on(triangles, rng, 2000), pieces).all()
+
+
+def test_a_convex_mesh_is_one_piece_without_excess():
+    for triangles in links("panda").values():
+        [piece] = convex_pieces(triangles)
+        assert piece.excess < 4e-4
+        assert in_some_piece(triangles.reshape(-1, 3), [piece]).all()
+
+
+def test_excess_is_what_sticks_out():
+    """Two boxes that form an L, cut at their corner: nothing sticks out. Their hull sticks out by the corner's distance."""
+    ell = np.concatenate([box((0, 0, 0), (0.3, 0.05, 0.05)), box((0, 0, 0), (0.05, 0.3, 0.05))])
+    pieces = convex_pieces(ell)
+    assert 1 < len(pieces) <= MOST_PIECES and max(piece.excess for piece in pieces) <= 5 * GOOD
+    whole = ConvexHull(ell.reshape(-1, 3)).volume
+    assert sum(ConvexHull(piece.corners).volume for piece in pieces) < 0.5 * whole
+
+
+def test_a_flat_mesh_gets_a_little_thickness():
+    square = np.array([[[0, 0, 0], [0.2, 0, 0], [0, 0.2, 0]], [[0.2, 0, 0], [0.2, 0.2, 0], [0, 0.2, 0]]], dtype=float)
+    [piece] = convex_pieces(square)
+    assert in_some_piece(square.reshape(-1, 3), [piece]).all()
+    assert 0 < np.ptp(piece.corners[:, 2]) < 1e-3
