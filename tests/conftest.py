@@ -1,6 +1,7 @@
 """What the tests share: real robots, loaded once, and the scene of five boxes."""
 
 import os
+import runpy
 import shutil
 import signal
 from pathlib import Path
@@ -78,6 +79,17 @@ def demo_problem():
 @pytest.fixture(scope="session")
 def demo_plan(demo_problem):
     return mp.plan(demo_problem.robot, demo_problem.start, demo_problem.goal, demo_problem.scene)
+
+
+@pytest.fixture(scope="module")
+def page(request):
+    """Names in the gallery's page PAGE of the test's module, after a run of it."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    names = runpy.run_path(str(request.module.PAGE))
+    yield names
+    names["plt"].close("all")
 
 
 @pytest.fixture(scope="module")

@@ -23,7 +23,7 @@ from manipplan.support.errors import InvalidInputError
 GJK_TOLERANCE = 1e-10
 #: Number of configurations of a path that are checked at a time.
 BLOCK = 256
-#: Every so many configurations all distances are measured first, to bound the smallest.
+#: Number of configurations from one to the next whose distances are all measured first; these bound the smallest.
 COARSE_STEP = 16
 
 

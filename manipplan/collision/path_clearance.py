@@ -20,12 +20,12 @@ from manipplan.support.errors import InvalidInputError
 #: Margin subtracted from every distance [m]; coal's distances are accurate to 2e-6 m.
 SLACK = 1e-5
 #: Intervals in which no joint moves more than this from the middle are not cut again [rad or m].
-NARROW = 1e-5
+NARROW = 1e-6
 #: Maximum number of distances computed; then the best bound so far is returned.
 MOST_CHECKS = 100_000
 #: Number of pieces checked together first, on paths of more pieces than this, such as trajectories.
 RUN = 16
-#: Up to so many pairs per configuration are measured one by one, more of them all together.
+#: Maximum number of pairs per configuration that are measured one by one; more are measured all together.
 FEW = 4
 
 

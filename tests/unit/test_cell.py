@@ -4,7 +4,6 @@ MuJoCo reads the robot from its URDF and the meshes named there; the walls of th
 the page writes its STL file; each point of the cloud is a ball.
 """
 
-import runpy
 from pathlib import Path
 
 import mujoco
@@ -17,16 +16,6 @@ PAGE = ROOT / "docs" / "examples" / "plan" / "plot_cell.py"
 AGREE = 1e-6
 #: Distance up to which distances are compared, and the balls of the cloud are there [m].
 NEAR = 0.2
-
-
-@pytest.fixture(scope="module")
-def page():
-    import matplotlib
-
-    matplotlib.use("Agg")
-    space = runpy.run_path(str(PAGE))
-    yield space
-    space["plt"].close("all")
 
 
 def machine_boxes(page):

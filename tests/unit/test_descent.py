@@ -135,7 +135,7 @@ def test_a_higher_degree_and_a_spline_are_never_worse(panda):
 
 @pytest.mark.slow
 def test_what_was_cut_off_is_not_called_optimal(panda, monkeypatch):
-    monkeypatch.setattr(descent, "STEPS", 3)
+    monkeypatch.setattr(descent, "STEPS", 1)
     result = mp.optimize_path(panda, START, GOAL, scene=mp.Scene([POST]), clearance=CLEARANCE)
     assert result.status is mp.Status.STOPPED_EARLY
     assert result.certificate.projected_gradient > 1e-3

@@ -1,26 +1,14 @@
 """The gallery's page on MuJoCo: its model has Pinocchio's dynamics, and the exported motion can be followed."""
 
-import runpy
 from pathlib import Path
 
 import mujoco
 import numpy as np
 import pinocchio as pin
-import pytest
 
 import manipplan as mp
 
 PAGE = next((Path(__file__).parents[2] / "docs" / "examples").rglob("plot_mujoco_playback.py"))
-
-
-@pytest.fixture(scope="module")
-def page():
-    import matplotlib
-
-    matplotlib.use("Agg")
-    space = runpy.run_path(str(PAGE))
-    yield space
-    space["plt"].close("all")
 
 
 def test_mass_matrix_and_gravity_are_pinocchio_s(page, rng):

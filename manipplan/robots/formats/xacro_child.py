@@ -120,9 +120,9 @@ def _replace(folders: PackageFolders, arguments: Arguments, *, trust: bool) -> N
             raise RefusedError(f"{os.path.normpath(path)} is outside the folders that may be read; {wanted}")
         if Path(path).exists() and not Path(path).is_file():
             raise RefusedError(f"{path} is not a plain file")
-        return open(path, encoding="utf-8")  # noqa: PTH123  # in place of the built-in function; xacro closes it
+        return Path(path).open(encoding="utf-8")  # xacro closes it
 
-    def refuse_variable(name: str, default: str = "") -> str:  # noqa: ARG001  # called with it
+    def refuse_variable(name: str, *_: str, **__: str) -> str:
         raise RefusedError(f"the environment variable {name} is read only if trust_file=True; an argument can replace it")
 
     def evaluate_extension(text: str, _: Any) -> str:
@@ -150,9 +150,9 @@ def _replace(folders: PackageFolders, arguments: Arguments, *, trust: bool) -> N
 def _reason(error: BaseException) -> tuple[str, BaseException]:
     """What went wrong, in one line, and its cause: the library wraps one exception into another."""
     suffix = ""
-    while isinstance(getattr(error, "exc", None), BaseException):
+    while isinstance(inner := getattr(error, "exc", None), BaseException):
         suffix = getattr(error, "suffix", None) or suffix
-        error = error.exc  # type: ignore[attr-defined]  # of XacroException
+        error = inner
     text = str(error) or type(error).__name__
     if isinstance(error, KeyError):
         text = f"there is no {text}"
