@@ -46,12 +46,13 @@ class BodyMotion:
         #: (p,) the body of each pair that is farther from the base, and the joint of the other body
         self.body: BodyIndices = pairs[np.arange(len(pairs)), carriers.argmax(axis=1)]
         self.below: BodyIndices = carriers.min(axis=1)
+        kinds = {kind: pair for pair, kind in enumerate(zip(self.body.tolist(), self.below.tolist(), strict=True))}
+        self._kinds: BodyIndices = np.array(list(kinds.values()))  # a pair for each body and joint below it
         self.points = np.empty((len(objects), MOST_POINTS, 3))
         self.radii = np.zeros(len(objects))
-        for k, item in enumerate(objects):
-            if k in self.body:
-                points, self.radii[k] = _few_points(item)
-                self.points[k] = np.concatenate([points, np.repeat(points[:1], MOST_POINTS - len(points), axis=0)])
+        for k in sorted(set(self.body.tolist())):
+            points, self.radii[k] = _few_points(objects[k])
+            self.points[k] = np.concatenate([points, np.repeat(points[:1], MOST_POINTS - len(points), axis=0)])
         self.slides = np.array([is_prismatic(joint) for joint in robot.joints[1:]])
         self._axes = [axis_of(joint) for joint in robot.joints[1:]]
         self._placements = [(np.array(place.rotation), np.array(place.translation)) for place in robot.jointPlacements[1:]]
@@ -80,6 +81,11 @@ class BodyMotion:
                 step *= np.sqrt(np.maximum(square.max(axis=1), 0.0)) + self.radii[body] + moved[:, j]
             moved[:, j - 1] = moved[:, j] + step
         return np.asarray(moved[where, self.below[pairs]])
+
+    def largest(self, q: Array, change: Array) -> Array:
+        """The largest bound of any pair at each of the configurations q (m, n), (m,) [m]."""
+        rows = np.repeat(np.arange(len(q)), len(self._kinds))
+        return np.asarray(self.motion(q, change, rows, np.tile(self._kinds, len(q))).reshape(len(q), -1).max(axis=1))
 
     def _chain(self, q: Array) -> tuple[Array, Array, Array]:
         """Rotations (m, n + 1, 3, 3), origins and axes (m, n + 1, 3) of the world and joint frames, in the world."""

@@ -1,6 +1,7 @@
 """CollisionModel: a robot as convex bodies among the obstacles of a scene, and the pairs that are checked."""
 
 from collections.abc import Collection, Mapping
+from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
 
@@ -25,6 +26,8 @@ GJK_TOLERANCE = 1e-10
 BLOCK = 256
 #: Number of configurations from one to the next whose distances are all measured first; these bound the smallest.
 COARSE_STEP = 16
+#: Distances up to which the nearest pair is searched, in turn [m]: where something is near, the others are not measured.
+REACHES = (0.05, 0.2, 0.8, np.inf)
 
 
 class CollisionModel:
@@ -99,15 +102,10 @@ class CollisionModel:
         copied.__dict__["_kernel"] = None if self._kernel is None else self._kernel.copy()
         return copied
 
-    def with_pairs(self, pairs: NDArray[np.intp]) -> "CollisionModel":
-        """The same bodies with only the pairs of these indices, in this order."""
-        geometry = self.geometry.copy()
-        geometry.removeAllCollisionPairs()
-        for pair in pairs.tolist():
-            geometry.addCollisionPair(self.geometry.collisionPairs[pair])
-        chosen = CollisionModel(self.robot, geometry, self.dropped, bodies=self.bodies, radii=self.radii, solids=self.solids)
-        chosen.__dict__["_kernel"] = None if self._kernel is None else self._kernel.with_pairs(pairs)
-        return chosen
+    def only(self, pairs: NDArray[np.intp]) -> "SomePairs":
+        """The pairs (k,) of these indices."""
+        kernel = None if self._kernel is None else self._kernel.with_pairs(pairs)
+        return SomePairs(model=self, pairs=pairs, kernel=kernel)
 
     def in_collision(self, q: Array, *, clearance: float = 0.0) -> bool:
         """Whether any pair is nearer than `clearance` [m] at q (n,); 0: whether any pair touches."""
@@ -157,8 +155,11 @@ class CollisionModel:
         if not self.pair_names:
             return np.inf, 0, -1
         bound = np.inf
-        for some in (q[:1], q[::COARSE_STEP]):
-            bound = float(self.distance_rows(some, beyond=bound).min())
+        for reach in REACHES:
+            bound = float(self.distance_rows(q[:1], beyond=reach).min())
+            if bound < reach:
+                break
+        bound = float(self.distance_rows(q[::COARSE_STEP], beyond=bound).min())
         rows = self.distance_rows(q, beyond=bound + 1e-9)  # so that the smallest itself is not cut off
         row, pair = divmod(int(rows.argmin()), rows.shape[1])
         return float(rows[row, pair]), row, pair
@@ -330,6 +331,31 @@ class CollisionModel:
         for request, radius in zip(self._geometry_data.collisionRequests, self._radii, strict=True):
             request.security_margin = clearance + radius
         self._margin = clearance
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SomePairs:
+    """Distances of only some pairs of a collision model.
+
+    Attributes:
+        model: the arm among its obstacles.
+        pairs: (k,) indices of the pairs.
+        kernel: compiled distances of these; None: coal's.
+    """
+
+    model: CollisionModel
+    pairs: NDArray[np.intp]
+    kernel: DistanceKernel | None
+
+    def distance_rows(self, q: Array, *, beyond: float = np.inf) -> Array:
+        """Signed distances (m, k) at q (m, n) [m], those above `beyond` cut off there."""
+        if self.kernel is None:
+            found = np.full((len(q), len(self.pairs)), np.nan)
+        else:
+            found = self.kernel.distances(q, np.full(len(q), max(beyond, 0.0)))
+        for row, k in zip(*np.nonzero(np.isnan(found)), strict=True):
+            found[row, k] = self.model._distance(q[row], int(self.pairs[k]))
+        return np.asarray(np.minimum(found, beyond))
 
 
 def _coarse_to_fine(count: int) -> list[int]:

@@ -23,8 +23,11 @@ SLACK = 1e-5
 NARROW = 1e-6
 #: Maximum number of distances computed; then the best bound so far is returned.
 MOST_CHECKS = 100_000
-#: Number of pieces checked together first, on paths of more pieces than this, such as trajectories.
-RUN = 16
+#: Number of intervals at which all pairs are measured first. An interval is a run of two pieces, or of more up to the second
+#: value on paths of many pieces, such as trajectories.
+FIRST, RUN = 32, 16
+#: Maximum number of distances held at a time.
+BLOCK = 500_000
 #: Maximum number of pairs per configuration that are measured one by one; more are measured all together.
 FEW = 4
 
@@ -42,7 +45,7 @@ class PathClearance:
         at, pair: s in [0, 1] and the names of the two bodies where the required clearance is violated; otherwise where a
             violation is not excluded; otherwise where the bound is smallest. nan and () when nothing is checked.
         pair_id: index of the pair in the collision model's `pair_names`; -1 when nothing is checked.
-        checks: number of distances computed.
+        checks: number of distances computed, without those that were cut off.
     """
 
     lower: float
@@ -103,8 +106,11 @@ class _Search:
         self.lowest, self.nearest = (0.0, 0), (0.0, 0)
 
     def run(self, path: JointPath) -> PathClearance:
-        control, edges = path.control, np.stack([path.breaks[:-1], path.breaks[1:]], axis=1)
-        rows, pairs, known = self._runs(control, path.breaks)
+        control, breaks = path.control, path.breaks
+        while len(control) < 2 * FIRST:
+            control, breaks = _halved(control, breaks)
+        edges = np.stack([breaks[:-1], breaks[1:]], axis=1)
+        rows, pairs, known = self._begin(control, breaks)
         while len(rows) and not self.decided:
             halves = split(control)
             q, middles = halves[0][:, -1], edges.mean(axis=1)
@@ -140,22 +146,43 @@ class _Search:
         tight = self.upper - self.tolerance
         return max(tight, self.clearance) if self.upper > self.clearance else tight
 
-    def _runs(self, control: Array, breaks: Array) -> tuple[BodyIndices, BodyIndices, Array]:
-        """Pieces and pairs that are still open, with their bounds, after each run of pieces was checked as a whole."""
-        count = len(self.model.pair_names)
-        first = np.arange(0, len(control), RUN)
+    def _begin(self, control: Array, breaks: Array) -> tuple[BodyIndices, BodyIndices, Array]:
+        """Pieces and pairs that are still open, with their bounds, after all pairs were measured at each run of pieces."""
+        first = np.arange(0, len(control), min(max(len(control) // FIRST, 2), RUN))
         lengths = np.diff(np.append(first, len(control)))
-        rows, pairs = np.repeat(np.arange(len(first)), count), np.tile(np.arange(count), len(first))
-        known = np.full(len(rows), -np.inf)
-        if len(control) > RUN:
-            middle = first + lengths // 2
-            q = control[middle, 0]
-            low, high = np.minimum.reduceat(control.min(axis=1), first), np.maximum.reduceat(control.max(axis=1), first)
-            cut, bounds = self._look(q, np.maximum(q - low, high - q), breaks[middle], rows, pairs, known)
-            rows, pairs, known = rows[cut], pairs[cut], bounds[cut]
+        middle = first + lengths // 2
+        q, middles = control[middle, 0], breaks[middle]
+        low, high = np.minimum.reduceat(control.min(axis=1), first), np.maximum.reduceat(control.max(axis=1), first)
+        change = np.maximum(q - low, high - q)
+        self.upper, row, pair = self.model.least_distance(q)
+        self.nearest = float(middles[row]), pair
+        open_rows, open_pairs, open_bounds = [], [], []
+        block = max(1, BLOCK // len(self.model.pair_names))
+        for begin in range(0, len(q), block):
+            some = slice(begin, begin + block)
+            rows, pairs, bounds = self._look_at_all(q[some], change[some], middles[some])
+            open_rows.append(begin + rows)
+            open_pairs.append(pairs)
+            open_bounds.append(bounds)
+        rows = np.concatenate(open_rows)
         times = lengths[rows]
         inside = np.arange(times.sum()) - np.repeat(np.cumsum(times) - times, times)
-        return np.repeat(first[rows], times) + inside, np.repeat(pairs, times), np.repeat(known, times)
+        pairs, bounds = np.concatenate(open_pairs), np.concatenate(open_bounds)
+        return np.repeat(first[rows], times) + inside, np.repeat(pairs, times), np.repeat(bounds, times)
+
+    def _look_at_all(self, q: Array, change: Array, middles: Array) -> tuple[BodyIndices, BodyIndices, Array]:
+        """Measure all pairs at the middles q (m, n) of intervals; returns row, pair and bound of those to cut."""
+        most = self.motion.largest(q, change)
+        beyond = np.maximum(self._target + most + 2 * SLACK, self.upper)
+        distances = self.model.distance_rows(q, beyond=beyond)
+        far = distances.argmax(axis=1)  # a pair that was cut off, unless all are near
+        cut_off = np.flatnonzero(distances[np.arange(len(q)), far] >= beyond)
+        self._close((beyond - SLACK - most)[cut_off], middles, cut_off, far[cut_off])
+        rows, pairs = np.divmod(np.flatnonzero(distances < beyond[:, None]), distances.shape[1])
+        self.checks += len(q) + len(rows)
+        motion = self.motion.motion(q, change, rows, pairs)
+        cut, bounds = self._judge(distances[rows, pairs], motion, change, middles, rows, pairs, np.full(len(rows), -np.inf))
+        return rows[cut], pairs[cut], bounds[cut]
 
     def _look(
         self, q: Array, change: Array, middles: Array, rows: BodyIndices, pairs: BodyIndices, known: Array
@@ -165,7 +192,21 @@ class _Search:
         `known` holds the bounds from the parent interval.
         """
         motion = self.motion.motion(q, change, rows, pairs)
-        distances = self._distances(q, motion, rows, pairs)
+        return self._judge(self._distances(q, motion, rows, pairs), motion, change, middles, rows, pairs, known)
+
+    def _judge(
+        self,
+        distances: Array,
+        motion: Array,
+        change: Array,
+        middles: Array,
+        rows: BodyIndices,
+        pairs: BodyIndices,
+        known: Array,
+    ) -> tuple[NDArray[np.bool_], Array]:
+        """Which pairs to cut, and all bounds, from distances (e,) at the middles and motions (e,) towards each other [m]."""
+        if not len(rows):
+            return np.zeros(0, dtype=bool), known
         bounds = np.maximum(known, distances - SLACK - motion)
         least = int(distances.argmin())
         if distances[least] < self.upper:
@@ -183,12 +224,21 @@ class _Search:
 
     def _distances(self, q: Array, motion: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
         """Distances (e,) of pairs at rows of q (m, n); cut off where that closes the pair and lowers no bound."""
-        self.checks += len(rows)
         if len(rows) <= FEW * len(q):
+            self.checks += len(rows)
             return self.model.pair_distances(q[rows], pairs)
         most = np.zeros(len(q))
         np.maximum.at(most, rows, motion)
-        upper = self.upper if np.isfinite(self.upper) else float(self.model.distance_rows(q[:1]).min())
-        target = self._target if np.isfinite(self.upper) or self.tolerance is None else upper
-        beyond = np.maximum(target + most + 2 * SLACK, upper)
-        return np.asarray(self.model.distance_rows(q, beyond=beyond)[rows, pairs])
+        beyond = np.maximum(self._target + most + 2 * SLACK, self.upper)
+        found = np.asarray(self.model.distance_rows(q, beyond=beyond)[rows, pairs])
+        self.checks += max(len(q), int((found < beyond[rows]).sum()))
+        return found
+
+
+def _halved(control: Array, breaks: Array) -> tuple[Array, Array]:
+    """Control points and breaks of the same curve in twice as many pieces."""
+    left, right = split(control)
+    middles = (breaks[:-1] + breaks[1:]) / 2
+    return np.stack([left, right], axis=1).reshape(-1, *control.shape[1:]), np.append(
+        np.stack([breaks[:-1], middles], axis=1).ravel(), breaks[-1]
+    )

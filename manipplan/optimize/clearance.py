@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from manipplan.collision.model import CollisionModel
+from manipplan.collision.model import CollisionModel, SomePairs
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, configurations, on_grid
@@ -130,7 +130,7 @@ POINTS = 2
 Place = tuple[float, int]
 
 
-def distance_profile(model: CollisionModel, q: Array, beyond: float = np.inf) -> Array:
+def distance_profile(model: CollisionModel | SomePairs, q: Array, beyond: float = np.inf) -> Array:
     """Distance of every pair (m, k) [m] at each of the configurations q (m, n), cut off at `beyond` [m]."""
     return on_grid(model.distance_rows(on_grid(q, FINE), beyond=beyond), FINE_DISTANCE)
 

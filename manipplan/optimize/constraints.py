@@ -118,8 +118,8 @@ class ClearanceTable:
         cls, functions: RowFunctions, curves: Curves, surroundings: Surroundings, path: JointPath, look: Look
     ) -> "ClearanceTable":
         """Two rows at each place where a rejected `path` violates the clearance: with the plane on either body."""
-        places = [(look.places[k][0], look.places[k][1], False) for k in np.flatnonzero(look.distances < surroundings.target)]
-        places = places[:MOST_REJECTED]
+        near = np.flatnonzero(look.distances < surroundings.target)[:MOST_REJECTED]
+        places = [(float(look.s[k]), int(look.pairs[k]), False) for k in near]
         at = configurations(path, [s for s, *_ in places])
         columns = [
             row.column(len(curves.start))

@@ -99,7 +99,7 @@ class DescentProgram:
     def look(self, z: Array, radius: float) -> Look:
         """The bodies near the path at z (f, n), within the distance that a step of `radius` can use up."""
         if self.surroundings is None:
-            return Look(places=(), distances=np.empty(0), bottoms=frozenset())
+            return Look.of()
         return self.surroundings.look(self.path(z), min(max(BAND * radius, LEAST_BAND), MOST_BAND))
 
     def violation(self, z: Array, look: Look) -> float:

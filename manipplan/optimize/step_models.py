@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.collision.model import CollisionModel
+from manipplan.collision.model import CollisionModel, SomePairs
 from manipplan.cost.density import Density
 from manipplan.optimize.basis import Basis
 from manipplan.optimize.clearance import ClearanceRow, Place, distance_profile
@@ -159,17 +159,29 @@ JOINT_STEP = 1e-4
 
 @dataclass(frozen=True, kw_only=True)
 class Look:
-    """Distances measured on one path.
+    """Distances measured on one path, the smallest first; (k,) each.
 
     Attributes:
-        places: (s, pair), nearest first.
-        distances: (k,) their signed distances [m].
-        bottoms: indices of the places where the distance has a minimum along the path.
+        distances: signed distances [m].
+        s: places on the path.
+        pairs: indices of the pairs.
+        is_bottom: whether the distance has a minimum along the path there.
     """
 
-    places: tuple[Place, ...]
     distances: Array
-    bottoms: frozenset[int]
+    s: Array
+    pairs: NDArray[np.intp]
+    is_bottom: NDArray[np.bool_]
+
+    @classmethod
+    def of(cls, *found: "Look") -> "Look":
+        """All that was found, in order."""
+        distances, s, pairs, is_bottom = (
+            np.concatenate([np.empty(0, dtype=kind), *(getattr(each, name) for each in found)])
+            for name, kind in (("distances", float), ("s", float), ("pairs", np.intp), ("is_bottom", bool))
+        )
+        order = np.lexsort((is_bottom, pairs, s, distances))
+        return cls(distances=distances[order], s=s[order], pairs=pairs[order], is_bottom=is_bottom[order])
 
     @property
     def least(self) -> float:
@@ -208,34 +220,30 @@ class Surroundings:
         s = np.linspace(0.0, 1.0, INTERVALS + 1)
         q = configurations(path, s)
         watch = self._watched(q)
-        pairs, grid = watch.pairs, distance_profile(watch.model, q, self.target + max(band, FARTHEST))
-        wanted = grid < self.target + CLOSE
-        wanted[::SPACING] |= grid[::SPACING] < self.target + band
-        found = [(float(grid[k, c]), float(s[k]), int(pairs[c]), False) for k, c in zip(*np.nonzero(wanted), strict=True)]
-        found += self._dips(path, s, grid, pairs)
+        pairs, most = watch.pairs, self.target + max(band, FARTHEST)
+        grid = distance_profile(watch.model, q, most)
+        k, c = np.divmod(np.flatnonzero(grid < on_grid(np.array(most), FINE_DISTANCE)), max(grid.shape[1], 1))
+        near, distances = (k, c), grid[k, c]
+        wanted = (distances < self.target + CLOSE) | ((k % SPACING == 0) & (distances < self.target + band))
+        k, c, distances = k[wanted], c[wanted], distances[wanted]
+        found = [Look(distances=distances, s=s[k], pairs=pairs[c], is_bottom=np.zeros(len(k), dtype=bool))]
+        found.append(self._dips(path, s, grid, near, pairs))
         if self.always:
-            at, known = np.array([x for x, _ in self.always]), [pair for _, pair in self.always]
+            at, known = np.array([x for x, _ in self.always]), np.array([pair for _, pair in self.always])
             bracket = np.maximum(at - 1 / INTERVALS, 0.0), np.minimum(at + 1 / INTERVALS, 1.0)
-            at, distances = self._bottoms(path, bracket, at, self._at(path, at, known), known)
-            found += [(float(d), float(x), pair, True) for d, x, pair in zip(distances, at, known, strict=True)]
-        found.sort()
-        return Look(
-            places=tuple((x, pair) for _, x, pair, _ in found),
-            distances=np.array([each[0] for each in found]),
-            bottoms=frozenset(k for k, (*_, bottom) in enumerate(found) if bottom),
-        )
+            found.append(self._bottoms(path, bracket, at, self._at(path, at, known), known))
+        return Look.of(*found)
 
     def places(self, look: Look) -> list[tuple[float, int, bool]]:
         """The places of a look that get rows, bottoms of dips first: s, pair, and whether it is such a bottom."""
-        bottoms = [look.places[k] for k in look.bottoms]
-        chosen: list[tuple[float, int, bool]] = []
-        for k in sorted(range(len(look.places)), key=lambda k: k not in look.bottoms):
-            (s, pair), bottom = look.places[k], k in look.bottoms
-            if bottom or all(pair != other or abs(s - at) >= APART for at, other in bottoms):
-                chosen.append((s, pair, bottom))
+        bottoms, others = np.flatnonzero(look.is_bottom), np.flatnonzero(~look.is_bottom)
+        chosen = bottoms[:MOST_PLACES]
+        for k in others:
             if len(chosen) == MOST_PLACES:
                 break
-        return chosen
+            if not ((look.pairs[bottoms] == look.pairs[k]) & (np.abs(look.s[bottoms] - look.s[k]) < APART)).any():
+                chosen = np.append(chosen, k)
+        return [(float(look.s[k]), int(look.pairs[k]), bool(look.is_bottom[k])) for k in chosen]
 
     def row(self, q: Array, s: float, pair: int) -> ClearanceRow:
         """The row of a pair at q (n,), where the path is at s: the plane through the nearest point of the second body."""
@@ -275,26 +283,35 @@ class Surroundings:
         if self._watch is None or np.abs(q - self._watch.reference).sum(axis=1).max() > MOVED:
             nearest = distance_profile(self.model, q[::SPACING], self.target + WATCHED).min(axis=0)
             pairs = np.flatnonzero(nearest < self.target + WATCHED)
-            self._watch = _Watch(reference=q, pairs=pairs, model=self.model.with_pairs(pairs))
+            self._watch = _Watch(reference=q, pairs=pairs, model=self.model.only(pairs))
         return self._watch
 
-    def _dips(self, path: JointPath, s: Array, grid: Array, pairs: NDArray[np.intp]) -> list[tuple[float, float, int, bool]]:
-        """Distance [m], s, pair and True for the bottom of every dip of the grid (m, k) [m] that may be near the target."""
-        before, after = (np.pad(grid, ((1, 1), (0, 0)), constant_values=np.inf)[k : k + len(s)] for k in (0, 2))
-        sides = np.stack([before, after])
+    def _dips(
+        self,
+        path: JointPath,
+        s: Array,
+        grid: Array,
+        near: tuple[NDArray[np.intp], NDArray[np.intp]],
+        pairs: NDArray[np.intp],
+    ) -> Look:
+        """The bottom of every dip that may be near the target, of a grid (m, k) of distances [m] that were cut off.
+
+        `near` gives the row and the column of those that are not.
+        """
+        k, c = near
+        here, first, last = grid[near], k == 0, k == INTERVALS
+        before, after = grid[np.maximum(k - 1, 0), c], grid[np.minimum(k + 1, INTERVALS), c]
         # a dip between places is rarely further below its middle than the higher side is above it
-        rise = np.where(np.isfinite(sides), sides, -np.inf).max(axis=0) - grid
-        k, c = np.nonzero((before >= grid) & (after > grid) & (grid - rise < self.target + DEEP))
-        if not len(k):
-            return []
+        rise = np.maximum(before, after) - here
+        dip = (first | (before >= here)) & (last | (after > here)) & (here - rise < self.target + DEEP)
+        k, c = k[dip], c[dip]
         bracket = s[np.maximum(k - 1, 0)], s[np.minimum(k + 1, INTERVALS)]
-        at, distances = self._bottoms(path, bracket, s[k], grid[k, c], pairs[c].tolist())
-        return [(float(d), float(x), int(pair), True) for d, x, pair in zip(distances, at, pairs[c], strict=True)]
+        return self._bottoms(path, bracket, s[k], here[dip], pairs[c])
 
     def _bottoms(
-        self, path: JointPath, bracket: tuple[Array, Array], middle: Array, least: Array, pairs: list[int]
-    ) -> tuple[Array, Array]:
-        """The s (k,) where pairs are nearest inside their brackets, and their distances there (k,) [m].
+        self, path: JointPath, bracket: tuple[Array, Array], middle: Array, least: Array, pairs: NDArray[np.intp]
+    ) -> Look:
+        """Where pairs are nearest inside their brackets.
 
         All brackets are narrowed together: two steps go to the minimum of a parabola, every third halves the longer side.
 
@@ -327,9 +344,9 @@ class Surroundings:
             low, left = np.where(is_low, end, low), np.where(is_low, end_value, left)
             high, right = np.where(is_low, high, end), np.where(is_low, right, end_value)
             middle, least = np.where(better, new, middle), np.where(better, value, least)
-        return middle, least
+        return Look(distances=least, s=middle, pairs=pairs, is_bottom=np.ones(len(pairs), dtype=bool))
 
-    def _at(self, path: JointPath, s: Array, pairs: list[int]) -> Array:
+    def _at(self, path: JointPath, s: Array, pairs: NDArray[np.intp]) -> Array:
         """Distances [m] of pairs (k,) at s (k,), rounded, since the place of a minimum depends on the last bits."""
         q = configurations(path, s)
         return on_grid(self.model.pair_distances(q, pairs), FINE_DISTANCE)
@@ -342,9 +359,9 @@ class _Watch:
     Attributes:
         reference: (m, n) configurations of the reference path on the grid.
         pairs: (k,) indices of the pairs.
-        model: the arm among its obstacles, with these pairs only.
+        model: their distances.
     """
 
     reference: Array
     pairs: NDArray[np.intp]
-    model: CollisionModel
+    model: SomePairs

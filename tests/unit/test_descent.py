@@ -68,7 +68,7 @@ def test_rows_have_value_gradient_and_curvature_of_the_least_distance(around_a_p
 
     def least(at):
         found = true.look(at, 0.0)
-        near = [d for (x, p), d in zip(found.places, found.distances, strict=True) if p == pair and abs(x - s) < 0.03]
+        near = found.distances[(found.pairs == pair) & (np.abs(found.s - s) < 0.03)]
         return min(near) - true.surroundings.target
 
     assert rows.value[k] == pytest.approx(least(z), abs=1e-9)
