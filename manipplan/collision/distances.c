@@ -223,9 +223,14 @@ static int reduce(Simplex *s) {
     return 0;
 }
 
+/* A plane that has the first of two cores in front of it: normal · x >= level for all its points x. */
+typedef struct { double normal[3], level; } Plane;
+
 /* Bounds on the distance of two cores. Stops when the lower bound exceeds `enough`, or the upper one is at most `little`.
-   `towards` is a first guess of the direction from the second core to the first. Returns 0 if the cores meet. */
-static int bounds(const Core *one, const Core *two, const double *towards, double enough, double little, double *low, double *high) {
+   `towards` is a first guess of the direction from the second core to the first. `plane`, unless it is 0, becomes the one that
+   gave the lower bound. Returns 0 if the cores meet. */
+static int bounds(const Core *one, const Core *two, const double *towards, double enough, double little, double *low, double *high,
+                  Plane *plane) {
     Simplex s;
     double v[3], a[3], b[3], minus[3];
     double size = sqrt(dot(towards, towards));
@@ -238,7 +243,13 @@ static int bounds(const Core *one, const Core *two, const double *towards, doubl
         support(two, v, b);
         double corner[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
         double length = sqrt(dot(v, v)), under = dot(v, corner) / length;
-        if (under > *low) *low = under;
+        if (under > *low) {
+            *low = under;
+            if (plane) {
+                for (int i = 0; i < 3; i++) plane->normal[i] = v[i] / length;
+                plane->level = dot(plane->normal, a);
+            }
+        }
         if (*low > enough || *high - *low <= EXACT) return 1;
         for (int i = 0; i < s.count; i++)
             if (memcmp(s.point[i], corner, sizeof corner) == 0) return 1;
@@ -257,9 +268,9 @@ static int bounds(const Core *one, const Core *two, const double *towards, doubl
 
 /* The same for two shapes: bounds on the signed distance minus both radii. Returns 0 if the cores meet. */
 static int shape_bounds(const World *w, long i, const Core *one, long j, const Core *two, const double *towards, double enough,
-                        double little, double *low, double *high) {
+                        double little, double *low, double *high, Plane *plane) {
     double radii = w->radius[i] + w->radius[j];
-    int apart = bounds(one, two, towards, enough + radii, little + radii, low, high);
+    int apart = bounds(one, two, towards, enough + radii, little + radii, low, high, plane);
     *low -= radii, *high -= radii;
     return apart;
 }
@@ -338,6 +349,7 @@ typedef struct {
     double *out;          /* distances by pair; 0: only look for touching */
     int verdict;
     long leaf;            /* of a surface: the triangle or point that was nearest last */
+    Plane plane;          /* between the body and that */
 } Search;
 
 static double reach_of(const Search *s, long obstacle) {
@@ -358,15 +370,23 @@ static int ended(const Search *s, long obstacle) {
     return s->out ? isnan(s->out[s->pair[obstacle]]) : s->verdict == TOUCHING;
 }
 
-/* Look at the triangles or points below a node of a surface. */
-static void surface(Search *s, long obstacle, long node) {
+/* Least distance of a box from what is in front of a plane. */
+static double behind(const Plane *plane, const double *box) {
+    double most = 0;
+    for (int i = 0; i < 3; i++) most += plane->normal[i] * box[plane->normal[i] > 0 ? 3 + i : i];
+    return plane->level - most;
+}
+
+/* Look at the triangles or points below a node of a surface. `before`: a plane with the body in front of it. */
+static void surface(Search *s, long obstacle, long node, const Plane *before) {
     const World *w = s->w;
     const double *box = w->node_box + 6 * node, *centre = w->centres + 3 * s->body, extra = w->radius[obstacle];
-    double reach = reach_of(s, obstacle);
+    double reach = reach_of(s, obstacle), inside = -extra - w->radius[s->body];
     double around = from_box(centre, box) - w->ball[4 * s->body + 3] - extra;
-    if (ended(s, obstacle) || around > reach) return;
+    if (ended(s, obstacle) || around > reach || behind(before, box) + inside > reach || behind(&s->plane, box) + inside > reach)
+        return;
     const long *child = w->node + 2 * node;
-    double towards[3], low, high;
+    double low, high;
     if (child[0] < 0) {
         const double *c = w->corners + 9 * child[1];
         static const double still[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
@@ -374,25 +394,40 @@ static void surface(Search *s, long obstacle, long node) {
         int point = 1;                                      /* points of clouds are tiny triangles */
         for (int i = 0; i < 3; i++) point &= fabs(c[3 + i] - c[i]) < TINY && fabs(c[6 + i] - c[i]) < TINY;
         Core leaf = {.kind = POINTS, .count = point ? 1 : 3, .x = x, .y = y, .z = z, .frame = still};
-        for (int i = 0; i < 3; i++) towards[i] = centre[i] - c[i];
-        double little = s->out ? -INFINITY : reach;
-        int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, towards, reach, little, &low, &high);
-        if (!apart || low <= reach) tell(s, obstacle, apart, low, high), s->leaf = child[1];
+        double little = s->out ? -INFINITY : reach, most = -INFINITY;
+        for (int i = 0; i < 3; i++) most = fmax(most, dot(s->plane.normal, c + 3 * i));
+        if (s->plane.level - most + inside > reach) return;
+        Plane plane;
+        int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, s->plane.normal, reach, little, &low, &high, &plane);
+        if (!apart || low <= reach) tell(s, obstacle, apart, low, high), s->leaf = child[1], s->plane = plane;
         return;
     }
+    Plane plane = *before;
     double half[3];
     Core all;
     box_core(box, &all, half);
-    for (int i = 0; i < 3; i++) towards[i] = centre[i] - all.own[9 + i];
     if (half[0] + half[1] + half[2] < 2 * w->ball[4 * s->body + 3]) { /* small beside the body: worth a look at the whole box */
-        double inside = -extra - w->radius[s->body];
-        int apart = bounds(s->core, &all, towards, reach - inside, INFINITY, &low, &high);
+        double towards[3];
+        for (int i = 0; i < 3; i++) towards[i] = centre[i] - all.own[9 + i];
+        int apart = bounds(s->core, &all, towards, reach - inside, reach - inside, &low, &high, &plane);
         if (apart && low + inside > reach) return;
     }
-    double first = from_box(centre, w->node_box + 6 * child[0]), second = from_box(centre, w->node_box + 6 * child[1]);
+    double first = behind(&plane, w->node_box + 6 * child[0]), second = behind(&plane, w->node_box + 6 * child[1]);
     int order = second < first;
-    surface(s, obstacle, child[order]);
-    surface(s, obstacle, child[1 - order]);
+    surface(s, obstacle, child[order], &plane);
+    surface(s, obstacle, child[1 - order], &plane);
+}
+
+/* The plane behind the ball around a body that faces the middle of a box. */
+static Plane facing(const World *w, long body, const double *box) {
+    const double *ball = w->ball + 4 * body, *centre = w->centres + 3 * body;
+    double size = 0;
+    Plane plane;
+    for (int i = 0; i < 3; i++) plane.normal[i] = centre[i] - (box[i] + box[3 + i]) / 2, size += plane.normal[i] * plane.normal[i];
+    size = sqrt(size);
+    for (int i = 0; i < 3; i++) plane.normal[i] = size > 0 ? plane.normal[i] / size : i == 0;
+    plane.level = dot(plane.normal, centre) - (ball[3] - w->radius[body]);
+    return plane;
 }
 
 /* Compare the body with another one; `box`: one around that in the world, or 0. */
@@ -407,7 +442,8 @@ static void look_at(Search *s, long obstacle, const double *box) {
         low = over_plane(w, s->body, s->core, obstacle);
         if (low <= reach_of(s, obstacle)) tell(s, obstacle, 1, low, low);
     } else if (kind == SURFACE) {
-        surface(s, obstacle, w->root[obstacle]);
+        Plane plane = s->plane = facing(w, s->body, w->node_box + 6 * w->root[obstacle]);
+        surface(s, obstacle, w->root[obstacle], &plane);
         if (w->size[3 * obstacle] > 0 && !ended(s, obstacle)) {  /* a closed surface: a body inside it touches */
             double p[3], v[3] = {1, 0, 0};
             support(s->core, v, p);
@@ -423,7 +459,7 @@ static void look_at(Search *s, long obstacle, const double *box) {
             for (int i = 0; i < 3; i++) towards[i] = a[i] < box[i] ? a[i] - box[i] : a[i] > box[3 + i] ? a[i] - box[3 + i] : 0;
         Core other;
         core_of(w, obstacle, &other);
-        int apart = shape_bounds(w, s->body, s->core, obstacle, &other, towards, reach, s->out ? -INFINITY : reach, &low, &high);
+        int apart = shape_bounds(w, s->body, s->core, obstacle, &other, towards, reach, s->out ? -INFINITY : reach, &low, &high, 0);
         if (!apart || low <= reach) tell(s, obstacle, apart, low, high);
     }
 }
@@ -459,7 +495,7 @@ static int examine(const World *w, const double *q, double reach, double *out) {
         if (!is_near(w, centre, reaches * reaches, w->top)) continue;
         for (long m = group[1]; m < group[1] + group[2]; m++) {
             Core core;
-            Search s = {w, w->mover[m], &core, w->pair_of + m * w->bodies, reach, out, verdict, -1};
+            Search s = {w, w->mover[m], &core, w->pair_of + m * w->bodies, reach, out, verdict, -1, {{0}, 0}};
             core_of(w, s.body, &core);
             descend(&s, w->top);
             verdict = s.verdict;
@@ -474,7 +510,7 @@ static int examine(const World *w, const double *q, double reach, double *out) {
         Core core;
         core_of(w, one, &core);
         pairs[0] = w->self[3 * k + 2];
-        Search s = {w, one, &core, pairs - two, reach, out, verdict, -1};
+        Search s = {w, one, &core, pairs - two, reach, out, verdict, -1, {{0}, 0}};
         look_at(&s, two, 0);
         verdict = s.verdict;
         if (!out && verdict == TOUCHING) return TOUCHING;
@@ -505,7 +541,7 @@ void manipplan_pairs(const World *w, const double *q, long m, const long *bodies
         place(w, q + k * w->n);
         core_of(w, one, &core);
         out[k] = INFINITY;
-        Search s = {w, one, &core, &pair - two, INFINITY, out + k, FREE, -1};
+        Search s = {w, one, &core, &pair - two, INFINITY, out + k, FREE, -1, {{0}, 0}};
         look_at(&s, two, 0);
         leaf[k] = s.leaf;
     }

@@ -159,8 +159,8 @@ class CollisionModel:
             bound = float(self.distance_rows(q[:1], beyond=reach).min())
             if bound < reach:
                 break
-        bound = float(self.distance_rows(q[::COARSE_STEP], beyond=bound).min())
-        rows = self.distance_rows(q, beyond=bound + 1e-9)  # so that the smallest itself is not cut off
+        bound = float(self.distance_rows(q[::COARSE_STEP], beyond=max(bound, 0.0)).min())
+        rows = self.distance_rows(q, beyond=max(bound, 0.0) + 1e-9)  # so that the smallest itself is not cut off
         row, pair = divmod(int(rows.argmin()), rows.shape[1])
         return float(rows[row, pair]), row, pair
 
