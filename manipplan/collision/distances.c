@@ -44,6 +44,8 @@ typedef struct {
     const double *corners;  /* (leaves, 9) triangles; a point has three equal corners */
     double *frames;         /* (n + 1, 12) work: rotation and origin of each joint in the world */
     double *centres;        /* (bodies, 3) work: centre of each ball in the world */
+    double *least;          /* (pairs) work: distances found at a configuration, infinite between calls */
+    long *found;            /* (pairs) work: the pairs of which one was found */
 } World;
 
 typedef struct {
@@ -346,22 +348,24 @@ typedef struct {
     const Core *core;
     const long *pair;     /* number of the pair with each body */
     double reach;         /* distances above it are not looked for */
-    double *out;          /* distances by pair; 0: only look for touching */
+    double *out;          /* distances by pair, infinite where none was found; 0: only look for touching */
+    long *count;          /* number of pairs in `found` of the world; 0: not noted */
     int verdict;
     long leaf;            /* of a surface: the triangle or point that was nearest last */
     Plane plane;          /* between the body and that */
 } Search;
 
 static double reach_of(const Search *s, long obstacle) {
-    return s->out ? s->out[s->pair[obstacle]] : s->reach;
+    return s->out ? fmin(s->out[s->pair[obstacle]], s->reach) : s->reach;
 }
 
 /* A found distance: low and high bound it; met: the cores meet. */
 static void tell(Search *s, long obstacle, int apart, double low, double high) {
     if (s->out) {
         double *best = s->out + s->pair[obstacle];
-        if (!apart) *best = NAN;                            /* the depth is not known here */
-        else if (high < *best) *best = high - low <= 1e3 * EXACT ? high : NAN;
+        if (apart && !(high < s->reach && high < *best)) return;
+        if (s->count && *best == INFINITY) s->w->found[(*s->count)++] = s->pair[obstacle];
+        *best = apart && high - low <= 1e3 * EXACT ? high : NAN; /* the depth of an overlap is not known here */
     } else if (!apart || high <= s->reach) s->verdict = TOUCHING;
     else if (low <= s->reach && s->verdict == FREE) s->verdict = UNDECIDED;
 }
@@ -480,12 +484,15 @@ static int is_near(const World *w, const double *centre, double square, long nod
     return child[0] < 0 || is_near(w, centre, square, child[0]) || is_near(w, centre, square, child[1]);
 }
 
-static int examine(const World *w, const double *q, double reach, double *out) {
+/* With `count`, all distances below `reach`, in `least` and `found` of the world; otherwise only whether any is. */
+static int examine(const World *w, const double *q, double reach, long *count) {
     int verdict = FREE, finite = 1;
     for (long j = 0; j < w->n; j++) finite &= isfinite(q[j]) != 0;
-    if (out)
-        for (long k = 0; k < w->pairs; k++) out[k] = finite ? reach : NAN;
-    if (!finite) return UNDECIDED;
+    if (!finite) {
+        for (long k = 0; count && k < w->pairs; k++) w->least[k] = NAN, w->found[(*count)++] = k;
+        return UNDECIDED;
+    }
+    double *out = count ? w->least : 0;
     place(w, q);
     for (long g = 0; g < w->groups && w->top >= 0; g++) {
         const long *group = w->group + 3 * g;
@@ -495,7 +502,7 @@ static int examine(const World *w, const double *q, double reach, double *out) {
         if (!is_near(w, centre, reaches * reaches, w->top)) continue;
         for (long m = group[1]; m < group[1] + group[2]; m++) {
             Core core;
-            Search s = {w, w->mover[m], &core, w->pair_of + m * w->bodies, reach, out, verdict, -1, {{0}, 0}};
+            Search s = {w, w->mover[m], &core, w->pair_of + m * w->bodies, reach, out, count, verdict, -1, {{0}, 0}};
             core_of(w, s.body, &core);
             descend(&s, w->top);
             verdict = s.verdict;
@@ -510,7 +517,7 @@ static int examine(const World *w, const double *q, double reach, double *out) {
         Core core;
         core_of(w, one, &core);
         pairs[0] = w->self[3 * k + 2];
-        Search s = {w, one, &core, pairs - two, reach, out, verdict, -1, {{0}, 0}};
+        Search s = {w, one, &core, pairs - two, reach, out, count, verdict, -1, {{0}, 0}};
         look_at(&s, two, 0);
         verdict = s.verdict;
         if (!out && verdict == TOUCHING) return TOUCHING;
@@ -529,7 +536,28 @@ void manipplan_check(const World *w, const double *q, long m, double clearance, 
 /* Distances (m, pairs) at q (m, n), cut off at reach (m); nan where cores meet, so that only a depth would tell, or rounding
    prevails. */
 void manipplan_distances(const World *w, const double *q, long m, const double *reach, double *out) {
-    for (long k = 0; k < m; k++) examine(w, q + k * w->n, reach[k], out + k * w->pairs);
+    for (long k = 0; k < m; k++, out += w->pairs) {
+        long count = 0;
+        examine(w, q + k * w->n, reach[k], &count);
+        for (long i = 0; i < w->pairs; i++) out[i] = reach[k];
+        for (long i = 0; i < count; i++) out[w->found[i]] = w->least[w->found[i]], w->least[w->found[i]] = INFINITY;
+    }
+}
+
+/* The same for what is nearer than reach (m) alone: row * pairs + pair, and distance, at most `room` of them. Returns their
+   number; more than `room`: the rest was not written. */
+long manipplan_near(const World *w, const double *q, long m, const double *reach, long room, long *where, double *out) {
+    long all = 0;
+    for (long k = 0; k < m; k++) {
+        long count = 0;
+        examine(w, q + k * w->n, reach[k], &count);
+        for (long i = 0; i < count; i++, all++) {
+            long pair = w->found[i];
+            if (all < room) where[all] = k * w->pairs + pair, out[all] = w->least[pair];
+            w->least[pair] = INFINITY;
+        }
+    }
+    return all;
 }
 
 /* The distance of one pair at each of m configurations: bodies (m, 2), the second of which may stand still; out (m).
@@ -541,7 +569,7 @@ void manipplan_pairs(const World *w, const double *q, long m, const long *bodies
         place(w, q + k * w->n);
         core_of(w, one, &core);
         out[k] = INFINITY;
-        Search s = {w, one, &core, &pair - two, INFINITY, out + k, FREE, -1, {{0}, 0}};
+        Search s = {w, one, &core, &pair - two, INFINITY, out + k, 0, FREE, -1, {{0}, 0}};
         look_at(&s, two, 0);
         leaf[k] = s.leaf;
     }

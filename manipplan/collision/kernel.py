@@ -31,6 +31,12 @@ ENDLESS = 1e9
 Numbers = NDArray[np.int64]
 
 
+#: Arrays of working memory.
+WORK = ("frames", "centres", "least", "found")
+#: Number of near pairs for each configuration that there is room for at first.
+ROOM = 64
+
+
 class _World(ctypes.Structure):
     """`World` of distances.c."""
 
@@ -39,7 +45,7 @@ class _World(ctypes.Structure):
         for name in (
             *("n", "fixed", "axes", "slides", "bodies", "joint", "kind", "first", "count", "radius", "pose", "size", "ball"),
             *("x", "y", "z", "selves", "self", "movers", "mover", "pair_of", "groups", "group", "group_ball", "pairs", "top"),
-            *("node_box", "node", "root", "corners", "frames", "centres"),
+            *("node_box", "node", "root", "corners", *WORK),
         )
     ]
 
@@ -64,6 +70,8 @@ def _loaded(file: Path) -> ctypes.CDLL:
     library.manipplan_pairs.argtypes = [pointer, pointer, ctypes.c_long, pointer, pointer, pointer]
     for call in (library.manipplan_check, library.manipplan_distances, library.manipplan_pairs):
         call.restype = None
+    library.manipplan_near.argtypes = [pointer, pointer, ctypes.c_long, pointer, ctypes.c_long, pointer, pointer]
+    library.manipplan_near.restype = ctypes.c_long
     library.manipplan_tree.argtypes = [pointer, pointer, ctypes.c_long, pointer, ctypes.c_long, pointer, pointer]
     library.manipplan_tree.restype = ctypes.c_long
     return library
@@ -98,7 +106,7 @@ class DistanceKernel:
 
     def __init__(self, library: ctypes.CDLL, arrays: Mapping[str, NDArray[Any]]) -> None:
         self._library = library
-        self._arrays = dict(arrays) | {name: arrays[name].copy() for name in ("frames", "centres")}
+        self._arrays = dict(arrays) | {name: arrays[name].copy() for name in WORK}
         self._n, self._bodies = len(arrays["axes"]), arrays["pair_bodies"]
         numbers = {
             "n": self._n,
@@ -119,17 +127,6 @@ class DistanceKernel:
     def copy(self) -> "DistanceKernel":
         """The same with its own working memory, for another thread."""
         return DistanceKernel(self._library, self._arrays)
-
-    def with_pairs(self, pairs: Numbers) -> "DistanceKernel":
-        """The same for only the pairs of these indices, in this order."""
-        number = np.full(len(self._bodies) + 1, -1, dtype=np.int64)  # the last entry is for what is not a pair
-        number[pairs] = np.arange(len(pairs))
-        alone = self._arrays["self"]
-        alone = np.column_stack([alone[:, :2], number[alone[:, 2]]])[number[alone[:, 2]] >= 0]
-        changed = {"pair_of": number[self._arrays["pair_of"]], "self": alone, "pair_bodies": self._bodies[pairs]}
-        return DistanceKernel(
-            self._library, self._arrays | {name: np.ascontiguousarray(each) for name, each in changed.items()}
-        )
 
     def check(self, q: Array, clearance: float) -> int:
         """FREE, TOUCHING or UNDECIDED at q (n,): whether any pair is as near as `clearance` [m]."""
@@ -152,6 +149,22 @@ class DistanceKernel:
         with self._lock:
             self._library.manipplan_distances(self._at, q.ctypes.data, len(q), reach.ctypes.data, found.ctypes.data)
         return found
+
+    def near(self, q: Array, reach: Array) -> tuple[Numbers, Array]:
+        """row * pairs + pair and distance of all that is nearer than `reach` (m,) >= 0 [m] at q (m, n), in this order.
+
+        The distance is nan where this kernel cannot tell.
+        """
+        q, reach, room = np.ascontiguousarray(q, dtype=float), np.ascontiguousarray(reach, dtype=float), ROOM * len(q)
+        while True:
+            where, found = np.empty(room, dtype=np.int64), np.empty(room)
+            places = (q.ctypes.data, len(q), reach.ctypes.data, room, where.ctypes.data, found.ctypes.data)
+            with self._lock:
+                count = int(self._library.manipplan_near(self._at, *places))
+            if count <= room:
+                order = np.argsort(where[:count], kind="stable")
+                return where[:count][order], found[:count][order]
+            room = count
 
     def pair_distances(self, q: Array, pairs: Numbers) -> Array:
         """Distance (m,) of one pair at each configuration: of pairs (m,) at q (m, n); nan where this kernel cannot tell [m]."""
@@ -184,6 +197,8 @@ def _arrays(
         "joint": joint,
         **_shapes(objects, radii, closed),
         "frames": np.empty((robot.n + 1, 12)),
+        "least": np.full(len(geometry.collisionPairs), np.inf),
+        "found": np.zeros(len(geometry.collisionPairs), dtype=np.int64),
     }
     arrays["centres"] = arrays["ball"][:, :3]
     pairs = np.array([(p.first, p.second) for p in geometry.collisionPairs], dtype=np.int64).reshape(-1, 2)

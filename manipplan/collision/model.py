@@ -1,7 +1,6 @@
 """CollisionModel: a robot as convex bodies among the obstacles of a scene, and the pairs that are checked."""
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
 
@@ -12,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.collision.contact import Contact, Witness
 from manipplan.collision.kernel import TOUCHING, UNDECIDED, DistanceKernel, find_kernel
+from manipplan.collision.near_pairs import NearPairs
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.collision.surfaces.meshes import triangle_tree
 from manipplan.collision.surfaces.shells import winding_number
@@ -102,11 +102,6 @@ class CollisionModel:
         copied.__dict__["_kernel"] = None if self._kernel is None else self._kernel.copy()
         return copied
 
-    def only(self, pairs: NDArray[np.intp]) -> "SomePairs":
-        """The pairs (k,) of these indices."""
-        kernel = None if self._kernel is None else self._kernel.with_pairs(pairs)
-        return SomePairs(model=self, pairs=pairs, kernel=kernel)
-
     def in_collision(self, q: Array, *, clearance: float = 0.0) -> bool:
         """Whether any pair is nearer than `clearance` [m] at q (n,); 0: whether any pair touches."""
         verdict = UNDECIDED if self._kernel is None else self._kernel.check(q, clearance)
@@ -139,6 +134,23 @@ class CollisionModel:
             for k, pair in zip(*np.nonzero(np.isnan(found)), strict=True):
                 found[k, pair] = self._distance(q[k], int(pair))
         return np.asarray(np.minimum(found, reach[:, None])) if (reach < 0).any() else found
+
+    def near_pairs(self, q: Array, beyond: float | Array) -> NearPairs:
+        """The pairs nearer than `beyond`, a number or (m,), at q (m, n), with their signed distances [m]."""
+        reach = np.array(np.broadcast_to(np.asarray(beyond, dtype=float), (len(q),)))
+        shape = (len(q), len(self.pair_names))
+        if self._kernel is None:
+            rows = self.distance_rows(q)
+            where = np.flatnonzero(rows < reach[:, None])
+            return NearPairs.of(shape, where, rows.ravel()[where])
+        where, found = self._kernel.near(q, np.maximum(reach, 0.0))
+        for k in np.flatnonzero(np.isnan(found)):
+            row, pair = divmod(int(where[k]), shape[1])
+            found[k] = self._distance(q[row], pair)
+        if (reach < 0).any():
+            kept = found < reach[where // max(shape[1], 1)]
+            where, found = where[kept], found[kept]
+        return NearPairs.of(shape, where, found)
 
     def pair_distances(self, q: Array, pairs: ArrayLike) -> Array:
         """Signed distance [m] of one pair at each configuration: of pairs (m,) at q (m, n); (m,)."""
@@ -331,31 +343,6 @@ class CollisionModel:
         for request, radius in zip(self._geometry_data.collisionRequests, self._radii, strict=True):
             request.security_margin = clearance + radius
         self._margin = clearance
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class SomePairs:
-    """Distances of only some pairs of a collision model.
-
-    Attributes:
-        model: the arm among its obstacles.
-        pairs: (k,) indices of the pairs.
-        kernel: compiled distances of these; None: coal's.
-    """
-
-    model: CollisionModel
-    pairs: NDArray[np.intp]
-    kernel: DistanceKernel | None
-
-    def distance_rows(self, q: Array, *, beyond: float = np.inf) -> Array:
-        """Signed distances (m, k) at q (m, n) [m], those above `beyond` cut off there."""
-        if self.kernel is None:
-            found = np.full((len(q), len(self.pairs)), np.nan)
-        else:
-            found = self.kernel.distances(q, np.full(len(q), max(beyond, 0.0)))
-        for row, k in zip(*np.nonzero(np.isnan(found)), strict=True):
-            found[row, k] = self.model._distance(q[row], int(self.pairs[k]))
-        return np.asarray(np.minimum(found, beyond))
 
 
 def _coarse_to_fine(count: int) -> list[int]:

@@ -26,8 +26,6 @@ MOST_CHECKS = 100_000
 #: Number of intervals at which all pairs are measured first. An interval is a run of two pieces, or of more up to the second
 #: value on paths of many pieces, such as trajectories.
 FIRST, RUN = 32, 16
-#: Maximum number of distances held at a time.
-BLOCK = 500_000
 #: Maximum number of pairs per configuration that are measured one by one; more are measured all together.
 FEW = 4
 
@@ -156,33 +154,26 @@ class _Search:
         change = np.maximum(q - low, high - q)
         self.upper, row, pair = self.model.least_distance(q)
         self.nearest = float(middles[row]), pair
-        open_rows, open_pairs, open_bounds = [], [], []
-        block = max(1, BLOCK // len(self.model.pair_names))
-        for begin in range(0, len(q), block):
-            some = slice(begin, begin + block)
-            rows, pairs, bounds = self._look_at_all(q[some], change[some], middles[some])
-            open_rows.append(begin + rows)
-            open_pairs.append(pairs)
-            open_bounds.append(bounds)
-        rows = np.concatenate(open_rows)
+        rows, pairs, bounds = self._look_at_all(q, change, middles)
         times = lengths[rows]
         inside = np.arange(times.sum()) - np.repeat(np.cumsum(times) - times, times)
-        pairs, bounds = np.concatenate(open_pairs), np.concatenate(open_bounds)
         return np.repeat(first[rows], times) + inside, np.repeat(pairs, times), np.repeat(bounds, times)
 
     def _look_at_all(self, q: Array, change: Array, middles: Array) -> tuple[BodyIndices, BodyIndices, Array]:
         """Measure all pairs at the middles q (m, n) of intervals; returns row, pair and bound of those to cut."""
         most = self.motion.largest(q, change)
         beyond = np.maximum(self._target + most + 2 * SLACK, self.upper)
-        distances = self.model.distance_rows(q, beyond=beyond)
-        far = distances.argmax(axis=1)  # a pair that was cut off, unless all are near
-        cut_off = np.flatnonzero(distances[np.arange(len(q)), far] >= beyond)
-        self._close((beyond - SLACK - most)[cut_off], middles, cut_off, far[cut_off])
-        rows, pairs = np.divmod(np.flatnonzero(distances < beyond[:, None]), distances.shape[1])
-        self.checks += len(q) + len(rows)
-        motion = self.motion.motion(q, change, rows, pairs)
-        cut, bounds = self._judge(distances[rows, pairs], motion, change, middles, rows, pairs, np.full(len(rows), -np.inf))
-        return rows[cut], pairs[cut], bounds[cut]
+        near = self.model.near_pairs(q, beyond)
+        self.checks += len(q) + len(near.rows)
+        far = np.flatnonzero(np.bincount(near.rows, minlength=len(q)) < near.shape[1])  # where pairs were cut off
+        if len(far):
+            row = int(far[(beyond - most)[far].argmin()])
+            pair = int(np.isin(np.arange(near.shape[1]), near.pairs[near.rows == row]).argmin())  # the first of those
+            self._close((beyond - SLACK - most)[[row]], middles, np.array([row]), np.array([pair]))
+        motion = self.motion.motion(q, change, near.rows, near.pairs)
+        known = np.full(len(motion), -np.inf)
+        cut, bounds = self._judge(near.distances, motion, change, middles, near.rows, near.pairs, known)
+        return near.rows[cut], near.pairs[cut], bounds[cut]
 
     def _look(
         self, q: Array, change: Array, middles: Array, rows: BodyIndices, pairs: BodyIndices, known: Array
@@ -230,7 +221,7 @@ class _Search:
         most = np.zeros(len(q))
         np.maximum.at(most, rows, motion)
         beyond = np.maximum(self._target + most + 2 * SLACK, self.upper)
-        found = np.asarray(self.model.distance_rows(q, beyond=beyond)[rows, pairs])
+        found = self.model.near_pairs(q, beyond).at(rows, pairs, beyond[rows])
         self.checks += max(len(q), int((found < beyond[rows]).sum()))
         return found
 

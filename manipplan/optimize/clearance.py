@@ -6,12 +6,13 @@ planes are renewed on each new path, so they follow it; where it is not free yet
 """
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 import numpy as np
 
-from manipplan.collision.model import CollisionModel, SomePairs
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.near_pairs import NearPairs
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, configurations, on_grid
@@ -130,18 +131,20 @@ POINTS = 2
 Place = tuple[float, int]
 
 
-def distance_profile(model: CollisionModel | SomePairs, q: Array, beyond: float = np.inf) -> Array:
-    """Distance of every pair (m, k) [m] at each of the configurations q (m, n), cut off at `beyond` [m]."""
-    return on_grid(model.distance_rows(on_grid(q, FINE), beyond=beyond), FINE_DISTANCE)
+def distance_profile(model: CollisionModel, q: Array, beyond: float) -> NearPairs:
+    """The pairs nearer than `beyond` [m] at the configurations q (m, n) along a path."""
+    found = model.near_pairs(on_grid(q, FINE), beyond)
+    return replace(found, distances=on_grid(found.distances, FINE_DISTANCE))
 
 
-def dips(distances: Array, near: float) -> list[Place]:
+def dips(profile: NearPairs, near: float) -> list[Place]:
     """Places inside an evenly sampled path where a pair's distance has a local minimum below `near`, deepest first."""
-    s = np.linspace(0.0, 1.0, len(distances))
-    inner = distances[1:-1]
-    low = (inner <= distances[:-2]) & (inner < distances[2:]) & (inner < near)
-    found = sorted(zip(*np.nonzero(low), strict=True), key=lambda at: inner[at])
-    return [(float(s[k + 1]), int(pair)) for k, pair in found]
+    s = np.linspace(0.0, 1.0, profile.shape[0])
+    before, after = profile.beside(np.inf)
+    inside = (profile.rows > 0) & (profile.rows < profile.shape[0] - 1)
+    low = np.flatnonzero(inside & (profile.distances <= before) & (profile.distances < after) & (profile.distances < near))
+    found = low[np.argsort(profile.distances[low], kind="stable")]
+    return [(float(s[profile.rows[k]]), int(profile.pairs[k])) for k in found]
 
 
 def around(places: Iterable[Place]) -> list[Place]:
@@ -159,18 +162,18 @@ def merged(old: Iterable[Place], new: Iterable[Place], apart: float = APART) -> 
 
 
 def more_places(
-    places: tuple[Place, ...], distances: Array, failed_at: tuple[Place, ...], clearance: float, *, is_free: bool
+    places: tuple[Place, ...], profile: NearPairs, failed_at: tuple[Place, ...], clearance: float, *, is_free: bool
 ) -> tuple[Place, ...]:
     """The places, with those around the place where the proof failed, and around the deepest dips below the clearance [m].
 
-    The dips are those of the distance profile (m, k) [m]. If that adds no place although the path is not free, closer places
+    The dips are those of the distance profile. If that adds no place although the path is not free, closer places
     are allowed, then dips up to SPARE above the clearance.
     """
     attempts = [(0.0, APART)]
     if not is_free:
         attempts += [(0.0, CLOSE), (SPARE, APART), (SPARE, CLOSE)]
     for spare, apart in attempts:
-        deepest = [*failed_at, *dips(distances, clearance + spare)][:NEW_PLACES]
+        deepest = [*failed_at, *dips(profile, clearance + spare)][:NEW_PLACES]
         more = merged(places, around(deepest), apart)
         if len(more) > len(places):
             return tuple(more)

@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
+from manipplan.collision.near_pairs import NearPairs
 from manipplan.collision.path_clearance import PathClearance, path_clearance
 from manipplan.cost.integral import PathCost
 from manipplan.optimize import clearance as near
@@ -312,7 +313,7 @@ class LocalSearch:
             coefficients = solution.coefficients
             if any(np.abs(coefficients - each.coefficients).max() < SAME_SOLUTION for each in self.known):
                 break
-            is_free, distances, failed_at = self._judged("seed", solution)
+            is_free, profile, failed_at = self._judged("seed", solution)
             step = self.history[-1]
             if self.accepted and step.g > WORSE * min(each.cost.g for each in self.accepted):
                 break
@@ -321,7 +322,7 @@ class LocalSearch:
             free = [each.g for each in found if each.is_free]
             if is_free and (not places or (len(free) > 1 and free[-2] - free[-1] < SMALL_GAIN * free[-1])):
                 break
-            places = near.more_places(places, distances, failed_at, self.clearance, is_free=is_free)
+            places = near.more_places(places, profile, failed_at, self.clearance, is_free=is_free)
         return found
 
     def _low_energy_path(self, solution: Solution) -> list[Candidate]:
@@ -352,27 +353,27 @@ class LocalSearch:
         costs = [self.program.integral.cost(each).g for each in (path, true.path(descend(true, z, tolerance=ROUGH).z))]
         return min(costs)
 
-    def _judged(self, name: str, solution: Solution) -> tuple[bool, Array, tuple[near.Place, ...]]:
-        """Whether a solution of the energy is inside the limits and proven free, and its distance profile (m, k) [m].
+    def _judged(self, name: str, solution: Solution) -> tuple[bool, NearPairs, tuple[near.Place, ...]]:
+        """Whether a solution of the energy is inside the limits and proven free, and its distance profile.
 
         The third value is the place where the proof failed although the path is free at all places of the profile. The
         solution is appended to `history`.
         """
         path = self.program.basis.path(self.start, self.goal, solution.coefficients)
-        distances, least = np.full((near.PLACES + 1, 1), np.inf), np.inf
+        profile, least = NearPairs.of((near.PLACES + 1, 0), np.empty(0, dtype=np.intp), np.empty(0)), np.inf
         if self.model is not None and self.model.pair_names:
             q = path(np.linspace(0.0, 1.0, near.PLACES + 1))
-            distances = near.distance_profile(self.model, q, self.clearance + near.NEAR)
-            least = min(float(distances.min()), self.model.least_distance(q)[0])
+            profile = near.distance_profile(self.model, q, self.clearance + near.NEAR)
+            least = min(float(profile.distances.min(initial=np.inf)), self.model.least_distance(q)[0])
         failed_at: tuple[near.Place, ...] = ()
         g = self.program.integral.cost(path).g
         self.history.append(Step(first=name, g=g, clearance=least, solver=solution.status))
         if least > self.clearance and self._inside_limits(path, NEARLY_INSIDE):
             proof = self._proof(path)
             if proof is None or proof.proven:
-                return True, distances, ()
+                return True, profile, ()
             failed_at = ((proof.at, proof.pair_id),)
-        return False, distances, failed_at
+        return False, profile, failed_at
 
     def _proof(self, path: JointPath, margin: float = 0.0) -> PathClearance | None:
         """The proof that a path keeps its clearance plus a margin [m]; None where nothing is checked."""

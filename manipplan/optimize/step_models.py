@@ -6,7 +6,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.collision.model import CollisionModel, SomePairs
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.near_pairs import NearPairs
 from manipplan.cost.density import Density
 from manipplan.optimize.basis import Basis
 from manipplan.optimize.clearance import ClearanceRow, Place, distance_profile
@@ -139,10 +140,6 @@ INTERVALS, SPACING = 160, 4
 MARGIN = 5e-5
 #: Distances further above the target than this, and than the band of rows, are cut off [m].
 FARTHEST = 0.05
-#: Only pairs that come within this distance of the target on a reference path are measured [m].
-WATCHED = 0.25
-#: A path becomes the new reference when it is further than this from the old one, summed over the joints [rad or m].
-MOVED = 0.15
 #: Dips of a distance that may come within the first value of the target [m] are located to the second value in s.
 DEEP, BOTTOM = 1e-3, 1e-6
 #: Maximum number of steps to the bottom of a dip.
@@ -204,7 +201,6 @@ class Surroundings:
     clearance: float
     margin: float = MARGIN
     always: list[Place] = field(default_factory=list)
-    _watch: "_Watch | None" = None
 
     @property
     def target(self) -> float:
@@ -219,15 +215,16 @@ class Surroundings:
         """
         s = np.linspace(0.0, 1.0, INTERVALS + 1)
         q = configurations(path, s)
-        watch = self._watched(q)
-        pairs, most = watch.pairs, self.target + max(band, FARTHEST)
-        grid = distance_profile(watch.model, q, most)
-        k, c = np.divmod(np.flatnonzero(grid < on_grid(np.array(most), FINE_DISTANCE)), max(grid.shape[1], 1))
-        near, distances = (k, c), grid[k, c]
-        wanted = (distances < self.target + CLOSE) | ((k % SPACING == 0) & (distances < self.target + band))
-        k, c, distances = k[wanted], c[wanted], distances[wanted]
-        found = [Look(distances=distances, s=s[k], pairs=pairs[c], is_bottom=np.zeros(len(k), dtype=bool))]
-        found.append(self._dips(path, s, grid, near, pairs))
+        profile = distance_profile(self.model, q, self.target + max(band, FARTHEST))
+        wanted = profile.distances < self.target + CLOSE
+        wanted |= (profile.rows % SPACING == 0) & (profile.distances < self.target + band)
+        near = Look(
+            distances=profile.distances[wanted],
+            s=s[profile.rows[wanted]],
+            pairs=profile.pairs[wanted],
+            is_bottom=np.zeros(int(wanted.sum()), dtype=bool),
+        )
+        found = [near, self._dips(path, s, profile, self.target + max(band, FARTHEST))]
         if self.always:
             at, known = np.array([x for x, _ in self.always]), np.array([pair for _, pair in self.always])
             bracket = np.maximum(at - 1 / INTERVALS, 0.0), np.minimum(at + 1 / INTERVALS, 1.0)
@@ -278,35 +275,16 @@ class Surroundings:
         hessian = np.array([self.model.distance_gradient(q + JOINT_STEP * each, pair) - gradient for each in np.eye(len(q))])
         return gradient, (hessian + hessian.T) / (2 * JOINT_STEP)
 
-    def _watched(self, q: Array) -> "_Watch":
-        """The pairs that come near on paths about q (m, n)."""
-        if self._watch is None or np.abs(q - self._watch.reference).sum(axis=1).max() > MOVED:
-            nearest = distance_profile(self.model, q[::SPACING], self.target + WATCHED).min(axis=0)
-            pairs = np.flatnonzero(nearest < self.target + WATCHED)
-            self._watch = _Watch(reference=q, pairs=pairs, model=self.model.only(pairs))
-        return self._watch
-
-    def _dips(
-        self,
-        path: JointPath,
-        s: Array,
-        grid: Array,
-        near: tuple[NDArray[np.intp], NDArray[np.intp]],
-        pairs: NDArray[np.intp],
-    ) -> Look:
-        """The bottom of every dip that may be near the target, of a grid (m, k) of distances [m] that were cut off.
-
-        `near` gives the row and the column of those that are not.
-        """
-        k, c = near
-        here, first, last = grid[near], k == 0, k == INTERVALS
-        before, after = grid[np.maximum(k - 1, 0), c], grid[np.minimum(k + 1, INTERVALS), c]
+    def _dips(self, path: JointPath, s: Array, profile: NearPairs, most: float) -> Look:
+        """The bottom of every dip of a profile, cut off at `most` [m], that may be near the target."""
+        before, after = profile.beside(most)
+        here, sides = profile.distances, np.stack([before, after])
         # a dip between places is rarely further below its middle than the higher side is above it
-        rise = np.maximum(before, after) - here
-        dip = (first | (before >= here)) & (last | (after > here)) & (here - rise < self.target + DEEP)
-        k, c = k[dip], c[dip]
+        rise = np.where(np.isfinite(sides), sides, -np.inf).max(axis=0) - here
+        dip = (before >= here) & (after > here) & (here - rise < self.target + DEEP)
+        k, pairs = profile.rows[dip], profile.pairs[dip]
         bracket = s[np.maximum(k - 1, 0)], s[np.minimum(k + 1, INTERVALS)]
-        return self._bottoms(path, bracket, s[k], here[dip], pairs[c])
+        return self._bottoms(path, bracket, s[k], here[dip], pairs)
 
     def _bottoms(
         self, path: JointPath, bracket: tuple[Array, Array], middle: Array, least: Array, pairs: NDArray[np.intp]
@@ -350,18 +328,3 @@ class Surroundings:
         """Distances [m] of pairs (k,) at s (k,), rounded, since the place of a minimum depends on the last bits."""
         q = configurations(path, s)
         return on_grid(self.model.pair_distances(q, pairs), FINE_DISTANCE)
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _Watch:
-    """The pairs that are measured on paths near a reference path.
-
-    Attributes:
-        reference: (m, n) configurations of the reference path on the grid.
-        pairs: (k,) indices of the pairs.
-        model: their distances.
-    """
-
-    reference: Array
-    pairs: NDArray[np.intp]
-    model: SomePairs

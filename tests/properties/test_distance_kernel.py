@@ -1,7 +1,6 @@
 """The compiled kernel against coal, for arms and scenes of every shape, and the gradient of distances."""
 
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -203,15 +202,22 @@ def test_threads_that_share_a_model_do_not_disturb_each_other(panda, rng):
         np.testing.assert_allclose(distances[k].result(), near[k], atol=2e-6)  # depths by coal
 
 
-def test_some_pairs_of_a_model(panda, rng):
+def test_near_pairs_are_the_distances_below_a_limit(panda, rng):
     scene = mp.Scene([mp.Sphere(radius=0.1, position=(0.4, 0.1 * k, 0.4), name=f"ball{k}") for k in range(4)])
-    model = scene.collision_model(panda)
-    pairs = np.array([40, 3, len(model.pair_names) - 1, 12, 0])
-    q = panda.random_configuration(rng, size=30)
-    for some in (model.only(pairs), replace(model.only(pairs), kernel=None)):
-        assert_alike(some.distance_rows(q), model.distance_rows(q)[:, pairs])
-        assert_alike(some.distance_rows(q, beyond=0.1), np.minimum(model.distance_rows(q)[:, pairs], 0.1))
-    assert model.only(np.array([], dtype=int)).distance_rows(q).shape == (30, 0)
+    model, q = scene.collision_model(panda), panda.random_configuration(rng, size=30)
+    for beyond in (np.linspace(-0.02, 2.0, 30), np.full(30, 0.1), np.full(30, 1e3)):  # up to all pairs, which need more room
+        rows = model.distance_rows(q)
+        near = rows < beyond[:, None]
+        for some in (model, by_coal(model)):
+            found = some.near_pairs(q, beyond)
+            np.testing.assert_array_equal(np.stack([found.rows, found.pairs]), np.nonzero(near))
+            assert_alike(found.distances, rows[near])
+            whole = found.at(*(each.ravel() for each in np.indices(rows.shape)), 7.0)
+            np.testing.assert_array_equal((whole == 7.0).reshape(rows.shape), ~near)
+            before, after = found.beside(7.0)
+            padded = np.pad(np.where(near, rows, 7.0), ((1, 1), (0, 0)), constant_values=np.inf)
+            assert_alike(before, padded[found.rows, found.pairs])
+            assert_alike(after, padded[found.rows + 2, found.pairs])
 
 
 def test_what_is_not_finite_is_not_called_free(panda):
