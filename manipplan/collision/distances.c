@@ -560,16 +560,16 @@ long manipplan_near(const World *w, const double *q, long m, const double *reach
     return all;
 }
 
-/* The distance of one pair at each of m configurations: bodies (m, 2), the second of which may stand still; out (m).
-   leaf (m): the triangle or point of the second body that is nearest; -1 if that is no surface. */
-void manipplan_pairs(const World *w, const double *q, long m, const long *bodies, double *out, long *leaf) {
+/* The distance of one pair at each of m configurations, cut off at reach (m): bodies (m, 2), the second of which may stand still;
+   out (m). leaf (m): the triangle or point of the second body that is nearest; -1 if that is no surface, or not within reach. */
+void manipplan_pairs(const World *w, const double *q, long m, const long *bodies, const double *reach, double *out, long *leaf) {
     for (long k = 0; k < m; k++) {
         long one = bodies[2 * k], two = bodies[2 * k + 1], pair = 0;
         Core core;
         place(w, q + k * w->n);
         core_of(w, one, &core);
-        out[k] = INFINITY;
-        Search s = {w, one, &core, &pair - two, INFINITY, out + k, 0, FREE, -1, {{0}, 0}};
+        out[k] = reach[k];
+        Search s = {w, one, &core, &pair - two, reach[k], out + k, 0, FREE, -1, {{0}, 0}};
         look_at(&s, two, 0);
         leaf[k] = s.leaf;
     }

@@ -67,7 +67,7 @@ def _loaded(file: Path) -> ctypes.CDLL:
     pointer = ctypes.c_void_p
     library.manipplan_check.argtypes = [pointer, pointer, ctypes.c_long, ctypes.c_double, pointer]
     library.manipplan_distances.argtypes = [pointer, pointer, ctypes.c_long, pointer, pointer]
-    library.manipplan_pairs.argtypes = [pointer, pointer, ctypes.c_long, pointer, pointer, pointer]
+    library.manipplan_pairs.argtypes = [pointer, pointer, ctypes.c_long, pointer, pointer, pointer, pointer]
     for call in (library.manipplan_check, library.manipplan_distances, library.manipplan_pairs):
         call.restype = None
     library.manipplan_near.argtypes = [pointer, pointer, ctypes.c_long, pointer, ctypes.c_long, pointer, pointer]
@@ -166,19 +166,23 @@ class DistanceKernel:
                 return where[:count][order], found[:count][order]
             room = count
 
-    def pair_distances(self, q: Array, pairs: Numbers) -> Array:
-        """Distance (m,) of one pair at each configuration: of pairs (m,) at q (m, n); nan where this kernel cannot tell [m]."""
+    def pair_distances(self, q: Array, pairs: Numbers, reach: Array) -> Array:
+        """Distance (m,) of one pair at each configuration: of pairs (m,) at q (m, n), cut off at `reach` (m,) >= 0 [m].
+
+        nan where this kernel cannot tell.
+        """
         q, bodies = np.ascontiguousarray(q, dtype=float), np.ascontiguousarray(self._bodies[pairs])
-        return self._pairs(q, bodies)[0]
+        return self._pairs(q, bodies, reach)[0]
 
     def nearest_triangle(self, q: Array, pair: int) -> Array | None:
         """Corners (3, 3) of the triangle of a pair's second body nearest to the first at q (n,); None if it has none."""
-        leaf = int(self._pairs(np.ascontiguousarray(q, dtype=float)[None], self._bodies[pair : pair + 1])[1][0])
+        one = np.ascontiguousarray(q, dtype=float)[None]
+        leaf = int(self._pairs(one, self._bodies[pair : pair + 1], np.full(1, np.inf))[1][0])
         return self._arrays["corners"][leaf].reshape(3, 3) if leaf >= 0 else None
 
-    def _pairs(self, q: Array, bodies: Numbers) -> tuple[Array, Numbers]:
-        found, leaf = np.empty(len(q)), np.empty(len(q), dtype=np.int64)
-        places = (q.ctypes.data, len(q), bodies.ctypes.data, found.ctypes.data, leaf.ctypes.data)
+    def _pairs(self, q: Array, bodies: Numbers, reach: Array) -> tuple[Array, Numbers]:
+        found, leaf, reach = np.empty(len(q)), np.empty(len(q), dtype=np.int64), np.ascontiguousarray(reach, dtype=float)
+        places = (q.ctypes.data, len(q), bodies.ctypes.data, reach.ctypes.data, found.ctypes.data, leaf.ctypes.data)
         with self._lock:
             self._library.manipplan_pairs(self._at, *places)
         return found, leaf

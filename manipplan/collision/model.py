@@ -152,15 +152,16 @@ class CollisionModel:
             where, found = where[kept], found[kept]
         return NearPairs.of(shape, where, found)
 
-    def pair_distances(self, q: Array, pairs: ArrayLike) -> Array:
-        """Signed distance [m] of one pair at each configuration: of pairs (m,) at q (m, n); (m,)."""
-        chosen = np.asarray(pairs, dtype=np.int64)
+    def pair_distances(self, q: Array, pairs: ArrayLike, *, beyond: float | Array = np.inf) -> Array:
+        """Signed distance [m] of one pair at each configuration: of pairs (m,) at q (m, n), cut off at `beyond`; (m,)."""
+        chosen, reach = np.asarray(pairs, dtype=np.int64), np.broadcast_to(np.asarray(beyond, dtype=float), (len(q),))
         if self._kernel is None:
-            return np.array([self._distance(each, int(pair)) for each, pair in zip(q, chosen, strict=True)])
-        found: Array = self._kernel.pair_distances(q, chosen)
+            found = np.full(len(q), np.nan)
+        else:
+            found = self._kernel.pair_distances(q, chosen, np.maximum(reach, 0.0))
         for k in np.flatnonzero(np.isnan(found)):
             found[k] = self._distance(q[k], int(chosen[k]))
-        return found
+        return np.asarray(np.minimum(found, reach))
 
     def least_distance(self, q: Array) -> tuple[float, int, int]:
         """The smallest distance at all q (m, n) [m], its row, and the index of its pair; inf, 0, -1 if nothing is checked."""

@@ -26,8 +26,6 @@ MOST_CHECKS = 100_000
 #: Number of intervals at which all pairs are measured first. An interval is a run of two pieces, or of more up to the second
 #: value on paths of many pieces, such as trajectories.
 FIRST, RUN = 32, 16
-#: Maximum number of pairs per configuration that are measured one by one; more are measured all together.
-FEW = 4
 
 
 @one_line
@@ -215,15 +213,9 @@ class _Search:
 
     def _distances(self, q: Array, motion: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
         """Distances (e,) of pairs at rows of q (m, n); cut off where that closes the pair and lowers no bound."""
-        if len(rows) <= FEW * len(q):
-            self.checks += len(rows)
-            return self.model.pair_distances(q[rows], pairs)
-        most = np.zeros(len(q))
-        np.maximum.at(most, rows, motion)
-        beyond = np.maximum(self._target + most + 2 * SLACK, self.upper)
-        found = self.model.near_pairs(q, beyond).at(rows, pairs, beyond[rows])
-        self.checks += max(len(q), int((found < beyond[rows]).sum()))
-        return found
+        beyond = np.maximum(self._target + motion + 2 * SLACK, self.upper)
+        self.checks += len(rows)
+        return self.model.pair_distances(q[rows], pairs, beyond=beyond)
 
 
 def _halved(control: Array, breaks: Array) -> tuple[Array, Array]:

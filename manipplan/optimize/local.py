@@ -185,6 +185,7 @@ class LocalSearch:
         best: Candidate | None = None
         edges: Array | None = None
         steps = 0
+        g = np.nan  # of the last path that was not proven free
         backed_off = False
         *wide, final = self._margins(kept)
         waiting = [*wide, *[final] * DESCENTS]
@@ -210,7 +211,11 @@ class LocalSearch:
                 if proof.upper < self.clearance - STUCK and not descent.exhausted:
                     log.debug("descent: stuck in an obstacle at s = %g", proof.at)
                     break
+                if g == cost.g and (proof.at, proof.pair_id) in surroundings.always:
+                    log.debug("descent: it ends again at s = %g", proof.at)
+                    break
                 surroundings.always.append((proof.at, proof.pair_id))
+                g = cost.g
                 continue
             if not self._inside_limits(path):
                 log.debug("descent: the path leaves the joint limits")

@@ -96,7 +96,9 @@ def assert_kernel_is_right(model, q, clearance):
     assert_alike(model.distance_rows(q, beyond=reach), np.minimum(distances, reach[:, None]))
     if distances.size:
         pairs = np.arange(len(q)) % distances.shape[1]
-        assert_alike(model.pair_distances(q, pairs), distances[np.arange(len(q)), pairs])
+        chosen = distances[np.arange(len(q)), pairs]
+        assert_alike(model.pair_distances(q, pairs), chosen)
+        assert_alike(model.pair_distances(q, pairs, beyond=reach), np.minimum(chosen, reach))
         least, row, pair = model.least_distance(q)
         assert_alike(np.array([least, distances[row, pair]]), np.full(2, distances.min()))
     hit = model.in_collision_rows(q, clearance=clearance)
