@@ -387,8 +387,7 @@ class LocalSearch:
         return path_clearance(self.model, path, clearance=self.clearance + margin, tolerance=None)
 
     def _inside_limits(self, path: JointPath, tolerance: float = INSIDE) -> bool:
-        limits = self.program.kinematics.robot.limits
-        return all(not (limits.outside(q) > tolerance).any() for q in path.bounds())
+        return all((self.program.kinematics.robot.limits.outside(q) <= tolerance).all() for q in path.bounds())
 
     def _straight(self) -> Array:
         """Coefficients (n, size) of the path nearest to the straight line that meets the end conditions."""
