@@ -31,8 +31,6 @@ ENDLESS = 1e9
 Numbers = NDArray[np.int64]
 
 
-#: Arrays of working memory.
-WORK = ("frames", "centres", "least", "found")
 #: Number of near pairs for each configuration that there is room for at first.
 ROOM = 64
 
@@ -45,7 +43,7 @@ class _World(ctypes.Structure):
         for name in (
             *("n", "fixed", "axes", "slides", "bodies", "joint", "kind", "first", "count", "radius", "pose", "size", "ball"),
             *("x", "y", "z", "selves", "self", "movers", "mover", "pair_of", "groups", "group", "group_ball", "pairs", "top"),
-            *("node_box", "node", "root", "corners", *WORK),
+            *("node_box", "node", "root", "corners", "frames", "centres", "least", "found"),
         )
     ]
 
@@ -106,8 +104,13 @@ class DistanceKernel:
 
     def __init__(self, library: ctypes.CDLL, arrays: Mapping[str, NDArray[Any]]) -> None:
         self._library = library
-        self._arrays = dict(arrays) | {name: arrays[name].copy() for name in WORK}
         self._n, self._bodies = len(arrays["axes"]), arrays["pair_bodies"]
+        self._arrays = dict(arrays) | {
+            "frames": np.empty((self._n + 1, 12)),
+            "centres": arrays["ball"][:, :3].copy(),
+            "least": np.full(len(self._bodies), np.inf),
+            "found": np.empty(len(self._bodies), dtype=np.int64),
+        }
         numbers = {
             "n": self._n,
             "bodies": len(arrays["joint"]),
@@ -200,11 +203,7 @@ def _arrays(
         "slides": np.array([is_prismatic(joint) for joint in model.joints[1:]], dtype=np.int64),
         "joint": joint,
         **_shapes(objects, radii, closed),
-        "frames": np.empty((robot.n + 1, 12)),
-        "least": np.full(len(geometry.collisionPairs), np.inf),
-        "found": np.zeros(len(geometry.collisionPairs), dtype=np.int64),
     }
-    arrays["centres"] = arrays["ball"][:, :3]
     pairs = np.array([(p.first, p.second) for p in geometry.collisionPairs], dtype=np.int64).reshape(-1, 2)
     swapped = joint[pairs[:, 0]] == 0
     pairs[swapped] = pairs[swapped, ::-1]

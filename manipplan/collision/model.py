@@ -80,7 +80,7 @@ class CollisionModel:
         own = {f"{item.name}.mesh" for item in self.robot.geometry.geometryObjects}  # described meshes come after the bodies
         others = sum(item.name not in own for item in list(self.geometry.geometryObjects)[self.bodies :])
         most = 1e3 * max(self.excess.values(), default=0.0)
-        counts = f"{self.bodies} bodies, {others} parts of obstacles, {len(self.pair_names)} pairs"
+        counts = f"{self.bodies} bodies, {others} part{'s' * (others != 1)} of obstacles, {len(self.pair_names)} pairs"
         return f"CollisionModel({self.robot.name!r}, {counts}, excess up to {most:.1f} mm)"
 
     @cached_property

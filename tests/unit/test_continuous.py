@@ -42,6 +42,28 @@ def test_the_bound_lies_just_below_dense_samples(name, rng, request):
         assert decided.refuted is not decided.proven
 
 
+def cells(box, *counts):
+    """A box cut into small ones."""
+    ticks = [(np.arange(count) + 0.5) / count - 0.5 for count in counts]
+    places = np.stack(np.meshgrid(*ticks, indexing="ij"), axis=-1).reshape(-1, 3)
+    size = np.asarray(box.size)
+    return [mp.Box(size=size / counts, position=box.position + size * place) for place in places]
+
+
+def test_a_box_cut_into_a_thousand_has_the_same_bounds(panda, rng):
+    post, *others = BOXES
+    whole, cut = mp.Scene(BOXES), mp.Scene([*cells(post, 8, 8, 16), *others])
+    assert len(cut.collision_model(panda).pair_names) > 10_000
+    several = [curve(rng, panda, degree, size=0.3) for degree in (1, 6)]
+    several.append(mp.JointPath.through(curve(rng, panda, 6)(np.linspace(0.0, 1.0, 150))))  # pieces are looked at in runs
+    for path in several:
+        one, many = (scene.path_clearance(panda, path, tolerance=2e-4) for scene in (whole, cut))
+        assert abs(one.lower - many.lower) < 2.1e-4 and abs(one.upper - many.upper) < 2.1e-4
+        for clearance, proven in ((max(one.lower - 1e-3, 0.0), True), (max(one.upper + 1e-3, 0.0), False)):
+            decided = cut.path_clearance(panda, path, clearance=clearance, tolerance=None)
+            assert (decided.proven, decided.refuted) == ((proven, not proven) if one.lower > 1e-3 else (False, True))
+
+
 def blade(tmp_path):
     """A turning arm of 0.8 m that ends in a blade of 0.1 mm."""
     file = tmp_path / "blade.urdf"

@@ -134,6 +134,19 @@ def test_a_higher_degree_and_a_spline_are_never_worse(panda):
 
 
 @pytest.mark.slow
+def test_an_optimum_beside_a_post_is_one_beside_its_parts(panda, around_a_post):
+    result, *_ = around_a_post
+    ticks = [np.linspace(-0.5, 0.5, count, endpoint=False) + 0.5 / count for count in (4, 4, 24)]
+    size, cells = np.array(POST.size), np.stack(np.meshgrid(*ticks), axis=-1).reshape(-1, 3)
+    parts = [mp.Box(size=size / (4, 4, 24), position=POST.position + size * cell) for cell in cells]
+    again = mp.optimize_path(
+        panda, START, GOAL, scene=mp.Scene(parts), clearance=CLEARANCE, seeding=mp.Seeding(initial=result.path)
+    )
+    assert again.status is mp.Status.OPTIMAL
+    assert again.g == pytest.approx(result.g, rel=1e-4)
+
+
+@pytest.mark.slow
 def test_what_was_cut_off_is_not_called_optimal(panda, monkeypatch):
     monkeypatch.setattr(descent, "STEPS", 1)
     result = mp.optimize_path(panda, START, GOAL, scene=mp.Scene([POST]), clearance=CLEARANCE)
