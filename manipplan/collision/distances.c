@@ -58,7 +58,7 @@ typedef struct {
 
 static const double EXACT = 1e-11;   /* gap between the bounds at which a distance is found [m] */
 static const double MEETING = 1e-10; /* cores nearer than this meet [m] */
-static const double TINY = 1e-6;     /* triangles smaller than this are points [m] */
+static const double TINY = 3e-7;     /* largest side, along each axis, of a triangle that counts as a point [m] */
 static const int MOST_STEPS = 300;   /* cylinders converge slowly; polytopes need about ten steps */
 
 static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -256,7 +256,7 @@ static int bounds(const Core *one, const Core *two, const double *towards, doubl
         for (int i = 0; i < s.count; i++)
             if (memcmp(s.point[i], corner, sizeof corner) == 0) return 1;
         memcpy(s.point[s.count++], corner, sizeof corner);
-        if (reduce(&s)) return 0;
+        if (reduce(&s)) return *low > MEETING;             /* rounding: a flat simplex may seem to contain the origin */
         double apart = sqrt(dot(s.nearest, s.nearest));
         if (apart >= *high && step > 0) return 1;          /* rounding: no progress */
         *high = apart;
@@ -341,37 +341,42 @@ static int within(const World *w, long surface, const double *p) {
     return votes >= 2;
 }
 
-/* A search for what is near one body: pairs nearer than `reach`, each with its least distance, or whether any is. */
+/* A search for pairs near one body: all distances below `reach`, or only whether there is one. */
 typedef struct {
     const World *w;
     long body;
     const Core *core;
-    const long *pair;     /* number of the pair with each body */
+    const long *pairs;    /* number of the pair with each body, -1 where it is not checked; 0: there is one pair alone */
+    long pair;            /* its number then */
     double reach;         /* distances above it are not looked for */
-    double *out;          /* distances by pair, infinite where none was found; 0: only look for touching */
-    long *count;          /* number of pairs in `found` of the world; 0: not noted */
+    double *out;          /* distances by pair, infinite where none was found; nan where only a depth would tell, or the bounds did
+                             not converge; 0: only look for touching */
+    long *count;          /* number of pairs in `found` of the world; 0: pairs are not listed */
     int verdict;
-    long leaf;            /* of a surface: the triangle or point that was nearest last */
-    Plane plane;          /* between the body and that */
+    long leaf;            /* nearest triangle or point of the last surface; -1 */
+    Plane plane;          /* separates the body from it */
 } Search;
 
+static long pair_with(const Search *s, long obstacle) { return s->pairs ? s->pairs[obstacle] : s->pair; }
+
 static double reach_of(const Search *s, long obstacle) {
-    return s->out ? fmin(s->out[s->pair[obstacle]], s->reach) : s->reach;
+    return s->out ? fmin(s->out[pair_with(s, obstacle)], s->reach) : s->reach;
 }
 
-/* A found distance: low and high bound it; met: the cores meet. */
+/* Note bounds on a distance. `apart`: whether the cores do not meet; the depth of an overlap is not known here. */
 static void tell(Search *s, long obstacle, int apart, double low, double high) {
     if (s->out) {
-        double *best = s->out + s->pair[obstacle];
-        if (apart && !(high < s->reach && high < *best)) return;
-        if (s->count && *best == INFINITY) s->w->found[(*s->count)++] = s->pair[obstacle];
-        *best = apart && high - low <= 1e3 * EXACT ? high : NAN; /* the depth of an overlap is not known here */
+        double *best = s->out + pair_with(s, obstacle);
+        int exact = apart && high - low <= 1e3 * EXACT;
+        if (apart && (exact ? high : low) >= fmin(*best, s->reach)) return;
+        if (s->count && *best == INFINITY) s->w->found[(*s->count)++] = pair_with(s, obstacle);
+        *best = exact ? high : NAN;
     } else if (!apart || high <= s->reach) s->verdict = TOUCHING;
     else if (low <= s->reach && s->verdict == FREE) s->verdict = UNDECIDED;
 }
 
 static int ended(const Search *s, long obstacle) {
-    return s->out ? isnan(s->out[s->pair[obstacle]]) : s->verdict == TOUCHING;
+    return s->out ? isnan(s->out[pair_with(s, obstacle)]) : s->verdict == TOUCHING;
 }
 
 /* Least distance of a box from what is in front of a plane. */
@@ -385,9 +390,9 @@ static double behind(const Plane *plane, const double *box) {
 static void surface(Search *s, long obstacle, long node, const Plane *before) {
     const World *w = s->w;
     const double *box = w->node_box + 6 * node, *centre = w->centres + 3 * s->body, extra = w->radius[obstacle];
-    double reach = reach_of(s, obstacle), inside = -extra - w->radius[s->body];
+    double reach = reach_of(s, obstacle), minus_radii = -extra - w->radius[s->body];
     double around = from_box(centre, box) - w->ball[4 * s->body + 3] - extra;
-    if (ended(s, obstacle) || around > reach || behind(before, box) + inside > reach || behind(&s->plane, box) + inside > reach)
+    if (ended(s, obstacle) || around > reach || behind(before, box) + minus_radii > reach || behind(&s->plane, box) + minus_radii > reach)
         return;
     const long *child = w->node + 2 * node;
     double low, high;
@@ -400,8 +405,8 @@ static void surface(Search *s, long obstacle, long node, const Plane *before) {
         Core leaf = {.kind = POINTS, .count = point ? 1 : 3, .x = x, .y = y, .z = z, .frame = still};
         double little = s->out ? -INFINITY : reach, most = -INFINITY;
         for (int i = 0; i < 3; i++) most = fmax(most, dot(s->plane.normal, c + 3 * i));
-        if (s->plane.level - most + inside > reach) return;
-        Plane plane;
+        if (s->plane.level - most + minus_radii > reach) return;
+        Plane plane = s->plane;
         int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, s->plane.normal, reach, little, &low, &high, &plane);
         if (!apart || low <= reach) tell(s, obstacle, apart, low, high), s->leaf = child[1], s->plane = plane;
         return;
@@ -413,8 +418,8 @@ static void surface(Search *s, long obstacle, long node, const Plane *before) {
     if (half[0] + half[1] + half[2] < 2 * w->ball[4 * s->body + 3]) { /* small beside the body: worth a look at the whole box */
         double towards[3];
         for (int i = 0; i < 3; i++) towards[i] = centre[i] - all.own[9 + i];
-        int apart = bounds(s->core, &all, towards, reach - inside, reach - inside, &low, &high, &plane);
-        if (apart && low + inside > reach) return;
+        int apart = bounds(s->core, &all, towards, reach - minus_radii, reach - minus_radii, &low, &high, &plane);
+        if (apart && low + minus_radii > reach) return;
     }
     double first = behind(&plane, w->node_box + 6 * child[0]), second = behind(&plane, w->node_box + 6 * child[1]);
     int order = second < first;
@@ -437,7 +442,7 @@ static Plane facing(const World *w, long body, const double *box) {
 /* Compare the body with another one; `box`: one around that in the world, or 0. */
 static void look_at(Search *s, long obstacle, const double *box) {
     const World *w = s->w;
-    if (s->pair[obstacle] < 0 || ended(s, obstacle)) return;
+    if (pair_with(s, obstacle) < 0 || ended(s, obstacle)) return;
     long kind = w->kind[obstacle];
     double low = -INFINITY, high = INFINITY;
     if (kind == UNKNOWN || w->kind[s->body] == UNKNOWN || w->kind[s->body] == SURFACE || w->kind[s->body] == HALFSPACE) {
@@ -502,7 +507,7 @@ static int examine(const World *w, const double *q, double reach, long *count) {
         if (!is_near(w, centre, reaches * reaches, w->top)) continue;
         for (long m = group[1]; m < group[1] + group[2]; m++) {
             Core core;
-            Search s = {w, w->mover[m], &core, w->pair_of + m * w->bodies, reach, out, count, verdict, -1, {{0}, 0}};
+            Search s = {w, w->mover[m], &core, w->pair_of + m * w->bodies, -1, reach, out, count, verdict, -1, {{0}, 0}};
             core_of(w, s.body, &core);
             descend(&s, w->top);
             verdict = s.verdict;
@@ -510,14 +515,13 @@ static int examine(const World *w, const double *q, double reach, long *count) {
         }
     }
     for (long k = 0; k < w->selves; k++) {
-        long one = w->self[3 * k], two = w->self[3 * k + 1], pairs[1];
+        long one = w->self[3 * k], two = w->self[3 * k + 1];
         const double *a = w->centres + 3 * one, *b = w->centres + 3 * two;
         double gap[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]}, reaches = reach + w->ball[4 * one + 3] + w->ball[4 * two + 3];
         if (dot(gap, gap) > reaches * reaches) continue;
         Core core;
         core_of(w, one, &core);
-        pairs[0] = w->self[3 * k + 2];
-        Search s = {w, one, &core, pairs - two, reach, out, count, verdict, -1, {{0}, 0}};
+        Search s = {w, one, &core, 0, w->self[3 * k + 2], reach, out, count, verdict, -1, {{0}, 0}};
         look_at(&s, two, 0);
         verdict = s.verdict;
         if (!out && verdict == TOUCHING) return TOUCHING;
@@ -533,8 +537,8 @@ void manipplan_check(const World *w, const double *q, long m, double clearance, 
     for (long k = 0; k < m; k++) verdicts[k] = (signed char)examine(w, q + k * w->n, clearance, 0);
 }
 
-/* Distances (m, pairs) at q (m, n), cut off at reach (m); nan where cores meet, so that only a depth would tell, or rounding
-   prevails. */
+/* Distances (m, pairs) at q (m, n), cut off at reach (m); nan where only coal can tell: where cores meet, or the bounds did not
+   converge. */
 void manipplan_distances(const World *w, const double *q, long m, const double *reach, double *out) {
     for (long k = 0; k < m; k++, out += w->pairs) {
         long count = 0;
@@ -544,8 +548,8 @@ void manipplan_distances(const World *w, const double *q, long m, const double *
     }
 }
 
-/* The same for what is nearer than reach (m) alone: row * pairs + pair, and distance, at most `room` of them. Returns their
-   number; more than `room`: the rest was not written. */
+/* As `manipplan_distances`, but only for pairs nearer than reach (m): row * pairs + pair, and distance. Returns their number; only
+   the first `room` are written. */
 long manipplan_near(const World *w, const double *q, long m, const double *reach, long room, long *where, double *out) {
     long all = 0;
     for (long k = 0; k < m; k++) {
@@ -564,12 +568,15 @@ long manipplan_near(const World *w, const double *q, long m, const double *reach
    out (m). leaf (m): the triangle or point of the second body that is nearest; -1 if that is no surface, or not within reach. */
 void manipplan_pairs(const World *w, const double *q, long m, const long *bodies, const double *reach, double *out, long *leaf) {
     for (long k = 0; k < m; k++) {
-        long one = bodies[2 * k], two = bodies[2 * k + 1], pair = 0;
+        long one = bodies[2 * k], two = bodies[2 * k + 1];
+        int finite = 1;
+        for (long j = 0; j < w->n; j++) finite &= isfinite(q[k * w->n + j]) != 0;
+        out[k] = finite ? reach[k] : NAN, leaf[k] = -1;
+        if (!finite) continue;
         Core core;
         place(w, q + k * w->n);
         core_of(w, one, &core);
-        out[k] = reach[k];
-        Search s = {w, one, &core, &pair - two, reach[k], out + k, 0, FREE, -1, {{0}, 0}};
+        Search s = {w, one, &core, 0, 0, reach[k], out + k, 0, FREE, -1, {{0}, 0}};
         look_at(&s, two, 0);
         leaf[k] = s.leaf;
     }
@@ -595,7 +602,7 @@ static void halve(const double *box, long *item, long count, long at, int axis) 
 }
 
 /* A tree over `count` boxes, from node `root` on: 2 count - 1 nodes. `item` (count) holds the numbers of the boxes and is
-   reordered; `name` (boxes): what a leaf says. Returns the number of the next free node. */
+   reordered; `name` (boxes): the number that a leaf stores. Returns the number of the next free node. */
 long manipplan_tree(const double *box, long *item, long count, const long *name, long root, double *node_box, long *node) {
     double *all = node_box + 6 * root;
     memcpy(all, box + 6 * item[0], 6 * sizeof *all);

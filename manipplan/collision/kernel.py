@@ -25,13 +25,13 @@ log = logging.getLogger("manipplan")
 #: As in distances.c.
 POINTS, BOX, CYLINDER, HALFSPACE, SURFACE, UNKNOWN = range(6)
 FREE, TOUCHING, UNDECIDED = range(3)
-#: Half the size of boxes around what has no bounds [m].
+#: Half the size of the box around an unbounded shape [m].
 ENDLESS = 1e9
 
 Numbers = NDArray[np.int64]
 
 
-#: Number of near pairs for each configuration that there is room for at first.
+#: Initial room for near pairs per configuration.
 ROOM = 64
 
 
@@ -76,7 +76,7 @@ def _loaded(file: Path) -> ctypes.CDLL:
 
 
 def _check_one(library: ctypes.CDLL) -> Callable[[int, int, float], int]:
-    """The check of one configuration. It keeps Python's lock, which takes longer to give back than the check takes."""
+    """The check of one configuration. It holds the GIL: to release it would take longer than the check."""
     return ctypes.PYFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double)(("manipplan_check_one", library))
 
 
@@ -270,7 +270,7 @@ def _ball(points: Array) -> Array:
 
 
 def _pair_tables(pairs: Numbers, joint: Numbers) -> dict[str, Numbers]:
-    """Pairs of two moving bodies one by one, and for bodies that meet what stands still a table of their pairs."""
+    """Pairs of two moving bodies as a list (`self`), those of a moving and a static one as a table (`mover`, `pair_of`)."""
     meets_still = joint[pairs[:, 1]] == 0
     several = set(pairs[meets_still, 0].tolist())  # np.unique imports numpy.ma
     mover = np.array(sorted(several, key=lambda body: (joint[body], body)), dtype=np.int64)
@@ -283,7 +283,7 @@ def _pair_tables(pairs: Numbers, joint: Numbers) -> dict[str, Numbers]:
 
 
 def _groups(mover: Numbers, joint: Numbers, ball: Array) -> dict[str, NDArray[Any]]:
-    """The movers of each joint, which stand one after another, and a ball around theirs."""
+    """For each joint its range in `mover`, and a ball around the bodies there."""
     first = np.flatnonzero(np.diff(joint[mover], prepend=-1))
     number = np.diff(np.append(first, len(mover)))
     balls = []
@@ -299,7 +299,7 @@ def _groups(mover: Numbers, joint: Numbers, ball: Array) -> dict[str, NDArray[An
 def _trees(
     library: ctypes.CDLL, objects: Sequence[pin.GeometryObject], still: Numbers, ball: Array, radius: Array
 ) -> dict[str, NDArray[Any]]:
-    """The tree of what stands still with the number of its root, -1 without any, and before it those of surfaces."""
+    """One tree per static surface, then the tree over all static bodies; `top` is the root of the last, -1 without any."""
     root = np.full(len(objects), -1, dtype=np.int64)
     triangles = {
         int(k): mesh_triangles(objects[k].geometry) @ objects[k].placement.rotation.T + objects[k].placement.translation
@@ -308,7 +308,7 @@ def _trees(
     }
     nodes = 2 * (sum(map(len, triangles.values())) + len(still))
     node_box, node = np.empty((nodes, 6)), np.empty((nodes, 2), dtype=np.int64)
-    boxes = np.array([_box_around(objects[k], ball[k]) for k in still]).reshape(-1, 6)
+    boxes = np.array([_box_around(objects[k], ball[k], radius[k]) for k in still]).reshape(-1, 6)
     free = begin = 0
     for row, k in enumerate(still.tolist()):
         if k in triangles:
@@ -332,15 +332,15 @@ def _grow(library: ctypes.CDLL, box: Array, names: Numbers, root: int, node_box:
     return int(library.manipplan_tree(*given))
 
 
-def _box_around(item: pin.GeometryObject, ball: Array) -> Array:
+def _box_around(item: pin.GeometryObject, ball: Array, radius: float) -> Array:
     """Least and largest corner (6,) of an axis-parallel box around an object, in the world."""
     shape, place = item.geometry, item.placement
     if isinstance(shape, coal.Box):
-        half = np.abs(place.rotation) @ shape.halfSide
+        half = np.abs(place.rotation) @ shape.halfSide + radius
         return np.concatenate([place.translation - half, place.translation + half])
     if ball[3] < ENDLESS and isinstance(shape, coal.ConvexBase):
         points = core_of(shape)[0] @ place.rotation.T + place.translation
-        return np.concatenate([points.min(axis=0), points.max(axis=0)])
+        return np.concatenate([points.min(axis=0) - radius, points.max(axis=0) + radius])
     if ball[3] < ENDLESS:
         return np.concatenate([ball[:3] - ball[3], ball[:3] + ball[3]])
     return np.repeat([-ENDLESS, ENDLESS], 3)

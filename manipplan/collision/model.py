@@ -124,15 +124,13 @@ class CollisionModel:
 
     def distance_rows(self, q: Array, *, beyond: float | Array = np.inf) -> Array:
         """Signed distances (m, k) of all pairs at q (m, n) [m], those above `beyond`, a number or (m,), cut off there."""
-        reach = np.broadcast_to(np.asarray(beyond, dtype=float), (len(q),))
+        reach, shape = np.broadcast_to(np.asarray(beyond, dtype=float), (len(q),)), (len(q), len(self.pair_names))
         if self._kernel is None:
-            return np.asarray(
-                np.minimum(np.array([self._all_distances(each) for each in q]).reshape(len(q), -1), reach[:, None])
-            )
+            return np.asarray(np.minimum(np.array([self._all_distances(each) for each in q]).reshape(shape), reach[:, None]))
         found: Array = self._kernel.distances(q, np.maximum(reach, 0.0))
         if found.size and np.isnan(found.min()):
             for k, pair in zip(*np.nonzero(np.isnan(found)), strict=True):
-                found[k, pair] = self._distance(q[k], int(pair))
+                found[k, pair] = min(self._distance(q[k], int(pair)), reach[k])
         return np.asarray(np.minimum(found, reach[:, None])) if (reach < 0).any() else found
 
     def near_pairs(self, q: Array, beyond: float | Array) -> NearPairs:
@@ -147,10 +145,8 @@ class CollisionModel:
         for k in np.flatnonzero(np.isnan(found)):
             row, pair = divmod(int(where[k]), shape[1])
             found[k] = self._distance(q[row], pair)
-        if (reach < 0).any():
-            kept = found < reach[where // max(shape[1], 1)]
-            where, found = where[kept], found[kept]
-        return NearPairs.of(shape, where, found)
+        kept = found < reach[where // max(shape[1], 1)]
+        return NearPairs.of(shape, where[kept], found[kept])
 
     def pair_distances(self, q: Array, pairs: ArrayLike, *, beyond: float | Array = np.inf) -> Array:
         """Signed distance [m] of one pair at each configuration: of pairs (m,) at q (m, n), cut off at `beyond`; (m,)."""
@@ -183,11 +179,11 @@ class CollisionModel:
         pin.computeJointJacobians(model, data, q)
         pin.updateGeometryPlacements(model, data, self.geometry, self._geometry_data)
         result = self._nearest(q, pair)
-        bodies = self.geometry.collisionPairs[pair]
+        bodies, turn = self.geometry.collisionPairs[pair], self._sign(pair, result)
         gradient = np.zeros(self.robot.n)
         for body, point, side in (
-            (bodies.first, result.getNearestPoint1(), -1.0),
-            (bodies.second, result.getNearestPoint2(), 1.0),
+            (bodies.first, result.getNearestPoint1(), -turn),
+            (bodies.second, result.getNearestPoint2(), turn),
         ):
             joint = self.geometry.geometryObjects[body].parentJoint
             if joint > 0:
@@ -203,11 +199,12 @@ class CollisionModel:
         result = self._nearest(q, pair)
         bodies = self.geometry.collisionPairs[pair]
         first, second = (self.geometry.geometryObjects[i].parentJoint for i in (bodies.first, bodies.second))
-        normal = -np.array(result.normal)  # coal's points from the first to the second
+        sign = self._sign(pair, result)
+        normal = -sign * np.array(result.normal)  # coal's points from the first to the second
         place = self._data.oMi[second]
         points, radius = self._core(bodies.first)
         return Contact(
-            distance=float(result.min_distance - self._radii[pair]),
+            distance=float(sign * result.min_distance - self._radii[pair]),
             first=first,
             second=second,
             normal=place.rotation.T @ normal,
@@ -219,12 +216,12 @@ class CollisionModel:
     def witness(self, q: Array, pair: int) -> tuple[Witness, Array]:
         """The nearest points of the pair with the given index at q (n,), and the unit vector from the second to the first.
 
-        The vector (3,) is in the frame of the joint that carries the second body.
+        The vector (3,) is in the frame of the joint that carries the second body. It leads out of a solid that the first is in.
         """
         pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
         result = self._nearest(q, pair)
         bodies = self.geometry.collisionPairs[pair]
-        normal = np.array(result.normal)  # coal's points from the first body to the second
+        normal, sign = np.array(result.normal), self._sign(pair, result)  # coal's points from the first body to the second
         carriers, points, radii = [], [], []
         for body, nearest, outwards in (
             (bodies.first, result.getNearestPoint1(), normal),
@@ -238,7 +235,7 @@ class CollisionModel:
         witness = Witness(
             first=carriers[0], second=carriers[1], point=points[0], other=points[1], radius=sum(radii) + self._radii[pair]
         )
-        return witness, -self._data.oMi[carriers[1]].rotation.T @ normal
+        return witness, -sign * (self._data.oMi[carriers[1]].rotation.T @ normal)
 
     def turned(self, q: Array, vector: Array, joint: int, into: int) -> Array:
         """A vector given in the frame of joint `joint`, expressed in that of joint `into` (0: the world), at q (n,); (3,)."""
@@ -258,13 +255,10 @@ class CollisionModel:
         Raises InvalidInputError that names the limit or the pair.
         """
         q = self.robot.configuration(argument, q)
-        distances = self.distances(q)
-        nearest = int(distances.argmin()) if len(distances) else -1
-        if nearest >= 0 and (distances[nearest] <= 0 or distances[nearest] < clearance):
+        least, _, nearest = self.least_distance(q[None])
+        if least <= 0 or least < clearance:
             first, second = self.pair_names[nearest]
-            apart = (
-                f"are {distances[nearest]:.4g} m apart" if distances[nearest] > 0 else f"overlap by {-distances[nearest]:.4g} m"
-            )
+            apart = f"are {least:.4g} m apart" if least > 0 else f"overlap by {-least:.4g} m"
             demanded = f", but the required clearance is {clearance:g} m" if clearance else ""
             raise InvalidInputError(
                 argument, q.tolist(), f"a collision-free configuration; {first} and {second} {apart}{demanded}"
@@ -324,6 +318,10 @@ class CollisionModel:
         here, there = coal.Transform3s(place.rotation, place.translation), coal.Transform3s()
         coal.distance(first.geometry, here, triangle_tree(corners, np.arange(3)[None]), there, request, result)
         return result
+
+    def _sign(self, pair: int, result: coal.DistanceResult) -> float:
+        """-1 where the first body of a pair is wholly inside the solid that is its second, otherwise 1."""
+        return -1.0 if result.min_distance > 0 and pair in self._solid_pairs and self._is_inside(pair) else 1.0
 
     def _is_inside(self, pair: int) -> bool:
         """Whether a point of a pair's first body is inside the solid that is its second, where the bodies are placed."""

@@ -1,4 +1,4 @@
-"""The pairs that are near at some configurations, with their distances; among a thousand obstacles most pairs never are."""
+"""Distances of only those pairs that are near: among a thousand obstacles these are few."""
 
 from dataclasses import dataclass
 
@@ -26,7 +26,7 @@ class NearPairs:
 
     @classmethod
     def of(cls, shape: tuple[int, int], where: NDArray[np.intp], distances: Array) -> "NearPairs":
-        """From row * number of pairs + pair (e,), in order, and distances (e,) [m]."""
+        """From row * number of pairs + pair (e,), sorted, and distances (e,) [m]."""
         rows, pairs = np.divmod(where, max(shape[1], 1))
         return cls(shape=shape, rows=rows, pairs=pairs, distances=distances)
 

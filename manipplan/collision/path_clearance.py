@@ -23,8 +23,7 @@ SLACK = 1e-5
 NARROW = 1e-6
 #: Maximum number of distances computed; then the best bound so far is returned.
 MOST_CHECKS = 100_000
-#: Number of intervals at which all pairs are measured first. An interval is a run of two pieces, or of more up to the second
-#: value on paths of many pieces, such as trajectories.
+#: Minimum number of intervals at whose middles all pairs are measured first, and maximum number of pieces in one of them.
 FIRST, RUN = 32, 16
 
 
@@ -41,7 +40,7 @@ class PathClearance:
         at, pair: s in [0, 1] and the names of the two bodies where the required clearance is violated; otherwise where a
             violation is not excluded; otherwise where the bound is smallest. nan and () when nothing is checked.
         pair_id: index of the pair in the collision model's `pair_names`; -1 when nothing is checked.
-        checks: number of distances computed, without those that were cut off.
+        checks: number of distances computed; of the first intervals, only those that were not cut off.
     """
 
     lower: float
@@ -144,7 +143,7 @@ class _Search:
 
     def _begin(self, control: Array, breaks: Array) -> tuple[BodyIndices, BodyIndices, Array]:
         """Pieces and pairs that are still open, with their bounds, after all pairs were measured at each run of pieces."""
-        first = np.arange(0, len(control), min(max(len(control) // FIRST, 2), RUN))
+        first = np.arange(0, len(control), min(len(control) // FIRST, RUN))
         lengths = np.diff(np.append(first, len(control)))
         middle = first + lengths // 2
         q, middles = control[middle, 0], breaks[middle]
@@ -197,7 +196,8 @@ class _Search:
         if not len(rows):
             return np.zeros(0, dtype=bool), known
         bounds = np.maximum(known, distances - SLACK - motion)
-        least = int(distances.argmin())
+        bounds[np.isnan(bounds)] = -np.inf  # what cannot be measured is not proven
+        least = int(np.where(np.isnan(distances), np.inf, distances).argmin())
         if distances[least] < self.upper:
             self.upper, self.nearest = float(distances[least]), (float(middles[rows[least]]), int(pairs[least]))
         cut = (bounds <= self._target) & (change.max(axis=1) > NARROW)[rows]
@@ -212,7 +212,7 @@ class _Search:
             self.lower, self.lowest = float(bounds[least]), (float(middles[rows[least]]), int(pairs[least]))
 
     def _distances(self, q: Array, motion: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
-        """Distances (e,) of pairs at rows of q (m, n); cut off where that closes the pair and lowers no bound."""
+        """Distances (e,) of pairs at rows of q (m, n); cut off where that closes the pair."""
         beyond = np.maximum(self._target + motion + 2 * SLACK, self.upper)
         self.checks += len(rows)
         return self.model.pair_distances(q[rows], pairs, beyond=beyond)

@@ -12,6 +12,8 @@ import pinocchio as pin
 
 from manipplan.collision import fitting, pieces
 from manipplan.collision.primitives import Primitive, outside
+from manipplan.collision.surfaces import shells
+from manipplan.robots import hulls
 from manipplan.support.checks import Array, pose_matrix
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import private_folder, write_bytes, write_text
@@ -82,7 +84,7 @@ def _read_pieces(file: Path) -> list[pieces.Piece] | None:
 
 def _key(triangles: Array, boxes: bool) -> str:
     """Hash of the triangles, of `boxes`, of the sources of the fits and of the version of NumPy."""
-    sources = b"".join(Path(str(module.__file__)).read_bytes() for module in (fitting, pieces))
+    sources = b"".join(Path(str(module.__file__)).read_bytes() for module in (fitting, pieces, shells, hulls))
     parts = [sources, f"{np.__version__} {boxes}".encode()]
     return hashlib.sha256(b"\0".join([*parts, np.ascontiguousarray(triangles).tobytes()])).hexdigest()[:32]
 

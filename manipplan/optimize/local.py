@@ -185,7 +185,7 @@ class LocalSearch:
         best: Candidate | None = None
         edges: Array | None = None
         steps = 0
-        g = np.nan  # of the last path that was not proven free
+        failed_g = np.nan  # g of the last path that was not proven free
         backed_off = False
         *wide, final = self._margins(kept)
         waiting = [*wide, *[final] * DESCENTS]
@@ -208,14 +208,13 @@ class LocalSearch:
             least = np.inf if proof is None else proof.upper
             self.history.append(Step(first=name, g=cost.g, clearance=least, solver=descent.reason))
             if surroundings is not None and proof is not None and not proof.proven:
-                if proof.upper < self.clearance - STUCK and not descent.exhausted:
+                known = (proof.at, proof.pair_id) in surroundings.always
+                stuck = proof.upper < self.clearance - STUCK and not descent.exhausted
+                if stuck or (known and cost.g == failed_g):
                     log.debug("descent: stuck in an obstacle at s = %g", proof.at)
                     break
-                if g == cost.g and (proof.at, proof.pair_id) in surroundings.always:
-                    log.debug("descent: it ends again at s = %g", proof.at)
-                    break
-                surroundings.always.append((proof.at, proof.pair_id))
-                g = cost.g
+                surroundings.always += [] if known else [(proof.at, proof.pair_id)]
+                failed_g = cost.g
                 continue
             if not self._inside_limits(path):
                 log.debug("descent: the path leaves the joint limits")
@@ -254,7 +253,7 @@ class LocalSearch:
         """The smaller of the distances of start and goal beyond the required clearance [m]; 0 where nothing is checked."""
         if self.model is None:
             return 0.0
-        return float(min(self.model.distances(q).min(initial=np.inf) for q in (self.start, self.goal))) - self.clearance
+        return self.model.least_distance(np.array([self.start, self.goal]))[0] - self.clearance
 
     def _keeps(self, path: JointPath, margin: float = 0.0) -> bool:
         """Whether a path is proven to keep the required clearance plus a margin [m], or nothing is checked."""
@@ -369,7 +368,7 @@ class LocalSearch:
         if self.model is not None and self.model.pair_names:
             q = path(np.linspace(0.0, 1.0, near.PLACES + 1))
             profile = near.distance_profile(self.model, q, self.clearance + near.NEAR)
-            least = min(float(profile.distances.min(initial=np.inf)), self.model.least_distance(q)[0])
+            least = float(profile.distances.min()) if len(profile.distances) else self.model.least_distance(q)[0]
         failed_at: tuple[near.Place, ...] = ()
         g = self.program.integral.cost(path).g
         self.history.append(Step(first=name, g=g, clearance=least, solver=solution.status))

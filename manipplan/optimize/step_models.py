@@ -138,15 +138,15 @@ class LengthModel:
 INTERVALS, SPACING = 160, 4
 #: Margin kept beyond the required distance, so that the proof, whose bounds are not exact, succeeds [m].
 MARGIN = 5e-5
-#: Distances further above the target than this, and than the band of rows, are cut off [m].
+#: Minimum distance above the target at which distances are cut off [m]; a wider band of rows raises it.
 FARTHEST = 0.05
-#: Dips of a distance that may come within the first value of the target [m] are located to the second value in s.
+#: Distance above the target below which dips are located [m], and the accuracy in s.
 DEEP, BOTTOM = 1e-3, 1e-6
 #: Maximum number of steps to the bottom of a dip.
 BOTTOM_STEPS = 12
-#: Every place of the grid where a pair is nearer than the target plus this [m] has a row.
+#: Distance above the target below which every place of the grid gets a row [m].
 CLOSE = 2e-3
-#: A place of the grid has no row within this distance in s of the bottom of a dip of its pair.
+#: Minimum distance in s between a place of the grid with a row and the bottom of a dip of the same pair.
 APART = 1e-2
 #: Maximum number of places with rows: bottoms of dips first, then the nearest.
 MOST_PLACES = 80
@@ -215,7 +215,8 @@ class Surroundings:
         """
         s = np.linspace(0.0, 1.0, INTERVALS + 1)
         q = configurations(path, s)
-        profile = distance_profile(self.model, q, self.target + max(band, FARTHEST))
+        most = self.target + max(band, FARTHEST)
+        profile = distance_profile(self.model, q, most)
         wanted = profile.distances < self.target + CLOSE
         wanted |= (profile.rows % SPACING == 0) & (profile.distances < self.target + band)
         near = Look(
@@ -224,7 +225,7 @@ class Surroundings:
             pairs=profile.pairs[wanted],
             is_bottom=np.zeros(int(wanted.sum()), dtype=bool),
         )
-        found = [near, self._dips(path, s, profile, self.target + max(band, FARTHEST))]
+        found = [near, self._dips(path, s, profile, most)]
         if self.always:
             at, known = np.array([x for x, _ in self.always]), np.array([pair for _, pair in self.always])
             bracket = np.maximum(at - 1 / INTERVALS, 0.0), np.minimum(at + 1 / INTERVALS, 1.0)

@@ -145,7 +145,7 @@ def load_robot(name: str | Path, **options: object) -> Robot:
     if file.suffix in (".urdf", ".xacro"):
         return Robot.from_urdf(file, **options)  # type: ignore[arg-type]  # checked by from_urdf itself
     if file.suffix in (".xml", ".mjcf"):
-        return Robot.from_mjcf(file, **options)  # type: ignore[arg-type]
+        return Robot.from_mjcf(file, **options)  # type: ignore[arg-type]  # checked by from_mjcf itself
     if str(name) not in CATALOG:
         raise UnknownNameError("name", str(name), CATALOG)
     entry = CATALOG[str(name)]
@@ -162,7 +162,7 @@ def load_robot(name: str | Path, **options: object) -> Robot:
     robot_options = {**chosen, **options}
     if entry.first is not None and robot_options["joints"] is None:
         robot_options["joints"] = _chain_from(folder / entry.urdf, str(robot_options["tool"]), entry.first)
-    robot = Robot.from_urdf(folder / entry.urdf, **robot_options)  # type: ignore[arg-type]
+    robot = Robot.from_urdf(folder / entry.urdf, **robot_options)  # type: ignore[arg-type]  # checked by from_urdf itself
     published = {"acceleration": entry.acceleration, "jerk": entry.jerk}
     published = {kind: value for kind, value in published.items() if value is not None and kind not in options}
     if published and robot_options["joints"] is None:

@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 KINDS = ("catalogue", "urdf", "mjcf", "planar")
 #: Options of `Robot.from_urdf` that are paths of files and folders.
 FILES, FOLDERS, FOLDERS_BY_NAME = ("srdf",), ("package_dirs",), ("packages",)
-#: The option that maps names to text.
+#: Option that maps names to text.
 TEXTS = "arguments"
-#: The option that lets a file run code: it is the user's, and never read from a saved plan.
+#: Option that lets a file run code. It is never stored in a saved plan, nor read from one.
 TRUST = "trust_file"
 
 

@@ -48,12 +48,30 @@ def test_each_format_gives_the_same_body(tmp_path, name):
         (HEAD.replace("vertex_indices", "texture") + BODY, "a face without one list called vertex_indices"),
         (HEAD.replace("float z", "float w") + BODY, "lack x, y or z"),
         (HEAD.replace("face 4", "face 99999999999") + BODY, "cut off"),
+        (
+            HEAD.replace("end_header", "element tristrips 1\nproperty list int int vertex_indices\nend_header")
+            + BODY
+            + "3 0 1 2\n",
+            "strips",
+        ),
         ("", "no end_header"),
     ],
 )
 def test_ply_files_of_robots(tmp_path, text, message):
     with pytest.raises(mp.FileFormatError, match=message):
         robot(tmp_path, "m.ply", text.encode())
+
+
+@pytest.mark.parametrize("scheme", ["package://", "model://", "file://"])
+def test_a_mesh_is_judged_wherever_its_name_points(tmp_path, scheme):
+    (tmp_path / "pack").mkdir()
+    (tmp_path / "pack" / "m.ply").write_bytes(b"ply\n")
+    text = samples.urdf("m.ply").decode()
+    assert "package://m.ply" in text
+    place = tmp_path / "pack" / "m.ply" if scheme == "file://" else "pack/m.ply"
+    (tmp_path / "arm.urdf").write_text(text.replace("package://m.ply", f"{scheme}{place}"))
+    with pytest.raises(mp.FileFormatError, match="no end_header"):
+        mp.Robot.from_urdf(tmp_path / "arm.urdf", tool="tip")
 
 
 def test_lines_of_a_ply_file_that_are_swapped(tmp_path):

@@ -15,6 +15,7 @@ import pytest
 from broken_files import broken_copies
 
 import manipplan as mp
+from manipplan.collision.formats.collada import read_collada
 from manipplan.collision.formats.polygons import split_polygons
 from manipplan.collision.surfaces.meshes import mesh_parts, triangle_tree
 from manipplan.collision.surfaces.shells import merged_corners, shells, winding_number
@@ -392,6 +393,10 @@ def test_gltf_that_is_not_read(tmp_path, monkeypatch):
     cases = {
         "KHR_draco_mesh_compression": change(document, extensionsRequired=["KHR_draco_mesh_compression"]),
         "mode 6": change(document, meshes=mode),
+        "its meshes is not a list": change(document, meshes=None),
+        "its extensionsRequired is not a list": change(document, extensionsRequired=5),
+        "its primitives is not a list": change(document, meshes=[{"primitives": 5}]),
+        "one of its meshes is not an object": change(document, meshes=[5]),
         "skins": change(document, skins=[{}]),
         "trimesh says": change(document, buffers=[{"uri": "nothing.bin", "byteLength": 4}]),
         "not an object": b"[]",
@@ -431,6 +436,22 @@ def test_transforms_of_dae(tmp_path, caplog):
     assert not caplog.text
 
 
+def test_geometries_of_dae_without_a_name(tmp_path):
+    """Without a scene every geometry counts, also those that have no name, or the same one."""
+    text = dae().decode()
+    assert text.count("<geometry ") == 1
+    begin, end = text.index("<library_geometries>") + len("<library_geometries>"), text.index("</library_geometries>")
+    geometry = text[begin:end]
+    other = geometry
+    for old, new in (('"v"', '"w"'), ('"#v"', '"#w"'), ('"p"', '"r"'), ('"#p"', '"#r"')):
+        other = other.replace(old, new)
+    for name in ('id="g"', ""):
+        both = (geometry + other).replace('id="g"', name)
+        (tmp_path / "m.dae").write_text(f"{text[:begin]}{both}</library_geometries></COLLADA>")
+        triangles, *_ = read_collada("file", tmp_path / "m.dae")
+        assert len(triangles) == 2 * 12
+
+
 def with_primitive(text):
     return dae(primitive=text)
 
@@ -468,7 +489,8 @@ VERTEX = '<input semantic="VERTEX" source="#v" offset="0"/>'
         ("m.obj", b"v 0 0 0\nv 1 0 0\n", "at least one triangle"),
         ("m.obj", QUADS.encode() + b"f 1 2 9\n", "outside 1 to 8"),
         ("m.obj", QUADS.encode() + b"f 1 2 -9\n", "outside 1 to 8"),
-        ("m.obj", QUADS.encode() + b"f 0 1 2\n", "outside 1 to 8"),
+        ("m.obj", QUADS.encode() + b"f 0 1 2\n", "vertex 0; they count from 1"),
+        ("m.obj", b"v 0 0 0\nf 0 1 1\n" + QUADS.encode(), "vertex 0; they count from 1"),
         ("m.obj", QUADS.encode() + b"f 1 2 x\n", "OBJ; invalid literal"),
         ("m.obj", QUADS.encode() + b"f 1 2\n", "a face with 2 corners"),
         ("m.obj", b"v 0 0\n" + QUADS.encode() + b"f 2 3 4\n", "fewer than three"),
@@ -489,6 +511,7 @@ VERTEX = '<input semantic="VERTEX" source="#v" offset="0"/>'
         ("m.dae", dae(nodes="<node><translate>1 2</translate></node>"), "<translate> with 2"),
         ("m.dae", dae(nodes='<node><instance_controller url="#c"/></node>'), "skins"),
         ("m.dae", dae(unit=0.0), "its unit is 0 m"),
+        ("m.dae", dae().replace(b"<mesh>", b"<convex_mesh>").replace(b"</mesh>", b"</convex_mesh>"), "without <mesh>"),
         ("m.dae", with_primitive(f"<triangles>{VERTEX}<p>0 1 8</p></triangles>"), "outside 0 to 7"),
         ("m.dae", with_primitive(f"<triangles>{VERTEX}<p>0 1</p></triangles>"), "cut off"),
         ("m.dae", with_primitive(f"<polylist>{VERTEX}<vcount>4</vcount><p>0 1 2</p></polylist>"), "does not fit"),

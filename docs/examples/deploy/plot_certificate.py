@@ -118,10 +118,9 @@ assert (Q - model.lowerPositionLimit >= -1e-9).all() and (
 ).all()
 
 # %%
-# **The clearance** is measured with the arm's own meshes instead of the primitives that
-# the planner uses. The meshes are inside the primitives, so the true distance has to be
-# larger than the proven one. Coal computes the distance from every mesh to the two
-# boxes.
+# **The clearance** is measured with the arm's own meshes instead of the convex bodies
+# that the planner checks. The meshes are inside these bodies, so the true distance is at
+# least the proven one. Coal computes the distance from every mesh to the two boxes.
 
 
 geometry, placed = robot.geometry, pin.GeometryData(robot.geometry)

@@ -77,10 +77,14 @@ def _pcd(data: bytes) -> Array:
     fields = head["FIELDS"]
     sizes, counts = ([int(word) for word in head.get(key, ["1"] * len(fields))] for key in ("SIZE", "COUNT"))
     kinds = [f"<{KINDS[kind]}{size}" for kind, size in zip(head["TYPE"], sizes, strict=True)]
+    if not len(fields) == len(sizes) == len(counts):
+        raise ValueError("FIELDS, SIZE, TYPE and COUNT differ in length")
     total = int(head["POINTS"][0]) if "POINTS" in head else int(head["WIDTH"][0]) * int(head["HEIGHT"][0])
     if not {"x", "y", "z"} <= set(fields) or min(total, *counts, *sizes) < 0:
         raise ValueError(f"its fields are {' '.join(fields)[:80]}, {total} points")
     axes = [fields.index(axis) for axis in "xyz"]
+    if any(counts[axis] != 1 for axis in axes):
+        raise ValueError("x, y and z need COUNT 1")
     row = sum(size * count for size, count in zip(sizes, counts, strict=True))
     body, form = data[at:], (head["DATA"] or [""])[0].lower()
     if form == "ascii":

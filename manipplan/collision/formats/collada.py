@@ -43,7 +43,7 @@ class _Document:
     def __init__(self, root: ET.Element) -> None:
         self.root = root
         self.by_id = {str(each.get("id")): each for each in root.iter() if each.get("id") is not None}
-        self.meshes: dict[str, Array] = {}
+        self.meshes: dict[ET.Element, Array] = {}
         self.nodes = 0
         self.found: list[Array] = []
 
@@ -81,12 +81,13 @@ class _Document:
 
     def _mesh(self, geometry: ET.Element) -> Array:
         """Triangles of a geometry, in its own frame."""
-        name = str(geometry.get("id"))
-        if name not in self.meshes:
+        if geometry not in self.meshes:
             mesh = geometry.find("mesh")
-            found = [self._primitive(each) for each in mesh if each.tag in PRIMITIVES] if mesh is not None else []
-            self.meshes[name] = np.concatenate([np.empty((0, 3, 3)), *found])
-        return self.meshes[name]
+            if mesh is None:
+                raise ValueError("it has a <geometry> without <mesh>, which is not read")
+            found = [self._primitive(each) for each in mesh if each.tag in PRIMITIVES]
+            self.meshes[geometry] = np.concatenate([np.empty((0, 3, 3)), *found])
+        return self.meshes[geometry]
 
     def _primitive(self, primitive: ET.Element) -> Array:
         inputs = primitive.findall("input")

@@ -74,16 +74,25 @@ def _announced(document: Any) -> int:
     """The number of primitives with triangles."""
     if not isinstance(document, dict):
         raise ValueError("its JSON is not an object")
-    for name in document.get("extensionsRequired", ()):
+    for name in _listed(document, "extensionsRequired"):
         if not str(name).startswith(HARMLESS):
             raise ValueError(f"it needs the extension {name}, which is not read")
     if document.get("skins"):
         raise ValueError("it has skins, which are not read")
     count = 0
-    for mesh in document.get("meshes", ()):
-        for primitive in mesh.get("primitives", ()) if isinstance(mesh, dict) else ():
+    for mesh in _listed(document, "meshes"):
+        if not isinstance(mesh, dict):
+            raise ValueError("one of its meshes is not an object")
+        for primitive in _listed(mesh, "primitives"):
             mode = primitive.get("mode", TRIANGLES[0]) if isinstance(primitive, dict) else None
             if mode not in (*LINES, *TRIANGLES):
                 raise ValueError(f"it has primitives of mode {mode!r}; triangles (4) and strips (5) are read")
             count += mode in TRIANGLES
     return count
+
+
+def _listed(holder: dict[str, Any], name: str) -> list[Any]:
+    found = holder.get(name, [])
+    if not isinstance(found, list):
+        raise ValueError(f"its {name} is not a list")
+    return found

@@ -99,6 +99,8 @@ def _obj(text: str) -> Array:
             numbers = [int(word.partition("/")[0]) for word in words[1:]]
             if len(numbers) < 3:
                 raise ValueError(f"a face with {len(numbers)} corners")
+            if 0 in numbers:
+                raise ValueError("a face names vertex 0; they count from 1")
             polygons.append([k - 1 if k > 0 else k + len(vertices) for k in numbers])
     if any(len(words) < 3 for words in vertices):
         raise ValueError("a vertex with fewer than three coordinates")

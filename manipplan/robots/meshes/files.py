@@ -28,7 +28,8 @@ def check_urdf_meshes(file: Path, root: ET.Element, folders: Sequence[str], plac
     for k, mesh in enumerate(root.iterfind("link/collision/geometry/mesh")):
         name = mesh.get("filename", "")
         _check_format(file, name, URDF_MESHES)
-        name = name.removeprefix("package://").removeprefix("file://")
+        for scheme in ("package://", "model://", "file://"):  # the first two mean the same to Pinocchio
+            name = name.removeprefix(scheme)
         path = Path(name)
         try:
             found = next((each for each in (Path(folder) / name for folder in folders) if each.is_file()), None)

@@ -107,17 +107,18 @@ def read_ply(file: Path) -> Ply:
     faces: Rows = []
     if any(each.name == "face" and each.count for each in elements) and not any(key in values["face"] for key in CORNERS):
         raise ValueError(f"a face without one list called {' or '.join(CORNERS)}")
-    for name, least in (("face", 0), ("tristrips", -1)):
-        for key in CORNERS:
-            rows = list(values.get(name, {}).get(key, ()))
-            _check_corners(rows, least, len(vertices))
-            faces += rows if name == "face" else []
+    if any(each.name == "tristrips" and each.count for each in elements):
+        raise ValueError("it has triangle strips (tristrips), which are not read")
+    for key in CORNERS:
+        rows = list(values.get("face", {}).get(key, ()))
+        _check_corners(rows, len(vertices))
+        faces += rows
     return Ply(vertices=vertices, faces=faces)
 
 
-def _check_corners(rows: Rows, least: int, corners: int) -> None:
+def _check_corners(rows: Rows, corners: int) -> None:
     flat = np.concatenate(rows) if rows else np.empty(0)
-    wrong = flat[~((flat >= least) & (flat < corners) & (flat == np.floor(flat)))]
+    wrong = flat[~((flat >= 0) & (flat < corners) & (flat == np.floor(flat)))]
     if len(wrong):
         raise ValueError(f"a face names corner {wrong[0]:g} of {corners}")
 
