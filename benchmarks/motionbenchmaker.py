@@ -131,10 +131,9 @@ def main(arguments: Sequence[str] | None = None) -> list[Outcome]:
         "",
         f"{solved} of {len(found)} get a motion, and {optimised} an optimised one.",
         "",
-        f"Of all {len(every)} problems {len(refused)} are refused before any planning: {counts[BEYOND]} have an end "
-        f"{BEYOND}, and "
-        f"{counts[TOUCHES]} are {TOUCHES}; of these {counts[TOUCHES]}, "
-        f"{sum(each.meshes_free for each in refused)} touch no obstacle with the meshes of the links.",
+        f"Of all {len(every)} problems {len(refused)} are refused before any planning: {counts[BEYOND]} with an end {BEYOND}, "
+        f"{counts[TOUCHES]} with an end that is {TOUCHES}. "
+        f"The meshes of the links touch nothing in {sum(each.meshes_free for each in refused)} of these {counts[TOUCHES]}.",
         "",
         f"The first {given.problems} of each set; Python {platform.python_version()}, {platform.machine()}; command: "
         f"`.venv/bin/python benchmarks/motionbenchmaker.py --problems {given.problems}`.",

@@ -134,7 +134,8 @@ class Scene(Pictured):
     def to_yaml(self, file: str | Path) -> None:
         """Write the scene so that `from_yaml` reads it back.
 
-        More than 1,000 points of a cloud that is not of a file go to a file beside it, such as scene.cloud3.npy.
+        A cloud of more than 1,000 points that was not read from a file is written to one beside the scene, such as
+        scene.cloud3.npy.
         """
         import yaml
 

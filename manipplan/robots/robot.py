@@ -333,8 +333,7 @@ class Robot(Pictured):
             name: name of the part. Default: that of the shape, or "part".
 
         Raises InvalidInputError when `shape` is not a shape with a pose, is unbounded, a cloud of points or a mesh that is not
-        convex (`fill="hull"` of Mesh makes it so), or the robot has a link, body or part
-        of that name.
+        convex (`fill="hull"` of Mesh makes it so), or the robot has a link, body or part of that name.
         """
         if not isinstance(shape, Solid) or isinstance(shape, type):
             raise InvalidInputError("shape", shape, "a shape with a pose, such as Box, Sphere or Mesh")
