@@ -74,7 +74,7 @@ class CollisionModel:
         self._solid_pairs = {k: pair for k, pair in enumerate(pairs) if pair[1] in solids}
         self._margin = np.nan  # coal's, set when it is first asked
         self._cores: dict[int, tuple[Array, float]] = {}
-        self._surfaces: dict[int, Array] = {}
+        self._surfaces: dict[int, tuple[Array, Array, Array]] = {}  # triangles of solids, and a box around them
 
     def __repr__(self) -> str:
         own = {f"{item.name}.mesh" for item in self.robot.geometry.geometryObjects}  # described meshes come after the bodies
@@ -331,9 +331,10 @@ class CollisionModel:
         if solid not in self._surfaces:
             surface = self.geometry.geometryObjects[solid]
             place = surface.placement
-            self._surfaces[solid] = mesh_triangles(surface.geometry) @ place.rotation.T + place.translation
-        triangles = self._surfaces[solid]
-        if (point < triangles.min(axis=(0, 1))).any() or (point > triangles.max(axis=(0, 1))).any():
+            triangles = mesh_triangles(surface.geometry) @ place.rotation.T + place.translation
+            self._surfaces[solid] = triangles, triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
+        triangles, low, high = self._surfaces[solid]
+        if (point < low).any() or (point > high).any():
             return False
         return bool(abs(winding_number(triangles, point[None])[0]) > 0.5)
 

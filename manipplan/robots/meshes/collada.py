@@ -1,4 +1,4 @@
-"""Collada files (DAE), judged before the mesh loader reads them: an index that is not a number makes the loader fill the memory."""
+"""Collada files (DAE), judged before the mesh loader reads them: an index that is not a number makes it fill the memory."""
 
 import re
 import xml.etree.ElementTree as ET
