@@ -27,6 +27,7 @@ typedef struct {
     const double *pose;     /* (bodies, 12) of the core in the joint's frame: BOX, CYLINDER, HALFSPACE */
     const double *size;     /* (bodies, 3) half sides; radius and half length; - */
     const double *ball;     /* (bodies, 4) centre in the joint's frame, and radius of a ball around the shape */
+    const double *local;    /* (bodies, 6) least and largest corner of a box around the shape in the joint's frame */
     const double *x, *y, *z;/* core points in the joint's frame */
     long selves;            /* pairs that are checked one by one */
     const long *self;       /* (selves, 3) two bodies and the number of the pair */
@@ -439,6 +440,15 @@ static Plane facing(const World *w, long body, const double *box) {
     return plane;
 }
 
+/* Whether the ball around a body is farther than `reach` from the box around another one. */
+static int is_beside(const World *w, long ball, long box, double reach) {
+    const double *frame = w->frames + 12 * w->joint[box], *centre = w->centres + 3 * ball;
+    double gap[3] = {centre[0] - frame[9], centre[1] - frame[10], centre[2] - frame[11]}, p[3];
+    turn_back(frame, gap, p);
+    reach += w->ball[4 * ball + 3];
+    return square_from_box(p, w->local + 6 * box) > reach * reach;
+}
+
 /* Compare the body with another one; `box`: one around that in the world, or 0. */
 static void look_at(Search *s, long obstacle, const double *box) {
     const World *w = s->w;
@@ -463,7 +473,8 @@ static void look_at(Search *s, long obstacle, const double *box) {
         const double *a = w->centres + 3 * s->body, *b = w->centres + 3 * obstacle;
         for (int i = 0; i < 3; i++) towards[i] = a[i] - b[i];
         double reaches = reach + w->ball[4 * s->body + 3] + w->ball[4 * obstacle + 3];
-        if (dot(towards, towards) > reaches * reaches) return;
+        if (dot(towards, towards) > reaches * reaches || is_beside(w, obstacle, s->body, reach) || is_beside(w, s->body, obstacle, reach))
+            return;
         if (box && square_from_box(a, box) > 0)             /* from the nearest point of the box: a better first direction */
             for (int i = 0; i < 3; i++) towards[i] = a[i] < box[i] ? a[i] - box[i] : a[i] > box[3 + i] ? a[i] - box[3 + i] : 0;
         Core other;

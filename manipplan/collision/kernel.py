@@ -42,6 +42,7 @@ class _World(ctypes.Structure):
         (name, ctypes.c_long if name in ("n", "bodies", "selves", "movers", "groups", "pairs", "top") else ctypes.c_void_p)
         for name in (
             *("n", "fixed", "axes", "slides", "bodies", "joint", "kind", "first", "count", "radius", "pose", "size", "ball"),
+            "local",
             *("x", "y", "z", "selves", "self", "movers", "mover", "pair_of", "groups", "group", "group_ball", "pairs", "top"),
             *("node_box", "node", "root", "corners", "frames", "centres", "least", "found"),
         )
@@ -210,7 +211,9 @@ def _arrays(
     arrays |= _pair_tables(pairs, joint)
     arrays |= _groups(arrays["mover"], joint, arrays["ball"])
     still = np.array(sorted(set(pairs[joint[pairs[:, 1]] == 0, 1].tolist())), dtype=np.int64)
-    arrays |= _trees(library, objects, still, arrays["ball"], arrays["radius"])
+    around = zip(objects, arrays["ball"], arrays["radius"], strict=True)
+    arrays["local"] = np.array([_box_around(item, ball, radius) for item, ball, radius in around]).reshape(-1, 6)
+    arrays |= _trees(library, objects, still, arrays["local"], arrays["radius"])
     return {name: np.ascontiguousarray(array) for name, array in arrays.items()}
 
 
@@ -297,7 +300,7 @@ def _groups(mover: Numbers, joint: Numbers, ball: Array) -> dict[str, NDArray[An
 
 
 def _trees(
-    library: ctypes.CDLL, objects: Sequence[pin.GeometryObject], still: Numbers, ball: Array, radius: Array
+    library: ctypes.CDLL, objects: Sequence[pin.GeometryObject], still: Numbers, local: Array, radius: Array
 ) -> dict[str, NDArray[Any]]:
     """One tree per static surface, then the tree over all static bodies; `top` is the root of the last, -1 without any."""
     root = np.full(len(objects), -1, dtype=np.int64)
@@ -308,7 +311,7 @@ def _trees(
     }
     nodes = 2 * (sum(map(len, triangles.values())) + len(still))
     node_box, node = np.empty((nodes, 6)), np.empty((nodes, 2), dtype=np.int64)
-    boxes = np.array([_box_around(objects[k], ball[k], radius[k]) for k in still]).reshape(-1, 6)
+    boxes = local[still]
     free = begin = 0
     for row, k in enumerate(still.tolist()):
         if k in triangles:
@@ -333,7 +336,7 @@ def _grow(library: ctypes.CDLL, box: Array, names: Numbers, root: int, node_box:
 
 
 def _box_around(item: pin.GeometryObject, ball: Array, radius: float) -> Array:
-    """Least and largest corner (6,) of an axis-parallel box around an object, in the world."""
+    """Least and largest corner (6,) of an axis-parallel box around an object, in its joint's frame."""
     shape, place = item.geometry, item.placement
     if isinstance(shape, coal.Box):
         half = np.abs(place.rotation) @ shape.halfSide + radius
