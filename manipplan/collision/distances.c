@@ -387,14 +387,22 @@ static double behind(const Plane *plane, const double *box) {
     return plane->level - most;
 }
 
+/* Whether a ball is farther than `reach` from the box around a body. */
+static int is_beside(const World *w, const double *centre, double radius, long body, double reach) {
+    const double *frame = w->frames + 12 * w->joint[body];
+    double gap[3] = {centre[0] - frame[9], centre[1] - frame[10], centre[2] - frame[11]}, p[3];
+    turn_back(frame, gap, p);
+    return square_from_box(p, w->local + 6 * body) > (reach + radius) * (reach + radius);
+}
+
 /* Look at the triangles or points below a node of a surface. `before`: a plane with the body in front of it. */
 static void surface(Search *s, long obstacle, long node, const Plane *before) {
     const World *w = s->w;
     const double *box = w->node_box + 6 * node, *centre = w->centres + 3 * s->body, extra = w->radius[obstacle];
     double reach = reach_of(s, obstacle), minus_radii = -extra - w->radius[s->body];
     double around = from_box(centre, box) - w->ball[4 * s->body + 3] - extra;
-    if (ended(s, obstacle) || around > reach || behind(before, box) + minus_radii > reach || behind(&s->plane, box) + minus_radii > reach)
-        return;
+    if (ended(s, obstacle) || around > reach) return;
+    if (behind(before, box) + minus_radii > reach || behind(&s->plane, box) + minus_radii > reach) return;
     const long *child = w->node + 2 * node;
     double low, high;
     if (child[0] < 0) {
@@ -416,6 +424,7 @@ static void surface(Search *s, long obstacle, long node, const Plane *before) {
     double half[3];
     Core all;
     box_core(box, &all, half);
+    if (is_beside(w, all.own + 9, sqrt(dot(half, half)), s->body, reach + extra)) return;
     if (half[0] + half[1] + half[2] < 2 * w->ball[4 * s->body + 3]) { /* small beside the body: worth a look at the whole box */
         double towards[3];
         for (int i = 0; i < 3; i++) towards[i] = centre[i] - all.own[9 + i];
@@ -438,15 +447,6 @@ static Plane facing(const World *w, long body, const double *box) {
     for (int i = 0; i < 3; i++) plane.normal[i] = size > 0 ? plane.normal[i] / size : i == 0;
     plane.level = dot(plane.normal, centre) - (ball[3] - w->radius[body]);
     return plane;
-}
-
-/* Whether the ball around a body is farther than `reach` from the box around another one. */
-static int is_beside(const World *w, long ball, long box, double reach) {
-    const double *frame = w->frames + 12 * w->joint[box], *centre = w->centres + 3 * ball;
-    double gap[3] = {centre[0] - frame[9], centre[1] - frame[10], centre[2] - frame[11]}, p[3];
-    turn_back(frame, gap, p);
-    reach += w->ball[4 * ball + 3];
-    return square_from_box(p, w->local + 6 * box) > reach * reach;
 }
 
 /* Compare the body with another one; `box`: one around that in the world, or 0. */
@@ -473,7 +473,8 @@ static void look_at(Search *s, long obstacle, const double *box) {
         const double *a = w->centres + 3 * s->body, *b = w->centres + 3 * obstacle;
         for (int i = 0; i < 3; i++) towards[i] = a[i] - b[i];
         double reaches = reach + w->ball[4 * s->body + 3] + w->ball[4 * obstacle + 3];
-        if (dot(towards, towards) > reaches * reaches || is_beside(w, obstacle, s->body, reach) || is_beside(w, s->body, obstacle, reach))
+        if (dot(towards, towards) > reaches * reaches || is_beside(w, b, w->ball[4 * obstacle + 3], s->body, reach) ||
+            is_beside(w, a, w->ball[4 * s->body + 3], obstacle, reach))
             return;
         if (box && square_from_box(a, box) > 0)             /* from the nearest point of the box: a better first direction */
             for (int i = 0; i < 3; i++) towards[i] = a[i] < box[i] ? a[i] - box[i] : a[i] > box[3 + i] ? a[i] - box[3 + i] : 0;
