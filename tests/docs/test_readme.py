@@ -66,7 +66,7 @@ def test_limitations_state_what_the_benchmarks_count():
     [whole] = [row for row in rows("six_joint_arms") if row[0] == "all"]
     assert f"{whole[2]} of {whole[1]} random pairs of a UR5 end like this" in README
     table = (ROOT / "docs" / "benchmarks" / "motionbenchmaker.md").read_text()
-    [(every, refused, free)] = re.findall(r"Of all (\d+) problems (\d+) are refused.* (\d+) touch no obstacle", table)
+    [(every, refused, free)] = re.findall(r"Of all (\d+) problems (\d+) are refused.* touch nothing in (\d+) of these", table)
     assert f"Of MotionBenchMaker's {every} problems of the Panda {refused} are refused" in " ".join(README.split())
     assert free == "0", "none is refused that the meshes call free"
     [whole] = [row for row in rows("motionbenchmaker") if row[0] == "all"]
