@@ -327,7 +327,9 @@ class CollisionModel:
         """Whether a point of a pair's first body is inside the solid that is its second, where the bodies are placed."""
         body, solid = self._solid_pairs[pair]
         item = self.geometry.geometryObjects[body]
-        point = self._data.oMi[item.parentJoint].act(self._core(body)[0][0])
+        core = self._core(body)[0]  # the middle of a convex core is inside the body, a corner of a box around it may not be
+        middle = core[0] if isinstance(item.geometry, coal.BVHModelBase) else core.mean(axis=0)
+        point = self._data.oMi[item.parentJoint].act(middle)
         if solid not in self._surfaces:
             surface = self.geometry.geometryObjects[solid]
             place = surface.placement

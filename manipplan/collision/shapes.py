@@ -33,6 +33,11 @@ class Part:
     radius: float = 0.0
     closed: bool = True
 
+    def __post_init__(self) -> None:
+        if not isinstance(self.shape, coal.CollisionGeometry):
+            raise InvalidInputError("shape", self.shape, "a shape of coal, such as coal.Box")
+        number("radius", self.radius, least=0.0)
+
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the triangles of a tree, not the tree: coal writes 1.7 kB for each."""
         if isinstance(self.shape, coal.BVHModelBase):

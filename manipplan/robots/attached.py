@@ -89,6 +89,8 @@ def with_part(
     if any(isinstance(shape, coal.BVHModelBase) for shape in shapes):
         wanted = 'a convex part; fill="hull" of Mesh replaces its parts by their convex hulls, boxes can stand for points'
         raise InvalidInputError("shape", f"{name}, a {type(part).__name__} that is not convex", wanted)
+    if hasattr(part, "parts") and any(each.radius for each in part.parts()):  # obstacles have parts
+        raise InvalidInputError("shape", part, "a shape without a distance around it (radius of its Part)")
     names = number_names(name, len(shapes))
     for each in names:
         check_new_name(each, model, geometry, ())

@@ -317,13 +317,13 @@ def test_a_copy_answers_alike_and_for_itself(panda, rng):
         assert copy.in_collision(q, clearance=0.1) == model.in_collision(q, clearance=0.1)
 
 
-def test_inside_a_solid_the_way_leads_out(tmp_path):
+@pytest.mark.parametrize("shape", ['type="sphere" size="0.05"', 'type="ellipsoid" size="0.05 0.04 0.05"'])
+def test_inside_a_solid_the_way_leads_out(tmp_path, shape):
     """Distance, its gradient and the plane of a ball that slides from the middle of a tube through its wall."""
-    (
-        tmp_path / "ball.xml"
-    ).write_text("""<mujoco><worldbody><body name="b"><joint name="x" type="slide" axis="1 0 0" range="-5 5"/>
-      <geom type="sphere" size="0.05"/></body></worldbody></mujoco>""")
-    robot = mp.Robot.from_mjcf(tmp_path / "ball.xml", tool="b", velocity=1.0)
+    file = tmp_path / "ball.xml"
+    file.write_text(f"""<mujoco><worldbody><body name="b"><joint name="x" type="slide" axis="1 0 0" range="-5 5"/>
+      <geom {shape}/></body></worldbody></mujoco>""")
+    robot = mp.Robot.from_mjcf(file, tool="b", velocity=1.0)
     model = mp.Scene([mp.Mesh(triangles=ring(), name="ring")]).collision_model(robot)  # solid for 0.6 < |x| < 1.4
     for x, sign in ((1.25, 1.0), (0.75, -1.0), (1.6, 1.0), (0.4, -1.0)):
         q = np.array([x])
@@ -333,3 +333,13 @@ def test_inside_a_solid_the_way_leads_out(tmp_path):
         contact, (_, normal) = model.contact(q, 0), model.witness(q, 0)
         assert contact.distance == pytest.approx(distance, abs=1e-9)
         assert sign * contact.normal[0] > 0.9 and sign * normal[0] > 0.9
+
+
+def test_parts_of_own_obstacles_are_checked(panda):
+    for radius in (np.nan, -1.0, "x"):
+        with pytest.raises(mp.InvalidInputError, match="radius"):
+            Part(shape=coal.Box(1, 1, 1), radius=radius)
+    with pytest.raises(mp.InvalidInputError, match="shape: got .*; allowed: a shape of coal"):
+        Part(shape=mp.Box(size=(1, 1, 1)))
+    with pytest.raises(mp.InvalidInputError, match="without a distance around it"):
+        panda.attach(FatBox(size=(0.1, 0.1, 0.1)), name="part")

@@ -54,6 +54,7 @@ def test_each_format_gives_the_same_body(tmp_path, name):
             + "3 0 1 2\n",
             "strips",
         ),
+        (HEAD.replace("end_header", "element face 1\nproperty list uchar int vertex_indices\nend_header") + BODY, "same name"),
         ("", "no end_header"),
     ],
 )

@@ -394,6 +394,9 @@ def test_gltf_that_is_not_read(tmp_path, monkeypatch):
         "KHR_draco_mesh_compression": change(document, extensionsRequired=["KHR_draco_mesh_compression"]),
         "mode 6": change(document, meshes=mode),
         "its meshes is not a list": change(document, meshes=None),
+        "EXT_mesh_gpu_instancing": change(document, extensionsUsed=["EXT_mesh_gpu_instancing"]),
+        "sparse accessors": change(document, accessors=[{"sparse": {}}]),
+        "morph targets": change(document, meshes=[{"primitives": [{"mode": 4, "targets": [{}]}]}]),
         "its extensionsRequired is not a list": change(document, extensionsRequired=5),
         "its primitives is not a list": change(document, meshes=[{"primitives": 5}]),
         "one of its meshes is not an object": change(document, meshes=[5]),
@@ -434,6 +437,26 @@ def test_transforms_of_dae(tmp_path, caplog):
     with caplog.at_level(logging.WARNING, "manipplan"):
         mp.Mesh(file=tmp_path / "m.dae", scale=0.0254, up="y")
     assert not caplog.text
+
+
+def test_an_obj_file_with_a_mark_of_its_byte_order(tmp_path):
+    faces = "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+    (tmp_path / "m.obj").write_bytes(b"\xef\xbb\xbf" + (QUADS + faces).encode())
+    [part] = mp.Mesh(file=tmp_path / "m.obj").parts()
+    assert part.shape.computeVolume() == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("jitter", [0.0, 1e-16, 1e-12, 1e-10, 2.5e-10])
+def test_corners_that_nearly_coincide_are_one(rng, jitter):
+    """Wherever they are, also on an edge of a grid of the tolerance."""
+    turn = pin.exp3(rng.normal(size=3))
+    for _ in range(40):
+        place = np.round(rng.normal(size=3) * 1e3) * 1e-3 + 0.5e-9
+        triangles = RING @ turn.T + place + rng.uniform(-jitter, jitter, RING.shape)
+        [shell] = shells(triangles)
+        assert shell.closed
+        corners, faces = merged_corners(triangles)
+        assert len(corners) == len(merged_corners(RING)[0]) and len(faces) == len(RING)
 
 
 def test_geometries_of_dae_without_a_name(tmp_path):
@@ -493,6 +516,7 @@ VERTEX = '<input semantic="VERTEX" source="#v" offset="0"/>'
         ("m.obj", b"v 0 0 0\nf 0 1 1\n" + QUADS.encode(), "vertex 0; they count from 1"),
         ("m.obj", QUADS.encode() + b"f 1 2 x\n", "OBJ; invalid literal"),
         ("m.obj", QUADS.encode() + b"f 1 2\n", "a face with 2 corners"),
+        ("m.obj", QUADS.encode() + b"fo 1 2 3\n", "lines 'fo', which are not read"),
         ("m.obj", b"v 0 0\n" + QUADS.encode() + b"f 2 3 4\n", "fewer than three"),
         ("m.obj", b"v 0 nan 0\n" + QUADS.encode() + b"f 1 3 4\n", "a corner at nan"),
         ("m.obj", b"v 0 1e300 0\n" + QUADS.encode() + b"f 1 3 4\n", r"a corner at 1e\+300"),
@@ -511,6 +535,14 @@ VERTEX = '<input semantic="VERTEX" source="#v" offset="0"/>'
         ("m.dae", dae(nodes="<node><translate>1 2</translate></node>"), "<translate> with 2"),
         ("m.dae", dae(nodes='<node><instance_controller url="#c"/></node>'), "skins"),
         ("m.dae", dae(unit=0.0), "its unit is 0 m"),
+        ("m.dae", dae(nodes="<node><matrix>" + "1 0 0 0 0 1 0 0 0 0 1 0 0 0 1 1</matrix></node>"), "last row"),
+        ("m.dae", dae().replace(b'source="#pa"', b'source="#other"'), "not one of X, Y, Z in its own numbers"),
+        (
+            "m.dae",
+            dae().replace(b'stride="3"/>', b'stride="3"><param name="Z"/><param name="Y"/><param name="X"/></accessor>'),
+            "not one of X, Y, Z in its own numbers",
+        ),
+        ("m.dae", with_primitive(f"<triangles>{2 * VERTEX}<p>0 1 2</p></triangles>"), "without one input of VERTEX"),
         ("m.dae", dae().replace(b"<mesh>", b"<convex_mesh>").replace(b"</mesh>", b"</convex_mesh>"), "without <mesh>"),
         ("m.dae", with_primitive(f"<triangles>{VERTEX}<p>0 1 8</p></triangles>"), "outside 0 to 7"),
         ("m.dae", with_primitive(f"<triangles>{VERTEX}<p>0 1</p></triangles>"), "cut off"),

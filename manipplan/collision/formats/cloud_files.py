@@ -79,7 +79,10 @@ def _pcd(data: bytes) -> Array:
     kinds = [f"<{KINDS[kind]}{size}" for kind, size in zip(head["TYPE"], sizes, strict=True)]
     if not len(fields) == len(sizes) == len(counts):
         raise ValueError("FIELDS, SIZE, TYPE and COUNT differ in length")
-    total = int(head["POINTS"][0]) if "POINTS" in head else int(head["WIDTH"][0]) * int(head["HEIGHT"][0])
+    extent = [int(head[key][0]) for key in ("WIDTH", "HEIGHT") if key in head]
+    total = int(head["POINTS"][0]) if "POINTS" in head else extent[0] * extent[1]
+    if min(extent, default=0) < 0 or (len(extent) == 2 and total != extent[0] * extent[1]):
+        raise ValueError(f"{total} points are not its width times its height")
     if not {"x", "y", "z"} <= set(fields) or min(total, *counts, *sizes) < 0:
         raise ValueError(f"its fields are {' '.join(fields)[:80]}, {total} points")
     axes = [fields.index(axis) for axis in "xyz"]
@@ -101,7 +104,7 @@ def _pcd(data: bytes) -> Array:
         body = _lzf(body[8 : 8 + packed], size)
         first = total * np.cumsum([0, *(size * count for size, count in zip(sizes, counts, strict=True))])
         return np.stack([np.frombuffer(body, kinds[axis], total, first[axis]).astype(float) for axis in axes], axis=1)
-    if form != "binary" or len(body) < total * row:
+    if form != "binary" or not total * row <= len(body) < (total + 1) * row:
         raise ValueError(f"{len(body)} bytes of {form!r} for {total} points of {row} bytes")
     kind = np.dtype([(f"{k}", kind, (count,)) for k, (kind, count) in enumerate(zip(kinds, counts, strict=True))])
     rows = np.frombuffer(body, kind, total)

@@ -93,7 +93,7 @@ class _Document:
         inputs = primitive.findall("input")
         offsets = [int(each.get("offset", "0")) for each in inputs]
         vertex = next((each for each in inputs if each.get("semantic") == "VERTEX"), None)
-        if vertex is None or min(offsets) < 0:
+        if [each.get("semantic") for each in inputs].count("VERTEX") != 1 or vertex is None or min(offsets) < 0:
             raise ValueError(f"<{primitive.tag}> without one input of VERTEX")
         vertices = self._positions(self._named(vertex.get("source"), "vertices"))
         if primitive.find("ph") is not None:
@@ -117,6 +117,11 @@ class _Document:
                 values = np.array((source.findtext("float_array") or "").split(), dtype=float)
                 accessor = source.find("technique_common/accessor")
                 given = accessor.attrib if accessor is not None else {}
+                named = [each.get("name", "").upper() for each in accessor.findall("param")] if accessor is not None else []
+                array = source.find("float_array")
+                held = array is not None and given.get("source", "#").removeprefix("#") in ("", array.get("id", ""))
+                if not held or named[:3] not in ([], ["X", "Y", "Z"]):
+                    raise ValueError(f"the accessor of {each.get('source')} is not one of X, Y, Z in its own numbers")
                 stride, first = int(given.get("stride", "3")), int(given.get("offset", "0"))
                 count = int(given.get("count", str(len(values) // max(stride, 1))))
                 if stride < 3 or first < 0 or count < 0 or first + count * stride > len(values):
@@ -157,6 +162,8 @@ def _transform(node: ET.Element) -> Array:
         step = np.eye(4)
         if child.tag == "matrix":
             step = values.reshape(4, 4)
+            if not np.array_equal(step[3], [0.0, 0.0, 0.0, 1.0]):
+                raise ValueError("a <matrix> whose last row is not 0 0 0 1")
         elif child.tag == "translate":
             step[:3, 3] = values
         elif child.tag == "scale":

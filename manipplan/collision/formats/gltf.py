@@ -77,6 +77,10 @@ def _announced(document: Any) -> int:
     for name in _listed(document, "extensionsRequired"):
         if not str(name).startswith(HARMLESS):
             raise ValueError(f"it needs the extension {name}, which is not read")
+    if "EXT_mesh_gpu_instancing" in _listed(document, "extensionsUsed"):
+        raise ValueError("it uses the extension EXT_mesh_gpu_instancing, which is not read")
+    if any(isinstance(each, dict) and "sparse" in each for each in _listed(document, "accessors")):
+        raise ValueError("it has sparse accessors, which are not read")
     if document.get("skins"):
         raise ValueError("it has skins, which are not read")
     count = 0
@@ -85,6 +89,8 @@ def _announced(document: Any) -> int:
             raise ValueError("one of its meshes is not an object")
         for primitive in _listed(mesh, "primitives"):
             mode = primitive.get("mode", TRIANGLES[0]) if isinstance(primitive, dict) else None
+            if isinstance(primitive, dict) and primitive.get("targets"):
+                raise ValueError("it has morph targets, which are not read")
             if mode not in (*LINES, *TRIANGLES):
                 raise ValueError(f"it has primitives of mode {mode!r}; triangles (4) and strips (5) are read")
             count += mode in TRIANGLES

@@ -42,7 +42,7 @@ def read_mesh(argument: str, file: Path) -> MeshFile:
         if ending == ".stl":
             mesh = MeshFile(triangles=_stl(file.read_bytes()))
         elif ending == ".obj":
-            mesh = MeshFile(triangles=_obj(file.read_text(encoding="utf-8", errors="replace")))
+            mesh = MeshFile(triangles=_obj(file.read_text(encoding="utf-8-sig", errors="replace")))
         elif ending == ".ply":
             content = read_ply(file)
             mesh = MeshFile(triangles=split_polygons(content.vertices, content.faces))
@@ -93,6 +93,8 @@ def _obj(text: str) -> Array:
         words = line.partition("#")[0].split()
         if not words:
             continue
+        if words[0] in ("fo", "surf", "call", "csh"):
+            raise ValueError(f"it has lines {words[0]!r}, which are not read")
         if words[0] == "v":
             vertices.append(words[1:4])
         elif words[0] == "f":

@@ -87,10 +87,25 @@ def shells(triangles: Array) -> list[Shell]:
 def merged_corners(triangles: Array) -> tuple[Array, Faces]:
     """Corners (v, 3) without doubles, and the faces (f, 3) that have three different ones."""
     points = triangles.reshape(-1, 3)
-    cells = np.rint(points / MERGED)
-    first, index = first_of_rows(cells)
-    faces = index.reshape(-1, 3)
-    return points[first], faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
+    first, index = first_of_rows(points)
+    corners, place = _joined(points[first])
+    faces = place[index].reshape(-1, 3)
+    return corners, faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
+
+
+def _joined(points: Array) -> tuple[Array, Faces]:
+    """Points (k, 3) of which those within `MERGED` of each other are one, and for each of (v, 3) its place among these."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import cKDTree
+
+    near = cKDTree(points).query_pairs(MERGED, output_type="ndarray") if len(points) else np.empty((0, 2), dtype=int)
+    if not len(near):
+        return points, np.arange(len(points))
+    links = coo_matrix((np.ones(len(near)), near.T), shape=(len(points), len(points)))
+    _, place = connected_components(links, directed=False)
+    first = np.unique(place, return_index=True)[1]
+    return points[first], place.astype(np.int64)
 
 
 def first_of_rows(rows: NDArray[Any]) -> tuple[Faces, Faces]:

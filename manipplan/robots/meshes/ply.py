@@ -92,6 +92,8 @@ def read_ply(file: Path) -> Ply:
         raise ValueError("not a PLY file, or cut off (no end_header)")
     try:
         form, elements = _header(head.decode("ascii"))
+        if len({each.name for each in elements}) < len(elements):
+            raise ValueError("two elements of the same name")
         body = body[body.index(b"\n") + 1 :]
         reader = _Text(body) if form == "ascii" else _Binary(body, FORMATS[form])
         values: dict[str, Mapping[str, Array | Rows]] = {}
