@@ -348,7 +348,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
         "|---|---|---|---|---|---|",
     ]
     sections.append([*head, *(agreement(name, given.configurations) for name in track(given.arms, description="arms"))])
-    command = "`.venv/bin/python benchmarks/collision.py --old PATH`"
+    options = f"--old PATH --plans {given.plans} --configurations {given.configurations}"
+    command = f"`.venv/bin/python benchmarks/collision.py {options}`"
     sections.append([f"Python {platform.python_version()}, {platform.machine()}; command: {command}."])
     text = "\n\n".join("\n".join(section) for section in sections) + "\n"
     given.out.write_text(text)
