@@ -139,13 +139,13 @@ class CollisionModel:
         shape = (len(q), len(self.pair_names))
         if self._kernel is None:
             rows = self.distance_rows(q)
-            where = np.flatnonzero(rows < reach[:, None])
+            where = np.flatnonzero(~(rows >= reach[:, None]))  # nan is not far
             return NearPairs.of(shape, where, rows.ravel()[where])
         where, found = self._kernel.near(q, np.maximum(reach, 0.0))
         for k in np.flatnonzero(np.isnan(found)):
             row, pair = divmod(int(where[k]), shape[1])
             found[k] = self._distance(q[row], pair)
-        kept = found < reach[where // max(shape[1], 1)]
+        kept = ~(found >= reach[where // max(shape[1], 1)])  # nan is not far
         return NearPairs.of(shape, where[kept], found[kept])
 
     def pair_distances(self, q: Array, pairs: ArrayLike, *, beyond: float | Array = np.inf) -> Array:

@@ -115,7 +115,7 @@ def seed_path(
         return line
     cost = search.cost
     checked = None
-    spare = 0.9 * (min(model.distances(q).min(initial=np.inf) for q in (q_start, q_goal)) - clearance)
+    spare = 0.9 * (model.least_distance(np.array([q_start, q_goal]))[0] - clearance)
     for step, margin in MOTION_STEPS:
         waypoints = search.run(step, min(margin, spare))
         if waypoints is None:
@@ -170,7 +170,7 @@ def _finished(
 def _acceptance(model: CollisionModel, ends: tuple[Array, Array], clearance: float) -> Callable[[JointPath], bool]:
     """The acceptance test of a seed: proven free, or free at every milliradian if an end is too near contact for a proof."""
     for q in ends:
-        if model.distances(q).min(initial=np.inf) <= clearance + PROVABLE:
+        if model.least_distance(np.asarray(q)[None])[0] <= clearance + PROVABLE:
             log.info("start or goal is too close to contact for a proof; the seed is checked at every milliradian")
             return lambda path: _is_free(model, path, clearance)
     return lambda path: path_clearance(model, path, clearance=clearance, tolerance=None).proven

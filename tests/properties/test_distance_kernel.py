@@ -253,6 +253,9 @@ def test_distances_of_what_is_not_finite_are_not_known(panda):
         assert np.isfinite(found[0]) and np.isnan(found[1]) and leaf[1] == -1
         where, distances = model._kernel.near(q, np.full(2, 0.05))
         assert np.isnan(distances[where >= len(model.pair_names)]).sum() == len(model.pair_names)
+        for some in (model, by_coal(model)):
+            near = some.near_pairs(q, 0.05)
+            assert (near.rows == 1).any() and not (near.distances[near.rows == 1] > 0.05).any(), "what is not known is not far"
 
 
 def test_what_is_not_finite_is_not_called_free(panda):
