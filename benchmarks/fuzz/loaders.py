@@ -2,6 +2,7 @@
 
 import json
 import random
+import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
@@ -20,6 +21,8 @@ from manipplan.jobs.archive import checksum
 
 #: Longest file [bytes], and edits of any file; some twice or three times, since they are more often of use.
 LARGEST = 500_000
+#: Limit of recursion while deeply nested trees are edited and written; they are read with the usual one.
+DEEPEST = 20_000
 EDITS = (*(edit_bytes,) * 2, *(edit_words,) * 3, *(edit_lines,) * 2, edit_encoding)
 
 
@@ -49,9 +52,14 @@ class Sample:
                 data = edit_xml(rng, data)
         elif kind in (".yaml", ".json"):
             value = yaml.load(data, Loader=yaml.CSafeLoader) if kind == ".yaml" else json.loads(data)
-            for _ in range(count):
-                value = edit_value(rng, value)
-            data = _dumped(rng, value) if kind == ".yaml" else _json(value)
+            limit = sys.getrecursionlimit()
+            sys.setrecursionlimit(DEEPEST)
+            try:
+                for _ in range(count):
+                    value = edit_value(rng, value)
+                data = _dumped(rng, value) if kind == ".yaml" else _json(value)
+            finally:
+                sys.setrecursionlimit(limit)
         return data
 
 

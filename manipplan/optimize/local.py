@@ -48,6 +48,9 @@ ROUGH = 1e-6
 #: quadrature panels do not resolve g on the path reached, or when this one lowered g by more than the share SETTLED: a new
 #: trust region may get past a kink of the clearance where the last one became too small.
 DESCENTS, SETTLED = 8, 2e-4
+#: After this number of paths that are not proven free, such as along the bumps of a point cloud, the final margin grows by the
+#: second value each time.
+FAILURES, WIDER = 2, 4.0
 #: A converged descent whose path still misses the required clearance by more than this [m] is stuck in an obstacle.
 STUCK = 5e-3
 #: With a required clearance below the first value, descents keep these wider margins first [m]: a descent is slow around a
@@ -100,6 +103,7 @@ class LocalSearch:
         known: the solution of the energy without obstacles is appended to it if it led to an optimum.
         accepted: every candidate is appended to it, so that an interrupt loses none.
         repaces: whether optima are fitted again at an even pace.
+        brief: whether a descent ends at its first path that is proven free.
     """
 
     program: PathProgram
@@ -112,6 +116,7 @@ class LocalSearch:
     known: list[Solution] = field(default_factory=list)
     accepted: list[Candidate] = field(default_factory=list)
     repaces: bool = True
+    brief: bool = False
 
     def single_path(self) -> list[Candidate]:
         """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
@@ -146,6 +151,16 @@ class LocalSearch:
             found = self._descend("path", self._followed(first)[1])
         return [] if found is None else [found]
 
+    def from_optimum(self, found: Candidate) -> list[Candidate]:
+        """The local optimum reached from that of a similar scene; if there is none, that one itself if it is free here too."""
+        near_it = self._descend("coarse", found.coefficients, is_optimum=True)
+        if near_it is not None:
+            return [near_it]
+        if not self._keeps(found.path):
+            return []
+        self.accepted.append(replace(found, optimality=UNKNOWN, solver="the optimum of a coarse copy of the scene"))
+        return [self.accepted[-1]]
+
     def embedded(self, path: JointPath) -> list[Candidate]:
         """The local optimum reached from a path of a lower degree."""
         basis = self.program.basis
@@ -170,12 +185,15 @@ class LocalSearch:
                 break
         return [] if best is None else [best]
 
-    def _descend(self, name: str, coefficients: Array, *, kept: JointPath | None = None) -> Candidate | None:
+    def _descend(
+        self, name: str, coefficients: Array, *, kept: JointPath | None = None, is_optimum: bool = False
+    ) -> Candidate | None:
         """The path at which a descent from coefficients (n, size) ends; None when it is not free or leaves the limits.
 
         Descents are repeated until the path is proven free, the quadrature panels resolve its g, and the descent has
         converged. Each starts with the panels of the one before it, and also watches the place where the proof failed.
-        Before the final margin only those are taken that the path `kept` has, if it is given.
+        Before the final margin only those are taken that the path `kept` has, if it is given. Near an optimum no other margin
+        is taken, and the first path that meets the first-order conditions is returned.
         """
         program, integral = self.program, self.program.integral
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
@@ -185,10 +203,10 @@ class LocalSearch:
         best: Candidate | None = None
         edges: Array | None = None
         steps = 0
-        failed_g = np.nan  # g of the last path that was not proven free
+        failed_g, failures = np.nan, 0  # g of the last path that was not proven free, and number of such paths
         backed_off = False
         *wide, final = self._margins(kept)
-        waiting = [*wide, *[final] * DESCENTS]
+        waiting = [*([] if is_optimum else wide[:1] if self.brief else wide), *[final] * DESCENTS]
         while waiting:
             margin = waiting.pop(0)
             if surroundings is not None:
@@ -214,7 +232,10 @@ class LocalSearch:
                     log.debug("descent: stuck in an obstacle at s = %g", proof.at)
                     break
                 surroundings.always += [] if known else [(proof.at, proof.pair_id)]
-                failed_g = cost.g
+                failed_g, failures = cost.g, failures + 1
+                if failures >= FAILURES:
+                    final, backed_off = min(WIDER * final, max(self.room, final)), True
+                    waiting = [final] * len(waiting)
                 continue
             if not self._inside_limits(path):
                 log.debug("descent: the path leaves the joint limits")
@@ -229,9 +250,9 @@ class LocalSearch:
             worth = WORTH if agrees and (optimality.reached or not backed_off) else 0.0
             best = candidate if best is None or cost.g < best.cost.g * (1 + worth) else best
             converged = optimality.reached or not descent.exhausted
-            if not np.isfinite(cost.g):
+            if not np.isfinite(cost.g) or self.brief:
                 break
-            if settled and converged and (agrees or not refined):
+            if (settled or (is_optimum and optimality.reached)) and converged and (agrees or not refined):
                 if best.optimality.reached or backed_off or not WIDE_MARGINS[-1] < self.room:
                     break
                 backed_off, waiting = True, [WIDE_MARGINS[-1], *waiting]

@@ -20,10 +20,11 @@ from manipplan.optimize.result import PathResult, Step, make_result
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.seeds.ompl import CHECK_STEP
+from manipplan.seeds.coarse import coarse_scene
+from manipplan.seeds.ompl import CHECK_STEP, seed_path
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array
-from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.support.errors import FileFormatError, InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.memo import once_per_owner
 from manipplan.support.status import Status
@@ -73,6 +74,11 @@ class PathProblem:
     def model(self) -> CollisionModel | None:
         """The collision model; None without a scene."""
         return None if self.scene is None else self.scene.collision_model(self.robot)
+
+    def coarse(self) -> "PathProblem | None":
+        """The same problem among few convex pieces in place of many small obstacles; None where there are not many."""
+        scene = None if self.scene is None else coarse_scene(self.scene, self.robot)
+        return None if scene is None else replace(self, scene=scene, given=False)
 
     def lower(self) -> "PathProblem | None":
         """The same problem in polynomials of a lower degree, whose optimum is a start for this one; None for low degrees."""
@@ -161,6 +167,9 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
     3. The optimum of a lower degree.
     """
     is_line = len(first.control) == 1 and first.degree == 1
+    found = [] if problem.given else _coarse_optimum(problem, search, first, straight)
+    if found:
+        return found
     found = search.from_straight_line() if straight or is_line else []
     if not (found and is_line):  # a straight first path would repeat the same solve
         nearby = search.nearest_to(first) if problem.given or problem.shape.pieces > 1 else []
@@ -172,6 +181,32 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
         if result.status.ok:
             found += search.embedded(result.path)
     return found
+
+
+def _coarse_optimum(problem: PathProblem, search: LocalSearch, first: JointPath, straight: bool) -> list[Candidate]:
+    """The local optimum reached from the best one among the coarse scene; none where there is no such scene or path."""
+    coarse = problem.coarse()
+    if coarse is None:
+        return []
+    model = coarse.model()
+    assert model is not None
+    ends = np.array([search.start, search.goal])
+    if model.least_distance(ends)[0] <= problem.clearance:
+        return []
+    try:
+        if not path_clearance(model, first, clearance=problem.clearance, tolerance=None).proven:
+            first = seed_path(
+                problem.robot, search.start, search.goal, coarse.scene, seeding=problem.seeding, clearance=problem.clearance
+            )
+    except PlanningError:
+        return []
+    optimum = _best(_local_optima(coarse, _brief(search, model), first, straight))
+    return [] if optimum is None else search.from_optimum(optimum)
+
+
+def _brief(search: LocalSearch, model: CollisionModel) -> LocalSearch:
+    """A search of the same program in another scene, for a start."""
+    return replace(search, model=model, known=[], accepted=[], repaces=False, brief=True)
 
 
 def _best(found: Sequence[Candidate]) -> Candidate | None:

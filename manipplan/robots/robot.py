@@ -170,7 +170,8 @@ class Robot(Pictured):
         model, geometry = model_tree.reduce(whole, read.geometry, active, held)
         base = parts.limits_of(model, read.source, limits)
         if "acceleration" not in limits:
-            ramp = {"acceleration": base.velocity / DEFAULT_RAMP_TIME}
+            with np.errstate(over="ignore"):  # inf: no limit
+                ramp = {"acceleration": base.velocity / DEFAULT_RAMP_TIME}
             base = base.with_changes(ramp, source=f"default: full speed in {DEFAULT_RAMP_TIME:g} s")
         states = NamedStates.of(semantic.states if semantic is not None else (), active)
         if neutral is None:

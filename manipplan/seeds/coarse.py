@@ -1,0 +1,230 @@
+"""A coarse copy of a crowded scene: few convex pieces around its many triangles, points and small obstacles.
+
+Inside one large body a path is pushed out of it. Inside a heap of small ones it is pushed in all directions, and the surface
+of a solid, or of a cloud, pushes it either way. So a first path is optimised among the pieces. They are a means of search
+only: every path is checked against the scene itself.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from manipplan.collision.primitives import core_of, mesh_triangles
+from manipplan.collision.scene import Scene
+from manipplan.collision.shapes import Obstacle, Part
+from manipplan.robots.hulls import convex_hull
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.support.memo import once_per_owner
+
+#: A scene with fewer triangles, points and small obstacles than this is not simplified.
+CROWD = 100
+#: Edges of the grid's cells [m], tried in turn: pieces stick out of the obstacles by up to two cells.
+CELLS = (0.02, 0.03, 0.045)
+#: Maximum number of pieces, and of cells of the grid.
+MOST_PIECES, MOST_CELLS = 64, 8_000_000
+#: A box with a larger diagonal, and another convex shape wider than the second value, stays as it is [m].
+SMALL_BOX, SMALL = 0.2, 0.08
+#: Number of positions along each axis at which cuts of a piece are compared.
+CUTS = 9
+#: Margin around the samples of a piece, so that flat ones have a volume [m].
+MARGIN = 5e-4
+#: Maximum number of points on the triangles of one mesh.
+MOST_SAMPLES = 2_000_000
+#: Directions of the faces of a piece in its frame (26, 3): along the axes and the diagonals of a cube.
+FACES = np.array([d for d in np.ndindex(3, 3, 3) if d != (1, 1, 1)], dtype=float) - 1
+FACES /= np.linalg.norm(FACES, axis=1)[:, None]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Piece(Obstacle):
+    """The convex hull of `corners` (k, 3) [m]."""
+
+    corners: Array
+    shape_name = "piece"
+
+    def parts(self) -> list[Part]:
+        return [Part(shape=convex_hull(self.corners))]
+
+
+@once_per_owner
+def coarse_scene(scene: Scene, robot: Robot) -> Scene | None:
+    """The scene with at most MOST_PIECES convex pieces in place of what is small and near the robot.
+
+    None where the scene is simple as it is, or that many pieces do not suffice. Obstacles named in an allowed pair stay as they
+    are.
+    """
+    named = frozenset[str]().union(*scene.allowed)
+    kept: list[Obstacle] = []
+    crowd: list[tuple[Array, Array]] = []
+    count = 0
+    for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
+        found = [] if name in named else [_samples(part, obstacle.pose) for part in obstacle.parts()]
+        if found and all(each is not None for each in found):
+            crowd += [each for each in found if each is not None]
+            count += sum(len(each[0]) if len(each[0]) > CROWD else 1 for each in found if each is not None)
+        else:
+            kept.append(obstacle.called(name))
+    if count < CROWD:
+        return None
+    points, radii = (np.concatenate(each) for each in zip(*crowd, strict=True))
+    middle, reach = _reach(robot)
+    near = np.linalg.norm(points - middle, axis=1) < reach + radii
+    points, radii = points[near], radii[near]
+    for cell in CELLS:
+        pieces = _pieces(points, radii, cell)
+        if pieces is not None:
+            return Scene([*kept, *pieces], allowed=scene.allowed)
+    return None
+
+
+def _reach(robot: Robot) -> tuple[Array, float]:
+    """A point of the robot and a distance from it that no body exceeds [m]."""
+    placements = [robot.model.jointPlacements[k].translation for k in range(1, robot.model.njoints)]
+    lengths = sum(float(np.linalg.norm(each)) for each in placements[1:])
+    slides = float(np.maximum(np.abs(robot.limits.lower), np.abs(robot.limits.upper))[np.array(robot.joint_types) == "prismatic"].sum())
+    bodies = 0.0
+    for item in robot.geometry.geometryObjects:
+        item.geometry.computeLocalAABB()
+        bodies = max(bodies, float(np.linalg.norm(item.placement.translation)) + item.geometry.aabb_radius)
+    return np.asarray(placements[0]), lengths + slides + bodies
+
+
+def _samples(part: Part, pose: pin.SE3) -> tuple[Array, Array] | None:
+    """Points (k, 3) of a part in the world and the radius (k,) of the ball around each [m]; None where it stays as it is."""
+    shape = part.shape
+    if isinstance(shape, coal.BVHModelBase) and shape.num_tris:
+        points = _spread(mesh_triangles(shape), CELLS[0])
+        if points is None:
+            return None
+        radius = part.radius
+    elif isinstance(shape, coal.Box):
+        size = 2 * np.asarray(shape.halfSide)
+        if np.linalg.norm(size) > SMALL_BOX:
+            return None
+        counts = np.ceil(size / (2 * CELLS[0])).astype(int) + 1
+        points = (np.array(list(np.ndindex(*counts))) / (counts - 1) - 0.5) * size
+        radius = part.radius
+    elif isinstance(shape, coal.BVHModelBase | coal.ConvexBase | coal.Sphere | coal.Capsule | coal.Cylinder):
+        points, radius = core_of(shape)
+        radius += part.radius
+        if not isinstance(shape, coal.BVHModelBase) and np.linalg.norm(np.ptp(points, axis=0)) + 2 * radius > SMALL:
+            return None
+    else:
+        return None
+    return points @ pose.rotation.T + pose.translation, np.full(len(points), radius)
+
+
+def _spread(triangles: Array, spacing: float) -> Array | None:
+    """Corners (k, 3) of triangles (t, 3, 3) and points on them, at most `spacing` [m] apart; None where there are too many."""
+    found = []
+    while len(triangles):
+        found.append(triangles.reshape(-1, 3))
+        if sum(map(len, found)) > MOST_SAMPLES:
+            return None
+        large = np.linalg.norm(triangles - np.roll(triangles, 1, axis=1), axis=2).max(axis=1) > spacing
+        a, b, c = triangles[large].transpose(1, 0, 2)
+        ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
+        triangles = np.concatenate([np.stack(each, axis=1) for each in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))])
+    return np.unique(np.concatenate(found), axis=0)
+
+
+def _pieces(points: Array, radii: Array, cell: float) -> list[Piece] | None:
+    """Convex pieces around balls of `radii` (k,) about points (k, 3), which stick out by about two cells; None for too many."""
+    grid = _Grid.of(points, radii, cell)
+    if grid is None:
+        return None
+    open_parts = list(grid.connected(points))
+    done: list[Array] = []
+    while open_parts:
+        if len(open_parts) + len(done) > MOST_PIECES:
+            return None
+        inside = open_parts.pop()
+        faces, offsets, frame = _hull(points[inside], radii[inside])
+        if np.ptp(points[inside], axis=0).max() <= 2 * cell or not grid.is_empty_in(faces, offsets):
+            done.append(_corners(faces, offsets, points[inside].mean(axis=0)))
+        else:
+            below = _cut(points[inside], frame)
+            open_parts += [inside[below], inside[~below]]
+    return [Piece(corners=corners, name=f"piece {k}") for k, corners in enumerate(done)]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Grid:
+    """Cells of a grid.
+
+    Attributes:
+        low, cell: corner (3,) and edge of the cells [m].
+        filled: (nx, ny, nz) cells that hold something, their neighbours, and what these enclose.
+        empty: (k, 3) centres of the others.
+    """
+
+    low: Array
+    cell: float
+    filled: NDArray[np.bool_]
+    empty: Array
+
+    @classmethod
+    def of(cls, points: Array, radii: Array, cell: float) -> "_Grid | None":
+        from scipy import ndimage
+
+        around = np.concatenate([points, *(points + sign * radii[:, None] * axis for sign in (1, -1) for axis in np.eye(3))])
+        low = around.min(axis=0) - 3 * cell
+        shape = np.ceil((around.max(axis=0) + 3 * cell - low) / cell).astype(int)
+        if np.prod(shape.astype(float)) > MOST_CELLS:
+            return None
+        filled = np.zeros(shape, dtype=bool)
+        filled[tuple(((around - low) / cell).astype(int).T)] = True
+        filled = ndimage.binary_fill_holes(ndimage.binary_dilation(filled, np.ones((3, 3, 3))))
+        empty = low + cell * (np.argwhere(~filled) + 0.5)
+        return cls(low=low, cell=cell, filled=filled, empty=empty)
+
+    def connected(self, points: Array) -> Iterator[NDArray[np.intp]]:
+        """The indices of points (k, 3) in each connected group of filled cells."""
+        from scipy import ndimage
+
+        groups, _ = ndimage.label(self.filled, np.ones((3, 3, 3)))
+        group = groups[tuple(((points - self.low) / self.cell).astype(int).T)]
+        for number in np.unique(group):
+            yield np.flatnonzero(group == number)
+
+    def is_empty_in(self, faces: Array, offsets: Array) -> bool:
+        """Whether the centre of an empty cell lies in the hull faces · x <= offsets."""
+        left = self.empty
+        for face, offset in zip(faces, offsets, strict=True):
+            left = left[left @ face <= offset]
+        return len(left) > 0
+
+
+def _hull(points: Array, radii: Array) -> tuple[Array, Array, Array]:
+    """Normals (26, 3) and offsets (26,) of the hull with such faces around balls, in the better of two frames; that frame."""
+    frames = (np.eye(3), np.linalg.svd(points - points.mean(axis=0), full_matrices=len(points) < 3)[2])
+    frame = min(frames, key=lambda axes: float(np.prod(np.ptp(points @ axes.T, axis=0) + 2 * MARGIN)))
+    faces = FACES @ frame
+    return faces, np.array([(points @ face + radii).max() for face in faces]) + MARGIN, frame
+
+
+def _corners(faces: Array, offsets: Array, inner: Array) -> Array:
+    """Corners (k, 3) of the polytope faces · x <= offsets around the point `inner` (3,)."""
+    from scipy.spatial import HalfspaceIntersection
+
+    return np.asarray(HalfspaceIntersection(np.column_stack([faces, -offsets]), inner).intersections)
+
+
+def _cut(points: Array, frame: Array) -> NDArray[np.bool_]:
+    """Which points (k, 3) lie below the plane, normal to an axis of the frame, whose sides fill the smallest boxes."""
+    best, least = np.zeros(len(points), dtype=bool), np.inf
+    for axis in frame:
+        along = points @ axis
+        for offset in np.linspace(along.min(), along.max(), CUTS + 2)[1:-1]:
+            below = along <= offset
+            if below.all() or not below.any():
+                continue
+            volume = sum(float(np.prod(np.ptp(points[side] @ frame.T, axis=0) + 2 * MARGIN)) for side in (below, ~below))
+            if volume < least:
+                best, least = below, volume
+    return best
