@@ -31,10 +31,10 @@ from manipplan.measures.measure import Measure, Posture
 from manipplan.measures.names import available_measures
 from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
 from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
-from manipplan.optimize.basis import PathShape
 from manipplan.optimize.certificate import Certificate, LimitApproach
 from manipplan.optimize.optimize import optimize_path
 from manipplan.optimize.result import NoPath, PathResult
+from manipplan.paths.basis import PathShape
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath

@@ -9,7 +9,7 @@ from manipplan.cli import terminal
 from manipplan.cli.arm import RobotOptions, configuration_of
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.plan import plan as plan_job
-from manipplan.optimize.basis import PathShape
+from manipplan.paths.basis import PathShape
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.files import place_for
 from manipplan.support.progress import part

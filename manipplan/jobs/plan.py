@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.result import PartialPlan, Plan, failed, finish
-from manipplan.optimize.basis import MOST_DEGREE, PathShape
 from manipplan.optimize.optimize import optimize_from, optimize_path
 from manipplan.optimize.result import PathResult
+from manipplan.paths.basis import MOST_DEGREE, PathShape
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import instance

@@ -2,22 +2,17 @@
 
 import logging
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 
 import numpy as np
 
-from manipplan.collision.model import CollisionModel
 from manipplan.collision.near_pairs import NearPairs
-from manipplan.collision.path_clearance import PathClearance, path_clearance
-from manipplan.cost.integral import PathCost
 from manipplan.optimize import clearance as near
-from manipplan.optimize.basis import EndConditions
-from manipplan.optimize.certificate import SINGLE, UNKNOWN, Optimality, measure_optimality
+from manipplan.optimize.certificate import SINGLE, UNKNOWN
 from manipplan.optimize.clearance import ClearanceRow
 from manipplan.optimize.descent import descend
-from manipplan.optimize.program import PathProgram, Solution
+from manipplan.optimize.program import Solution
+from manipplan.optimize.proven import Candidate, ProvenDescents, Until
 from manipplan.optimize.result import Step
-from manipplan.optimize.step_models import MARGIN, Surroundings
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
 
@@ -39,37 +34,10 @@ PROMISING = 0.8
 SAME = 1e-9
 #: The descent is repeated from the fit to the optimum at an even pace while that lowers g by more than this share.
 WORTH = 1e-3
-#: Tolerances on the joint limits [rad or m]: of rounded solutions of the energy, from which a descent moves back inside, and
-#: of paths that are returned.
-NEARLY_INSIDE, INSIDE = 1e-4, 1e-7
+#: Tolerance on the joint limits of rounded solutions of the energy, from which a descent moves back inside [rad or m].
+NEARLY_INSIDE = 1e-4
 #: Tolerance of the descent to the unconstrained optimum, as a share of g: it is used only for comparison.
 ROUGH = 1e-6
-#: Maximum number of descents from one path with the final margin. Another one follows when the proof fails, when the
-#: quadrature panels do not resolve g on the path reached, or when this one lowered g by more than the share SETTLED: a new
-#: trust region may get past a kink of the clearance where the last one became too small.
-DESCENTS, SETTLED = 8, 2e-4
-#: After this number of paths that are not proven free, such as along the bumps of a point cloud, the final margin grows by the
-#: second value each time.
-FAILURES, WIDER = 2, 4.0
-#: A converged descent whose path still misses the required clearance by more than this [m] is stuck in an obstacle.
-STUCK = 5e-3
-#: With a required clearance below the first value, descents keep these wider margins first [m]: a descent is slow around a
-#: corner that it passes at only a tenth of a millimetre. Descents that settle at a kink, where the first-order conditions do
-#: not hold, start once more from a path with the last of these margins.
-ROUND, WIDE_MARGINS = 5e-3, (2e-3, 3e-4)
-#: Relative tolerance within which a descent's g, without its share of the energy, agrees with the path's g.
-AGREEMENT = 1e-6
-
-
-@dataclass(frozen=True, kw_only=True)
-class Candidate:
-    """An optimised path, inside the limits and proven free: coefficients (n, size), cost, first-order conditions, solver."""
-
-    path: JointPath
-    coefficients: Array
-    cost: PathCost
-    optimality: Optimality
-    solver: str
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -90,38 +58,21 @@ class LowEnergy:
 
 
 @dataclass(frozen=True, kw_only=True)
-class LocalSearch:
+class LocalSearch(ProvenDescents):
     """Searches for local optima of one program between one start and goal.
 
     Attributes:
-        program: the objective in one basis.
-        start, goal: (n,) [rad or m].
-        model: the arm among its obstacles; None: nothing is checked for collision.
-        clearance: required distance [m].
-        history: every solve is appended to it.
-        ends: fixed derivatives at start and goal.
         known: the solution of the energy without obstacles is appended to it if it led to an optimum.
-        accepted: every candidate is appended to it, so that an interrupt loses none.
         repaces: whether optima are fitted again at an even pace.
-        brief: whether a descent ends at its first path that is proven free.
     """
 
-    program: PathProgram
-    start: Array
-    goal: Array
-    model: CollisionModel | None
-    clearance: float
-    history: list[Step]
-    ends: EndConditions = field(default_factory=EndConditions)
     known: list[Solution] = field(default_factory=list)
-    accepted: list[Candidate] = field(default_factory=list)
     repaces: bool = True
-    brief: bool = False
 
     def single_path(self) -> list[Candidate]:
         """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
         path = self.program.basis.path(self.start, self.goal, self._straight())
-        if not (self._inside_limits(path) and self._keeps(path)):
+        if not (self.inside_limits(path) and self.keeps(path)):
             return []
         cost = self.program.integral.cost(path)
         return [Candidate(path=path, coefficients=self._straight(), cost=cost, optimality=SINGLE, solver="no unknowns")]
@@ -145,18 +96,16 @@ class LocalSearch:
         basis, even = self.program.basis, np.linspace(0.0, 1.0, near.PLACES + 1)
         coefficients = self.ends.met(basis, basis.fit(first, even), self.start, self.goal)
         off = np.abs(basis.path(self.start, self.goal, coefficients)(even) - first(even)).max()
-        if off < SAME:  # a margin wider than the path's own would first lead away from it, such as from an optimum
-            found = self._descend("path", coefficients, kept=first)
-        else:
-            found = self._descend("path", self._followed(first)[1])
+        same = off < SAME  # then a margin wider than the path's own would first lead away from it, such as from an optimum
+        found = self.descend("path", coefficients if same else self._followed(first)[1], kept=first if same else None)
         return [] if found is None else [found]
 
     def from_optimum(self, found: Candidate) -> list[Candidate]:
         """The local optimum reached from that of a similar scene; if there is none, that one itself if it is free here too."""
-        near_it = self._descend("coarse", found.coefficients, is_optimum=True)
+        near_it = self.descend("coarse", found.coefficients, until=Until.OPTIMAL)
         if near_it is not None:
             return [near_it]
-        if not self._keeps(found.path):
+        if not self.keeps(found.path):
             return []
         self.accepted.append(replace(found, optimality=UNKNOWN, solver="the optimum of a coarse copy of the scene"))
         return [self.accepted[-1]]
@@ -173,9 +122,9 @@ class LocalSearch:
         With `repaces` and no active clearance, the optimum is fitted again at an even pace. The fit differs slightly, so
         another descent from it may reach a lower g.
         """
-        best = self._descend(name, coefficients)
+        best = self.descend(name, coefficients)
         while self.repaces and best is not None and best.optimality.active_clearance == 0.0 and np.isfinite(best.cost.g):
-            again = self._descend("even pace", self._followed(best.path)[1])
+            again = self.descend("even pace", self._followed(best.path)[1])
             if again is None or again.cost.g >= best.cost.g:
                 break
             gain = best.cost.g - again.cost.g
@@ -184,102 +133,6 @@ class LocalSearch:
             if gain <= WORTH * best.cost.g:
                 break
         return [] if best is None else [best]
-
-    def _descend(
-        self, name: str, coefficients: Array, *, kept: JointPath | None = None, is_optimum: bool = False
-    ) -> Candidate | None:
-        """The path at which a descent from coefficients (n, size) ends; None when it is not free or leaves the limits.
-
-        Descents are repeated until the path is proven free, the quadrature panels resolve its g, and the descent has
-        converged. Each starts with the panels of the one before it, and also watches the place where the proof failed.
-        Before the final margin only those are taken that the path `kept` has, if it is given. Near an optimum no other margin
-        is taken, and the first path that meets the first-order conditions is returned.
-        """
-        program, integral = self.program, self.program.integral
-        surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
-        path = program.basis.path(self.start, self.goal, coefficients)
-        if not np.isfinite(integral.cost(path).g):  # a path that crosses a singularity has no finite g to descend from
-            return None
-        best: Candidate | None = None
-        edges: Array | None = None
-        steps = 0
-        failed_g, failures = np.nan, 0  # g of the last path that was not proven free, and number of such paths
-        backed_off = False
-        *wide, final = self._margins(kept)
-        waiting = [*([] if is_optimum else wide[:1] if self.brief else wide), *[final] * DESCENTS]
-        while waiting:
-            margin = waiting.pop(0)
-            if surroundings is not None:
-                surroundings.margin = margin
-            true, z = program.descent_program(self.start, self.goal, coefficients, surroundings, edges=edges)
-            refined = edges is None or len(true.length.edges) > len(edges)
-            edges = true.length.edges
-            if not np.isfinite(true.length.g0):
-                break
-            descent = descend(true, z)
-            steps += descent.steps
-            coefficients = true.length.curves.coefficients(descent.z)
-            if margin > final:
-                continue
-            path = true.path(descent.z)
-            cost, proof = integral.cost(path), self._proof(path)
-            least = np.inf if proof is None else proof.upper
-            self.history.append(Step(first=name, g=cost.g, clearance=least, solver=descent.reason))
-            if surroundings is not None and proof is not None and not proof.proven:
-                known = (proof.at, proof.pair_id) in surroundings.always
-                stuck = proof.upper < self.clearance - STUCK and not descent.exhausted
-                if stuck or (known and cost.g == failed_g):
-                    log.debug("descent: stuck in an obstacle at s = %g", proof.at)
-                    break
-                surroundings.always += [] if known else [(proof.at, proof.pair_id)]
-                failed_g, failures = cost.g, failures + 1
-                if failures >= FAILURES:
-                    final, backed_off = min(WIDER * final, max(self.room, final)), True
-                    waiting = [final] * len(waiting)
-                continue
-            if not self._inside_limits(path):
-                log.debug("descent: the path leaves the joint limits")
-                break
-            solver = f"{descent.reason} after {steps} steps"
-            optimality = measure_optimality(true, descent.z)
-            candidate = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)
-            agrees = abs(true.length.without_energy.value(descent.z) * true.length.g0 - cost.g) <= AGREEMENT * cost.g
-            candidate = candidate if agrees else replace(candidate, optimality=UNKNOWN)
-            settled = best is not None and best.cost.g - cost.g <= SETTLED * cost.g
-            # a confirmed optimum may have a slightly larger g
-            worth = WORTH if agrees and (optimality.reached or not backed_off) else 0.0
-            best = candidate if best is None or cost.g < best.cost.g * (1 + worth) else best
-            converged = optimality.reached or not descent.exhausted
-            if not np.isfinite(cost.g) or self.brief:
-                break
-            if (settled or (is_optimum and optimality.reached)) and converged and (agrees or not refined):
-                if best.optimality.reached or backed_off or not WIDE_MARGINS[-1] < self.room:
-                    break
-                backed_off, waiting = True, [WIDE_MARGINS[-1], *waiting]
-        if best is not None:
-            self.accepted.append(best)
-        return best
-
-    def _margins(self, kept: JointPath | None) -> list[float]:
-        """Margins [m] of the descents from one path, in turn; none is wider than start and goal allow.
-
-        Wide ones come before the final one, with `kept` only those that this path has.
-        """
-        wide = [margin for margin in WIDE_MARGINS if margin < self.room] if self.clearance < ROUND else []
-        wide = [margin for margin in wide if kept is None or self._keeps(kept, margin)]
-        return [*wide, max(min(MARGIN, self.room), 0.0)]
-
-    @cached_property
-    def room(self) -> float:
-        """The smaller of the distances of start and goal beyond the required clearance [m]; 0 where nothing is checked."""
-        if self.model is None:
-            return 0.0
-        return self.model.least_distance(np.array([self.start, self.goal]))[0] - self.clearance
-
-    def _keeps(self, path: JointPath, margin: float = 0.0) -> bool:
-        """Whether a path is proven to keep the required clearance plus a margin [m], or nothing is checked."""
-        proof = self._proof(path, margin)
-        return proof is None or proof.proven
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """The local optimum near a free path, through a path of low energy that passes each body on the same side.
@@ -353,7 +206,7 @@ class LocalSearch:
     def _low_energy_path(self, solution: Solution) -> list[Candidate]:
         """The free path of low energy itself, when no descent from it gave a free path; none when it leaves the limits."""
         path = self.program.basis.path(self.start, self.goal, solution.coefficients)
-        if not self._inside_limits(path):
+        if not self.inside_limits(path):
             return []
         candidate = Candidate(
             path=path,
@@ -393,21 +246,12 @@ class LocalSearch:
         failed_at: tuple[near.Place, ...] = ()
         g = self.program.integral.cost(path).g
         self.history.append(Step(first=name, g=g, clearance=least, solver=solution.status))
-        if least > self.clearance and self._inside_limits(path, NEARLY_INSIDE):
-            proof = self._proof(path)
+        if least > self.clearance and self.inside_limits(path, NEARLY_INSIDE):
+            proof = self.proof(path)
             if proof is None or proof.proven:
                 return True, profile, ()
             failed_at = ((proof.at, proof.pair_id),)
         return False, profile, failed_at
-
-    def _proof(self, path: JointPath, margin: float = 0.0) -> PathClearance | None:
-        """The proof that a path keeps its clearance plus a margin [m]; None where nothing is checked."""
-        if self.model is None or not self.model.pair_names:
-            return None
-        return path_clearance(self.model, path, clearance=self.clearance + margin, tolerance=None)
-
-    def _inside_limits(self, path: JointPath, tolerance: float = INSIDE) -> bool:
-        return all((self.program.kinematics.robot.limits.outside(q) <= tolerance).all() for q in path.bounds())
 
     def _straight(self) -> Array:
         """Coefficients (n, size) of the path nearest to the straight line that meets the end conditions."""

@@ -9,10 +9,10 @@ from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.optimize.basis import PathShape
 from manipplan.optimize.homotopy import SolvePool, best_and_rivals, seed_classes, shifted_goals
 from manipplan.optimize.problem import PathProblem, check_initial, initial_path, solve_local
 from manipplan.optimize.result import NoPath, PathResult
+from manipplan.paths.basis import PathShape
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.seeds.ompl import check_apart

@@ -13,10 +13,11 @@ from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.optimize.basis import EndConditions, PathShape, named_basis
-from manipplan.optimize.local import Candidate, LocalSearch
+from manipplan.optimize.local import LocalSearch
 from manipplan.optimize.program import PathProgram
+from manipplan.optimize.proven import Candidate, Until
 from manipplan.optimize.result import PathResult, Step, make_result
+from manipplan.paths.basis import EndConditions, PathShape, named_basis
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
@@ -200,13 +201,9 @@ def _coarse_optimum(problem: PathProblem, search: LocalSearch, first: JointPath,
             )
     except PlanningError:
         return []
-    optimum = _best(_local_optima(coarse, _brief(search, model), first, straight))
+    brief = replace(search, model=model, known=[], accepted=[], repaces=False, until=Until.PROVEN)
+    optimum = _best(_local_optima(coarse, brief, first, straight))
     return [] if optimum is None else search.from_optimum(optimum)
-
-
-def _brief(search: LocalSearch, model: CollisionModel) -> LocalSearch:
-    """A search of the same program in another scene, for a start."""
-    return replace(search, model=model, known=[], accepted=[], repaces=False, brief=True)
 
 
 def _best(found: Sequence[Candidate]) -> Candidate | None:

@@ -15,11 +15,11 @@ import numpy as np
 
 from manipplan.cost.density import Density, energy_density, length_density
 from manipplan.cost.integral import PathIntegral, gauss
-from manipplan.optimize.basis import Basis, free_directions
 from manipplan.optimize.clearance import ClearanceRow, column_height, met_column, row_functions
 from manipplan.optimize.constraints import LimitRows, RowFunctions
 from manipplan.optimize.descent import DescentProgram
 from manipplan.optimize.step_models import BatchDensity, Curves, LengthModel, Surroundings
+from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid, with_bits
 from manipplan.support.checks import Array
 from manipplan.support.interrupts import interruptible

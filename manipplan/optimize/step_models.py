@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.near_pairs import NearPairs
 from manipplan.cost.density import Density
-from manipplan.optimize.basis import Basis
 from manipplan.optimize.clearance import ClearanceRow, Place, distance_profile
+from manipplan.paths.basis import Basis
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import FINE_DISTANCE, configurations, on_grid, product
 from manipplan.support.checks import Array

@@ -86,12 +86,12 @@ def _reach(robot: Robot) -> tuple[Array, float]:
     """A point of the robot and a distance from it that no body exceeds [m]."""
     placements = [robot.model.jointPlacements[k].translation for k in range(1, robot.model.njoints)]
     lengths = sum(float(np.linalg.norm(each)) for each in placements[1:])
-    slides = float(np.maximum(np.abs(robot.limits.lower), np.abs(robot.limits.upper))[np.array(robot.joint_types) == "prismatic"].sum())
+    slides = np.maximum(np.abs(robot.limits.lower), np.abs(robot.limits.upper))[np.array(robot.joint_types) == "prismatic"]
     bodies = 0.0
     for item in robot.geometry.geometryObjects:
         item.geometry.computeLocalAABB()
         bodies = max(bodies, float(np.linalg.norm(item.placement.translation)) + item.geometry.aabb_radius)
-    return np.asarray(placements[0]), lengths + slides + bodies
+    return np.asarray(placements[0]), lengths + float(slides.sum()) + bodies
 
 
 def _samples(part: Part, pose: pin.SE3) -> tuple[Array, Array] | None:
@@ -130,7 +130,7 @@ def _spread(triangles: Array, spacing: float) -> Array | None:
         a, b, c = triangles[large].transpose(1, 0, 2)
         ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
         triangles = np.concatenate([np.stack(each, axis=1) for each in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))])
-    return np.unique(np.concatenate(found), axis=0)
+    return np.concatenate(found)
 
 
 def _pieces(points: Array, radii: Array, cell: float) -> list[Piece] | None:
@@ -144,11 +144,12 @@ def _pieces(points: Array, radii: Array, cell: float) -> list[Piece] | None:
         if len(open_parts) + len(done) > MOST_PIECES:
             return None
         inside = open_parts.pop()
-        faces, offsets, frame = _hull(points[inside], radii[inside])
-        if np.ptp(points[inside], axis=0).max() <= 2 * cell or not grid.is_empty_in(faces, offsets):
-            done.append(_corners(faces, offsets, points[inside].mean(axis=0)))
+        hull = _Hull.of(points[inside], radii[inside])
+        is_small = (hull.high - hull.low).max() <= 2 * cell
+        below = None if is_small or not grid.has_empty(hull) else _cut(points[inside], hull.frame)
+        if below is None:
+            done.append(hull.corners())
         else:
-            below = _cut(points[inside], frame)
             open_parts += [inside[below], inside[~below]]
     return [Piece(corners=corners, name=f"piece {k}") for k, corners in enumerate(done)]
 
@@ -160,19 +161,19 @@ class _Grid:
     Attributes:
         low, cell: corner (3,) and edge of the cells [m].
         filled: (nx, ny, nz) cells that hold something, their neighbours, and what these enclose.
-        empty: (k, 3) centres of the others.
     """
 
     low: Array
     cell: float
     filled: NDArray[np.bool_]
-    empty: Array
 
     @classmethod
     def of(cls, points: Array, radii: Array, cell: float) -> "_Grid | None":
         from scipy import ndimage
 
-        around = np.concatenate([points, *(points + sign * radii[:, None] * axis for sign in (1, -1) for axis in np.eye(3))])
+        wide = radii > cell / 2
+        sides = [points[wide] + sign * radii[wide, None] * axis for sign in (1, -1) for axis in np.eye(3)]
+        around = np.concatenate([points, *sides])
         low = around.min(axis=0) - 3 * cell
         shape = np.ceil((around.max(axis=0) + 3 * cell - low) / cell).astype(int)
         if np.prod(shape.astype(float)) > MOST_CELLS:
@@ -180,51 +181,85 @@ class _Grid:
         filled = np.zeros(shape, dtype=bool)
         filled[tuple(((around - low) / cell).astype(int).T)] = True
         filled = ndimage.binary_fill_holes(ndimage.binary_dilation(filled, np.ones((3, 3, 3))))
-        empty = low + cell * (np.argwhere(~filled) + 0.5)
-        return cls(low=low, cell=cell, filled=filled, empty=empty)
+        return cls(low=low, cell=cell, filled=filled)
+
+    def cells(self, points: Array) -> NDArray[np.intp]:
+        """Indices (k, 3) of the cells of points (k, 3)."""
+        return np.asarray(((points - self.low) / self.cell).astype(np.intp))
 
     def connected(self, points: Array) -> Iterator[NDArray[np.intp]]:
         """The indices of points (k, 3) in each connected group of filled cells."""
         from scipy import ndimage
 
         groups, _ = ndimage.label(self.filled, np.ones((3, 3, 3)))
-        group = groups[tuple(((points - self.low) / self.cell).astype(int).T)]
+        group = groups[tuple(self.cells(points).T)]
         for number in np.unique(group):
             yield np.flatnonzero(group == number)
 
-    def is_empty_in(self, faces: Array, offsets: Array) -> bool:
-        """Whether the centre of an empty cell lies in the hull faces · x <= offsets."""
-        left = self.empty
-        for face, offset in zip(faces, offsets, strict=True):
+    def has_empty(self, piece: "_Hull") -> bool:
+        """Whether the centre of an empty cell lies in a hull."""
+        first, last = self.cells(np.stack([piece.low, piece.high]))
+        inside = self.filled[tuple(slice(max(a, 0), b + 1) for a, b in zip(first, last, strict=True))]
+        left = self.low + self.cell * (np.argwhere(~inside) + np.maximum(first, 0) + 0.5)
+        for face, offset in zip(piece.faces, piece.offsets, strict=True):
             left = left[left @ face <= offset]
         return len(left) > 0
 
 
-def _hull(points: Array, radii: Array) -> tuple[Array, Array, Array]:
-    """Normals (26, 3) and offsets (26,) of the hull with such faces around balls, in the better of two frames; that frame."""
-    frames = (np.eye(3), np.linalg.svd(points - points.mean(axis=0), full_matrices=len(points) < 3)[2])
-    frame = min(frames, key=lambda axes: float(np.prod(np.ptp(points @ axes.T, axis=0) + 2 * MARGIN)))
-    faces = FACES @ frame
-    return faces, np.array([(points @ face + radii).max() for face in faces]) + MARGIN, frame
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Hull:
+    """The hull faces · x <= offsets of balls, with FACES in the better of two frames.
+
+    Attributes:
+        frame: (3, 3) axes of the frame as rows.
+        faces, offsets: unit normals (26, 3) and offsets (26,) [m].
+        inner: (3,) a point inside.
+        low, high: (3,) bounds of the balls [m].
+    """
+
+    frame: Array
+    faces: Array
+    offsets: Array
+    inner: Array
+    low: Array
+    high: Array
+
+    @classmethod
+    def of(cls, points: Array, radii: Array) -> "_Hull":
+        inner = points.mean(axis=0)
+        frames = (np.eye(3), np.linalg.svd(points - inner, full_matrices=len(points) < 3)[2])
+        frame = min(frames, key=lambda axes: _box(points, axes))
+        faces = FACES @ frame
+        offsets = np.array([(points @ face + radii).max() for face in faces]) + MARGIN
+        low, high = (points - radii[:, None]).min(axis=0), (points + radii[:, None]).max(axis=0)
+        return cls(frame=frame, faces=faces, offsets=offsets, inner=inner, low=low, high=high)
+
+    def corners(self) -> Array:
+        """Its corners (k, 3)."""
+        from scipy.spatial import HalfspaceIntersection
+
+        around = np.column_stack([self.faces, self.faces @ self.inner - self.offsets])
+        return np.asarray(HalfspaceIntersection(around, np.zeros(3)).intersections + self.inner)
 
 
-def _corners(faces: Array, offsets: Array, inner: Array) -> Array:
-    """Corners (k, 3) of the polytope faces · x <= offsets around the point `inner` (3,)."""
-    from scipy.spatial import HalfspaceIntersection
-
-    return np.asarray(HalfspaceIntersection(np.column_stack([faces, -offsets]), inner).intersections)
+def _box(points: Array, axes: Array) -> float:
+    """Volume of the box along `axes` (3, 3) around points (k, 3), with the margin [m³]."""
+    return float(np.prod(np.ptp(points @ axes.T, axis=0) + 2 * MARGIN))
 
 
-def _cut(points: Array, frame: Array) -> NDArray[np.bool_]:
-    """Which points (k, 3) lie below the plane, normal to an axis of the frame, whose sides fill the smallest boxes."""
-    best, least = np.zeros(len(points), dtype=bool), np.inf
+def _cut(points: Array, frame: Array) -> NDArray[np.bool_] | None:
+    """Which points (k, 3) lie below the plane, normal to an axis of the frame, whose sides fill the smallest boxes.
+
+    None where all points are the same.
+    """
+    best, least = None, np.inf
     for axis in frame:
         along = points @ axis
         for offset in np.linspace(along.min(), along.max(), CUTS + 2)[1:-1]:
             below = along <= offset
             if below.all() or not below.any():
                 continue
-            volume = sum(float(np.prod(np.ptp(points[side] @ frame.T, axis=0) + 2 * MARGIN)) for side in (below, ~below))
+            volume = _box(points[below], frame) + _box(points[~below], frame)
             if volume < least:
                 best, least = below, volume
     return best

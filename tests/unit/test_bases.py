@@ -6,8 +6,8 @@ from numpy.polynomial import Chebyshev, Legendre, Polynomial
 
 import manipplan as mp
 from manipplan.cost.integral import PathIntegral
-from manipplan.optimize.basis import BASES, SPLINES, named_basis
 from manipplan.optimize.program import PathProgram
+from manipplan.paths.basis import BASES, SPLINES, named_basis
 
 START, GOAL = (0.0, 1.5, -2.0), (np.pi, -2.0, 2.0)  # (6.13) in kth2012
 ONE_PIECE = ("legendre", "bernstein", "chebyshev", "monomial")

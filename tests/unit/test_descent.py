@@ -14,12 +14,12 @@ import manipplan as mp
 from manipplan.cost.density import length_density
 from manipplan.cost.integral import PathIntegral
 from manipplan.optimize import descent, step_models
-from manipplan.optimize.basis import named_basis
 from manipplan.optimize.certificate import SINGLE, measure_optimality
 from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.step_models import BatchDensity, Surroundings
+from manipplan.paths.basis import named_basis
 from manipplan.paths.rounding import with_bits
 
 POST = mp.Box(size=(0.1, 0.1, 0.6), position=(0.45, 0.0, 0.3), name="post")
@@ -185,12 +185,12 @@ def test_a_start_that_has_hardly_more_than_the_clearance(panda, room):
 @pytest.mark.slow
 def test_plan_tries_other_shapes_where_no_descent_gave_a_free_path(panda, monkeypatch):
     """The path of low energy that is left counts as a path, but not as the result when another degree has a lower g."""
-    descend = LocalSearch._descend
+    descend = LocalSearch.descend
 
     def fails_for_degree_6(self, name, coefficients):
         return None if self.program.basis.degree == 6 else descend(self, name, coefficients)
 
-    monkeypatch.setattr(LocalSearch, "_descend", fails_for_degree_6)
+    monkeypatch.setattr(LocalSearch, "descend", fails_for_degree_6)
     scene = mp.Scene([POST])
     alone = mp.optimize_path(panda, START, GOAL, scene=scene, clearance=CLEARANCE)
     assert alone.status is mp.Status.STOPPED_EARLY

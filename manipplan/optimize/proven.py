@@ -1,0 +1,199 @@
+"""Descents among obstacles, repeated until the path is proven free and g is at a minimum."""
+
+import logging
+from dataclasses import dataclass, field, replace
+from enum import Enum
+from functools import cached_property
+
+import numpy as np
+
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.path_clearance import PathClearance, path_clearance
+from manipplan.cost.integral import PathCost
+from manipplan.optimize.certificate import UNKNOWN, Optimality, measure_optimality
+from manipplan.optimize.descent import descend
+from manipplan.optimize.program import PathProgram
+from manipplan.optimize.result import Step
+from manipplan.optimize.step_models import MARGIN, Surroundings
+from manipplan.paths.basis import EndConditions
+from manipplan.paths.joint import JointPath
+from manipplan.support.checks import Array
+
+log = logging.getLogger("manipplan")
+
+#: Maximum number of descents from one path with the final margin. Another one follows when the proof fails, when the
+#: quadrature panels do not resolve g on the path reached, or when this one lowered g by more than the share SETTLED: a new
+#: trust region may get past a kink of the clearance where the last one became too small.
+DESCENTS, SETTLED = 8, 2e-4
+#: Final margins after the second, third, ... path that is not proven free, such as along the bumps of a point cloud, except
+#: where descents go on until they settle [m]. With the first of them the first-order conditions can still be met.
+WIDER = (9e-5, 3e-4, 1e-3, 3e-3)
+#: A converged descent whose path still misses the required clearance by more than this [m] is stuck in an obstacle.
+STUCK = 5e-3
+#: With a required clearance below the first value, descents keep these wider margins first [m]: a descent is slow around a
+#: corner that it passes at only a tenth of a millimetre. Descents that settle at a kink, where the first-order conditions do
+#: not hold, start once more from a path with the last of these margins.
+ROUND, WIDE_MARGINS = 5e-3, (2e-3, 3e-4)
+#: A confirmed optimum is preferred to a path whose g is lower by less than this share.
+CONFIRMED = 1e-3
+#: Tolerance on the joint limits of paths that are returned [rad or m].
+INSIDE = 1e-7
+#: Relative tolerance within which a descent's g, without its share of the energy, agrees with the path's g.
+AGREEMENT = 1e-6
+
+
+@dataclass(frozen=True, kw_only=True)
+class Candidate:
+    """An optimised path, inside the limits and proven free: coefficients (n, size), cost, first-order conditions, solver."""
+
+    path: JointPath
+    coefficients: Array
+    cost: PathCost
+    optimality: Optimality
+    solver: str
+
+
+class Until(Enum):
+    """When the descents from one path end."""
+
+    #: At the first path that is proven free.
+    PROVEN = "proven"
+    #: At the first one that meets the first-order conditions as well, or when they settle.
+    OPTIMAL = "optimal"
+    #: When another descent no longer lowers g.
+    SETTLED = "settled"
+
+
+@dataclass(frozen=True, kw_only=True)
+class ProvenDescents:
+    """Descents of one program between one start and goal.
+
+    Attributes:
+        program: the objective in one basis.
+        start, goal: (n,) [rad or m].
+        model: the arm among its obstacles; None: nothing is checked for collision.
+        clearance: required distance [m].
+        history: every solve is appended to it.
+        ends: fixed derivatives at start and goal.
+        accepted: every candidate is appended to it, so that an interrupt loses none.
+        until: when the descents from one path end, unless a call says otherwise.
+    """
+
+    program: PathProgram
+    start: Array
+    goal: Array
+    model: CollisionModel | None
+    clearance: float
+    history: list[Step]
+    ends: EndConditions = field(default_factory=EndConditions)
+    accepted: list[Candidate] = field(default_factory=list)
+    until: Until = Until.SETTLED
+
+    def descend(
+        self, name: str, coefficients: Array, *, kept: JointPath | None = None, until: Until | None = None
+    ) -> Candidate | None:
+        """The path at which descents from coefficients (n, size) end; None when it is not free or leaves the limits.
+
+        Descents are repeated until the path is proven free, the quadrature panels resolve its g, and the descent has
+        converged, or as `until` says. Each starts with the panels of the one before it, and also watches the place where the
+        proof failed. Before the final margin only those are taken that the path `kept` has, if it is given.
+        """
+        until = self.until if until is None else until
+        program, integral = self.program, self.program.integral
+        surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
+        path = program.basis.path(self.start, self.goal, coefficients)
+        if not np.isfinite(integral.cost(path).g):  # a path that crosses a singularity has no finite g to descend from
+            return None
+        best: Candidate | None = None
+        edges: Array | None = None
+        steps = 0
+        failed_g, failures = np.nan, 0  # g of the last path that was not proven free, and number of such paths
+        backed_off = False
+        *wide, final = self.margins(kept, until)
+        waiting = [*wide, *[final] * DESCENTS]
+        while waiting:
+            margin = waiting.pop(0)
+            if surroundings is not None:
+                surroundings.margin = margin
+            true, z = program.descent_program(self.start, self.goal, coefficients, surroundings, edges=edges)
+            refined = edges is None or len(true.length.edges) > len(edges)
+            edges = true.length.edges
+            if not np.isfinite(true.length.g0):
+                break
+            descent = descend(true, z)
+            steps += descent.steps
+            coefficients = true.length.curves.coefficients(descent.z)
+            if margin > final:
+                continue
+            path = true.path(descent.z)
+            cost, proof = integral.cost(path), self.proof(path)
+            least = np.inf if proof is None else proof.upper
+            self.history.append(Step(first=name, g=cost.g, clearance=least, solver=descent.reason))
+            if surroundings is not None and proof is not None and not proof.proven:
+                known = (proof.at, proof.pair_id) in surroundings.always
+                stuck = proof.upper < self.clearance - STUCK and not descent.exhausted
+                if stuck or (known and cost.g == failed_g):
+                    log.debug("descent: stuck in an obstacle at s = %g", proof.at)
+                    break
+                surroundings.always += [] if known else [(proof.at, proof.pair_id)]
+                failed_g, failures = cost.g, failures + 1
+                if until is not Until.SETTLED and failures > 1:
+                    wider = WIDER[min(failures - 2, len(WIDER) - 1)]
+                    final, backed_off = max(min(wider, self.room), final), True
+                    waiting = [final] * len(waiting)
+                continue
+            if not self.inside_limits(path):
+                log.debug("descent: the path leaves the joint limits")
+                break
+            solver = f"{descent.reason} after {steps} steps"
+            optimality = measure_optimality(true, descent.z)
+            candidate = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)
+            agrees = abs(true.length.without_energy.value(descent.z) * true.length.g0 - cost.g) <= AGREEMENT * cost.g
+            candidate = candidate if agrees else replace(candidate, optimality=UNKNOWN)
+            settled = best is not None and best.cost.g - cost.g <= SETTLED * cost.g
+            # a confirmed optimum may have a slightly larger g
+            worth = CONFIRMED if agrees and (optimality.reached or not backed_off) else 0.0
+            best = candidate if best is None or cost.g < best.cost.g * (1 + worth) else best
+            converged = optimality.reached or not descent.exhausted
+            if not np.isfinite(cost.g) or until is Until.PROVEN:
+                break
+            settled |= until is Until.OPTIMAL and optimality.reached
+            if settled and converged and (agrees or not refined):
+                if best.optimality.reached or backed_off or not WIDE_MARGINS[-1] < self.room:
+                    break
+                backed_off, waiting = True, [WIDE_MARGINS[-1], *waiting]
+        if best is not None:
+            self.accepted.append(best)
+        return best
+
+    def margins(self, kept: JointPath | None, until: Until) -> list[float]:
+        """Margins [m] of the descents from one path, in turn; none is wider than start and goal allow.
+
+        Wide ones come before the final one, with `kept` only those that this path has. One of them is enough for a path that
+        only has to be proven, and a path near an optimum needs none.
+        """
+        wide = [margin for margin in WIDE_MARGINS if margin < self.room] if self.clearance < ROUND else []
+        wide = wide[: {Until.PROVEN: 1, Until.OPTIMAL: 0}.get(until)]
+        wide = [margin for margin in wide if kept is None or self.keeps(kept, margin)]
+        return [*wide, max(min(MARGIN, self.room), 0.0)]
+
+    @cached_property
+    def room(self) -> float:
+        """The smaller of the distances of start and goal beyond the required clearance [m]; 0 where nothing is checked."""
+        if self.model is None:
+            return 0.0
+        return self.model.least_distance(np.array([self.start, self.goal]))[0] - self.clearance
+
+    def keeps(self, path: JointPath, margin: float = 0.0) -> bool:
+        """Whether a path is proven to keep the required clearance plus a margin [m], or nothing is checked."""
+        proof = self.proof(path, margin)
+        return proof is None or proof.proven
+
+    def proof(self, path: JointPath, margin: float = 0.0) -> PathClearance | None:
+        """The proof that a path keeps its clearance plus a margin [m]; None where nothing is checked."""
+        if self.model is None or not self.model.pair_names:
+            return None
+        return path_clearance(self.model, path, clearance=self.clearance + margin, tolerance=None)
+
+    def inside_limits(self, path: JointPath, tolerance: float = INSIDE) -> bool:
+        return all((self.program.kinematics.robot.limits.outside(q) <= tolerance).all() for q in path.bounds())
