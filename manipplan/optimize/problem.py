@@ -167,10 +167,9 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
        gives no collision-free path, it starts at a path of low energy near it.
     3. The optimum of a lower degree.
     """
+    if (coarse := problem.coarse()) is not None:
+        return _optima_among_many(problem, coarse, search, first, straight)
     is_line = len(first.control) == 1 and first.degree == 1
-    found = [] if problem.given else _coarse_optimum(problem, search, first, straight)
-    if found:
-        return found
     found = search.from_straight_line() if straight or is_line else []
     if not (found and is_line):  # a straight first path would repeat the same solve
         nearby = search.nearest_to(first) if problem.given or problem.shape.pieces > 1 else []
@@ -184,26 +183,37 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
     return found
 
 
-def _coarse_optimum(problem: PathProblem, search: LocalSearch, first: JointPath, straight: bool) -> list[Candidate]:
-    """The local optimum reached from the best one among the coarse scene; none where there is no such scene or path."""
-    coarse = problem.coarse()
-    if coarse is None:
-        return []
-    model = coarse.model()
+def _optima_among_many(
+    problem: PathProblem, coarse: PathProblem, search: LocalSearch, first: JointPath, straight: bool
+) -> list[Candidate]:
+    """The local optima among many small obstacles: near a given path, and near the optimum of the coarse problem.
+
+    If there are none, the one near `first`.
+    """
+    found = search.nearest_to(first) if problem.given else []
+    optimum = _coarse_optimum(coarse, search, first, straight)
+    if optimum is not None:
+        found += search.from_optimum(optimum)
+    if not found and not problem.given:
+        found = replace(search, until=Until.OPTIMAL).nearest_to(first)
+    return found
+
+
+def _coarse_optimum(coarse: PathProblem, search: LocalSearch, first: JointPath, straight: bool) -> Candidate | None:
+    """The best path of the coarse problem; None where start or goal touches a piece, or no path is found."""
+    model, clearance = coarse.model(), coarse.clearance
     assert model is not None
-    ends = np.array([search.start, search.goal])
-    if model.least_distance(ends)[0] <= problem.clearance:
-        return []
+    if model.least_distance(np.array([search.start, search.goal]))[0] <= clearance:
+        return None
     try:
-        if not path_clearance(model, first, clearance=problem.clearance, tolerance=None).proven:
-            first = seed_path(
-                problem.robot, search.start, search.goal, coarse.scene, seeding=problem.seeding, clearance=problem.clearance
-            )
-    except PlanningError:
-        return []
+        if not path_clearance(model, first, clearance=clearance, tolerance=None).proven:
+            seeding = replace(coarse.seeding, count=1, shifts="none")
+            first = seed_path(coarse.robot, search.start, search.goal, coarse.scene, seeding=seeding, clearance=clearance)
+    except PlanningError as error:
+        log.info("among the pieces of the coarse scene: %s", error)
+        return None
     brief = replace(search, model=model, known=[], accepted=[], repaces=False, until=Until.PROVEN)
-    optimum = _best(_local_optima(coarse, brief, first, straight))
-    return [] if optimum is None else search.from_optimum(optimum)
+    return _best(_local_optima(coarse, brief, first, straight))
 
 
 def _best(found: Sequence[Candidate]) -> Candidate | None:

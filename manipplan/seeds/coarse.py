@@ -5,7 +5,6 @@ of a solid, or of a cloud, pushes it either way. So a first path is optimised am
 only: every path is checked against the scene itself.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import coal
@@ -29,8 +28,8 @@ CELLS = (0.02, 0.03, 0.045)
 MOST_PIECES, MOST_CELLS = 64, 8_000_000
 #: A box with a larger diagonal, and another convex shape wider than the second value, stays as it is [m].
 SMALL_BOX, SMALL = 0.2, 0.08
-#: Number of positions along each axis at which cuts of a piece are compared.
-CUTS = 9
+#: Number of positions along each axis at which cuts are compared, and share of a box at which cells fill it.
+CUTS, FULL = 24, 0.7
 #: Margin around the samples of a piece, so that flat ones have a volume [m].
 MARGIN = 5e-4
 #: Maximum number of points on the triangles of one mesh.
@@ -75,10 +74,14 @@ def coarse_scene(scene: Scene, robot: Robot) -> Scene | None:
     middle, reach = _reach(robot)
     near = np.linalg.norm(points - middle, axis=1) < reach + radii
     points, radii = points[near], radii[near]
+    taken, prefix = (*scene.names, *robot.carried), "piece"
+    while any(name.startswith(prefix) for name in taken):
+        prefix = f"coarse {prefix}"
     for cell in CELLS:
         pieces = _pieces(points, radii, cell)
         if pieces is not None:
-            return Scene([*kept, *pieces], allowed=scene.allowed)
+            kept += [Piece(corners=corners, name=f"{prefix} {k}") for k, corners in enumerate(pieces)]
+            return Scene(kept, allowed=scene.allowed)
     return None
 
 
@@ -90,7 +93,8 @@ def _reach(robot: Robot) -> tuple[Array, float]:
     bodies = 0.0
     for item in robot.geometry.geometryObjects:
         item.geometry.computeLocalAABB()
-        bodies = max(bodies, float(np.linalg.norm(item.placement.translation)) + item.geometry.aabb_radius)
+        middle = item.placement.act(item.geometry.aabb_center)
+        bodies = max(bodies, float(np.linalg.norm(middle)) + item.geometry.aabb_radius)
     return np.asarray(placements[0]), lengths + float(slides.sum()) + bodies
 
 
@@ -133,39 +137,48 @@ def _spread(triangles: Array, spacing: float) -> Array | None:
     return np.concatenate(found)
 
 
-def _pieces(points: Array, radii: Array, cell: float) -> list[Piece] | None:
-    """Convex pieces around balls of `radii` (k,) about points (k, 3), which stick out by about two cells; None for too many."""
+def _pieces(points: Array, radii: Array, cell: float) -> list[Array] | None:
+    """Corners (c, 3) of convex pieces around balls of `radii` (k,) about points (k, 3); None for too many pieces or cells."""
+    if not len(points):
+        return []
     grid = _Grid.of(points, radii, cell)
     if grid is None:
         return None
-    open_parts = list(grid.connected(points))
-    done: list[Array] = []
+    open_parts, done = grid.groups(), list[Array]()
     while open_parts:
         if len(open_parts) + len(done) > MOST_PIECES:
             return None
-        inside = open_parts.pop()
+        part = open_parts.pop()
+        inside = np.isin(grid.owner, part)
+        if not inside.any():
+            continue
         hull = _Hull.of(points[inside], radii[inside])
-        is_small = (hull.high - hull.low).max() <= 2 * cell
-        below = None if is_small or not grid.has_empty(hull) else _cut(points[inside], hull.frame)
-        if below is None:
+        cut = _cut(grid.solid[part], cell, hull.frame) if grid.has_empty(hull) else None
+        if cut is None:
             done.append(hull.corners())
         else:
-            open_parts += [inside[below], inside[~below]]
-    return [Piece(corners=corners, name=f"piece {k}") for k, corners in enumerate(done)]
+            open_parts += [part[cut], part[~cut]]
+    return done
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Grid:
-    """Cells of a grid.
+    """Cells of a grid around balls.
 
     Attributes:
         low, cell: corner (3,) and edge of the cells [m].
         filled: (nx, ny, nz) cells that hold something, their neighbours, and what these enclose.
+        solid: (c, 3) centres of the cells that hold something or are enclosed.
+        group: (c,) number of the connected group of filled cells to which each belongs.
+        owner: (k,) index of the solid cell of each ball's centre.
     """
 
     low: Array
     cell: float
     filled: NDArray[np.bool_]
+    solid: Array
+    group: NDArray[np.intp]
+    owner: NDArray[np.intp]
 
     @classmethod
     def of(cls, points: Array, radii: Array, cell: float) -> "_Grid | None":
@@ -178,31 +191,34 @@ class _Grid:
         shape = np.ceil((around.max(axis=0) + 3 * cell - low) / cell).astype(int)
         if np.prod(shape.astype(float)) > MOST_CELLS:
             return None
-        filled = np.zeros(shape, dtype=bool)
+        filled, cube = np.zeros(shape, dtype=bool), np.ones((3, 3, 3))
         filled[tuple(((around - low) / cell).astype(int).T)] = True
-        filled = ndimage.binary_fill_holes(ndimage.binary_dilation(filled, np.ones((3, 3, 3))))
-        return cls(low=low, cell=cell, filled=filled)
+        filled = ndimage.binary_fill_holes(ndimage.binary_dilation(filled, cube))
+        solid = ndimage.binary_erosion(filled, cube)
+        where = np.argwhere(solid)
+        number = np.full(shape, -1, dtype=np.intp)
+        number[solid] = np.arange(len(where))
+        return cls(
+            low=low,
+            cell=cell,
+            filled=filled,
+            solid=low + cell * (where + 0.5),
+            group=ndimage.label(filled, cube)[0][solid],
+            owner=number[tuple(((points - low) / cell).astype(int).T)],
+        )
 
-    def cells(self, points: Array) -> NDArray[np.intp]:
-        """Indices (k, 3) of the cells of points (k, 3)."""
-        return np.asarray(((points - self.low) / self.cell).astype(np.intp))
-
-    def connected(self, points: Array) -> Iterator[NDArray[np.intp]]:
-        """The indices of points (k, 3) in each connected group of filled cells."""
-        from scipy import ndimage
-
-        groups, _ = ndimage.label(self.filled, np.ones((3, 3, 3)))
-        group = groups[tuple(self.cells(points).T)]
-        for number in np.unique(group):
-            yield np.flatnonzero(group == number)
+    def groups(self) -> list[NDArray[np.intp]]:
+        """The indices of the solid cells in each connected group."""
+        return [np.flatnonzero(self.group == number) for number in np.unique(self.group)]
 
     def has_empty(self, piece: "_Hull") -> bool:
-        """Whether the centre of an empty cell lies in a hull."""
-        first, last = self.cells(np.stack([piece.low, piece.high]))
-        inside = self.filled[tuple(slice(max(a, 0), b + 1) for a, b in zip(first, last, strict=True))]
-        left = self.low + self.cell * (np.argwhere(~inside) + np.maximum(first, 0) + 0.5)
+        """Whether the centre of a cell that is not filled lies within half a cell of a hull."""
+        first = np.maximum((piece.low - self.cell - self.low) // self.cell, 0).astype(int)
+        last = ((piece.high + self.cell - self.low) // self.cell).astype(int)
+        inside = self.filled[tuple(slice(a, b + 1) for a, b in zip(first, last, strict=True))]
+        left = self.low + self.cell * (np.argwhere(~inside) + first + 0.5)
         for face, offset in zip(piece.faces, piece.offsets, strict=True):
-            left = left[left @ face <= offset]
+            left = left[left @ face <= offset + self.cell / 2]
         return len(left) > 0
 
 
@@ -228,7 +244,7 @@ class _Hull:
     def of(cls, points: Array, radii: Array) -> "_Hull":
         inner = points.mean(axis=0)
         frames = (np.eye(3), np.linalg.svd(points - inner, full_matrices=len(points) < 3)[2])
-        frame = min(frames, key=lambda axes: _box(points, axes))
+        frame = min(frames, key=lambda axes: float(np.prod(np.ptp(points @ axes.T, axis=0) + MARGIN)))
         faces = FACES @ frame
         offsets = np.array([(points @ face + radii).max() for face in faces]) + MARGIN
         low, high = (points - radii[:, None]).min(axis=0), (points + radii[:, None]).max(axis=0)
@@ -242,24 +258,23 @@ class _Hull:
         return np.asarray(HalfspaceIntersection(around, np.zeros(3)).intersections + self.inner)
 
 
-def _box(points: Array, axes: Array) -> float:
-    """Volume of the box along `axes` (3, 3) around points (k, 3), with the margin [m³]."""
-    return float(np.prod(np.ptp(points @ axes.T, axis=0) + 2 * MARGIN))
+def _cut(solid: Array, cell: float, frame: Array) -> NDArray[np.bool_] | None:
+    """Which cells (k, 3) lie on one side of the best plane normal to an axis of the frame; None for a single cell.
 
-
-def _cut(points: Array, frame: Array) -> NDArray[np.bool_] | None:
-    """Which points (k, 3) lie below the plane, normal to an axis of the frame, whose sides fill the smallest boxes.
-
-    None where all points are the same.
+    The box around a side counts unless the cells fill it. The best plane is that with the smallest volume that counts, and of
+    these the one with the smallest boxes.
     """
-    best, least = None, np.inf
+    best, least = None, (np.inf, np.inf)
     for axis in frame:
-        along = points @ axis
-        for offset in np.linspace(along.min(), along.max(), CUTS + 2)[1:-1]:
+        along = solid @ axis
+        low, width = along.min(), np.ptp(along)
+        for offset in low + width * (np.arange(CUTS) + 0.5) / CUTS:
             below = along <= offset
             if below.all() or not below.any():
                 continue
-            volume = _box(points[below], frame) + _box(points[~below], frame)
+            boxes = np.array([np.prod(np.ptp(solid[side] @ frame.T, axis=0) + cell) for side in (below, ~below)])
+            counts = np.array([below.sum(), (~below).sum()]) * cell**3
+            volume = (float(boxes[counts < FULL * boxes].sum()), float(boxes.sum()))
             if volume < least:
                 best, least = below, volume
     return best

@@ -187,8 +187,8 @@ def test_plan_tries_other_shapes_where_no_descent_gave_a_free_path(panda, monkey
     """The path of low energy that is left counts as a path, but not as the result when another degree has a lower g."""
     descend = LocalSearch.descend
 
-    def fails_for_degree_6(self, name, coefficients):
-        return None if self.program.basis.degree == 6 else descend(self, name, coefficients)
+    def fails_for_degree_6(self, name, coefficients, **options):
+        return None if self.program.basis.degree == 6 else descend(self, name, coefficients, **options)
 
     monkeypatch.setattr(LocalSearch, "descend", fails_for_degree_6)
     scene = mp.Scene([POST])

@@ -13,9 +13,10 @@ import manipplan as mp
 from manipplan.cost.density import energy_density, length_density
 from manipplan.cost.integral import PathIntegral
 from manipplan.measures.names import MEASURES
-from manipplan.optimize import basis, clearance
+from manipplan.optimize import clearance
 from manipplan.optimize.clearance import row_functions
 from manipplan.optimize.homotopy import best_and_rivals, same_class
+from manipplan.paths import basis
 
 THESIS = {  # start, goal, g of the straight line for p = 2 (Tables 6.1 and 6.2) and p = 1 (ERRATA): [kth2012]
     "6.10": ((0.0, -3.0, -2.0), (np.pi, 0.1, 1.4), 2.7218, 3.7288),

@@ -312,3 +312,10 @@ def test_a_used_robot_can_be_pickled(panda):
 def test_a_name_has_to_be_text(name):
     with pytest.raises(mp.InvalidInputError, match="name: got"):
         mp.load_robot(name)
+
+
+def test_a_velocity_limit_near_the_largest_number(two_link_urdf):
+    """The acceleration that would reach it in 0.2 s is no number, and so no limit."""
+    limits = mp.Robot.from_urdf(two_link_urdf(velocity="1e308"), tool="tip").limits
+    assert limits.velocity[0] == 1e308
+    assert np.isinf(limits.acceleration[0])

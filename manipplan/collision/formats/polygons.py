@@ -22,14 +22,19 @@ def split_polygons(vertices: Array, polygons: Sequence[Sequence[int] | NDArray[A
     return np.concatenate([np.empty((0, 3, 3)), *found])
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def moved_triangles(triangles: Array, transform: Array) -> Array:
-    """Triangles (t, 3, 3) moved by a transform (4, 4); one that mirrors them keeps their outward sides."""
+    """Triangles (t, 3, 3) moved by a transform (4, 4); one that mirrors them keeps their outward sides.
+
+    Corners that become inf or NaN are refused with the mesh.
+    """
     moved = triangles @ transform[:3, :3].T + transform[:3, 3]
     return np.asarray(moved[:, ::-1] if np.linalg.det(transform[:3, :3]) < 0 else moved)
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def _triangles(corners: Array) -> Array:
-    """Triangles (t, 3, 3) of polygons (k, c, 3) with c corners each."""
+    """Triangles (t, 3, 3) of polygons (k, c, 3) with c corners each. Corners that are too large are refused with the mesh."""
     if corners.shape[1] == 3:
         return corners
     along = np.roll(corners, -1, axis=1) - corners
