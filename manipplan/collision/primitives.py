@@ -42,7 +42,7 @@ def core_of(shape: coal.CollisionGeometry) -> tuple[Array, float]:
         signs = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T
         return np.asarray(signs * shape.halfSide), 0.0
     if isinstance(shape, coal.ConvexBase):
-        return np.array([shape.point(i) for i in range(shape.num_points)]), 0.0
+        return np.array(shape.points()), 0.0
     if isinstance(shape, coal.BVHModelBase):
         return np.array(shape.vertices()), 0.0
     shape.computeLocalAABB()

@@ -38,14 +38,16 @@ VERSION_LIMIT = 10.0
 
 #: Time limit of one build [s]: the longest build, of Pinocchio's headers, takes two minutes, or ten on a small computer.
 BUILD_LIMIT = 1200.0
+#: The variables that name a compiler, and the commands that are tried without them.
+VARIABLES = {"c": "CC", "c++": "CXX"}
+USUAL = {"c": ("cc", "gcc", "clang"), "c++": ("c++", "g++", "clang++")}
 
 
 @dataclass(frozen=True, kw_only=True)
 class Compiler:
-    """A C or C++ compiler: the command that calls it and the first line of its `--version` output."""
+    """A C or C++ compiler that runs: the command that calls it."""
 
     command: tuple[str, ...]
-    version: str
 
 
 @cache
@@ -54,18 +56,12 @@ def find_compiler(language: str = "c") -> Compiler | None:
 
     An empty $CC or $CXX means no compiler.
     """
-    variable, usual = {"c": ("CC", ("cc", "gcc", "clang")), "c++": ("CXX", ("c++", "g++", "clang++"))}[language]
-    try:
-        commands = [shlex.split(os.environ[variable])] if variable in os.environ else [[name] for name in usual]
-    except ValueError:
-        commands = [[os.environ[variable]]]
+    variable = VARIABLES[language]
     broken = []
-    for command in commands:
-        path = shutil.which(command[0]) if command else None
-        if path is None:
-            continue
+    for command in _commands(language):
         try:
-            return Compiler(command=(path, *command[1:]), version=_version([path, *command[1:]]))
+            _check_runs(command)
+            return Compiler(command=command)
         except CompilerError as error:
             broken.append(error.output)
     if os.environ.get(variable):
@@ -77,8 +73,19 @@ def find_compiler(language: str = "c") -> Compiler | None:
     return None
 
 
-def _version(command: Sequence[str]) -> str:
-    """The first line of a compiler's `--version` output; raises CompilerError when it does not run."""
+def _commands(language: str) -> list[tuple[str, ...]]:
+    """The commands of compilers that are on this machine, the preferred one first; whether they work is not known."""
+    variable = VARIABLES[language]
+    try:
+        commands = [shlex.split(os.environ[variable])] if variable in os.environ else [[name] for name in USUAL[language]]
+    except ValueError:
+        commands = [[os.environ[variable]]]
+    found = [(shutil.which(command[0]) if command else None, command) for command in commands]
+    return [(path, *command[1:]) for path, command in found if path is not None]
+
+
+def _check_runs(command: Sequence[str]) -> None:
+    """Raise CompilerError when a compiler does not tell its version."""
     question = [*command, "--version"]
     try:
         answer = run(question, limit=VERSION_LIMIT)
@@ -88,7 +95,6 @@ def _version(command: Sequence[str]) -> str:
         raise CompilerError(command[0], f"{shlex.join(question)} cannot be run ({error.strerror})") from error
     if answer.returncode != 0:
         raise CompilerError(command[0], f"{shlex.join(question)} failed with exit code {answer.returncode}")
-    return answer.stdout.partition("\n")[0]
 
 
 def install_line(language: str = "c") -> str:
@@ -119,22 +125,21 @@ def load_library(
     Raises:
         CompilerError: there is no compiler, it fails or hangs, or its library cannot be loaded; the error holds its message.
     """
+    with _cache_errors(cache_folder(), subject):
+        folder = private_folder()
+    for command in _commands(language):  # a library that is there needs no compiler that works
+        file = folder / f"{_key(source, command, flags)}.so"
+        if _sound(file):
+            try:
+                return load(file)
+            except _UNLOADABLE as error:
+                log.debug("%s cannot be loaded and is rebuilt: %s", file, error)
     compiler = find_compiler(language)
     if compiler is None:
         raise CompilerError(subject, _why_none(language))
-    with _cache_errors(cache_folder(), subject):
-        folder = private_folder()
     for earlier in _given_up(compiler, folder):
         raise CompilerError(subject, earlier.output)
-    parts = [source, *compiler.command, compiler.version, *flags]
-    parts.append(_processor() if "-march=native" in flags else platform.machine())
-    key = hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
-    file = folder / f"{key}.so"
-    if _sound(file):
-        try:
-            return load(file)
-        except _UNLOADABLE as error:
-            log.debug("%s cannot be loaded and is rebuilt: %s", file, error)
+    file = folder / f"{_key(source, compiler.command, flags)}.so"
     with _announced(subject) if announce else nullcontext():
         _build(file, source, compiler, flags, language, subject)
     try:
@@ -147,8 +152,16 @@ def load_library(
 _UNLOADABLE = (OSError, RuntimeError, AttributeError)
 
 
+def _key(source: str, command: Sequence[str], flags: Sequence[str]) -> str:
+    """The name of a library in the cache, which depends on all that it is built from."""
+    file = Path(command[0]).stat()
+    parts = [source, *command, f"{file.st_size} {file.st_mtime_ns}", *flags]
+    parts.append(_processor() if "-march=native" in flags else platform.machine())
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
+
+
 def _why_none(language: str) -> str:
-    variable = {"c": "CC", "c++": "CXX"}[language]
+    variable = VARIABLES[language]
     if os.environ.get(variable):
         return f"${variable} = {os.environ[variable]!r} is not a working compiler"
     return f"there is no {language.upper()} compiler; install one with: {install_line(language)}"
