@@ -315,6 +315,49 @@ def among_many(count: int) -> list[str]:
     return lines
 
 
+def as_cloud(scene: mp.Scene, spacing: float = 8e-3, radius: float = 4e-3) -> mp.Scene:
+    """The scene with one cloud of points on the surfaces of its boxes; other obstacles stay."""
+    points, others = [], []
+    for obstacle in scene.obstacles:
+        if not isinstance(obstacle, mp.Box):
+            others.append(obstacle)
+            continue
+        size = np.maximum(np.asarray(obstacle.size) - 2 * radius, 0.0)
+        lines = [np.linspace(-edge / 2, edge / 2, int(np.ceil(edge / spacing)) + 1) for edge in size]
+        lattice = np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, 3)
+        points.append(lattice[(np.abs(lattice) >= size / 2).any(axis=1)] @ obstacle.pose.rotation.T + obstacle.pose.translation)
+    return mp.Scene([*others, mp.PointCloud(points=np.concatenate(points), radius=radius, name="cloud")])
+
+
+def among_clouds(count: int) -> list[str]:
+    """Lines with the times of MotionBenchMaker's problems, the first of each set, with their boxes as clouds of points."""
+    from outside import problems
+
+    robot = problems.robot("panda")
+    chosen: dict[str, list[problems.Problem]] = {}
+    for problem in problems.load("panda"):
+        chosen.setdefault(problem.set, []).append(problem)
+    lines = [
+        f"| MotionBenchMaker, Panda, first {count} of each set | points | plan among boxes | among points | ratio | results |",
+        "|---|---|---|---|---|---|",
+    ]
+    for name, every in track(chosen.items(), description="clouds"):
+        for problem in every[:count]:
+            told, seconds = [], []
+            cloud = as_cloud(problem.scene)
+            for scene in (problem.scene, cloud):
+                began = time.perf_counter()
+                plan = mp.plan(robot, problem.start, problem.goal, scene, throw=False)
+                seconds.append(time.perf_counter() - began)
+                told.append(f"{plan.status.name}, g {plan.result.g:.4g}" if plan.result is not None else plan.status.name)
+            points = len(cloud.obstacles[-1].kept)
+            lines.append(
+                f"| {name} {problem.number} | {points:,} | {seconds[0]:.1f} s | {seconds[1]:.1f} s "
+                f"| {seconds[1] / seconds[0]:.1f} | {'; '.join(told)} |"
+            )
+    return lines
+
+
 SECOND = """
 import time
 import manipplan as mp
@@ -350,6 +393,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         sections.append(beside_old(given.old.resolve()))
     if given.plans:
         sections.append(among_many(given.plans))
+        sections.append(among_clouds(max(1, given.plans // 3)))
     free, by_meshes, problems, differ = ends_of_motionbenchmaker()
     told = f"start and goal of {free} are free, by the meshes of {by_meshes}; the two disagree on {differ} ends"
     sections.append([f"MotionBenchMaker, Panda, {problems} problems, fingers at 65 mm: {told}."])

@@ -17,12 +17,10 @@ from typing import TypeVar
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
-from manipplan.optimize.problem import TIE, PathProblem, solve_local
+from manipplan.optimize.problem import TIE, PathProblem, planned_path, solve_local
 from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
-from manipplan.seeds.aspect import Aspect
-from manipplan.seeds.ompl import seed_path
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, part, silent
@@ -168,32 +166,10 @@ def _even(path: JointPath) -> Array:
 def _seed(problem: PathProblem, start: Array, goal: Array, seed: int) -> JointPath | str:
     if problem.scene is None:
         return _random_path(problem.robot, start, goal, seed)
-    limit = problem.seeding.time_limit
-    if Aspect.shared(problem.integral().kinematics, start, goal) is not None:
-        try:
-            return _planned(problem, start, goal, seed, limit / 2, same_aspect=True)
-        except PlanningError as error:
-            log.info("%s; trying again with paths through singularities", error)
-            limit /= 2
     try:
-        return _planned(problem, start, goal, seed, limit)
+        return planned_path(problem, start, goal, seed)
     except PlanningError as error:
         return str(error)
-
-
-def _planned(
-    problem: PathProblem, start: Array, goal: Array, seed: int, time_limit: float, *, same_aspect: bool = False
-) -> JointPath:
-    return seed_path(
-        problem.robot,
-        start,
-        goal,
-        problem.scene,
-        seeding=replace(problem.seeding, seed=seed, count=1, shifts="none", time_limit=time_limit),
-        objective=problem.objective,
-        same_aspect=same_aspect,
-        clearance=problem.clearance,
-    )
 
 
 def _random_path(robot: Robot, start: Array, goal: Array, seed: int) -> JointPath:

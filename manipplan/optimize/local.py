@@ -11,7 +11,7 @@ from manipplan.optimize.certificate import SINGLE, UNKNOWN
 from manipplan.optimize.clearance import ClearanceRow
 from manipplan.optimize.descent import descend
 from manipplan.optimize.program import Solution
-from manipplan.optimize.proven import Candidate, ProvenDescents, Until
+from manipplan.optimize.proven import Candidate, ProvenDescents
 from manipplan.optimize.result import Step
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
@@ -101,11 +101,14 @@ class LocalSearch(ProvenDescents):
         return [] if found is None else [found]
 
     def from_optimum(self, found: Candidate) -> list[Candidate]:
-        """The local optimum reached from that of a similar scene; if there is none, that one itself if it is free here too."""
-        near_it = self.descend("coarse", found.coefficients, until=Until.OPTIMAL)
+        """The local optimum near that of the coarse scene.
+
+        Where no descent gives one, it is the coarse optimum itself, if that is proven free in this scene.
+        """
+        near_it = self.descend("coarse", found.coefficients)
         if near_it is not None:
             return [near_it]
-        if not self.keeps(found.path):
+        if not (self.keeps(found.path) and self.inside_limits(found.path)):
             return []
         self.accepted.append(replace(found, optimality=UNKNOWN, solver="the optimum of a coarse copy of the scene"))
         return [self.accepted[-1]]

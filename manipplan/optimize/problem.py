@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from manipplan.collision.coarse import coarse_scene, without_pieces_at
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene
@@ -21,8 +22,8 @@ from manipplan.paths.basis import EndConditions, PathShape, named_basis
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.seeds.coarse import coarse_scene
-from manipplan.seeds.ompl import CHECK_STEP, seed_path
+from manipplan.seeds.aspect import Aspect
+from manipplan.seeds.ompl import CHECK_STEP, PROVABLE, seed_path
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, InvalidInputError, PlanningError
@@ -77,7 +78,7 @@ class PathProblem:
         return None if self.scene is None else self.scene.collision_model(self.robot)
 
     def coarse(self) -> "PathProblem | None":
-        """The same problem among few convex pieces in place of many small obstacles; None where there are not many."""
+        """The same problem in the coarse copy of the scene; None where there is none."""
         scene = None if self.scene is None else coarse_scene(self.scene, self.robot)
         return None if scene is None else replace(self, scene=scene, given=False)
 
@@ -162,6 +163,8 @@ def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPat
 def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, straight: bool) -> list[Candidate]:
     """The local optima reached from several first paths, in this order.
 
+    Among many small obstacles they are those near the optimum of a coarse problem instead.
+
     1. The straight line, with `straight` or where `first` is straight.
     2. The path `first`. For a given path, or with several pieces, the descent starts at the path itself. Otherwise, or if that
        gives no collision-free path, it starts at a path of low energy near it.
@@ -174,7 +177,7 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
     if not (found and is_line):  # a straight first path would repeat the same solve
         nearby = search.nearest_to(first) if problem.given or problem.shape.pieces > 1 else []
         found += nearby or search.from_safe_path(first)
-    lower = problem.lower()
+    lower = problem.lower() if search.until is Until.SETTLED else None
     if lower is not None:
         result = solve_local(lower, search.start, search.goal, first, straight=straight)
         search.history.extend(result.history)
@@ -186,34 +189,69 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
 def _optima_among_many(
     problem: PathProblem, coarse: PathProblem, search: LocalSearch, first: JointPath, straight: bool
 ) -> list[Candidate]:
-    """The local optima among many small obstacles: near a given path, and near the optimum of the coarse problem.
+    """The local optima near a given path, and near the optimum of the coarse problem.
 
-    If there are none, the one near `first`.
+    Without a given path and such an optimum, the one near `first`.
     """
     found = search.nearest_to(first) if problem.given else []
-    optimum = _coarse_optimum(coarse, search, first, straight)
+    near = replace(search, until=Until.OPTIMAL)
+    optimum = _coarse_optimum(coarse, search, first, straight and not problem.given)
     if optimum is not None:
-        found += search.from_optimum(optimum)
+        found += near.from_optimum(optimum)
     if not found and not problem.given:
-        found = replace(search, until=Until.OPTIMAL).nearest_to(first)
+        found = near.nearest_to(first)
     return found
 
 
 def _coarse_optimum(coarse: PathProblem, search: LocalSearch, first: JointPath, straight: bool) -> Candidate | None:
-    """The best path of the coarse problem; None where start or goal touches a piece, or no path is found."""
-    model, clearance = coarse.model(), coarse.clearance
+    """The best path of the coarse problem, without the pieces that start or goal touches; None where none is found.
+
+    With `straight` a path is planned among the pieces where `first` touches them.
+    """
+    assert coarse.scene is not None
+    ends = np.array([search.start, search.goal])
+    coarse = replace(coarse, scene=without_pieces_at(coarse.scene, coarse.robot, ends, coarse.clearance + PROVABLE))
+    model = coarse.model()
     assert model is not None
-    if model.least_distance(np.array([search.start, search.goal]))[0] <= clearance:
-        return None
-    try:
-        if not path_clearance(model, first, clearance=clearance, tolerance=None).proven:
-            seeding = replace(coarse.seeding, count=1, shifts="none")
-            first = seed_path(coarse.robot, search.start, search.goal, coarse.scene, seeding=seeding, clearance=clearance)
-    except PlanningError as error:
-        log.info("among the pieces of the coarse scene: %s", error)
-        return None
-    brief = replace(search, model=model, known=[], accepted=[], repaces=False, until=Until.PROVEN)
-    return _best(_local_optima(coarse, brief, first, straight))
+    if not path_clearance(model, first, clearance=coarse.clearance, tolerance=None).proven:
+        if not straight:
+            return None
+        try:
+            first = planned_path(coarse, search.start, search.goal, coarse.seeding.seed)
+        except PlanningError as error:
+            log.info("among the pieces of the coarse scene: %s", error)
+            return None
+    brief = replace(search, model=model, known=[], accepted=[], history=[], repaces=False, until=Until.PROVEN)
+    optimum = _best(_local_optima(coarse, brief, first, straight))
+    search.history.extend(replace(step, first=f"coarse {step.first}") for step in brief.history)
+    return optimum
+
+
+def planned_path(problem: PathProblem, start: Array, goal: Array, seed: int) -> JointPath:
+    """A free first path of the planner, if possible one on which det J keeps its sign; raises PlanningError without any."""
+    limit = problem.seeding.time_limit
+    if Aspect.shared(problem.integral().kinematics, start, goal) is not None:
+        try:
+            return _planned(problem, start, goal, seed, limit / 2, same_aspect=True)
+        except PlanningError as error:
+            log.info("%s; trying again with paths through singularities", error)
+            limit /= 2
+    return _planned(problem, start, goal, seed, limit)
+
+
+def _planned(
+    problem: PathProblem, start: Array, goal: Array, seed: int, time_limit: float, *, same_aspect: bool = False
+) -> JointPath:
+    return seed_path(
+        problem.robot,
+        start,
+        goal,
+        problem.scene,
+        seeding=replace(problem.seeding, seed=seed, count=1, shifts="none", time_limit=time_limit),
+        objective=problem.objective,
+        same_aspect=same_aspect,
+        clearance=problem.clearance,
+    )
 
 
 def _best(found: Sequence[Candidate]) -> Candidate | None:

@@ -63,6 +63,11 @@ class Until(Enum):
     #: When another descent no longer lowers g.
     SETTLED = "settled"
 
+    @property
+    def wide_margins(self) -> int:
+        """Number of margins wider than the final one that descents keep first."""
+        return {"proven": 1, "optimal": 0, "settled": len(WIDE_MARGINS)}[self.value]
+
 
 @dataclass(frozen=True, kw_only=True)
 class ProvenDescents:
@@ -76,7 +81,7 @@ class ProvenDescents:
         history: every solve is appended to it.
         ends: fixed derivatives at start and goal.
         accepted: every candidate is appended to it, so that an interrupt loses none.
-        until: when the descents from one path end, unless a call says otherwise.
+        until: when the descents from one path end.
     """
 
     program: PathProgram
@@ -89,16 +94,13 @@ class ProvenDescents:
     accepted: list[Candidate] = field(default_factory=list)
     until: Until = Until.SETTLED
 
-    def descend(
-        self, name: str, coefficients: Array, *, kept: JointPath | None = None, until: Until | None = None
-    ) -> Candidate | None:
+    def descend(self, name: str, coefficients: Array, *, kept: JointPath | None = None) -> Candidate | None:
         """The path at which descents from coefficients (n, size) end; None when it is not free or leaves the limits.
 
         Descents are repeated until the path is proven free, the quadrature panels resolve its g, and the descent has
         converged, or as `until` says. Each starts with the panels of the one before it, and also watches the place where the
         proof failed. Before the final margin only those are taken that the path `kept` has, if it is given.
         """
-        until = self.until if until is None else until
         program, integral = self.program, self.program.integral
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
         path = program.basis.path(self.start, self.goal, coefficients)
@@ -109,7 +111,7 @@ class ProvenDescents:
         steps = 0
         failed_g, failures = np.nan, 0  # g of the last path that was not proven free, and number of such paths
         backed_off = False
-        *wide, final = self.margins(kept, until)
+        *wide, final = self.margins(kept)
         waiting = [*wide, *[final] * DESCENTS]
         while waiting:
             margin = waiting.pop(0)
@@ -137,7 +139,7 @@ class ProvenDescents:
                     break
                 surroundings.always += [] if known else [(proof.at, proof.pair_id)]
                 failed_g, failures = cost.g, failures + 1
-                if until is not Until.SETTLED and failures > 1:
+                if self.until is not Until.SETTLED and failures > 1:
                     wider = WIDER[min(failures - 2, len(WIDER) - 1)]
                     final, backed_off = max(min(wider, self.room), final), True
                     waiting = [final] * len(waiting)
@@ -155,9 +157,9 @@ class ProvenDescents:
             worth = CONFIRMED if agrees and (optimality.reached or not backed_off) else 0.0
             best = candidate if best is None or cost.g < best.cost.g * (1 + worth) else best
             converged = optimality.reached or not descent.exhausted
-            if not np.isfinite(cost.g) or until is Until.PROVEN:
+            if not np.isfinite(cost.g) or self.until is Until.PROVEN:
                 break
-            settled |= until is Until.OPTIMAL and optimality.reached
+            settled |= self.until is Until.OPTIMAL and optimality.reached
             if settled and converged and (agrees or not refined):
                 if best.optimality.reached or backed_off or not WIDE_MARGINS[-1] < self.room:
                     break
@@ -166,14 +168,14 @@ class ProvenDescents:
             self.accepted.append(best)
         return best
 
-    def margins(self, kept: JointPath | None, until: Until) -> list[float]:
+    def margins(self, kept: JointPath | None) -> list[float]:
         """Margins [m] of the descents from one path, in turn; none is wider than start and goal allow.
 
         Wide ones come before the final one, with `kept` only those that this path has. One of them is enough for a path that
         only has to be proven, and a path near an optimum needs none.
         """
         wide = [margin for margin in WIDE_MARGINS if margin < self.room] if self.clearance < ROUND else []
-        wide = wide[: {Until.PROVEN: 1, Until.OPTIMAL: 0}.get(until)]
+        wide = wide[: self.until.wide_margins]
         wide = [margin for margin in wide if kept is None or self.keeps(kept, margin)]
         return [*wide, max(min(MARGIN, self.room), 0.0)]
 

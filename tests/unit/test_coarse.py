@@ -5,7 +5,7 @@ import pytest
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.seeds.coarse import CELLS, Piece, coarse_scene
+from manipplan.collision.coarse import CELLS, Piece, coarse_scene
 
 START, GOAL = np.array([-0.8, 0.4, 0, -1.6, 0, 2.0, 0.8]), np.array([0.8, 0.4, 0, -1.6, 0, 2.0, 0.8])
 
@@ -116,7 +116,9 @@ def test_what_stays_as_it_is(panda):
 def test_what_is_out_of_reach_is_left_out(panda):
     points = plates(((20.0, 0.0, 0.4), (0.5, 0.5, 0.5)))
     scene = mp.Scene([mp.PointCloud(points=points, radius=0.01)])
-    assert coarse_scene(scene, panda).obstacles == ()
+    assert coarse_scene(scene, panda) is None
+    both = scene + mp.Scene([mp.PointCloud(points=points - [19.5, 0.0, 0.0], radius=0.01)])
+    assert len(coarse_scene(both, panda).obstacles) == 1
     pose = np.eye(4)
     pose[0, 3] = 19.5
     assert len(coarse_scene(scene, panda.at(pose)).obstacles) == 1

@@ -7,7 +7,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.jobs.plan import MORE_DEGREES, SPLINE_PIECES
-from manipplan.optimize import homotopy
+from manipplan.optimize import problem
 from manipplan.seeds.seeding import OPTIMISING, PLANNERS
 
 START, GOAL = [0, 1.5, -2], [np.pi, -2, 2]
@@ -136,7 +136,7 @@ def test_the_planner_gets_the_objective_and_each_seed(planar, planner, monkeypat
         asked.append((seeding, objective))
         return free
 
-    monkeypatch.setattr(homotopy, "seed_path", seed_path)
+    monkeypatch.setattr(problem, "seed_path", seed_path)
     objective = mp.PathObjective(power=2, measure="smallest_singular_value", metric=[4.0, 1.0, 1.0])
     seeding = mp.Seeding(planner=planner, seed=5, count=3, time_limit=7.0)
     result = mp.optimize_path(planar, START, GOAL, POST, objective=objective, shape=mp.PathShape(degree=1), seeding=seeding)

@@ -226,7 +226,7 @@ def test_the_optimiser_tells_that_there_is_no_path(planar):
     )
     start, goal = [0.0, 0.1, 0.0], [np.pi, -0.1, 0.0]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("manipplan.optimize.homotopy.seed_path", _no_seed)
+        patch.setattr("manipplan.optimize.problem.seed_path", _no_seed)
         with pytest.raises(mp.PlanningError, match="nothing") as caught:
             mp.optimize_path(planar, start, goal, scene=cage)
         result = mp.optimize_path(planar, start, goal, scene=cage, throw=False)

@@ -1,0 +1,362 @@
+"""A coarse copy of a crowded scene: few convex pieces in place of its triangles, points and many small obstacles.
+
+A path that starts inside one large body is pushed out of it. Among many small bodies it is pushed in different directions, and
+a surface can push it to either side. So the first optimum is sought among the pieces. They only guide the search: every path
+is proven in the scene itself.
+"""
+
+from dataclasses import dataclass
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from manipplan.collision.primitives import core_of, mesh_triangles
+from manipplan.collision.scene import Scene
+from manipplan.collision.shapes import Obstacle, Part, PointCloud
+from manipplan.robots.hulls import convex_hull, has_hull
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.support.memo import once_per_owner
+
+#: A scene without surfaces (clouds and meshes that are not convex) is simplified if it has this number of small obstacles near
+#: the robot. There are always fewer pieces, so that a coarse scene has no coarse scene of its own.
+CROWD, MOST_PIECES = 100, 64
+#: Edges of the grid's cells [m], tried in turn: pieces stick out of the obstacles by up to two cells.
+CELLS = (0.02, 0.03, 0.045)
+#: Maximum number of cells of the grid, and of sample points on all obstacles.
+MOST_CELLS, MOST_SAMPLES = 8_000_000, 3_000_000
+#: Maximum diagonal of boxes, diameter and length of other primitives, and diagonal of hulls that count as small [m].
+SMALL_BOX, SMALL, SMALL_HULL = 0.2, 0.08, 0.04
+#: Number of positions along each axis at which cuts are compared, and share of a box at which cells fill it.
+CUTS, FULL = 24, 0.7
+#: Margin around the samples of a piece, so that flat ones have a volume [m].
+MARGIN = 5e-4
+#: Directions of the faces of a piece in its frame (26, 3): along the axes and the diagonals of a cube [klosowski1998].
+FACES = np.array([d for d in np.ndindex(3, 3, 3) if d != (1, 1, 1)], dtype=float) - 1
+FACES /= np.linalg.norm(FACES, axis=1)[:, None]
+CUBE = np.ones((3, 3, 3))
+#: Maximum number of cells between the robot's base and the room in which it stands.
+BESIDE = 10
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Piece(Obstacle):
+    """The convex hull of `corners` (k, 3) [m]."""
+
+    corners: Array
+    shape_name = "piece"
+
+    def parts(self) -> list[Part]:
+        return [Part(shape=convex_hull(self.corners))]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Balls:
+    """Balls about points (k, 3) in the world with radii (k,) [m], which stand for an obstacle; whether it has a surface."""
+
+    points: Array
+    radii: Array
+    has_surface: bool
+
+    def within(self, middle: Array, reach: float) -> "_Balls":
+        """Those of the balls that come nearer than `reach` [m] to a point (3,)."""
+        near = np.linalg.norm(self.points - middle, axis=1) < reach + self.radii
+        return _Balls(points=self.points[near], radii=self.radii[near], has_surface=self.has_surface)
+
+
+@once_per_owner
+def coarse_scene(scene: Scene, robot: Robot) -> Scene | None:
+    """The scene with convex pieces in place of surfaces and small obstacles near the robot; None where it stays as it is.
+
+    It stays as it is without surfaces and with few small obstacles, or where more than MOST_PIECES would be needed. Obstacles
+    named in an allowed pair are kept.
+    """
+    named = frozenset[str]().union(*scene.allowed)
+    middle, reach = _reach(robot)
+    kept: list[Obstacle] = []
+    crowd: list[_Balls] = []
+    for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
+        balls = None if name in named else _balls(obstacle, middle, reach)
+        if balls is None:
+            kept.append(obstacle.called(name))
+        elif len(balls.points):
+            crowd.append(balls)
+    if not any(each.has_surface for each in crowd) and len(crowd) < CROWD:
+        return None
+    points, radii = np.concatenate([each.points for each in crowd]), np.concatenate([each.radii for each in crowd])
+    if len(points) > MOST_SAMPLES:
+        return None
+    prefix = "piece"
+    while any(name.startswith(prefix) for name in (*scene.names, *robot.carried, *named)):
+        prefix = f"coarse {prefix}"
+    for cell in CELLS:
+        pieces = _pieces(points, radii, cell, middle)
+        if pieces is not None:
+            kept += [Piece(corners=corners, name=f"{prefix} {k}") for k, corners in enumerate(pieces)]
+            return Scene(kept, allowed=scene.allowed)
+    return None
+
+
+def without_pieces_at(scene: Scene, robot: Robot, q: Array, clearance: float) -> Scene:
+    """A coarse scene without the pieces that are nearer than `clearance` [m] at the configurations q (m, n)."""
+    model = scene.collision_model(robot)
+    near = model.near_pairs(q, clearance)
+    touching = {name for pair in np.unique(near.pairs) for name in model.pair_names[pair]}
+    pieces = {name for name, obstacle in zip(scene.names, scene.obstacles, strict=True) if isinstance(obstacle, Piece)}
+    return scene.without(*sorted(touching & pieces)) if touching & pieces else scene
+
+
+def _reach(robot: Robot) -> tuple[Array, float]:
+    """A point of the robot, and the distance from it within which all its moving bodies stay [m].
+
+    It is inf with a prismatic joint without limits.
+    """
+    placements = [robot.model.jointPlacements[k].translation for k in range(1, robot.model.njoints)]
+    lengths = sum(float(np.linalg.norm(each)) for each in placements[1:])
+    slides = np.maximum(np.abs(robot.limits.lower), np.abs(robot.limits.upper))[np.array(robot.joint_types) == "prismatic"]
+    bodies = 0.0
+    for item in robot.geometry.geometryObjects:
+        if item.parentJoint > 0:
+            item.geometry.computeLocalAABB()
+            middle = item.placement.act(item.geometry.aabb_center)
+            bodies = max(bodies, float(np.linalg.norm(middle)) + item.geometry.aabb_radius)
+    return np.asarray(placements[0]), lengths + float(slides.sum()) + bodies
+
+
+def _balls(obstacle: Obstacle, middle: Array, reach: float) -> _Balls | None:
+    """The balls within `reach` [m] of a point (3,) that stand for an obstacle; None where it stays as it is."""
+    found = []
+    parts = obstacle.parts()
+    for part in parts:
+        if isinstance(obstacle, PointCloud):
+            points, radius = obstacle.kept, part.radius
+        elif isinstance(part.shape, coal.BVHModelBase) and part.shape.num_tris:
+            samples = _spread(_placed(mesh_triangles(part.shape), obstacle.pose), middle, reach)
+            if samples is None:
+                return None
+            points, radius = _placed(samples, obstacle.pose.inverse()), part.radius
+        else:
+            ball = _small(part)
+            if ball is None:
+                return None
+            points, radius = ball
+        balls = _Balls(
+            points=_placed(points, obstacle.pose),
+            radii=np.full(len(points), radius),
+            has_surface=isinstance(part.shape, coal.BVHModelBase),
+        )
+        found.append(balls.within(middle, reach))
+    if not found:
+        return None
+    return _Balls(
+        points=np.concatenate([each.points for each in found]),
+        radii=np.concatenate([each.radii for each in found]),
+        has_surface=any(each.has_surface for each in found),
+    )
+
+
+def _placed(points: Array, pose: pin.SE3) -> Array:
+    return np.asarray(points @ pose.rotation.T + pose.translation)
+
+
+def _small(part: Part) -> tuple[Array, float] | None:
+    """Points (k, 3), at most a cell apart, and the radius [m] of balls about them that fill a part; None if it is large."""
+    shape = part.shape
+    if isinstance(shape, coal.Box):
+        size = 2 * np.asarray(shape.halfSide)
+        if np.linalg.norm(size) + 2 * part.radius > SMALL_BOX:
+            return None
+        counts = np.ceil(size / CELLS[0]).astype(int) + 1
+        lines = [np.linspace(-edge / 2, edge / 2, count) for edge, count in zip(size, counts, strict=True)]
+        return np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, 3), part.radius
+    if not isinstance(shape, coal.ConvexBase | coal.Sphere | coal.Capsule | coal.Cylinder):
+        return None
+    points, radius = core_of(shape)
+    radius += part.radius
+    length, most = float(np.linalg.norm(np.ptp(points, axis=0))), SMALL_HULL if isinstance(shape, coal.ConvexBase) else SMALL
+    if length + 2 * radius > most:
+        return None
+    if len(points) == 2:
+        along = np.linspace(0.0, 1.0, int(np.ceil(length / CELLS[0])) + 1)[:, None]
+        points = points[0] + along * (points[1] - points[0])
+    return points, radius
+
+
+def _spread(triangles: Array, middle: Array, reach: float) -> Array | None:
+    """Points (k, 3), at most a cell apart, on triangles (t, 3, 3) within `reach` [m] of a point (3,); None for too many."""
+    found, count = [np.empty((0, 3))], 0
+    while len(triangles):
+        centre = triangles.mean(axis=1)
+        size = np.linalg.norm(triangles - centre[:, None], axis=2).max(axis=1)
+        triangles = triangles[np.linalg.norm(centre - middle, axis=1) < reach + size]
+        edges = np.linalg.norm(triangles - np.roll(triangles, 1, axis=1), axis=2).max(axis=1)
+        large = edges > CELLS[0]
+        found.append(triangles[~large].reshape(-1, 3))
+        count += len(found[-1])
+        if count + 12 * int(large.sum()) > MOST_SAMPLES:
+            return None
+        a, b, c = triangles[large].transpose(1, 0, 2)
+        ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
+        triangles = np.concatenate([np.stack(each, axis=1) for each in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))])
+    return np.concatenate(found)
+
+
+def _pieces(points: Array, radii: Array, cell: float, middle: Array) -> list[Array] | None:
+    """Corners (c, 3) of convex pieces around balls of `radii` (k,) about points (k, 3); None for too many pieces or cells."""
+    if not len(points):
+        return []
+    grid = _Grid.of(points, radii, cell, middle)
+    if grid is None or grid.groups > MOST_PIECES:
+        return None
+    open_parts = [np.flatnonzero(grid.group == number) for number in range(1, grid.groups + 1)]
+    done: list[Array] = []
+    while open_parts:
+        if len(open_parts) + len(done) > MOST_PIECES:
+            return None
+        part = open_parts.pop()
+        inside = np.isin(grid.owner, part)
+        if not inside.any():
+            continue
+        hull = _Hull.of(points[inside], radii[inside])
+        corners = hull.corners()
+        cut = _cut(grid.solid[part], cell, hull.frame) if grid.has_empty(hull, corners) else None
+        if cut is not None:
+            open_parts += [part[cut], part[~cut]]
+        elif has_hull(corners):
+            done.append(corners)
+        else:
+            return None
+    return done
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Grid:
+    """Cells of a grid around balls.
+
+    Attributes:
+        low, cell: corner (3,) and edge of the cells [m].
+        filled: (nx, ny, nz) cells that hold something, their neighbours, and what these enclose, except around the robot.
+        solid: (c, 3) centres of the cells that hold something or are enclosed.
+        group: (c,) number, from 1, of the connected group of filled cells to which each belongs.
+        groups: number of these groups.
+        owner: (k,) index of the solid cell of each ball's centre.
+    """
+
+    low: Array
+    cell: float
+    filled: NDArray[np.bool_]
+    solid: Array
+    group: NDArray[np.intp]
+    groups: int
+    owner: NDArray[np.intp]
+
+    @classmethod
+    def of(cls, points: Array, radii: Array, cell: float, middle: Array) -> "_Grid | None":
+        from scipy import ndimage
+
+        wide = radii > cell / 2
+        sides = [points[wide] + sign * radii[wide, None] * axis for sign in (1, -1) for axis in np.eye(3)]
+        around = np.concatenate([points, *sides])
+        low = around.min(axis=0) - 3 * cell
+        shape = np.ceil((around.max(axis=0) + 3 * cell - low) / cell)
+        if np.prod(shape) > MOST_CELLS:
+            return None
+        filled = np.zeros(shape.astype(int), dtype=bool)
+        filled[tuple(((around - low) / cell).astype(int).T)] = True
+        filled = _with_enclosed(ndimage.binary_dilation(filled, CUBE), (middle - low) / cell)
+        solid = ndimage.binary_erosion(filled, CUBE)
+        where, number = np.argwhere(solid), np.full(filled.shape, -1, dtype=np.intp)
+        number[solid] = np.arange(len(where))
+        label, groups = ndimage.label(filled, CUBE)
+        return cls(
+            low=low,
+            cell=cell,
+            filled=filled,
+            solid=low + cell * (where + 0.5),
+            group=label[solid],
+            groups=groups,
+            owner=number[tuple(((points - low) / cell).astype(int).T)],
+        )
+
+    def has_empty(self, hull: "_Hull", corners: Array) -> bool:
+        """Whether the centre of a cell that is not filled lies within half a cell of a hull with these corners (c, 3)."""
+        first = np.maximum((corners.min(axis=0) - self.low) // self.cell - 1, 0).astype(int)
+        last = ((corners.max(axis=0) - self.low) // self.cell + 1).astype(int)
+        inside = self.filled[tuple(slice(a, b + 1) for a, b in zip(first, last, strict=True))]
+        left = self.low + self.cell * (np.argwhere(~inside) + first + 0.5)
+        for face, offset in zip(hull.faces, hull.offsets, strict=True):
+            left = left[left @ face <= offset + self.cell / 2]
+        return len(left) > 0
+
+
+def _with_enclosed(filled: NDArray[np.bool_], middle: Array) -> NDArray[np.bool_]:
+    """The filled cells and those that they enclose, except for the room in which the robot stands, nearest to `middle` (3,)."""
+    from scipy import ndimage
+
+    rooms, _ = ndimage.label(~filled)
+    first = np.clip(middle - BESIDE, 0, filled.shape).astype(int)
+    last = np.clip(middle + BESIDE, 0, filled.shape).astype(int)
+    window = rooms[tuple(slice(a, b) for a, b in zip(first, last, strict=True))]
+    empty = np.argwhere(window > 0)
+    enclosed = rooms != rooms[0, 0, 0]
+    if len(empty):
+        nearest = empty[np.argmin(((empty + first + 0.5 - middle) ** 2).sum(axis=1))]
+        enclosed &= rooms != window[tuple(nearest)]
+    return np.asarray(enclosed)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Hull:
+    """The hull faces · x <= offsets of balls, with FACES in the better of two frames.
+
+    Attributes:
+        frame: (3, 3) axes of the frame as rows.
+        faces, offsets: unit normals (26, 3) and offsets (26,) [m].
+        inner: (3,) a point inside.
+    """
+
+    frame: Array
+    faces: Array
+    offsets: Array
+    inner: Array
+
+    @classmethod
+    def of(cls, points: Array, radii: Array) -> "_Hull":
+        inner = points.mean(axis=0)
+        centred = points - inner
+        frames = (np.eye(3), np.linalg.eigh(centred.T @ centred)[1].T)
+        frame = min(frames, key=lambda axes: round(float(np.prod(np.ptp(points @ axes.T, axis=0) + MARGIN)), 9))
+        faces = FACES @ frame
+        offsets = np.array([(points @ face + radii).max() for face in faces]) + MARGIN
+        return cls(frame=frame, faces=faces, offsets=offsets, inner=inner)
+
+    def corners(self) -> Array:
+        """Its corners (k, 3)."""
+        from scipy.spatial import HalfspaceIntersection
+
+        around = np.column_stack([self.faces, self.faces @ self.inner - self.offsets])
+        return np.asarray(HalfspaceIntersection(around, np.zeros(3)).intersections + self.inner)
+
+
+def _cut(solid: Array, cell: float, frame: Array) -> NDArray[np.bool_] | None:
+    """Which cells (k, 3) lie on one side of the best plane normal to an axis of the frame; None for a single cell.
+
+    The box around a side counts unless the cells fill it. The best plane is that with the smallest volume that counts, and of
+    these the one with the smallest boxes.
+    """
+    best: NDArray[np.bool_] | None = None
+    least = [np.inf, np.inf]
+    local = solid @ frame.T
+    for along in local.T:
+        for offset in along.min() + np.ptp(along) * (np.arange(CUTS) + 0.5) / CUTS:
+            below = along <= offset
+            if below.all() or not below.any():
+                continue
+            boxes = np.array([np.prod(np.ptp(local[side], axis=0) + cell) for side in (below, ~below)])
+            counts = np.array([below.sum(), (~below).sum()]) * cell**3
+            volumes = [round(float(each.sum()), 9) for each in (boxes[counts < FULL * boxes], boxes)]
+            if volumes < least:
+                best, least = below, volumes
+    return best
