@@ -22,7 +22,7 @@ from manipplan.support.memo import once_per_owner
 
 #: A scene without surfaces (clouds and meshes that are not convex) is simplified if it has this number of small obstacles near
 #: the robot. There are always fewer pieces, so that a coarse scene has no coarse scene of its own.
-CROWD, MOST_PIECES = 100, 64
+CROWD, MOST_PIECES = 100, 96
 #: Edges of the grid's cells [m], tried in turn: pieces stick out of the obstacles by up to two cells.
 CELLS = (0.02, 0.03, 0.045)
 #: Maximum number of cells of the grid, and of sample points on all obstacles.
@@ -31,6 +31,8 @@ MOST_CELLS, MOST_SAMPLES = 8_000_000, 3_000_000
 SMALL_BOX, SMALL, SMALL_HULL = 0.2, 0.08, 0.04
 #: Number of positions along each axis at which cuts are compared, and share of a box at which cells fill it.
 CUTS, FULL = 24, 0.7
+#: Maximum number of points by which upright frames are compared.
+MOST_TURNED = 4000
 #: Margin around the samples of a piece, so that flat ones have a volume [m].
 MARGIN = 5e-4
 #: Directions of the faces of a piece in its frame (26, 3): along the axes and the diagonals of a cube [klosowski1998].
@@ -221,7 +223,7 @@ def _pieces(points: Array, radii: Array, cell: float, middle: Array) -> list[Arr
             continue
         hull = _Hull.of(points[inside], radii[inside])
         corners = hull.corners()
-        cut = _cut(grid.solid[part], cell, hull.frame) if grid.has_empty(hull, corners) else None
+        cut = _cut(grid.solid[part], cell, hull.frames) if grid.has_empty(hull, corners) else None
         if cut is not None:
             open_parts += [part[cut], part[~cut]]
         elif has_hull(corners):
@@ -309,15 +311,15 @@ def _with_enclosed(filled: NDArray[np.bool_], middle: Array) -> NDArray[np.bool_
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Hull:
-    """The hull faces · x <= offsets of balls, with FACES in the better of two frames.
+    """The hull faces · x <= offsets of balls, with FACES in the best of three frames.
 
     Attributes:
-        frame: (3, 3) axes of the frame as rows.
+        frames: (3, 3, 3) the frames that were compared, with their axes as rows.
         faces, offsets: unit normals (26, 3) and offsets (26,) [m].
         inner: (3,) a point inside.
     """
 
-    frame: Array
+    frames: Array
     faces: Array
     offsets: Array
     inner: Array
@@ -326,11 +328,11 @@ class _Hull:
     def of(cls, points: Array, radii: Array) -> "_Hull":
         inner = points.mean(axis=0)
         centred = points - inner
-        frames = (np.eye(3), np.linalg.eigh(centred.T @ centred)[1].T)
+        frames = np.array([np.eye(3), _upright(points), np.linalg.eigh(centred.T @ centred)[1].T])
         frame = min(frames, key=lambda axes: round(float(np.prod(np.ptp(points @ axes.T, axis=0) + MARGIN)), 9))
         faces = FACES @ frame
         offsets = np.array([(points @ face + radii).max() for face in faces]) + MARGIN
-        return cls(frame=frame, faces=faces, offsets=offsets, inner=inner)
+        return cls(frames=frames, faces=faces, offsets=offsets, inner=inner)
 
     def corners(self) -> Array:
         """Its corners (k, 3)."""
@@ -340,23 +342,43 @@ class _Hull:
         return np.asarray(HalfspaceIntersection(around, np.zeros(3)).intersections + self.inner)
 
 
-def _cut(solid: Array, cell: float, frame: Array) -> NDArray[np.bool_] | None:
-    """Which cells (k, 3) lie on one side of the best plane normal to an axis of the frame; None for a single cell.
+def _upright(points: Array) -> Array:
+    """The frame (3, 3) with a vertical axis in which the box around points (k, 3) has the smallest base, to 0.05°."""
+    plan = points[:: 1 + len(points) // MOST_TURNED, :2]
+    angle = 0.0
+    for turns in (np.arange(0.0, 90.0), np.arange(-1.0, 1.0, 0.05)):
+        angles = np.radians(turns) + angle
+        along = np.array([np.cos(angles), np.sin(angles)])
+        base = np.ptp(plan @ along, axis=0) * np.ptp(plan @ np.array([-along[1], along[0]]), axis=0)
+        angle = angles[int(np.argmin(np.round(base, 9)))]
+    return np.array([[np.cos(angle), np.sin(angle), 0.0], [-np.sin(angle), np.cos(angle), 0.0], [0.0, 0.0, 1.0]])
+
+
+def _cut(solid: Array, cell: float, frames: Array) -> NDArray[np.bool_] | None:
+    """Which cells (k, 3) lie on one side of the best plane normal to an axis of the frames (f, 3, 3); None for a single cell.
 
     The box around a side counts unless the cells fill it. The best plane is that with the smallest volume that counts, and of
     these the one with the smallest boxes.
     """
     best: NDArray[np.bool_] | None = None
     least = [np.inf, np.inf]
-    local = solid @ frame.T
-    for along in local.T:
-        for offset in along.min() + np.ptp(along) * (np.arange(CUTS) + 0.5) / CUTS:
-            below = along <= offset
-            if below.all() or not below.any():
-                continue
-            boxes = np.array([np.prod(np.ptp(local[side], axis=0) + cell) for side in (below, ~below)])
-            counts = np.array([below.sum(), (~below).sum()]) * cell**3
-            volumes = [round(float(each.sum()), 9) for each in (boxes[counts < FULL * boxes], boxes)]
-            if volumes < least:
-                best, least = below, volumes
+    for local in solid @ frames.transpose(0, 2, 1):
+        for along in local.T:
+            order = np.argsort(along, kind="stable")
+            below, above = _sizes(local[order]), _sizes(local[order[::-1]])[::-1]
+            offsets = along.min() + np.ptp(along) * (np.arange(CUTS) + 0.5) / CUTS
+            for count in np.searchsorted(along[order], offsets, side="right"):
+                if not 0 < count < len(solid):
+                    continue
+                boxes = np.prod(np.array([below[count - 1], above[count]]) + cell, axis=1)
+                is_filled = np.array([count, len(solid) - count]) * cell**3 >= FULL * boxes
+                volumes = [round(float(each.sum()), 9) for each in (boxes[~is_filled], boxes)]
+                if volumes < least:
+                    best, least = np.zeros(len(solid), dtype=bool), volumes
+                    best[order[:count]] = True
     return best
+
+
+def _sizes(points: Array) -> Array:
+    """Edges (k, 3) of the boxes around the first 1, 2, ... k of points (k, 3)."""
+    return np.asarray(np.maximum.accumulate(points) - np.minimum.accumulate(points))
