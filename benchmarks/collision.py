@@ -53,6 +53,7 @@ class Meshes:
                 for link in range(len(links)):
                     if self.geometry.geometryObjects[link].parentJoint > 0:
                         self.geometry.addCollisionPair(pin.CollisionPair(link, index))
+        self.always: set[int] = set()
         self.data, self.placed = robot.model.createData(), pin.GeometryData(self.geometry)
 
     @staticmethod
@@ -71,16 +72,20 @@ class Meshes:
         for k, each in enumerate(q):
             pin.computeCollisions(self.robot.model, self.data, self.geometry, self.placed, each, False)
             hits[k] = [result.isCollision() for result in self.placed.collisionResults]
-        hits[:, np.flatnonzero(hits.mean(axis=0)[: self.own] >= ALWAYS)] = False
+        self.always = set(np.flatnonzero(hits.mean(axis=0)[: self.own] >= ALWAYS).tolist())
+        hits[:, sorted(self.always)] = False
         return hits.any(axis=1)
 
     def distance(self, q: np.ndarray) -> float:
-        """The smallest distance of the pairs that the last test calls touching at q (n,) [m].
+        """The smallest distance of the pairs that coal calls touching at q (n,), except those always near in the last test [m].
 
         coal's test calls triangles that are less than a micrometre apart touching; its distance does not.
         """
+        for request in self.placed.collisionRequests:
+            request.security_margin = 0.0
         pin.computeCollisions(self.robot.model, self.data, self.geometry, self.placed, q, False)
-        hit = [k for k, result in enumerate(self.placed.collisionResults) if result.isCollision()]
+        results = enumerate(self.placed.collisionResults)
+        hit = [k for k, result in results if result.isCollision() and k not in self.always]
         distances = [pin.computeDistance(self.geometry, self.placed, k).min_distance for k in hit]
         return float(min(distances, default=np.inf))
 
@@ -336,7 +341,8 @@ def among_clouds(count: int) -> list[str]:
     robot = problems.robot("panda")
     chosen: dict[str, list[problems.Problem]] = {}
     for problem in problems.load("panda"):
-        chosen.setdefault(problem.set, []).append(problem)
+        if not robot.limits.outside(problem.goal).any():
+            chosen.setdefault(problem.set, []).append(problem)
     lines = [
         f"| MotionBenchMaker, Panda, first {count} of each set | points | plan among boxes | among points | ratio | results |",
         "|---|---|---|---|---|---|",

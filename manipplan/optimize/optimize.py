@@ -79,9 +79,10 @@ def optimize_path(
 
     The path is a polynomial, or a spline of several pieces. IPOPT minimises its energy ∫ ‖q'‖_W² / m^(2 power) ds, from the
     straight line without obstacles and from the seed among them. From there, sequential quadratic programming in a trust region
-    [nocedal2006, ch. 18] minimises g itself with the true distances of the scene. Degrees above 6 and paths of several pieces
-    also start from the optimum of a lower degree. The path with the smallest g is returned; of two whose g differ by less than
-    a share of 1e-5, the one found first. The optimum is local.
+    [nocedal2006, ch. 18] minimises g itself with the true distances of the scene. Among clouds, meshes that are not convex or
+    100 or more small obstacles, this is done in a coarse copy of the scene first, and then near the path found there. Degrees
+    above 6 and paths of several pieces also start from the optimum of a lower degree. The path with the smallest g is returned;
+    of two whose g differ by less than a share of 1e-5, the one found first. The optimum is local.
 
     Joint limits hold on the whole curve. With a scene, an optimised path is proven collision-free on the whole curve; a seed
     is proven too, or at least checked every milliradian. `certificate` holds the measured figures. Status.OPTIMAL means that
@@ -97,7 +98,7 @@ def optimize_path(
         shape: degree, basis, pieces and end derivatives of the path.
         seeding: how first paths are found, or a given one.
         clearance: minimum distance [m] from obstacles and between the arm's own links; needs a scene. An optimised path keeps
-            0.05 mm more, so that the proof succeeds.
+            0.05 mm more, so that the proof succeeds, and along clouds and meshes up to 3 mm more.
         executor: runs first paths and solves in parallel; the result does not depend on it. Default: in turn, in this process.
         compiled: True: objective, clearance rows and measure in machine code. It is compiled in a few seconds, once per robot,
             task, measure and metric, and kept in the user's cache folder. False: CasADi's virtual machine. "auto": machine

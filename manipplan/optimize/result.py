@@ -38,7 +38,7 @@ class PathResult:
         min_manipulability: minimum manipulability on a dense grid [measure.unit(task)]; `min_at` is the s where it occurs.
         power, task: exponent of the objective, and task of its manipulability.
         seed, seed_cost: the collision-free first path (straight without a scene) and its cost, for comparison.
-        history: all solves, in order.
+        history: all solves, in order; those in a coarse copy of the scene are called so.
         status: how the path came about.
         measure, metric: m, and W (n, n) or None for the identity.
         rivals: results of other seed classes and shifted goals, best first; each path differs from those before it.

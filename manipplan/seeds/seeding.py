@@ -35,7 +35,7 @@ class Seeding:
         count: number of first paths per goal. With a scene the planner finds them, with `seed`, `seed` + 1 and so on, and of
             those joined by a collision-free straight homotopy only the best is optimised. Without a scene they are the straight
             line and paths through random configurations.
-        time_limit: time limit of the planner per first path [s].
+        time_limit: time limit of the planner per first path [s]; among many obstacles it may search twice.
         shifts: "within-limits" also tries goals 2π away in each revolute joint, at most 3 to the power of n of them, and
             returns the best path. Their pose is that of the goal. Not together with `initial`.
         initial: a first path from start to goal: a JointPath, a Trajectory, or a trajectory file (.csv, .json, .yaml, .npz),

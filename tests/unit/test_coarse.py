@@ -169,3 +169,44 @@ def test_a_start_beside_a_cloud_is_no_obstacle_to_planning(panda):
     found = mp.plan(panda, START, GOAL, scene)
     assert found.status.has_path
     assert scene.path_clearance(panda, found.path).proven
+
+
+def test_the_room_around_the_robot_stays_open(panda):
+    """A closed cell of points around the robot: its walls are pieces, its inside is not."""
+    room = mp.Scene([mp.PointCloud(points=plates(((0.0, 0.0, 0.5), (1.6, 1.6, 1.6)), spacing=0.02), radius=0.01)])
+    coarse = coarse_scene(room, panda)
+    assert len(pieces(coarse)) >= 6
+    assert not coarse.in_collision(panda, START)
+
+
+def test_a_robot_without_bounds_and_scenes_that_are_odd(panda):
+    """Bodies that do not move, an endless floor and points far away change nothing."""
+    points = plates(((0.5, 0.0, 0.4), (0.2, 0.2, 0.2)))
+    cloud = mp.PointCloud(points=points, radius=0.01)
+    far = mp.PointCloud(points=points + [1e5, 0.0, 0.0], radius=0.01, name="far")
+    wide = mp.PointCloud(points=[[0.5, 0.0, 0.4]], radius=0.2, name="ball")
+    for scene in (mp.Scene([cloud, far]), mp.Scene([cloud, mp.Plane(position=(0.0, 0.0, -1.0))])):
+        assert len(pieces(coarse_scene(scene, panda))) == 1
+    assert depth(coarse_scene(mp.Scene([wide]), panda), np.array([[0.5, 0.0, 0.4], [0.5, 0.19, 0.4]])).max() > 0
+
+
+def test_sticks_are_covered_along_their_length(panda):
+    sticks = [mp.Capsule(radius=0.005, length=0.065, position=(0.4, 0.005 * k - 0.25, 0.4)) for k in range(100)]
+    coarse = coarse_scene(mp.Scene(sticks), panda)
+    assert len(pieces(coarse)) == 1
+    along = np.array([[0.4, 0.0, 0.4 + z] for z in np.linspace(-0.037, 0.037, 9)])
+    assert depth(coarse, along).min() > 0
+
+
+@pytest.mark.slow
+def test_several_first_paths_and_given_ones_in_a_crowd(panda):
+    """Each is solved, and a given path that touches a piece, or that the planner did not find, is no error."""
+    points = plates(((0.55, 0.0, 0.45), (0.1, 0.1, 0.5)))
+    scene = mp.Scene([mp.PointCloud(points=points, radius=6e-3)])
+    several = mp.optimize_path(panda, START, GOAL, scene, seeding=mp.Seeding(count=2))
+    assert several.status.ok
+    again = mp.optimize_path(panda, START, GOAL, scene, seeding=mp.Seeding(initial=several.path))
+    assert again.g <= several.g * (1 + 1e-6)
+    for path in (several.path, again.path):
+        assert scene.path_clearance(panda, path).proven
+    assert any(step.first.startswith("coarse") for step in several.history)
