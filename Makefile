@@ -4,7 +4,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 OLD := .peers/manipplan-0.1
 
-.PHONY: demo test test-all test-long browser ffmpeg lint types docs links pictures fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
+.PHONY: demo test test-all test-long browser ffmpeg lint types docs links pictures kernel fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
@@ -56,6 +56,14 @@ links: $(READY)
 # The picture and the animation of the README.
 pictures: $(READY)
 	$(BIN)/python docs/make_pictures.py
+
+# The collision kernel in LLVM's language, for machines without a C compiler; needs clang 16.
+KERNEL := manipplan/collision/distances
+kernel:
+	{ echo "; distances.c $$(sha256sum $(KERNEL).c | cut -d' ' -f1): written by make kernel"; \
+	  clang-16 -O2 -fno-vectorize -fno-slp-vectorize -fno-unroll-loops -ffp-contract=off -fno-math-errno -fno-trapping-math \
+	    -S -emit-llvm -o - $(KERNEL).c | sed -E -e '/^(target|source_filename|!|;)/d' -e 's/"(target|tune)-[a-z]+"="[^"]*"//g' \
+	    -e 's/, !(tbaa|tbaa\.struct|llvm\.loop) ![0-9]+//g'; } > $(KERNEL).ll
 
 # Edited files for every loader, 10,000 each: half an hour. Files at fault are kept in .faults.
 fuzz: $(READY)

@@ -4,6 +4,7 @@ import ctypes
 import logging
 import threading
 from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.compiler import NATIVE, load_library
 from manipplan.support.errors import CompilerError
+from manipplan.support.llvm import compiled_by_llvm
 
 log = logging.getLogger("manipplan")
 
@@ -49,42 +51,65 @@ class _World(ctypes.Structure):
     ]
 
 
+_P, _N = ctypes.c_void_p, ctypes.c_long
+#: Result and arguments of the functions of distances.c.
+SIGNATURES: dict[str, tuple[Any, ...]] = {
+    "check": (None, _P, _P, _N, ctypes.c_double, _P),
+    "distances": (None, _P, _P, _N, _P, _P),
+    "pairs": (None, _P, _P, _N, _P, _P, _P, _P),
+    "near": (_N, _P, _P, _N, _P, _N, _P, _P),
+    "tree": (_N, _P, _P, _N, _P, _N, _P, _P),
+}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Calls:
+    """The functions of distances.c, by their names without prefix.
+
+    Attributes:
+        functions: they release the GIL.
+        check_one: the check of one configuration, which holds the GIL: to release it would take longer than the check.
+        owner: what keeps their code alive.
+    """
+
+    functions: Mapping[str, Callable[..., Any]]
+    check_one: Callable[[int, int, float], int]
+    owner: object
+
+    @classmethod
+    def of(cls, address: Callable[[str], int], owner: object) -> "Calls":
+        """Those at the addresses of their names."""
+        functions = {name: ctypes.CFUNCTYPE(*types)(address(f"manipplan_{name}")) for name, types in SIGNATURES.items()}
+        one = ctypes.PYFUNCTYPE(ctypes.c_int, _P, _P, ctypes.c_double)(address("manipplan_check_one"))
+        return cls(functions=functions, check_one=one, owner=owner)
+
+
 @cache
-def _library() -> ctypes.CDLL | None:
-    """The compiled kernel; None, with a message in the log, where there is no working C compiler."""
+def _calls() -> Calls | None:
+    """The compiled kernel: by the C compiler, or from distances.ll by LLVM; None, with a message in the log, without either."""
     source = Path(__file__).with_name("distances.c").read_text(encoding="utf-8")
     flags = [flag for flag in NATIVE if flag != "-O2"] + ["-O3", "-lm"]
     try:
         return load_library(source, _loaded, flags=flags, subject="collision checks, once per machine")
     except CompilerError as error:
+        log.info("collision checks are compiled by LLVM in each process: %s", error)
+    try:
+        engine = compiled_by_llvm(Path(__file__).with_name("distances.ll").read_text(encoding="utf-8"))
+    except RuntimeError as error:
         log.warning("collisions are checked by coal alone, which takes about ten times as long: %s", error)
         return None
+    return Calls.of(engine.get_function_address, engine)
 
 
-def _loaded(file: Path) -> ctypes.CDLL:
+def _loaded(file: Path) -> Calls:
     library = ctypes.CDLL(str(file))
-    pointer = ctypes.c_void_p
-    library.manipplan_check.argtypes = [pointer, pointer, ctypes.c_long, ctypes.c_double, pointer]
-    library.manipplan_distances.argtypes = [pointer, pointer, ctypes.c_long, pointer, pointer]
-    library.manipplan_pairs.argtypes = [pointer, pointer, ctypes.c_long, pointer, pointer, pointer, pointer]
-    for call in (library.manipplan_check, library.manipplan_distances, library.manipplan_pairs):
-        call.restype = None
-    library.manipplan_near.argtypes = [pointer, pointer, ctypes.c_long, pointer, ctypes.c_long, pointer, pointer]
-    library.manipplan_near.restype = ctypes.c_long
-    library.manipplan_tree.argtypes = [pointer, pointer, ctypes.c_long, pointer, ctypes.c_long, pointer, pointer]
-    library.manipplan_tree.restype = ctypes.c_long
-    return library
-
-
-def _check_one(library: ctypes.CDLL) -> Callable[[int, int, float], int]:
-    """The check of one configuration. It holds the GIL: to release it would take longer than the check."""
-    return ctypes.PYFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double)(("manipplan_check_one", library))
+    return Calls.of(lambda name: ctypes.cast(getattr(library, name), ctypes.c_void_p).value or 0, library)
 
 
 def find_kernel(
     robot: Robot, geometry: pin.GeometryModel, radii: Array | None = None, closed: Collection[int] = ()
 ) -> "DistanceKernel | None":
-    """The kernel for the pairs of `geometry`; None without a working C compiler.
+    """The kernel for the pairs of `geometry`; None where it cannot be compiled.
 
     Args:
         robot: the arm.
@@ -92,19 +117,17 @@ def find_kernel(
         radii: (g,) added all around each object [m]; None: zeros.
         closed: the objects that are surfaces and solid inside.
     """
-    library = _library()
-    if library is None:
+    calls = _calls()
+    if calls is None:
         return None
-    return DistanceKernel(
-        library, _arrays(library, robot, geometry, np.zeros(geometry.ngeoms) if radii is None else radii, closed)
-    )
+    return DistanceKernel(calls, _arrays(calls, robot, geometry, np.zeros(geometry.ngeoms) if radii is None else radii, closed))
 
 
 class DistanceKernel:
     """Checks of one collision model by compiled code. Threads take turns, since it holds working memory; `copy` has its own."""
 
-    def __init__(self, library: ctypes.CDLL, arrays: Mapping[str, NDArray[Any]]) -> None:
-        self._library = library
+    def __init__(self, calls: Calls, arrays: Mapping[str, NDArray[Any]]) -> None:
+        self._calls, self._call = calls, calls.functions
         self._n, self._bodies = len(arrays["axes"]), arrays["pair_bodies"]
         self._arrays = dict(arrays) | {
             "frames": np.empty((self._n + 1, 12)),
@@ -126,11 +149,11 @@ class DistanceKernel:
         self._at = ctypes.addressof(self._world)
         self._lock = threading.Lock()
         self._q = np.zeros(self._n)
-        self._q_at, self._check_one = self._q.ctypes.data, _check_one(library)
+        self._q_at, self._check_one = self._q.ctypes.data, calls.check_one
 
     def copy(self) -> "DistanceKernel":
         """The same with its own working memory, for another thread."""
-        return DistanceKernel(self._library, self._arrays)
+        return DistanceKernel(self._calls, self._arrays)
 
     def check(self, q: Array, clearance: float) -> int:
         """FREE, TOUCHING or UNDECIDED at q (n,): whether any pair is as near as `clearance` [m]."""
@@ -143,7 +166,7 @@ class DistanceKernel:
         q = np.ascontiguousarray(q, dtype=float)
         verdicts = np.empty(len(q), dtype=np.int8)
         with self._lock:
-            self._library.manipplan_check(self._at, q.ctypes.data, len(q), clearance, verdicts.ctypes.data)
+            self._call["check"](self._at, q.ctypes.data, len(q), clearance, verdicts.ctypes.data)
         return verdicts
 
     def distances(self, q: Array, reach: Array) -> Array:
@@ -151,7 +174,7 @@ class DistanceKernel:
         q, reach = np.ascontiguousarray(q, dtype=float), np.ascontiguousarray(reach, dtype=float)
         found = np.empty((len(q), len(self._bodies)))
         with self._lock:
-            self._library.manipplan_distances(self._at, q.ctypes.data, len(q), reach.ctypes.data, found.ctypes.data)
+            self._call["distances"](self._at, q.ctypes.data, len(q), reach.ctypes.data, found.ctypes.data)
         return found
 
     def near(self, q: Array, reach: Array) -> tuple[Numbers, Array]:
@@ -164,7 +187,7 @@ class DistanceKernel:
             where, found = np.empty(room, dtype=np.int64), np.empty(room)
             places = (q.ctypes.data, len(q), reach.ctypes.data, room, where.ctypes.data, found.ctypes.data)
             with self._lock:
-                count = int(self._library.manipplan_near(self._at, *places))
+                count = int(self._call["near"](self._at, *places))
             if count <= room:
                 order = np.argsort(where[:count], kind="stable")
                 return where[:count][order], found[:count][order]
@@ -188,12 +211,12 @@ class DistanceKernel:
         found, leaf, reach = np.empty(len(q)), np.empty(len(q), dtype=np.int64), np.ascontiguousarray(reach, dtype=float)
         places = (q.ctypes.data, len(q), bodies.ctypes.data, reach.ctypes.data, found.ctypes.data, leaf.ctypes.data)
         with self._lock:
-            self._library.manipplan_pairs(self._at, *places)
+            self._call["pairs"](self._at, *places)
         return found, leaf
 
 
 def _arrays(
-    library: ctypes.CDLL, robot: Robot, geometry: pin.GeometryModel, radii: Array, closed: Collection[int]
+    calls: Calls, robot: Robot, geometry: pin.GeometryModel, radii: Array, closed: Collection[int]
 ) -> dict[str, NDArray[Any]]:
     """The arrays of `World`, and the bodies of each pair, the moving one first."""
     model, objects = robot.model, list(geometry.geometryObjects)
@@ -213,7 +236,7 @@ def _arrays(
     still = np.array(sorted(set(pairs[joint[pairs[:, 1]] == 0, 1].tolist())), dtype=np.int64)
     around = zip(objects, arrays["ball"], arrays["radius"], strict=True)
     arrays["local"] = np.array([_box_around(item, ball, radius) for item, ball, radius in around]).reshape(-1, 6)
-    arrays |= _trees(library, objects, still, arrays["local"], arrays["radius"])
+    arrays |= _trees(calls, objects, still, arrays["local"], arrays["radius"])
     return {name: np.ascontiguousarray(array) for name, array in arrays.items()}
 
 
@@ -300,7 +323,7 @@ def _groups(mover: Numbers, joint: Numbers, ball: Array) -> dict[str, NDArray[An
 
 
 def _trees(
-    library: ctypes.CDLL, objects: Sequence[pin.GeometryObject], still: Numbers, local: Array, radius: Array
+    calls: Calls, objects: Sequence[pin.GeometryObject], still: Numbers, local: Array, radius: Array
 ) -> dict[str, NDArray[Any]]:
     """One tree per static surface, then the tree over all static bodies; `top` is the root of the last, -1 without any."""
     root = np.full(len(objects), -1, dtype=np.int64)
@@ -318,21 +341,21 @@ def _trees(
             corners = triangles[k]
             box = np.concatenate([corners.min(axis=1), corners.max(axis=1)], axis=1)
             root[k] = free
-            free = _grow(library, box, np.arange(begin, begin + len(corners)), free, node_box, node)
+            free = _grow(calls, box, np.arange(begin, begin + len(corners)), free, node_box, node)
             begin += len(corners)
             boxes[row] = node_box[root[k]] + np.repeat([-radius[k], radius[k]], 3)
     top = free if len(still) else -1
     if len(still):
-        _grow(library, boxes, still, free, node_box, node)
+        _grow(calls, boxes, still, free, node_box, node)
     corners = np.concatenate([each.reshape(-1, 9) for each in triangles.values()] + [np.zeros((1, 9))])
     return {"node_box": node_box, "node": node, "root": root, "corners": corners, "top": np.array([top])}
 
 
-def _grow(library: ctypes.CDLL, box: Array, names: Numbers, root: int, node_box: Array, node: Numbers) -> int:
+def _grow(calls: Calls, box: Array, names: Numbers, root: int, node_box: Array, node: Numbers) -> int:
     """Build a tree over boxes (k, 6) from node `root` on; returns the next free node."""
     box, items, names = np.ascontiguousarray(box), np.arange(len(box)), np.ascontiguousarray(names, dtype=np.int64)
     given = (box.ctypes.data, items.ctypes.data, len(box), names.ctypes.data, root, node_box.ctypes.data, node.ctypes.data)
-    return int(library.manipplan_tree(*given))
+    return int(calls.functions["tree"](*given))
 
 
 def _box_around(item: pin.GeometryObject, ball: Array, radius: float) -> Array:

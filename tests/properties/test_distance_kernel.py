@@ -1,7 +1,12 @@
 """The compiled kernel against coal, for arms and scenes of every shape, and the gradient of distances."""
 
+import hashlib
+import os
+import subprocess
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from pathlib import Path
 
 import coal
 import numpy as np
@@ -11,9 +16,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.collision.kernel import UNDECIDED
+from manipplan.collision import kernel
+from manipplan.collision.kernel import UNDECIDED, Calls, DistanceKernel
 from manipplan.collision.shapes import Part
+from manipplan.support.llvm import compiled_by_llvm
 
+LLVM_TEXT = Path(kernel.__file__).with_name("distances.ll")
 ARMS = ["panda", "ur5", "planar", "two", "eggs"]
 MORE_ARMS = [
     "panda_collision",
@@ -346,3 +354,56 @@ def test_parts_of_own_obstacles_are_checked(panda):
         Part(shape=mp.Box(size=(1, 1, 1)))
     with pytest.raises(mp.InvalidInputError, match="without a distance around it"):
         panda.attach(FatBox(size=(0.1, 0.1, 0.1)), name="part")
+
+
+def by_llvm(model, calls):
+    """A model whose kernel is that of LLVM's language."""
+    other = model.copy()
+    other.__dict__["_kernel"] = DistanceKernel(calls, model._kernel._arrays)
+    return other
+
+
+@pytest.fixture(scope="session")
+def llvm_calls():
+    engine = compiled_by_llvm(LLVM_TEXT.read_text(encoding="utf-8"))
+    return Calls.of(engine.get_function_address, engine)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("arm", ARMS, indirect=True)
+def test_llvm_s_kernel_gives_the_same(arm, wedge, rng, llvm_calls):
+    """Bit by bit, as both are the same operations without contraction."""
+    for shape in SHAPES:
+        place = 0.8 * arm.kinematics().pose(arm.random_configuration(rng))[:3, 3]
+        model = mp.Scene([obstacle(shape, place, rng.uniform(-3, 3, 3), 0.3, wedge)]).collision_model(arm)
+        other, q = by_llvm(model, llvm_calls), arm.random_configuration(rng, size=300)
+        np.testing.assert_array_equal(other.distance_rows(q), model.distance_rows(q))
+        np.testing.assert_array_equal(other.in_collision_rows(q), model.in_collision_rows(q))
+        np.testing.assert_array_equal([other.in_collision(each) for each in q[:50]], model.in_collision_rows(q[:50]))
+
+
+def test_llvm_s_kernel_is_made_of_the_source():
+    """`make kernel` writes it; the first line names the source."""
+    source = hashlib.sha256(LLVM_TEXT.with_suffix(".c").read_bytes()).hexdigest()
+    assert LLVM_TEXT.read_text(encoding="utf-8").startswith(f"; distances.c {source}")
+    assert "target" not in LLVM_TEXT.read_text(encoding="utf-8")
+
+
+@pytest.mark.slow
+def test_without_a_compiler_the_kernel_is_made_by_llvm(tmp_path):
+    """In a process of its own with an empty cache, and with the same verdicts."""
+    program = """
+import numpy as np, manipplan as mp
+robot = mp.load_robot("panda")
+scene = mp.Scene([mp.Box(size=(0.3, 0.3, 0.3), position=(0.5, 0.0, 0.5))])
+q = robot.random_configuration(np.random.default_rng(0), size=500)
+print(scene.collision_model(robot)._kernel is not None, scene.in_collision(robot, q).nonzero()[0].tolist())
+"""
+    answers = []
+    for compiler in ({}, {"CC": "", "MANIPPLAN_CACHE": str(tmp_path)}):
+        run = subprocess.run(
+            [sys.executable, "-c", program], env=os.environ | compiler, capture_output=True, text=True, check=True
+        )
+        answers.append(run.stdout)
+    assert answers[0] == answers[1]
+    assert answers[0].startswith("True ")
