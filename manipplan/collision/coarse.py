@@ -30,7 +30,7 @@ MOST_CELLS, MOST_SAMPLES = 8_000_000, 3_000_000
 #: Maximum diagonal of boxes, diameter and length of other primitives, and diagonal of hulls that count as small [m].
 SMALL_BOX, SMALL, SMALL_HULL = 0.2, 0.08, 0.04
 #: Number of positions along each axis at which cuts are compared, and share of a box at which cells fill it.
-CUTS, FULL = 24, 0.7
+CUTS, FULL = 48, 0.6
 #: Maximum number of points by which upright frames are compared.
 MOST_TURNED = 4000
 #: Margin around the samples of a piece, so that flat ones have a volume [m].
