@@ -19,7 +19,7 @@ from raster import Raster
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.excess import distances_to
+from manipplan.collision.covers.excess import distances_to
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.tracking.bodies import Bodies
 from manipplan.viz.shapes import surface_of

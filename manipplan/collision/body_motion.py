@@ -14,7 +14,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.fitting import enclose
+from manipplan.collision.covers.fitting import enclose
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import core_of
 from manipplan.robots.model_tree import axis_of, is_prismatic

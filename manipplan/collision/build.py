@@ -7,11 +7,11 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from manipplan.collision.covers.stored_fits import find_or_cut
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Part
-from manipplan.collision.stored_fits import find_or_cut
 from manipplan.robots.attached import number_names
 from manipplan.robots.hulls import convex_hull
 from manipplan.robots.robot import Robot

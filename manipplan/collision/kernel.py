@@ -14,13 +14,13 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from manipplan.collision.llvm import compiled_by_llvm
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.robots.model_tree import axis_of, is_prismatic
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.compiler import NATIVE, load_library
 from manipplan.support.errors import CompilerError
-from manipplan.support.llvm import compiled_by_llvm
 
 log = logging.getLogger("manipplan")
 

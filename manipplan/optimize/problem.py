@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from manipplan.collision.coarse import coarse_scene, without_pieces_at
+from manipplan.collision.covers.coarse import coarse_scene, without_pieces_at
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene
@@ -211,9 +211,8 @@ def _coarse_optimum(coarse: PathProblem, search: LocalSearch, first: JointPath, 
     assert coarse.scene is not None
     ends = np.array([search.start, search.goal])
     coarse = replace(coarse, scene=without_pieces_at(coarse.scene, coarse.robot, ends, coarse.clearance + PROVABLE))
-    model = coarse.model()
-    assert model is not None
-    if not path_clearance(model, first, clearance=coarse.clearance, tolerance=None).proven:
+    brief = replace(search, model=coarse.model(), known=[], accepted=[], history=[], repaces=False, until=Until.PROVEN)
+    if not brief.keeps(first):
         if not straight:
             return None
         try:
@@ -221,7 +220,6 @@ def _coarse_optimum(coarse: PathProblem, search: LocalSearch, first: JointPath, 
         except PlanningError as error:
             log.info("among the pieces of the coarse scene: %s", error)
             return None
-    brief = replace(search, model=model, known=[], accepted=[], history=[], repaces=False, until=Until.PROVEN)
     optimum = _best(_local_optima(coarse, brief, first, straight))
     search.history.extend(replace(step, first=f"coarse {step.first}") for step in brief.history)
     return optimum

@@ -66,7 +66,7 @@ class Until(Enum):
     @property
     def wide_margins(self) -> int:
         """Number of margins wider than the final one that descents keep first."""
-        return {"proven": 1, "optimal": 0, "settled": len(WIDE_MARGINS)}[self.value]
+        return {Until.PROVEN: 1, Until.OPTIMAL: 0, Until.SETTLED: len(WIDE_MARGINS)}[self]
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,10 +9,10 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.build import TOUCHING, add_self_pairs
-from manipplan.collision.excess import capsule_excess
+from manipplan.collision.covers.excess import capsule_excess
+from manipplan.collision.covers.stored_fits import find_or_fit
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import core_of, mesh_triangles
-from manipplan.collision.stored_fits import find_or_fit
 from manipplan.robots.attached import number_names
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array

@@ -18,8 +18,8 @@ from hypothesis import strategies as st
 import manipplan as mp
 from manipplan.collision import kernel
 from manipplan.collision.kernel import UNDECIDED, Calls, DistanceKernel
+from manipplan.collision.llvm import compiled_by_llvm
 from manipplan.collision.shapes import Part
-from manipplan.support.llvm import compiled_by_llvm
 
 LLVM_TEXT = Path(kernel.__file__).with_name("distances.ll")
 ARMS = ["panda", "ur5", "planar", "two", "eggs"]

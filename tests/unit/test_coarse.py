@@ -1,11 +1,15 @@
 """Coarse copies of crowded scenes: pieces around everything, few of them, and plans that begin among them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.coarse import CELLS, Piece, coarse_scene
+from manipplan.collision.covers.coarse import CELLS, Hull, coarse_scene
+from manipplan.optimize.local import LocalSearch
+from manipplan.optimize.proven import Until
 
 START, GOAL = np.array([-0.8, 0.4, 0, -1.6, 0, 2.0, 0.8]), np.array([0.8, 0.4, 0, -1.6, 0, 2.0, 0.8])
 
@@ -21,7 +25,7 @@ def plates(*boxes, spacing=0.01):
 
 
 def pieces(scene):
-    return [each for each in scene.obstacles if isinstance(each, Piece)]
+    return [each for each in scene.obstacles if isinstance(each, Hull)]
 
 
 def depth(scene, points):
@@ -210,3 +214,42 @@ def test_several_first_paths_and_given_ones_in_a_crowd(panda):
     for path in (several.path, again.path):
         assert scene.path_clearance(panda, path).proven
     assert any(step.first.startswith("coarse") for step in several.history)
+
+
+@pytest.mark.slow
+def test_the_coarse_optimum_stands_in_where_no_descent_succeeds(panda, monkeypatch):
+    """It is proven in the scene itself, and not called optimal there."""
+    points = plates(((0.55, 0.0, 0.45), (0.1, 0.1, 0.5)))
+    scene = mp.Scene([mp.PointCloud(points=points, radius=6e-3)])
+    descend = LocalSearch.descend
+
+    def fails_in_the_scene(self, name, coefficients, **options):
+        return None if name in ("coarse", "path") else descend(self, name, coefficients, **options)
+
+    monkeypatch.setattr(LocalSearch, "descend", fails_in_the_scene)
+    result = mp.optimize_path(panda, START, GOAL, scene)
+    assert result.status is mp.Status.STOPPED_EARLY
+    assert scene.path_clearance(panda, result.path).proven
+    monkeypatch.setattr(LocalSearch, "keeps", lambda *_: False)
+    assert mp.optimize_path(panda, START, GOAL, scene).status is mp.Status.SEED_IS_SAFE
+
+
+@pytest.mark.slow
+def test_margins_grow_where_proofs_fail_again_and_again(panda, monkeypatch):
+    """After two failures the kept distance is 0.09 mm, and the path still meets the first-order conditions."""
+    points = plates(((0.55, 0.0, 0.45), (0.1, 0.1, 0.5)))
+    scene = mp.Scene([mp.PointCloud(points=points, radius=6e-3)])
+    proof, failures = LocalSearch.proof, []
+
+    def fails_twice(self, path, margin=0.0):
+        found = proof(self, path, margin)
+        if self.until is Until.OPTIMAL and len(failures) < 2:
+            failures.append(found)
+            return replace(found, lower=found.lower - 1e-3)
+        return found
+
+    monkeypatch.setattr(LocalSearch, "proof", fails_twice)
+    result = mp.optimize_path(panda, START, GOAL, scene)
+    assert len(failures) == 2
+    assert result.status.ok
+    assert scene.path_clearance(panda, result.path, clearance=6e-5).proven

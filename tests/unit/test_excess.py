@@ -7,7 +7,7 @@ import pytest
 import trimesh
 
 import manipplan as mp
-from manipplan.collision.excess import SAMPLES, capsule_excess, capsule_points
+from manipplan.collision.covers.excess import SAMPLES, capsule_excess, capsule_points
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.tracking.bodies import Bodies
 

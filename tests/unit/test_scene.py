@@ -10,7 +10,7 @@ import pytest
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.fitting import fit_primitives
+from manipplan.collision.covers.fitting import fit_primitives
 from manipplan.collision.primitives import mesh_triangles, outside
 
 

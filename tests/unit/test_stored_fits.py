@@ -5,9 +5,9 @@ import json
 import numpy as np
 import pytest
 
-from manipplan.collision import fitting
+from manipplan.collision.covers import fitting
+from manipplan.collision.covers.stored_fits import find_or_fit
 from manipplan.collision.primitives import outside
-from manipplan.collision.stored_fits import find_or_fit
 
 
 @pytest.fixture

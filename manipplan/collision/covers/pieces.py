@@ -12,7 +12,7 @@ from itertools import combinations
 import coal
 import numpy as np
 
-from manipplan.collision.fitting import subdivide
+from manipplan.collision.covers.fitting import subdivide
 from manipplan.collision.surfaces.shells import winding_number
 from manipplan.robots.hulls import has_hull
 from manipplan.support.checks import Array

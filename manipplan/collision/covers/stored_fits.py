@@ -10,7 +10,7 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.collision import fitting, pieces
+from manipplan.collision.covers import fitting, pieces
 from manipplan.collision.primitives import Primitive, outside
 from manipplan.collision.surfaces import shells
 from manipplan.robots import hulls

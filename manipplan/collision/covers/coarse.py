@@ -44,7 +44,7 @@ BESIDE = 10
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Piece(Obstacle):
+class Hull(Obstacle):
     """The convex hull of `corners` (k, 3) [m]."""
 
     corners: Array
@@ -61,11 +61,6 @@ class _Balls:
     points: Array
     radii: Array
     has_surface: bool
-
-    def within(self, middle: Array, reach: float) -> "_Balls":
-        """Those of the balls that come nearer than `reach` [m] to a point (3,)."""
-        near = np.linalg.norm(self.points - middle, axis=1) < reach + self.radii
-        return _Balls(points=self.points[near], radii=self.radii[near], has_surface=self.has_surface)
 
 
 @once_per_owner
@@ -96,7 +91,7 @@ def coarse_scene(scene: Scene, robot: Robot) -> Scene | None:
     for cell in CELLS:
         pieces = _pieces(points, radii, cell, middle)
         if pieces is not None:
-            kept += [Piece(corners=corners, name=f"{prefix} {k}") for k, corners in enumerate(pieces)]
+            kept += [Hull(corners=corners, name=f"{prefix} {k}") for k, corners in enumerate(pieces)]
             return Scene(kept, allowed=scene.allowed)
     return None
 
@@ -106,7 +101,7 @@ def without_pieces_at(scene: Scene, robot: Robot, q: Array, clearance: float) ->
     model = scene.collision_model(robot)
     near = model.near_pairs(q, clearance)
     touching = {name for pair in np.unique(near.pairs) for name in model.pair_names[pair]}
-    pieces = {name for name, obstacle in zip(scene.names, scene.obstacles, strict=True) if isinstance(obstacle, Piece)}
+    pieces = {name for name, obstacle in zip(scene.names, scene.obstacles, strict=True) if isinstance(obstacle, Hull)}
     return scene.without(*sorted(touching & pieces)) if touching & pieces else scene
 
 
@@ -129,57 +124,48 @@ def _reach(robot: Robot) -> tuple[Array, float]:
 
 def _balls(obstacle: Obstacle, middle: Array, reach: float) -> _Balls | None:
     """The balls within `reach` [m] of a point (3,) that stand for an obstacle; None where it stays as it is."""
-    found = []
+    points, radii = [np.empty((0, 3))], [np.empty(0)]
     parts = obstacle.parts()
     for part in parts:
+        samples: Array | None
+        radius = part.radius
         if isinstance(obstacle, PointCloud):
-            points, radius = obstacle.kept, part.radius
-        elif isinstance(part.shape, coal.BVHModelBase) and part.shape.num_tris:
+            samples = _placed(obstacle.kept, obstacle.pose)
+        elif isinstance(part.shape, coal.BVHModelBase):
             samples = _spread(_placed(mesh_triangles(part.shape), obstacle.pose), middle, reach)
-            if samples is None:
-                return None
-            points, radius = _placed(samples, obstacle.pose.inverse()), part.radius
         else:
-            ball = _small(part)
-            if ball is None:
-                return None
-            points, radius = ball
-        balls = _Balls(
-            points=_placed(points, obstacle.pose),
-            radii=np.full(len(points), radius),
-            has_surface=isinstance(part.shape, coal.BVHModelBase),
-        )
-        found.append(balls.within(middle, reach))
-    if not found:
-        return None
-    return _Balls(
-        points=np.concatenate([each.points for each in found]),
-        radii=np.concatenate([each.radii for each in found]),
-        has_surface=any(each.has_surface for each in found),
-    )
+            local, radius = _small(part)
+            samples = None if local is None else _placed(local, obstacle.pose)
+        if samples is None:
+            return None
+        samples = samples[np.linalg.norm(samples - middle, axis=1) < reach + radius]
+        points.append(samples)
+        radii.append(np.full(len(samples), radius))
+    has_surface = any(isinstance(part.shape, coal.BVHModelBase) for part in parts)
+    return _Balls(points=np.concatenate(points), radii=np.concatenate(radii), has_surface=has_surface)
 
 
 def _placed(points: Array, pose: pin.SE3) -> Array:
     return np.asarray(points @ pose.rotation.T + pose.translation)
 
 
-def _small(part: Part) -> tuple[Array, float] | None:
-    """Points (k, 3), at most a cell apart, and the radius [m] of balls about them that fill a part; None if it is large."""
+def _small(part: Part) -> tuple[Array | None, float]:
+    """Points (k, 3), at most a cell apart, and the radius [m] of balls about them that fill a part; None for a large one."""
     shape = part.shape
     if isinstance(shape, coal.Box):
         size = 2 * np.asarray(shape.halfSide)
         if np.linalg.norm(size) + 2 * part.radius > SMALL_BOX:
-            return None
+            return None, part.radius
         counts = np.ceil(size / CELLS[0]).astype(int) + 1
         lines = [np.linspace(-edge / 2, edge / 2, count) for edge, count in zip(size, counts, strict=True)]
         return np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, 3), part.radius
     if not isinstance(shape, coal.ConvexBase | coal.Sphere | coal.Capsule | coal.Cylinder):
-        return None
+        return None, part.radius
     points, radius = core_of(shape)
     radius += part.radius
     length, most = float(np.linalg.norm(np.ptp(points, axis=0))), SMALL_HULL if isinstance(shape, coal.ConvexBase) else SMALL
     if length + 2 * radius > most:
-        return None
+        return None, radius
     if len(points) == 2:
         along = np.linspace(0.0, 1.0, int(np.ceil(length / CELLS[0])) + 1)[:, None]
         points = points[0] + along * (points[1] - points[0])
@@ -221,7 +207,7 @@ def _pieces(points: Array, radii: Array, cell: float, middle: Array) -> list[Arr
         inside = np.isin(grid.owner, part)
         if not inside.any():
             continue
-        hull = _Hull.of(points[inside], radii[inside])
+        hull = _Polytope.of(points[inside], radii[inside])
         corners = hull.corners()
         cut = _cut(grid.solid[part], cell, hull.frames) if grid.has_empty(hull, corners) else None
         if cut is not None:
@@ -282,7 +268,7 @@ class _Grid:
             owner=number[tuple(((points - low) / cell).astype(int).T)],
         )
 
-    def has_empty(self, hull: "_Hull", corners: Array) -> bool:
+    def has_empty(self, hull: "_Polytope", corners: Array) -> bool:
         """Whether the centre of a cell that is not filled lies within half a cell of a hull with these corners (c, 3)."""
         first = np.maximum((corners.min(axis=0) - self.low) // self.cell - 1, 0).astype(int)
         last = ((corners.max(axis=0) - self.low) // self.cell + 1).astype(int)
@@ -310,7 +296,7 @@ def _with_enclosed(filled: NDArray[np.bool_], middle: Array) -> NDArray[np.bool_
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _Hull:
+class _Polytope:
     """The hull faces · x <= offsets of balls, with FACES in the best of three frames.
 
     Attributes:
@@ -325,7 +311,7 @@ class _Hull:
     inner: Array
 
     @classmethod
-    def of(cls, points: Array, radii: Array) -> "_Hull":
+    def of(cls, points: Array, radii: Array) -> "_Polytope":
         inner = points.mean(axis=0)
         centred = points - inner
         frames = np.array([np.eye(3), _upright(points), np.linalg.eigh(centred.T @ centred)[1].T])
