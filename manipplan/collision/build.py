@@ -177,6 +177,8 @@ def _use_meshes_for_coarse_pairs(
 
     Returns whether there are any.
     """
+    if not touching.any():
+        return False
     pairs = [(p.first, p.second) for p in geometry.collisionPairs]
     stands_for = [(origins[i], origins[j]) for i, j in pairs]
     described = robot.geometry.copy()

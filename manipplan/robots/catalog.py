@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from importlib.util import find_spec
 from pathlib import Path
 
 import coal
@@ -228,11 +229,12 @@ def planar_arm(lengths: ArrayLike, *, radius: float | None = None) -> Robot:
 
 
 def _descriptions() -> Path:
-    try:
-        from example_robot_data.robots_loader import getModelPath
-    except ImportError as error:
-        raise MissingExtraError("example-robot-data", "robots") from error
-    return Path(getModelPath("panda_description"))
+    package = find_spec("example_robot_data")  # it has a loader of its own, whose import takes longer than this search
+    if package is not None and package.origin is not None:
+        folder = Path(package.origin).parents[4] / "share" / "example-robot-data" / "robots"
+        if folder.is_dir():
+            return folder
+    raise MissingExtraError("example-robot-data", "robots")
 
 
 def _chain_from(urdf: Path, tool: str, first: str) -> Sequence[str] | None:

@@ -43,16 +43,16 @@ def read_urdf(file: Path, files: UrdfFiles) -> Description:
     _check_names(file, root)
     _check_chain(file, root)
     urdf_links.check_links(file, root)
-    text = files.resolve(file, root)
+    files.resolve(file, root)
     folders = files.folders(file)
-    model = _pinocchio(file, "a URDF", lambda: pin.buildModelFromXML(text))
     with tempfile.TemporaryDirectory() as place:
         check_urdf_meshes(file, root, folders, Path(place))
-        checked = ET.tostring(root, encoding="unicode")
+        text = ET.tostring(root, encoding="unicode")
+        model = _pinocchio(file, "a URDF", lambda: pin.buildModelFromXML(text))
         geometry = _pinocchio(
             file,
             "a URDF whose meshes can be found (packages= and package_dirs= say where, meshes=False leaves them out)",
-            lambda: pin.buildGeomFromUrdfString(model, checked, pin.GeometryType.COLLISION, package_dirs=folders),
+            lambda: pin.buildGeomFromUrdfString(model, text, pin.GeometryType.COLLISION, package_dirs=folders),
         )
     urdf_links.check_loaded(file, root, model, geometry)
     _check_meshes(file, geometry)

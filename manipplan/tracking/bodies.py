@@ -10,7 +10,7 @@ import pinocchio as pin
 
 from manipplan.collision.build import TOUCHING, add_self_pairs
 from manipplan.collision.covers.excess import capsule_excess
-from manipplan.collision.covers.stored_fits import find_or_fit
+from manipplan.collision.covers.stored_fits import find_or_cut, find_or_fit
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.robots.attached import number_names
@@ -109,17 +109,17 @@ class Bodies:
 
 def _capsules(shape: coal.CollisionGeometry) -> list[tuple[Array, Array, float]]:
     """Ends and radius of capsules that contain a shape, in its own frame."""
-    if isinstance(shape, coal.BVHModelBase):
-        triangles = mesh_triangles(shape)
+    if isinstance(shape, coal.BVHModelBase):  # around the convex pieces that a plan is checked with
+        corners = [piece.corners for piece in find_or_cut(mesh_triangles(shape))]
     else:
         points, radius = core_of(shape)
         if len(points) <= 2:
             return [(points[0], points[-1], radius)]
-        from scipy.spatial import ConvexHull
+        corners = [points]
+    from scipy.spatial import ConvexHull
 
-        triangles = points[ConvexHull(points).simplices]
     found = []
-    for primitive in find_or_fit(triangles, boxes=False):
+    for primitive in find_or_fit(np.concatenate([each[ConvexHull(each).simplices] for each in corners])):
         points, radius = core_of(primitive.shape)
         ends = [primitive.placement.act(point) for point in (points[0], points[-1])]
         found.append((ends[0], ends[1], radius))

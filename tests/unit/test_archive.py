@@ -467,7 +467,7 @@ def test_wrong_places_are_told(small_plan, tmp_path):
 @pytest.mark.slow
 def test_the_catalogue_that_is_not_installed(demo_plan, tmp_path, monkeypatch):
     demo_plan.save(tmp_path)
-    monkeypatch.setitem(sys.modules, "example_robot_data.robots_loader", None)
+    monkeypatch.setitem(sys.modules, "example_robot_data", None)
     with pytest.raises(mp.MissingExtraError, match=r"manipplan\[robots\]"):
         mp.Plan.load(tmp_path)
 

@@ -10,7 +10,7 @@ import pytest
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.covers.fitting import fit_primitives
+from manipplan.collision.covers.fitting import fit_capsules
 from manipplan.collision.primitives import mesh_triangles, outside
 
 
@@ -66,12 +66,12 @@ def test_a_mesh_is_solid_and_its_parts_are_apart(tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["panda", "ur5", "baxter_left"])
-def test_primitives_contain_the_mesh_they_stand_for(name):
+def test_capsules_contain_the_mesh_they_stand_for(name):
     robot = mp.load_robot(name)
     meshes = [item.geometry for item in robot.geometry.geometryObjects if isinstance(item.geometry, coal.BVHModelBase)]
     for mesh in meshes[:6]:
         triangles = mesh_triangles(mesh)
-        primitives = fit_primitives(triangles)
+        primitives = fit_capsules(triangles)
         # every point of the surface, sampled, lies in at least one primitive
         weights = np.random.default_rng(0).dirichlet([1, 1, 1], size=len(triangles))
         points = np.einsum("tk,tkx->tx", weights, triangles)

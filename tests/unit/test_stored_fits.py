@@ -1,4 +1,4 @@
-"""Fitted primitives are kept on disk, and what is read is checked like a fit."""
+"""Fitted capsules are kept on disk, and what is read is checked like a fit."""
 
 import json
 
@@ -25,13 +25,13 @@ def triangles():
 def fits(monkeypatch):
     """The calls of the fit."""
     calls = []
-    fit = fitting.fit_primitives
+    fit = fitting.fit_capsules
 
     def counted(*arguments, **options):
         calls.append(options)
         return fit(*arguments, **options)
 
-    monkeypatch.setattr(fitting, "fit_primitives", counted)
+    monkeypatch.setattr(fitting, "fit_capsules", counted)
     return calls
 
 
@@ -39,13 +39,11 @@ def described(primitives):
     return [(type(each.shape).__name__, each.placement.homogeneous.tolist(), each.volume) for each in primitives]
 
 
-@pytest.mark.parametrize("boxes", [True, False])
-def test_a_mesh_is_fitted_once(cache, triangles, fits, boxes):
-    first, second = find_or_fit(triangles, boxes=boxes), find_or_fit(triangles, boxes=boxes)
+def test_a_mesh_is_fitted_once(cache, triangles, fits):
+    first, second = find_or_fit(triangles), find_or_fit(triangles)
     assert len(fits) == 1 and described(first) == described(second)
-    find_or_fit(triangles, boxes=not boxes)
-    find_or_fit(triangles + 1e-9, boxes=boxes)
-    assert len(fits) == 3
+    find_or_fit(triangles + 1e-9)
+    assert len(fits) == 2
 
 
 @pytest.mark.parametrize(
@@ -63,7 +61,7 @@ def test_a_mesh_is_fitted_once(cache, triangles, fits, boxes):
 )
 def test_spoilt_files_are_fitted_again(cache, triangles, fits, spoil):
     expected = find_or_fit(triangles)
-    [file] = cache.rglob("primitives/*.json")
+    [file] = cache.rglob("capsules/*.json")
     file.write_text(spoil(json.loads(file.read_text())))
     found = find_or_fit(triangles)
     assert len(fits) == 2 and described(found) == described(expected)

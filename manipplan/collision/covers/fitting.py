@@ -1,7 +1,7 @@
-"""Convex primitives in place of meshes: spheres, capsules and boxes that contain every triangle they replace.
+"""Capsules and spheres around surfaces: they contain every triangle.
 
-A mesh is split into few parts, each enclosed by the primitive of smallest volume. A primitive is convex, so it contains a
-triangle when it contains its corners: that is checked, not assumed.
+A surface is split into few parts, each enclosed by the capsule or sphere of smallest volume. Both are convex, so they contain a
+triangle when they contain its corners: that is checked, not assumed.
 """
 
 from collections.abc import Callable
@@ -15,24 +15,24 @@ from manipplan.collision.primitives import Primitive, outside
 from manipplan.support.checks import Array
 from manipplan.support.errors import ManipplanError
 
-#: Minimum share of the volume that a further cut of a mesh must save, and maximum number of parts of a mesh.
+#: Minimum share of the volume that a further cut must save, and maximum number of parts of a surface.
 MIN_SAVING = 0.08
 MAX_PARTS = 4
 #: Margin by which every primitive is larger than the fit, so that rounding cannot leave a corner outside [m].
 PADDING = 1e-6
 
 
-def fit_primitives(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
-    """Primitives that together contain `triangles` (t, 3, 3) [m]; `boxes`: whether boxes are allowed.
+def fit_capsules(triangles: Array) -> list[Primitive]:
+    """Capsules and spheres that together contain `triangles` (t, 3, 3) [m].
 
     Raises ManipplanError if a triangle is not inside the primitive of its part.
     """
     triangles = subdivide(triangles)
-    parts = [(triangles, enclose(triangles, boxes=boxes))]
+    parts = [(triangles, enclose(triangles, boxes=False))]
     while len(parts) < MAX_PARTS:
-        cuts = [_best_cut(part, boxes) for part, _ in parts]
+        cuts = [_best_cut(part) for part, _ in parts]
         pieces = [[part[side] for side in cut] for (part, _), cut in zip(parts, cuts, strict=True)]
-        enclosed = [[enclose(piece, boxes=boxes) for piece in pair if len(piece)] for pair in pieces]
+        enclosed = [[enclose(piece, boxes=False) for piece in pair if len(piece)] for pair in pieces]
         saved = [whole.volume - sum(p.volume for p in pair) for (_, whole), pair in zip(parts, enclosed, strict=True)]
         k = int(np.argmax(saved))
         if saved[k] < MIN_SAVING * sum(whole.volume for _, whole in parts):
@@ -41,7 +41,7 @@ def fit_primitives(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
     for part, primitive in parts:
         excess = outside(primitive, part.reshape(-1, 3)).max()
         if excess > 0:
-            raise ManipplanError(f"a fitted {type(primitive.shape).__name__} leaves up to {excess:g} m of its mesh outside")
+            raise ManipplanError(f"a fitted {type(primitive.shape).__name__} leaves up to {excess:g} m of its part outside")
     return [primitive for _, primitive in parts]
 
 
@@ -60,7 +60,7 @@ def enclose(triangles: Array, *, refine: bool = True, boxes: bool = True) -> Pri
     return min(found, key=_volume)
 
 
-def _best_cut(triangles: Array, boxes: bool) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+def _best_cut(triangles: Array) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Masks of the triangles on either side of the plane, normal to a principal axis, whose sides need the smallest volume.
 
     Planes are compared on a few hundred of the triangles; the best one cuts the whole part.
@@ -73,7 +73,7 @@ def _best_cut(triangles: Array, boxes: bool) -> tuple[NDArray[np.bool_], NDArray
         along = some.mean(axis=1) @ axis
         for offset in np.quantile(along, [0.25, 0.4, 0.5, 0.6, 0.75]):
             left = along < offset
-            volume = sum(enclose(some[side], refine=False, boxes=boxes).volume for side in (left, ~left) if side.any())
+            volume = sum(enclose(some[side], refine=False, boxes=False).volume for side in (left, ~left) if side.any())
             if volume < best[0]:
                 best = (volume, axis, float(offset))
     left = triangles.mean(axis=1) @ best[1] < best[2]

@@ -1,8 +1,9 @@
-"""Fitted primitives and convex pieces on disk, by the content of the mesh: both take seconds per arm, once per machine."""
+"""Convex pieces and capsules on disk, by the content of what they contain: both take seconds per arm, once per machine."""
 
 import hashlib
 import json
 import logging
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -21,36 +22,36 @@ from manipplan.support.files import private_folder, write_bytes, write_text
 log = logging.getLogger("manipplan")
 
 #: Class of each stored shape, and its number of sizes.
-SHAPES = {"Box": (coal.Box, 3), "Sphere": (coal.Sphere, 1), "Capsule": (coal.Capsule, 2)}
+SHAPES = {"Sphere": (coal.Sphere, 1), "Capsule": (coal.Capsule, 2)}
 
 
-def find_or_fit(triangles: Array, *, boxes: bool = True) -> list[Primitive]:
-    """The primitives of `fit_primitives`, read from the cache folder if an earlier process stored them.
+def find_or_fit(triangles: Array) -> list[Primitive]:
+    """The capsules of `fit_capsules`, read from the cache folder if an earlier process stored them.
 
-    Stored primitives are used only if they contain every triangle; otherwise the mesh is fitted again. Raises ManipplanError as
-    `fit_primitives` does.
+    Stored capsules are used only if they contain every triangle; otherwise they are fitted again. Raises ManipplanError as
+    `fit_capsules` does.
     """
     try:
-        file = private_folder() / "primitives" / f"{_key(triangles, boxes)}.json"
+        file = private_folder() / "capsules" / f"{_key(triangles)}.json"
         file.parent.mkdir(mode=0o700, exist_ok=True)
         stored = _read(file)
     except OSError as error:
-        log.info("fitted primitives are not kept on disk: %s", error)
-        return fitting.fit_primitives(triangles, boxes=boxes)
+        log.info("fitted capsules are not kept on disk: %s", error)
+        return fitting.fit_capsules(triangles)
     if stored is not None and _contain(stored, fitting.subdivide(triangles)):
         return stored
-    fitted = fitting.fit_primitives(triangles, boxes=boxes)
+    fitted = fitting.fit_capsules(triangles)
     try:
         write_text(file, json.dumps([_plain(each) for each in fitted]))
     except InvalidInputError as error:
-        log.info("fitted primitives are not kept on disk: %s", error)
+        log.info("fitted capsules are not kept on disk: %s", error)
     return fitted
 
 
 def find_or_cut(triangles: Array) -> list[pieces.Piece]:
     """The pieces of `convex_pieces`, read from the cache folder if an earlier process stored them."""
     try:
-        file = private_folder() / "pieces" / _key(triangles, False)
+        file = private_folder() / "pieces" / _key(triangles)
         file.parent.mkdir(mode=0o700, exist_ok=True)
         stored = _read_pieces(file)
     except OSError as error:
@@ -82,15 +83,19 @@ def _read_pieces(file: Path) -> list[pieces.Piece] | None:
     return [pieces.Piece(corners=each[:, :3], excess=float(each[0, 4])) for each in split]
 
 
-def _key(triangles: Array, boxes: bool) -> str:
-    """Hash of the triangles, of `boxes`, of the sources of the fits and of the version of NumPy."""
-    sources = b"".join(Path(str(module.__file__)).read_bytes() for module in (fitting, pieces, shells, hulls))
-    parts = [sources, f"{np.__version__} {boxes}".encode()]
+def _key(triangles: Array) -> str:
+    """Hash of the triangles, of the sources of the fits and of the version of NumPy."""
+    parts = [_sources(), np.__version__.encode()]
     return hashlib.sha256(b"\0".join([*parts, np.ascontiguousarray(triangles).tobytes()])).hexdigest()[:32]
 
 
+@cache
+def _sources() -> bytes:
+    return b"".join(Path(str(module.__file__)).read_bytes() for module in (fitting, pieces, shells, hulls))
+
+
 def _read(file: Path) -> list[Primitive] | None:
-    """The primitives of a file; None if there is no file, or it holds something else."""
+    """The capsules of a file; None if there is no file, or it holds something else."""
     try:
         return [_primitive(entry) for entry in json.loads(file.read_text())]
     except FileNotFoundError:
@@ -110,10 +115,7 @@ def _contain(primitives: list[Primitive], triangles: Array) -> bool:
 
 def _plain(primitive: Primitive) -> dict[str, Any]:
     shape = primitive.shape
-    if isinstance(shape, coal.Box):
-        sizes = (2 * shape.halfSide).tolist()
-    else:
-        sizes = [shape.radius] if isinstance(shape, coal.Sphere) else [shape.radius, 2 * shape.halfLength]
+    sizes = [shape.radius] if isinstance(shape, coal.Sphere) else [shape.radius, 2 * shape.halfLength]
     pose = primitive.placement.homogeneous.tolist()
     return {"shape": type(shape).__name__, "sizes": sizes, "pose": pose, "volume": primitive.volume}
 

@@ -75,14 +75,13 @@ class UrdfFiles:
         return root
 
     def read(self, file: Path) -> str:
-        """The text of a URDF as `resolve` gives it."""
-        return self.resolve(file, self.root(file))
+        """The text of a URDF as `resolve` leaves it."""
+        root = self.root(file)
+        self.resolve(file, root)
+        return ET.tostring(root, encoding="unicode")
 
-    def resolve(self, file: Path, root: ET.Element) -> str:
-        """The URDF as text, with the folders of packages in its paths, and without collision meshes if `meshes` is False.
-
-        This changes `root`.
-        """
+    def resolve(self, file: Path, root: ET.Element) -> None:
+        """Put the folders of packages into the paths of a URDF, and leave out collision meshes if `meshes` is False."""
         folders = self._package_folders(file)
         for mesh in root.iter("mesh"):
             name, _, rest = str(mesh.get("filename", "")).removeprefix("package://").partition("/")
@@ -98,7 +97,6 @@ class UrdfFiles:
                     left_out += 1
         if left_out:
             log.warning("%s: %d collision meshes are left out, and nothing is checked for them", file, left_out)
-        return ET.tostring(root, encoding="unicode")
 
     def _package_folders(self, file: Path) -> PackageFolders:
         return PackageFolders(
