@@ -1,6 +1,6 @@
 """The integrands along a path: the energy, which is minimised until a free path is found, and the length, g itself.
 
-g = ∫ h ds with h = ‖q'‖_W / m^p does not change when a path is re-parametrised, so its Hessian is singular. The energy
+g = ∫ h ds with h = ‖q'‖_W / (m² + ε²)^(p/2) does not change when a path is re-parametrised, so its Hessian is singular. The energy
 E = ∫ h² ds does change: g² <= E, with equality where h is constant, so both have the same minimum over all curves. Over the
 polynomials of one degree, which cannot represent every re-parametrisation, the minima differ slightly.
 """
@@ -8,19 +8,20 @@ polynomials of one degree, which cannot represent every re-parametrisation, the 
 from dataclasses import dataclass
 
 import casadi as ca
-import numpy as np
 
+from manipplan.cost.floor import typical_measure
 from manipplan.cost.integral import PathIntegral
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.kinematics.view import steady
 from manipplan.measures.manipulability import Yoshikawa
 from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian
+from manipplan.symbolic.determinant import determinant
 from manipplan.symbolic.machine_code import as_asked
 
 #: ρ in log sqrt(det(J Jᵀ + ρ² I)) of the energy and of the length; it keeps them finite at a singular configuration. The
 #: reported g is not regularised.
 ENERGY_REGULARISATION, LENGTH_REGULARISATION = 1e-5, 1e-7
-#: δ in log sqrt(m² + δ²) of any other measure is this times its typical value times ρ / ENERGY_REGULARISATION.
+#: δ in log sqrt(m² + ε² + δ²) of det J and of any other measure is this times its typical value times ρ / ENERGY_REGULARISATION.
 MEASURE_REGULARISATION = 1e-6
 #: Speed [rad] below which ‖q'‖ is smoothed, so that it has derivatives where a path stands still.
 STANDSTILL = 1e-9
@@ -31,9 +32,9 @@ CONSTANCY = 1e-6
 
 @dataclass(frozen=True, kw_only=True)
 class Density:
-    """A density e(q, v, g₀, p) as CasADi Functions of (q, v, [g₀, p]): value, gradient (2n), Hessian (2n, 2n) in (q, v).
+    """A density e(q, v, g₀, p, ε) as CasADi Functions of (q, v, [g₀, p, ε]): value, gradient (2n), Hessian (2n, 2n) in (q, v).
 
-    g₀ is an estimate of the path's g; the energy does not depend on it. The exponent p is an argument: one build serves all.
+    g₀ is an estimate of the path's g; the energy does not depend on it. Exponent and floor are arguments: one build serves all.
     """
 
     value: ca.Function
@@ -42,9 +43,9 @@ class Density:
 
 
 def energy_density(integral: PathIntegral) -> Density:
-    """h² = ‖v‖_W² / m^(2p), whose integral over s is the energy E."""
-    metric, g0, power = _metric(integral), ca.SX.sym("g0"), ca.SX.sym("p")
-    q, v, log_m, slope, bend = _symbols(integral.kinematics, ENERGY_REGULARISATION)
+    """h² = ‖v‖_W² / (m² + ε²)^p, whose integral over s is the energy E."""
+    metric, g0, power, floor = _metric(integral), ca.SX.sym("g0"), ca.SX.sym("p"), ca.SX.sym("floor")
+    q, v, log_m, slope, bend = _symbols(integral.kinematics, floor, ENERGY_REGULARISATION)
     weight = ca.exp(-2 * power * log_m)
     square = ca.bilin(metric, v, v)
     # derived by hand from w(q) = exp(-2p log m): w' = -2p w ∇log m, w'' = w (4p² ∇log m ∇log mᵀ - 2p ∇²log m)
@@ -52,13 +53,13 @@ def energy_density(integral: PathIntegral) -> Density:
     qq = weight * square * (4 * power**2 * slope @ slope.T - 2 * power * bend)
     qv = -4 * power * weight * slope @ (metric @ v).T
     hessian = _blocks(qq, qv, 2 * weight * metric)
-    return _density(integral, "energy", (q, v, ca.vertcat(g0, power)), weight * square, gradient, hessian)
+    return _density(integral, "energy", (q, v, ca.vertcat(g0, power, floor)), weight * square, gradient, hessian)
 
 
 def length_density(integral: PathIntegral) -> Density:
-    """h + κ h² / g₀ with h = ‖v‖_W / m^p: its integral is g plus a small multiple of the energy."""
-    metric, g0, power = _metric(integral), ca.SX.sym("g0"), ca.SX.sym("p")
-    q, v, log_m, slope, bend = _symbols(integral.kinematics, LENGTH_REGULARISATION)
+    """h + κ h² / g₀ with h = ‖v‖_W / (m² + ε²)^(p/2): its integral is g plus a small multiple of the energy."""
+    metric, g0, power, floor = _metric(integral), ca.SX.sym("g0"), ca.SX.sym("p"), ca.SX.sym("floor")
+    q, v, log_m, slope, bend = _symbols(integral.kinematics, floor, LENGTH_REGULARISATION)
     weight = ca.exp(-power * log_m)
     speed = ca.sqrt(ca.bilin(metric, v, v) + STANDSTILL**2)
     along = metric @ v / speed
@@ -69,7 +70,7 @@ def length_density(integral: PathIntegral) -> Density:
     ddh = _blocks(qq, qv, weight / speed * (metric - along @ along.T))
     first, second = 1 + 2 * CONSTANCY * h / g0, 2 * CONSTANCY / g0
     gradient, hessian = first * dh, first * ddh + second * dh @ dh.T
-    return _density(integral, "length", (q, v, ca.vertcat(g0, power)), h + CONSTANCY * h**2 / g0, gradient, hessian)
+    return _density(integral, "length", (q, v, ca.vertcat(g0, power, floor)), h + CONSTANCY * h**2 / g0, gradient, hessian)
 
 
 def _metric(integral: PathIntegral) -> ca.SX:
@@ -77,27 +78,39 @@ def _metric(integral: PathIntegral) -> ca.SX:
     return ca.SX.eye(n) if integral.metric is None else ca.sparsify(ca.SX(ca.DM(integral.metric)))
 
 
-def _symbols(kinematics: Kinematics, regularisation: float) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX, ca.SX]:
-    """q, v, and the logarithm of the measure, regularised by ρ, with gradient and Hessian in q."""
+def _symbols(
+    kinematics: Kinematics, floor: ca.SX, regularisation: float
+) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX, ca.SX]:
+    """q, v, and log sqrt(m² + ε²) with gradient and Hessian in q; m is regularised by ρ."""
     posture, measure = kinematics.symbolic.posture, kinematics.measure
     q = kinematics.symbolic.chain.q
     v = ca.SX.sym("v", q.shape[0])
     if isinstance(measure, Yoshikawa):
         jacobian, motion = steady(kinematics.symbolic.chain, kinematics.task)
+        if jacobian.shape[0] == jacobian.shape[1]:  # m = |det J|, and det J is smooth where it vanishes
+            value = determinant(ca.sparsify(jacobian))
+            bend, slope = ca.hessian(value, q)
+            return q, v, *_log_of_root(kinematics, value, slope, bend, floor, regularisation)
         factor = Factor.of(jacobian, regularisation)
-        return q, v, ca.log(factor.manipulability), log_gradient(factor, motion), log_hessian(factor, motion)
+        square = factor.manipulability**2
+        share = square / (square + floor**2)
+        slope, bend = log_gradient(factor, motion), log_hessian(factor, motion)
+        # derivatives of log sqrt(e^(2l) + ε²) in l = log m: the share, and twice the share times its complement
+        bend = share * bend + 2 * share * (1 - share) * slope @ slope.T
+        return q, v, ca.log(square + floor**2) / 2, share * slope, bend
     value, slope, bend = measure.value(posture), measure.gradient(posture), measure.hessian(posture)
-    # log sqrt(m² + δ²), which is log m except for the smallest values
-    square = value**2 + (MEASURE_REGULARISATION * regularisation / ENERGY_REGULARISATION * _usual(kinematics)) ** 2
+    return q, v, *_log_of_root(kinematics, value, slope, bend, floor, regularisation)
+
+
+def _log_of_root(
+    kinematics: Kinematics, value: ca.SX, slope: ca.SX, bend: ca.SX, floor: ca.SX, regularisation: float
+) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """log sqrt(m² + ε² + δ²), gradient and Hessian, from those of m; δ is too small to matter except where m vanishes."""
+    least = MEASURE_REGULARISATION * regularisation / ENERGY_REGULARISATION * typical_measure(kinematics)
+    square = value**2 + floor**2 + least**2
     share = value / square
     log_bend = share * bend + (1 / square - 2 * share**2) * slope @ slope.T
-    return q, v, ca.log(square) / 2, share * slope, log_bend
-
-
-def _usual(kinematics: Kinematics) -> float:
-    """A typical value of the measure: its median over 200 random configurations with a fixed seed."""
-    q = kinematics.robot.random_configuration(np.random.default_rng(0), size=200)
-    return float(np.median(kinematics.manipulability(q)))
+    return ca.log(square) / 2, share * slope, log_bend
 
 
 def _blocks(qq: ca.SX, qv: ca.SX, vv: ca.SX) -> ca.SX:

@@ -1,4 +1,7 @@
-"""The integral g = ∫ ‖θ'‖ / μ^p ds of kth2012 along a path, by adaptive quadrature, and the path's minimum manipulability."""
+"""The integral g = ∫ ‖θ'‖ / μ^p ds of kth2012 along a path, by adaptive quadrature, and the path's minimum manipulability.
+
+With a floor ε it is ∫ ‖θ'‖ / (μ² + ε²)^(p/2) ds, which is finite on every path.
+"""
 
 from dataclasses import dataclass
 
@@ -9,7 +12,7 @@ from manipplan.cost.metric import metric_matrix
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import gauss_rule
-from manipplan.support.checks import Array
+from manipplan.support.checks import Array, number
 from manipplan.support.display import one_line
 
 #: Manipulability below this share of the path's maximum counts as zero.
@@ -30,6 +33,8 @@ GRIDS, GRID_INTERVALS = 8, 40
 #: Panels on which g is minimised: initial number, error per panel as a share of g on the path where a descent begins,
 #: maximum number of halvings, and number of panels above which none is halved.
 RULE_PANELS, RULE_ACCURACY, RULE_HALVINGS, MOST_RULE_PANELS = 12, 1e-9, 12, 200
+#: The same for panels that follow each path of a descent: error per panel, and maximum number of halvings.
+FINE_ACCURACY, FINE_HALVINGS = 1e-12, 20
 
 
 @one_line
@@ -38,7 +43,7 @@ class PathCost:
     """g and the minimum manipulability of one path.
 
     Attributes:
-        g: ∫ ‖q'‖_W / m^p ds, (6.6) in kth2012; inf when the path meets a singularity.
+        g: ∫ ‖q'‖_W / (m² + floor²)^(p/2) ds, (6.6) in kth2012 for floor 0; then inf when the path meets a singularity.
         length: ∫ ‖q'‖ ds [rad], (6.5), without W.
         min_manipulability: the minimum of m, found on successively finer grids around its dips.
         at: the parameter s where m has its minimum.
@@ -52,21 +57,23 @@ class PathCost:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PathIntegral:
-    """The integral g = ∫ ‖q'‖_W / m^p ds of one arm.
+    """The integral g = ∫ ‖q'‖_W / (m² + floor²)^(p/2) ds of one arm.
 
     Attributes:
         kinematics: provides the measure m.
         power: p > 0.
+        floor: ε >= 0, in the unit of m.
         metric: W (n, n), symmetric and positive definite; None: the identity.
     """
 
     kinematics: Kinematics
     power: float
+    floor: float = 0.0
     metric: Array | None = None
 
     def cost(self, path: JointPath) -> PathCost:
         """g and the minimum manipulability of a path, as in `path_cost`."""
-        return path_cost(path, self.kinematics, self.power, metric=self.metric)
+        return path_cost(path, self.kinematics, self.power, floor=self.floor, metric=self.metric)
 
     def panel_edges(self, path: JointPath, edges: Array | None = None) -> Array:
         """Edges (k + 1,) of quadrature panels for the descent from a path, narrow where m has a dip.
@@ -90,18 +97,39 @@ class PathIntegral:
             edges = np.sort(np.concatenate([edges, middle[rough]]))
         return edges
 
+    def fine_panels(self, path: JointPath) -> Array:
+        """Edges (k + 1,) of panels for this path alone, each halved until its two halves change it by at most FINE_ACCURACY of g.
+
+        Only the panels that still change are evaluated again, so that this can be done for every path of a descent.
+        """
+        edges = np.unique(np.concatenate([np.linspace(0.0, 1.0, RULE_PANELS + 1), path.breaks]))
+        begin, end, done = edges[:-1], edges[1:], [edges]
+        whole, settled = _integrate_panels(path, begin, end, self), 0.0
+        for _ in range(FINE_HALVINGS):
+            middle = (begin + end) / 2
+            parts = _integrate_panels(path, np.stack([begin, middle], axis=1).ravel(), np.stack([middle, end], axis=1).ravel(), self)
+            halves = parts.reshape(-1, 2).sum(axis=1)
+            rough = np.abs(whole - halves) > FINE_ACCURACY * (settled + halves.sum())
+            settled += float(halves[~rough].sum())
+            if not rough.any():
+                break
+            done.append(middle[rough])
+            left, right = np.stack([begin, middle], axis=1)[rough].ravel(), np.stack([middle, end], axis=1)[rough].ravel()
+            begin, end, whole = left, right, parts.reshape(-1, 2)[rough].ravel()
+        return np.sort(np.concatenate(done))
+
     def on_panels(self, path: JointPath, edges: Array) -> float:
         """g of a path from the Gauss points of the panels between edges (k + 1,)."""
         return float(self._panel_integrals(path, edges).sum())
 
     def _panel_integrals(self, path: JointPath, edges: Array) -> Array:
         """The integral over each panel (k,)."""
-        return _integrate_panels(path, edges[:-1], edges[1:], self.kinematics, self.power, self.metric)
+        return _integrate_panels(path, edges[:-1], edges[1:], self)
 
     def constant_speed(self, path: JointPath, count: int) -> Array:
         """Parameters s (count,) that divide a path into parts of equal g, or of equal length where m is mostly zero."""
         s = np.linspace(0.0, 1.0, 1001)
-        density = _weighted_speed(path, s, self.kinematics, self.power, self.metric)
+        density = _weighted_speed(path, s, self)
         median = np.median(density)
         # capped, so that the parameters do not all cluster near a singularity
         density = np.minimum(density, 1e3 * median) if np.isfinite(median) else speeds(path(s, 1), self.metric)
@@ -124,7 +152,13 @@ def speeds(v: Array, metric: Array | None) -> Array:
 
 
 def path_cost(
-    path: JointPath, kinematics: Kinematics, power: float, *, metric: ArrayLike | None = None, panels: int = 40
+    path: JointPath,
+    kinematics: Kinematics,
+    power: float,
+    *,
+    floor: float = 0.0,
+    metric: ArrayLike | None = None,
+    panels: int = 40,
 ) -> PathCost:
     """Compute g, on panels of ten Gauss points that are halved where that still changes g, and the minimum manipulability.
 
@@ -132,36 +166,37 @@ def path_cost(
         path: the path.
         kinematics: provides the measure.
         power: exponent of the measure.
+        floor: ε in (m² + ε²)^(power / 2), in the unit of the measure.
         metric: W in ‖q'‖_W, weights (n,) or a matrix (n, n); None: the identity.
         panels: initial number of panels.
 
     Raises:
-        InvalidInputError: `metric` is not a metric.
+        InvalidInputError: `metric` is not a metric, or `floor` is negative.
     """
     matrix = metric_matrix("metric", metric, path.n)
+    integral = PathIntegral(kinematics=kinematics, power=power, floor=number("floor", floor, least=0.0), metric=matrix)
     least, at, largest = _minimum_manipulability(path, kinematics)
     # a singularity, which Gauss points can miss, makes the integral diverge for p >= 1
-    singular = power >= 1 and least <= SINGULAR * largest
-    g = np.inf if singular else _adaptive(path, kinematics, power, matrix, panels)
+    singular = power >= 1 and floor == 0 and least <= SINGULAR * largest
+    g = np.inf if singular else _adaptive(path, integral, panels)
     return PathCost(g=g, length=path.length, min_manipulability=least, at=at)
 
 
-def _weighted_speed(path: JointPath, s: Array, kinematics: Kinematics, power: float, metric: Array | None) -> Array:
-    """h = ‖q'‖_W / m^p at s (m,), whose integral is g; inf at a singular configuration."""
+def _weighted_speed(path: JointPath, s: Array, integral: PathIntegral) -> Array:
+    """h = ‖q'‖_W / (m² + ε²)^(p/2) at s (m,), whose integral is g; inf at a singular configuration without a floor."""
+    m = integral.kinematics.manipulability(path(s))
     with np.errstate(divide="ignore"):
-        return np.asarray(speeds(path(s, 1), metric) / kinematics.manipulability(path(s)) ** power)
+        return np.asarray(speeds(path(s, 1), integral.metric) / np.hypot(m, integral.floor) ** integral.power)
 
 
-def _integrate_panels(
-    path: JointPath, begin: Array, end: Array, kinematics: Kinematics, power: float, metric: Array | None
-) -> Array:
+def _integrate_panels(path: JointPath, begin: Array, end: Array, integral: PathIntegral) -> Array:
     """The integral of h over each panel from `begin` to `end` (k,)."""
     s, weights = gauss(begin, end)
-    h = _weighted_speed(path, s.ravel(), kinematics, power, metric)
+    h = _weighted_speed(path, s.ravel(), integral)
     return np.asarray((weights * h.reshape(s.shape)).sum(axis=1))
 
 
-def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Array | None, panels: int) -> float:
+def _adaptive(path: JointPath, integral: PathIntegral, panels: int) -> float:
     """g to ACCURACY by halving panels: a dip of m can be a thousand times narrower than an initial panel.
 
     Infinite if m consists of rounding errors, as on a path that is singular everywhere. A dip needs only a few narrow
@@ -169,7 +204,7 @@ def _adaptive(path: JointPath, kinematics: Kinematics, power: float, metric: Arr
     """
 
     def gained(begin: Array, end: Array) -> Array:
-        return _integrate_panels(path, begin, end, kinematics, power, metric)
+        return _integrate_panels(path, begin, end, integral)
 
     counts = np.maximum(1, np.ceil(panels * np.diff(path.breaks)).astype(int))
     edges = [np.linspace(a, b, k + 1) for a, b, k in zip(path.breaks[:-1], path.breaks[1:], counts, strict=True)]

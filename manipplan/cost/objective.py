@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 from numpy.typing import ArrayLike
 
+from manipplan.cost.floor import check_floor, floor_of
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.metric import metric_matrix
 from manipplan.kinematics.kinematics import Kinematics
@@ -22,7 +23,7 @@ MOST_POWER = 100.0
 @one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PathObjective:
-    """The objective g = ∫ ‖q'‖_W / m^power ds of a path: (6.6) in kth2012, with its exponent as a parameter.
+    """The objective g = ∫ ‖q'‖_W / (m² + floor²)^(power/2) ds of a path: (6.6) in kth2012, with its exponent and a floor.
 
     Attributes:
         power: exponent p of m, above 0 and at most 100. A larger one keeps further away from singularities.
@@ -30,14 +31,19 @@ class PathObjective:
         measure: m, a name from `available_measures()` or a Measure that is at least zero and better when larger; None:
             Yoshikawa's manipulability.
         metric: W in ‖q'‖_W² = q'ᵀ W q': weights (n,) > 0, or a symmetric positive definite matrix (n, n); None: the identity.
+        floor: ε >= 0 in the unit of m. It keeps g finite on a path through a singularity. Where m is above ε on the whole path,
+            g with the floor is at most g without it, and at least its (1 + (ε / min m)²)^(-power/2) part. 0: no floor, and g is
+            infinite on such a path. None: a thousandth of the arm's typical m, the median over 200 random configurations.
     """
 
     power: float = 1.0
     task: Task | None = None
     measure: Measure | str | None = None
     metric: ArrayLike | None = None
+    floor: float | None = None
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "floor", check_floor(self.floor))
         object.__setattr__(self, "power", number("power", self.power, above=0.0, most=MOST_POWER))
         if self.task is not None:
             instance("task", self.task, Task)
@@ -57,13 +63,14 @@ class PathObjective:
     def integral(self, robot: Robot, *, compiled: bool | str = "auto") -> PathIntegral:
         """g of a robot's paths; raises InvalidInputError where the objective does not fit the robot."""
         metric = metric_matrix("metric", self.metric, robot.n)
-        return PathIntegral(kinematics=self.kinematics(robot, compiled=compiled), power=self.power, metric=metric)
+        kinematics = self.kinematics(robot, compiled=compiled)
+        return PathIntegral(kinematics=kinematics, power=self.power, floor=floor_of(kinematics, self.floor), metric=metric)
 
     def resolved(self, robot: Robot, *, compiled: bool | str = "auto") -> "PathObjective":
-        """The same objective with the task, measure and metric (n, n) that hold for a robot; it can be pickled."""
+        """The same objective with the task, measure, floor and metric (n, n) that hold for a robot; it can be pickled."""
         integral = self.integral(robot, compiled=compiled)
         kinematics = integral.kinematics
-        return replace(self, task=kinematics.task, measure=kinematics.measure, metric=integral.metric)
+        return replace(self, task=kinematics.task, measure=kinematics.measure, metric=integral.metric, floor=integral.floor)
 
 
 def check_task(kinematics: Kinematics) -> None:

@@ -61,6 +61,7 @@ def write_plan(plan: "Plan", file: Path) -> None:
         "task": result.task,
         "measure": measure_data(result.measure),
         "power": result.power,
+        "floor": result.floor,
         "metric": result.metric,
         "status": plan.status,
         "message": plan.message,
@@ -104,6 +105,7 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
             min_manipulability=float(numbers["min_manipulability"]),
             min_at=float(numbers["min_at"]),
             power=float(data["power"]),
+            floor=float(data.get("floor", 0.0)),  # files of version 0.1 have none
             task=from_json(data["task"], Task),
             measure=restored,
             metric=_maybe(data["metric"], stored_array),

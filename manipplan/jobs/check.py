@@ -109,7 +109,7 @@ class Report:
         """
         robot = model.robot
         kinematics = robot.kinematics(result.task, measure=result.measure)
-        integral = PathIntegral(kinematics=kinematics, power=result.power, metric=result.metric)
+        integral = PathIntegral(kinematics=kinematics, power=result.power, floor=result.floor, metric=result.metric)
         path = trajectory.path()
         cost = integral.cost(path)
         line = JointPath.line(path.start, path.goal) if np.linalg.norm(path.goal - path.start) >= SHORTEST else None

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
+from manipplan.cost.floor import floor_of
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.metric import metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure
@@ -226,7 +227,8 @@ def _joined(
             s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
         paths.append(joint_path(solver, rows, path, s, q, closed=layers.closed, allowed=allowed, tube=inside))
     metric = metric_matrix("metric", objective.metric, kinematics.robot.n)
-    integral = PathIntegral(kinematics=kinematics, power=objective.power, metric=metric)
+    floor = floor_of(kinematics, objective.floor)
+    integral = PathIntegral(kinematics=kinematics, power=objective.power, floor=floor, metric=metric)
     result = make_result(
         paths[0],
         integral,

@@ -151,11 +151,12 @@ class Certificate:
             margin for the proof; nan and inf as above.
         active_clearance: largest difference between the distance of an active pair of bodies and the clearance [m]; 0 where no
             clearance is active, nan and inf as above.
-        g: ∫ ‖q'‖_W / m^power ds, to ten digits; to four where a power below 1 lets a path cross a singularity.
+        g: ∫ ‖q'‖_W / (m² + floor²)^(power/2) ds, to ten digits; to four where a power below 1 and no floor let a path cross a
+            singularity.
         unconstrained_g: g of the local optimum that is reached from this path when limits and obstacles are taken away, in the
             same basis and with the same end conditions. nan when g is infinite, and for a path that does not come from
             the path optimiser. `gap` compares the two.
-        power, measure, unit: exponent, name of the measure m, and its unit.
+        power, floor, measure, unit: exponent, floor, name of the measure m, and its unit.
         min_manipulability, min_at: the minimum manipulability, and the s where it occurs.
         clearance, clearance_at, nearest_pair: the smallest measured distance [m], the s where it occurs, and the two bodies.
             inf, nan and () where nothing is checked. Measured at 401 places, and more densely around the smallest.
@@ -172,6 +173,7 @@ class Certificate:
     g: float
     unconstrained_g: float
     power: float
+    floor: float
     measure: str
     unit: str
     min_manipulability: float
@@ -213,6 +215,7 @@ class Certificate:
             g=cost.g,
             unconstrained_g=unconstrained_g,
             power=integral.power,
+            floor=integral.floor,
             measure=kinematics.measure.name,
             unit=kinematics.measure.unit(kinematics.task),
             min_manipulability=cost.min_manipulability,

@@ -11,7 +11,7 @@ from manipplan.optimize.certificate import SINGLE, UNKNOWN
 from manipplan.optimize.clearance import ClearanceRow
 from manipplan.optimize.descent import descend
 from manipplan.optimize.program import Solution
-from manipplan.optimize.proven import Candidate, ProvenDescents
+from manipplan.optimize.proven import SOFTER, Candidate, ProvenDescents
 from manipplan.optimize.result import Step
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
@@ -82,7 +82,9 @@ class LocalSearch(ProvenDescents):
 
         The descent among the obstacles starts at that minimum although it may collide; none when it ends in an obstacle.
         """
-        solution = self.program.solve(self.start, self.goal, self._straight())
+        line = self._straight()
+        floor = self._energy_floor(self.program.basis.path(self.start, self.goal, line))
+        solution = self.program.solve(self.start, self.goal, line, floor)
         is_free, *_ = self._judged("straight", solution)
         if not (is_free or solution.converged):
             return []
@@ -131,9 +133,10 @@ class LocalSearch(ProvenDescents):
             if again is None or again.cost.g >= best.cost.g:
                 break
             gain = best.cost.g - again.cost.g
-            if again.optimality.reached or not best.optimality.reached:
+            is_worth = gain > WORTH * again.cost.g
+            if is_worth or again.optimality.reached or not best.optimality.reached:
                 best = again
-            if gain <= WORTH * best.cost.g:
+            if not is_worth:
                 break
         return [] if best is None else [best]
 
@@ -177,6 +180,7 @@ class LocalSearch(ProvenDescents):
         if self.model is not None:
             limit = self.clearance + near.NEAR
             places = tuple(near.dips(near.distance_profile(self.model, first(s), limit), limit))
+        floor = self._energy_floor(first)
         found: list[LowEnergy] = []
         free: list[float] = []  # g of those that are free
         for _ in range(ROUNDS):
@@ -185,7 +189,7 @@ class LocalSearch(ProvenDescents):
             if self.model is not None:
                 watched = near.nearest(self.model, path, places, most=np.inf if free else self.clearance + near.FAR)
                 rows = near.rows_for(self.model, path, lambda at: first(np.interp(at, even, s)), watched, self.clearance)
-            solution = self.program.solve(self.start, self.goal, coefficients, rows)
+            solution = self.program.solve(self.start, self.goal, coefficients, floor, rows)
             if not solution.converged and np.array_equal(coefficients, beginning):
                 break
             if not solution.converged:  # where it stopped depends on rounding errors: restart with the same places
@@ -230,7 +234,8 @@ class LocalSearch(ProvenDescents):
         coefficients = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
         if not self.program.free.size:
             return self.program.integral.cost(basis.path(self.start, self.goal, coefficients)).g
-        true, z = self.program.descent_program(self.start, self.goal, coefficients, None, limited=False)
+        moving = self.nearly_singular(path)
+        true, z = self.program.descent_program(self.start, self.goal, coefficients, None, limited=False, moving=moving)
         costs = [self.program.integral.cost(each).g for each in (path, true.path(descend(true, z, tolerance=ROUGH).z))]
         return min(costs)
 
@@ -255,6 +260,11 @@ class LocalSearch(ProvenDescents):
                 return True, profile, ()
             failed_at = ((proof.at, proof.pair_id),)
         return False, profile, failed_at
+
+    def _energy_floor(self, path: JointPath) -> float:
+        """Floor of the energy near a path: a large one where the path nearly meets a singularity."""
+        floor = self.program.integral.floor
+        return SOFTER[0] * floor if self.nearly_singular(path) else floor
 
     def _straight(self) -> Array:
         """Coefficients (n, size) of the path nearest to the straight line that meets the end conditions."""

@@ -266,7 +266,7 @@ def _program(problem: PathProblem, integral: PathIntegral) -> PathProgram:
     kinematics, fixed, shape = integral.kinematics, problem.ends.pattern, problem.shape
     basis = (shape.basis, shape.degree, shape.pieces)
     metric = None if integral.metric is None else integral.metric.tobytes()
-    key = (kinematics.task, kinematics.measure, kinematics.compiled, integral.power, metric, basis, fixed)
+    key = (kinematics.task, kinematics.measure, kinematics.compiled, integral.power, integral.floor, metric, basis, fixed)
     programs = _programs(kinematics.robot)
     if key not in programs:
         programs[key] = PathProgram(integral, named_basis(*basis), fixed)

@@ -2,12 +2,12 @@
 
 Everything that changes from one solve of the energy to the next (ends, guess, rows) is a parameter, so IPOPT is set up once
 per objective and basis. Unknowns z: coefficients along the free directions, joint after joint for each direction, then
-one slack [m] per clearance row. Parameters p: start, goal, 1 / size and g₀ of the objective, the coefficients that are kept,
-and the table of rows. First and second derivatives are exact.
+one slack [m] per clearance row. Parameters p: start, goal, 1 / size and floor of the objective, the coefficients that are
+kept, and the table of rows. First and second derivatives are exact.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import casadi as ca
@@ -18,7 +18,7 @@ from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.optimize.clearance import ClearanceRow, column_height, met_column, row_functions
 from manipplan.optimize.constraints import LimitRows, RowFunctions
 from manipplan.optimize.descent import DescentProgram
-from manipplan.optimize.step_models import BatchDensity, Curves, LengthModel, Surroundings
+from manipplan.optimize.step_models import BatchDensity, Curves, LengthModel, MovingLengthModel, Surroundings
 from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid, with_bits
 from manipplan.support.checks import Array
@@ -102,10 +102,10 @@ def ipopt_solver(
     kept = ca.reshape(p[2 * n + 2 : fixed], n, basis.size)
     x = kept + ca.reshape(z[:size], n, free.shape[1]) @ ca.sparsify(ca.DM(free)).T
     curve = _Curve(start=p[:n], goal=p[n : 2 * n], x=x, free=free)
-    scale, g0 = p[2 * n], p[2 * n + 1]
+    scale, floor = p[2 * n], p[2 * n + 1]
     slack = z[size:]
 
-    value, gradient, hessian = _objective(integral, basis, curve, scale, ca.vertcat(g0, power))
+    value, gradient, hessian = _objective(integral, basis, curve, scale, ca.vertcat(1.0, power, floor))
     f = value + SLACK_COST * ca.sum1(slack)
     grad_f = ca.vertcat(gradient, SLACK_COST * ca.MX.ones(capacity))
     g, jacobian = _limits(hull, curve)
@@ -280,6 +280,8 @@ class PathProgram:
         *,
         limited: bool = True,
         edges: Array | None = None,
+        floor: float | None = None,
+        moving: bool = False,
     ) -> tuple[DescentProgram, Array]:
         """The program of g among the true obstacles, and the unknowns z (f, n) that give the path of coefficients (n, size).
 
@@ -290,16 +292,19 @@ class PathProgram:
             surroundings: distances of the true bodies; None: nothing is checked for collision.
             limited: False: without joint limits.
             edges: panel edges (k + 1,) that earlier paths needed; they are kept and refined.
+            floor: floor of g; None: that of the objective.
+            moving: the panels follow each path; `edges` are ignored.
         """
+        integral = self.integral if floor is None else replace(self.integral, floor=floor)
         directions = self._directions
         z: Array = np.asarray(np.linalg.lstsq(directions, coefficients.T, rcond=None)[0], dtype=float)
         kept = self._rounded(coefficients - (directions @ z).T)
         z = on_grid(z, SPACING)
         curves = Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal)
         path = self.basis.path(start, goal, coefficients)
-        edges = self.integral.panel_edges(path, edges)
+        edges = integral.fine_panels(path) if moving else integral.panel_edges(path, edges)
         s, weights = gauss(edges[:-1], edges[1:])
-        g0 = self.integral.on_panels(path, edges)
+        g0 = integral.on_panels(path, edges)
         length = LengthModel(
             density=self._length_density,
             curves=curves,
@@ -307,9 +312,12 @@ class PathProgram:
             s=s.ravel(),
             weights=weights.ravel(),
             g0=g0,
-            power=self.integral.power,
+            power=integral.power,
+            floor=integral.floor,
             pace=g0,
         )
+        if moving:
+            length = MovingLengthModel(**vars(length), integral=integral)
         limits = self.kinematics.robot.limits
         unlimited = np.full(self.n, np.inf)
         line = start + np.outer(self._fine_hull.line, goal - start) + self._fine_hull.rows @ kept.T
@@ -322,8 +330,8 @@ class PathProgram:
         return DescentProgram(length=length, limits=limit_rows, functions=self._batch_rows, surroundings=surroundings), z
 
     @interruptible()
-    def solve(self, start: Array, goal: Array, guess: Array, rows: Sequence[ClearanceRow] = ()) -> Solution:
-        """Minimise the energy from a guess (n, size), which has the fixed end derivatives.
+    def solve(self, start: Array, goal: Array, guess: Array, floor: float, rows: Sequence[ClearanceRow] = ()) -> Solution:
+        """Minimise the energy with a floor from a guess (n, size), which has the fixed end derivatives.
 
         Rows have slacks, so there is a solution even when they contradict each other.
         """
@@ -334,9 +342,9 @@ class PathProgram:
         # all inputs of IPOPT are rounded: its iterations diverge for inputs that differ in their last bits
         unknowns = on_grid(guess @ self._along, SPACING)
         kept = self._rounded(guess - unknowns @ self.free.T)
-        scale = with_bits(np.array([1 / self._energy_of(start, goal, guess)]), SCALE_BITS)
+        scale = with_bits(np.array([1 / self._energy_of(start, goal, guess, floor)]), SCALE_BITS)
         table = on_grid(self._row_parameters(rows, capacity), FINE)
-        parameters = np.concatenate([start, goal, scale, [1.0], kept.ravel(order="F"), table.ravel(order="F")])
+        parameters = np.concatenate([start, goal, scale, [floor], kept.ravel(order="F"), table.ravel(order="F")])
         count = len(self._hull.line) if limited else 0
         joint_limits = [np.tile(each, count) for each in (limits.lower, limits.upper)]
         result = solver(
@@ -350,12 +358,12 @@ class PathProgram:
         x = on_grid(np.asarray(result["x"]).ravel()[: unknowns.size], SOLVED_SPACING)
         return Solution(coefficients=kept + x.reshape(unknowns.shape, order="F") @ self.free.T, status=status)
 
-    def _energy_of(self, start: Array, goal: Array, guess: Array) -> float:
+    def _energy_of(self, start: Array, goal: Array, guess: Array, floor: float) -> float:
         """The energy of a guess (n, size), by the quadrature of the program; 1 when it is not finite and positive."""
         s = self._energy.s
         q = start[:, None] + np.outer(goal - start, s) + guess @ self.basis.values(s).T
         v = (goal - start)[:, None] + guess @ self.basis.values(s, 1).T
-        density = np.asarray(self._energy.density.value(q, v, np.array([[1.0], [self.integral.power]]))).ravel()
+        density = np.asarray(self._energy.density.value(q, v, np.array([[1.0], [self.integral.power], [floor]]))).ravel()
         value = float(density @ self._energy.weights)
         return value if np.isfinite(value) and value > 0 else 1.0
 

@@ -28,6 +28,9 @@ DESCENTS, SETTLED = 8, 2e-4
 #: Final margins after the second, third, ... path that is not proven free, such as along the bumps of a point cloud, except
 #: where descents go on until they settle [m]. With the first of them the first-order conditions can still be met.
 WIDER = (9e-5, 3e-4, 1e-3, 3e-3)
+#: Floors of the first two descents from a path whose m falls below the last of them, in units of the objective's floor: with a
+#: larger floor the place of a crossing moves more easily.
+SOFTER = (100.0, 10.0)
 #: A converged descent whose path still misses the required clearance by more than this [m] is stuck in an obstacle.
 STUCK = 5e-3
 #: With a required clearance below the first value, descents keep these wider margins first [m]: a descent is slow around a
@@ -104,7 +107,7 @@ class ProvenDescents:
         program, integral = self.program, self.program.integral
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
         path = program.basis.path(self.start, self.goal, coefficients)
-        if not np.isfinite(integral.cost(path).g):  # a path that crosses a singularity has no finite g to descend from
+        if not np.isfinite(integral.cost(path).g):  # without a floor, a path through a singularity has no finite g
             return None
         best: Candidate | None = None
         edges: Array | None = None
@@ -112,12 +115,15 @@ class ProvenDescents:
         failed_g, failures = np.nan, 0  # g of the last path that was not proven free, and number of such paths
         backed_off = False
         *wide, final = self.margins(kept)
-        waiting = [*wide, *[final] * DESCENTS]
+        waiting = [(margin, integral.floor) for margin in [*wide, *[final] * DESCENTS]]
+        moving = self.nearly_singular(path)
+        if moving:
+            waiting = [*((waiting[0][0], softer * integral.floor) for softer in SOFTER), *waiting]
         while waiting:
-            margin = waiting.pop(0)
+            margin, floor = waiting.pop(0)
             if surroundings is not None:
                 surroundings.margin = margin
-            true, z = program.descent_program(self.start, self.goal, coefficients, surroundings, edges=edges)
+            true, z = program.descent_program(self.start, self.goal, coefficients, surroundings, edges=edges, floor=floor, moving=moving)
             refined = edges is None or len(true.length.edges) > len(edges)
             edges = true.length.edges
             if not np.isfinite(true.length.g0):
@@ -125,7 +131,7 @@ class ProvenDescents:
             descent = descend(true, z)
             steps += descent.steps
             coefficients = true.length.curves.coefficients(descent.z)
-            if margin > final:
+            if margin > final or floor > integral.floor:
                 continue
             path = true.path(descent.z)
             cost, proof = integral.cost(path), self.proof(path)
@@ -142,7 +148,7 @@ class ProvenDescents:
                 if self.until is not Until.SETTLED and failures > 1:
                     wider = WIDER[min(failures - 2, len(WIDER) - 1)]
                     final, backed_off = max(min(wider, self.room), final), True
-                    waiting = [final] * len(waiting)
+                    waiting = [(final, floor)] * len(waiting)
                 continue
             if not self.inside_limits(path):
                 log.debug("descent: the path leaves the joint limits")
@@ -163,7 +169,7 @@ class ProvenDescents:
             if settled and converged and (agrees or not refined):
                 if best.optimality.reached or backed_off or not WIDE_MARGINS[-1] < self.room:
                     break
-                backed_off, waiting = True, [WIDE_MARGINS[-1], *waiting]
+                backed_off, waiting = True, [(WIDE_MARGINS[-1], floor), *waiting]
         if best is not None:
             self.accepted.append(best)
         return best
@@ -185,6 +191,11 @@ class ProvenDescents:
         if self.model is None:
             return 0.0
         return self.model.least_distance(np.array([self.start, self.goal]))[0] - self.clearance
+
+    def nearly_singular(self, path: JointPath) -> bool:
+        """Whether m comes near the floor somewhere on a path."""
+        integral = self.program.integral
+        return bool(integral.cost(path).min_manipulability < SOFTER[-1] * integral.floor)
 
     def keeps(self, path: JointPath, margin: float = 0.0) -> bool:
         """Whether a path is proven to keep the required clearance plus a margin [m], or nothing is checked."""

@@ -33,10 +33,10 @@ class PathResult:
 
     Attributes:
         path: the JointPath; the seed when `status` says so.
-        g: ∫ ‖q'‖_W / m^power ds to ten digits: (6.6) in kth2012 with its exponent as a parameter.
+        g: ∫ ‖q'‖_W / (m² + floor²)^(power/2) ds to ten digits: (6.6) in kth2012 with its exponent and a floor.
         length: length of the path in joint space [rad].
         min_manipulability: minimum manipulability on a dense grid [measure.unit(task)]; `min_at` is the s where it occurs.
-        power, task: exponent of the objective, and task of its manipulability.
+        power, floor, task: exponent and floor of the objective, and task of its manipulability.
         seed, seed_cost: the collision-free first path (straight without a scene) and its cost, for comparison.
         history: all solves, in order; those in a coarse copy of the scene are called so.
         status: how the path came about.
@@ -58,6 +58,7 @@ class PathResult:
     status: Status
     measure: Measure = field(default_factory=Yoshikawa)
     metric: Array | None = None
+    floor: float = 0.0
     rivals: tuple["PathResult", ...] = ()
     certificate: Certificate | None = None
 
@@ -118,6 +119,7 @@ def make_result(
         task=integral.kinematics.task,
         measure=integral.kinematics.measure,
         metric=integral.metric,
+        floor=integral.floor,
         seed=seed,
         seed_cost=seed_cost,
         history=history,

@@ -1,6 +1,6 @@
 """Models for one step of a descent: a quadratic model of g, and linear rows for the distances around the path."""
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 
 import numpy as np
@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.near_pairs import NearPairs
 from manipplan.cost.density import Density
+from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.optimize.clearance import ClearanceRow, Place, distance_profile
 from manipplan.paths.basis import Basis
 from manipplan.paths.joint import JointPath
@@ -78,7 +79,7 @@ class LengthModel:
         edges: (k + 1,) of the quadrature panels.
         s, weights: (m,) Gauss points of all panels and their weights.
         g0: g of the path where the descent begins, so that the value there is about 1.
-        power: exponent p.
+        power, floor: exponent p and floor ε.
         pace: g₀ in the share of the energy, κ h² / g₀; inf: no such share, so that the value is that of g alone.
     """
 
@@ -89,6 +90,7 @@ class LengthModel:
     weights: Array
     g0: float
     power: float
+    floor: float
     pace: float
 
     @property
@@ -103,9 +105,9 @@ class LengthModel:
         return (curves.line(self.s), curves.line(self.s, 1), curves.values(self.s), curves.values(self.s, 1))
 
     def _points(self, z: Array) -> tuple[Array, Array, Array]:
-        """Arguments of the density at the Gauss points: q and q' (m, n), and the pace and p (m, 2)."""
+        """Arguments of the density at the Gauss points: q and q' (m, n), and the pace, p and ε (m, 3)."""
         line, slope, values, slopes = self._values
-        numbers = np.tile([self.pace, self.power], (len(self.s), 1))
+        numbers = np.tile([self.pace, self.power, self.floor], (len(self.s), 1))
         return line + product(values, z), slope + product(slopes, z), numbers
 
     def value(self, z: Array) -> float:
@@ -132,6 +134,39 @@ class LengthModel:
             products = np.einsum("ipj,iqk->jkipq", part, part).reshape(size * size, -1)
             total += product(products, blocks[begin : begin + count].reshape(-1, n * n))
         return np.asarray(total.reshape(size, size, n, n).transpose(0, 2, 1, 3).reshape(size * n, size * n))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MovingLengthModel(LengthModel):
+    """The same sum with panels that follow each path: the peak of the integrand at a crossing moves with the path.
+
+    Attributes:
+        integral: finds the panels.
+    """
+
+    integral: PathIntegral
+    _last: dict[bytes, LengthModel] = field(default_factory=dict, init=False)
+
+    def at(self, z: Array) -> LengthModel:
+        """The sum over the panels that the path at z (f, n) needs; that of the last z is kept."""
+        key = z.tobytes()
+        if key not in self._last:
+            curves = self.curves
+            edges = self.integral.fine_panels(curves.basis.path(curves.start, curves.goal, curves.coefficients(z)))
+            s, weights = gauss(edges[:-1], edges[1:])
+            fixed = {each.name: getattr(self, each.name) for each in fields(LengthModel)}
+            self._last.clear()
+            self._last[key] = LengthModel(**fixed | {"edges": edges, "s": s.ravel(), "weights": weights.ravel()})
+        return self._last[key]
+
+    def value(self, z: Array) -> float:
+        return self.at(z).value(z)
+
+    def gradient(self, z: Array) -> Array:
+        return self.at(z).gradient(z)
+
+    def hessian(self, z: Array) -> Array:
+        return self.at(z).hessian(z)
 
 
 #: Number of intervals of the grid along the path. A band of rows around the path is only kept at every SPACING-th place.

@@ -13,14 +13,14 @@ LEAST = 1e-12
 
 
 def motion_cost(integral: PathIntegral, first: Array, second: Array) -> float:
-    """∫ ‖q'‖_W / m^p ds along the straight motion between two configurations (n,): (6.6) in kth2012."""
+    """g of the straight motion between two configurations (n,): (6.6) in kth2012, with the floor of the objective."""
     length = float(np.linalg.norm(second - first))
     if length == 0.0:
         return 0.0
     nodes, weights = _rule(int(np.ceil(length / PANEL)))
     m = integral.kinematics.manipulability(first + nodes[:, None] * (second - first))
     speed = float(speeds((second - first)[None], integral.metric)[0])
-    return float(speed * (weights @ np.maximum(m, LEAST) ** -integral.power))
+    return float(speed * (weights @ np.maximum(np.hypot(m, integral.floor), LEAST) ** -integral.power))
 
 
 def ompl_objective(information: object, integral: PathIntegral) -> object:
@@ -38,7 +38,7 @@ def ompl_objective(information: object, integral: PathIntegral) -> object:
 
         def stateCost(self, state: object) -> object:  # noqa: N802  # OMPL's name
             m = float(integral.kinematics.manipulability(_configuration(state, n)))
-            return base.Cost(max(m, LEAST) ** -integral.power)
+            return base.Cost(max(float(np.hypot(m, integral.floor)), LEAST) ** -integral.power)
 
         def motionCost(self, first: object, second: object) -> object:  # noqa: N802  # OMPL's name
             return base.Cost(motion_cost(integral, _configuration(first, n), _configuration(second, n)))
