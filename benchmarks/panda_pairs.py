@@ -129,7 +129,7 @@ def lower_nearby(robot, start, goal, power, result, rng):
             start,
             goal,
             shape=mp.PathShape(degree=DEGREE),
-            objective=mp.PathObjective(power=power),
+            objective=mp.PathObjective(power=power, floor=0.0),
             seeding=mp.Seeding(initial=first),
             throw=False,
         )
@@ -146,7 +146,7 @@ def run(robot, power):
     rows, beside = [], {name: [] for name in direct}
     statuses = Counter()
     for k, (start, goal) in enumerate(track(pairs, description=f"p = {power}")):
-        options = {"shape": mp.PathShape(degree=DEGREE), "objective": mp.PathObjective(power=power), "throw": False}
+        options = {"shape": mp.PathShape(degree=DEGREE), "objective": mp.PathObjective(power=power, floor=0.0), "throw": False}
         if k == 0:
             for compiled in ("auto", False):
                 mp.optimize_path(robot, start, goal, compiled=compiled, **options)

@@ -14,6 +14,8 @@ import numpy as np
 from matplotlib.patches import Ellipse, FancyArrowPatch, FancyBboxPatch
 
 import manipplan as mp
+from manipplan.cost.crossings import find_crossings
+from manipplan.cost.floor import floor_of
 from manipplan.viz.motions import skeleton
 from manipplan.viz.style import ARM, ELLIPSOID, JOINTS, OBSTACLE, OPTIMUM, SEED, STRAIGHT, STYLE
 
@@ -225,7 +227,43 @@ def search():
     return figure
 
 
-PICTURES = (flow, frames, ellipsoids, measures, proof, drives, search)
+def crossings():
+    """g with a floor against the floor, of straight paths of the UR5 that cross no, one and two singularities."""
+    robot = mp.load_robot("ur5")
+    kinematics = robot.kinematics()
+    start = np.array([0.0, -1.2, 1.4, -1.0, 1.0, 0.0])
+    goals = {
+        "no crossing": [0.8, -0.9, 1.0, -1.4, 1.4, 0.5],
+        "one: the elbow": [0.8, -0.9, -1.0, -1.4, 1.4, 0.5],
+        "two: elbow and wrist": [0.8, -0.9, -1.0, -1.4, -1.4, 0.5],
+    }
+    floors = np.logspace(-8, -3, 41)
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.2, 3.4), layout="constrained")
+    for (text, goal), colour in zip(goals.items(), (STRAIGHT, OPTIMUM, SEED), strict=True):
+        path = mp.JointPath.line(start, goal)
+        g = [mp.path_cost(path, kinematics, 1.0, floor=floor).g for floor in floors]
+        rest = [result_without_crossings(robot, path, floor) for floor in floors]
+        left.plot(floors, g, color=colour, label=text)
+        right.plot(floors, rest, color=colour, label=text)
+    for ax, title in ((left, "g with the floor"), (right, "g without its crossings")):
+        powers = np.arange(-8, -2)
+        ax.set(xscale="log", xlabel="floor ε [m⁶]", title=title)
+        ax.set_xticks(10.0**powers, [f"1e{power}" for power in powers], minor=False)
+        ax.set_xticks([], minor=True)
+        ax.axvline(floor_of(kinematics, None), color=ARM, linestyle=":", linewidth=1.0)
+        ax.invert_xaxis()
+    right.annotate("default", (floor_of(kinematics, None), 300.0), (6, 0), textcoords="offset points", fontsize=8)
+    left.legend(loc="upper left")
+    return figure
+
+
+def result_without_crossings(robot, path, floor):
+    """g of a path less the cost of its crossings."""
+    integral = mp.PathObjective(floor=floor).integral(robot)
+    return integral.cost(path).g - sum(each.cost for each in find_crossings(path, integral))
+
+
+PICTURES = (flow, frames, ellipsoids, measures, proof, drives, search, crossings)
 
 
 def main(names):

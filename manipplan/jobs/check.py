@@ -10,6 +10,7 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
+from manipplan.cost.crossings import describe, find_crossings, least_crossings
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import SHORTEST, JointPath
@@ -50,6 +51,7 @@ class Report:
         min_manipulability, min_at: minimum manipulability along the trajectory, and the share of the duration at which it
             occurs.
         seed_min_manipulability, straight_min_manipulability: minimum manipulability on the seed, and on the straight line.
+        crossing_note: which singularities the trajectory meets, and whether that can be avoided; "" for none.
         minimum_note: how the minimum manipulability compares with those two, and the reason if it is not twice both.
         clearance, nearest_pair: minimum distance [m] measured at evenly spaced times, and its pair; inf and () if nothing
             is checked.
@@ -81,6 +83,7 @@ class Report:
     seed_min_manipulability: float
     straight_min_manipulability: float
     minimum_note: str
+    crossing_note: str
     clearance: float
     nearest_pair: tuple[str, ...]
     proven_clearance: float
@@ -145,6 +148,7 @@ class Report:
             seed_min_manipulability=result.seed_cost.min_manipulability,
             straight_min_manipulability=straight.min_manipulability,
             minimum_note=_minimum_note(cost, result, straight),
+            crossing_note=describe(find_crossings(path, integral), least_crossings(kinematics, path.start, path.goal)),
             clearance=min(least, proof.upper),
             nearest_pair=pair,
             proven_clearance=proof.lower,
@@ -163,12 +167,14 @@ class Report:
             f"{self.robot}, tool {self.tool}, task {self.task}: {self._verdict()}",
             f"  status       {self.status}",
             f"  duration     {self.duration:.3f} s",
-            f"  minimum m    {self.min_manipulability:.4g}{unit} ({self.measure}; {first} {self.seed_min_manipulability:.4g}, "
-            f"straight {self.straight_min_manipulability:.4g}{'' if self.straight_free else ', which collides'})",
+            f"  minimum m    {_shown(self.min_manipulability)}{unit} ({self.measure}; {first} {_shown(self.seed_min_manipulability)}, "
+            f"straight {_shown(self.straight_min_manipulability)}{'' if self.straight_free else ', which collides'})",
             f"               {self.minimum_note}",
             f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
             f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
         ]
+        if self.crossing_note:
+            lines.append(f"  singularity  {self.crossing_note}")
         if self.nearest_pair:
             lines.append(
                 f"  clearance    {1e3 * self.clearance:.2f} mm between {' and '.join(self.nearest_pair)}; "
@@ -217,6 +223,11 @@ def _standing(path: JointPath, integral: PathIntegral) -> PathCost:
     """The cost of standing still, in place of that of the straight line, for a path that returns to its start."""
     m = float(integral.kinematics.manipulability(path.start))
     return PathCost(g=0.0, length=0.0, min_manipulability=m, at=0.0)
+
+
+def _shown(m: float) -> str:
+    """A manipulability in four digits; 0 for rounding noise."""
+    return f"{m:.4g}" if m >= VANISHING else "0"
 
 
 def _unit_of(joint: str, robot: Robot) -> str:

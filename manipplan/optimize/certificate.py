@@ -11,6 +11,7 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
+from manipplan.cost.crossings import Crossing, describe, find_crossings, least_crossings
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.optimize.descent import DescentProgram
 from manipplan.paths.joint import JointPath
@@ -162,6 +163,9 @@ class Certificate:
             inf, nan and () where nothing is checked. Measured at 401 places, and more densely around the smallest.
         proven_clearance: lower bound of the distance of all checked pairs on the whole curve, also between those places [m];
             inf where nothing is checked. For a seed that could not be proven free it is at most the required clearance.
+        crossings: singularities that the path meets, such as those at which det J changes its sign.
+        least_crossings: lower bound on the number of crossings of any path between start and goal; None for an arm with more
+            joints than task rows.
         limits: smallest distance to every finite position limit of every joint, nearest first.
     """
 
@@ -183,6 +187,16 @@ class Certificate:
     nearest_pair: tuple[str, ...]
     proven_clearance: float
     limits: tuple[LimitApproach, ...]
+    crossings: tuple[Crossing, ...] = ()
+    least_crossings: int | None = None
+
+    @property
+    def finite_g(self) -> float:
+        """g without its crossings: what remains when the `cost` of each is taken away. It hardly depends on the floor.
+
+        nan where one of them has no such cost. It can be negative, where m stays below its typical value beside a crossing.
+        """
+        return self.g - sum(each.cost for each in self.crossings)
 
     @property
     def gap(self) -> float:
@@ -225,6 +239,8 @@ class Certificate:
             nearest_pair=pair,
             proven_clearance=np.inf if model is None else path_clearance(model, path, clearance=clearance).lower,
             limits=limit_approaches(path, kinematics.robot),
+            crossings=find_crossings(path, integral),
+            least_crossings=least_crossings(kinematics, path.start, path.goal),
         )
 
     def __str__(self) -> str:
@@ -236,6 +252,9 @@ class Certificate:
             f"g            {self.g:.6g}, exponent {self.power:g}{self._beside()}",
             f"minimum m    {self.min_manipulability:.4g}{unit} at s = {self.min_at:.3f} ({self.measure})",
         ]
+        if self.crossings:
+            lines.append(f"singularities {describe(self.crossings, self.least_crossings)}")
+            lines.append(f"             g without them: {self.finite_g:.6g}")
         if self.nearest_pair:
             pair = " and ".join(self.nearest_pair)
             lines.append(

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from manipplan.collision.near_pairs import NearPairs
+from manipplan.cost.crossings import find_crossings
 from manipplan.optimize import clearance as near
 from manipplan.optimize.certificate import SINGLE, UNKNOWN
 from manipplan.optimize.clearance import ClearanceRow
@@ -30,6 +31,8 @@ SAME_SOLUTION = 1e-3
 WORSE = 1.1
 #: A nearly free solution starts another descent if its g is below this share of the lowest g of an optimum found.
 PROMISING = 0.8
+#: Largest displacement of the path from which descents begin beside an optimum that meets several singularities at once [rad].
+ASIDE = 0.5
 #: Maximum deviation of the fit to a path at which the basis counts as containing the path [rad or m].
 SAME = 1e-9
 #: The descent is repeated from the fit to the optimum at an even pace while that lowers g by more than this share.
@@ -138,7 +141,26 @@ class LocalSearch(ProvenDescents):
                 best = again
             if not is_worth:
                 break
+        if best is not None and self.nearly_singular(best.path):
+            best = self._beside(best)
         return [] if best is None else [best]
+
+    def _beside(self, found: Candidate) -> Candidate:
+        """The best of an optimum and those reached from either side of it, where it meets several singularities at once.
+
+        Such an optimum is often a saddle, at which descents end: where det J has a zero of higher order, g is much larger than
+        with one crossing after the other.
+        """
+        if not any(np.isnan(each.cost) for each in find_crossings(found.path, self.program.integral)):
+            return found
+        shape = self.program.basis.values(np.linspace(0.0, 1.0, near.PLACES + 1)) @ self.program.free[:, :1]
+        aside = np.random.default_rng(0).normal(size=(self.program.n, 1))
+        step = ASIDE / np.abs(shape).max() * aside / np.linalg.norm(aside) @ self.program.free[:, :1].T
+        for sign in (1.0, -1.0):
+            other = self.descend("aside", found.coefficients + sign * step, softens=False)  # a larger floor would lead back
+            if other is not None and other.cost.g < found.cost.g * (1 - WORTH):
+                found = other
+        return found
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """The local optimum near a free path, through a path of low energy that passes each body on the same side.

@@ -12,6 +12,7 @@ from manipplan.collision.covers.coarse import coarse_scene, without_pieces_at
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene
+from manipplan.cost.crossings import runs_along
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective
 from manipplan.optimize.local import LocalSearch
@@ -131,7 +132,7 @@ def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPat
         path, cost = first, first_cost
         status = Status.SEED_IS_BETTER if safe else Status.SEED_IS_SAFE
         status = status if fallback else Status.ENDS_NOT_MET
-    if not np.isfinite(cost.g) and status is not Status.ENDS_NOT_MET:
+    if status is not Status.ENDS_NOT_MET and (not np.isfinite(cost.g) or runs_along(path, integral)):
         status = Status.SINGULAR
     unconstrained = np.nan
     if np.isfinite(cost.g) and not interrupted:

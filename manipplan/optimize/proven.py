@@ -97,12 +97,15 @@ class ProvenDescents:
     accepted: list[Candidate] = field(default_factory=list)
     until: Until = Until.SETTLED
 
-    def descend(self, name: str, coefficients: Array, *, kept: JointPath | None = None) -> Candidate | None:
+    def descend(
+        self, name: str, coefficients: Array, *, kept: JointPath | None = None, softens: bool = True
+    ) -> Candidate | None:
         """The path at which descents from coefficients (n, size) end; None when it is not free or leaves the limits.
 
         Descents are repeated until the path is proven free, the quadrature panels resolve its g, and the descent has
         converged, or as `until` says. Each starts with the panels of the one before it, and also watches the place where the
         proof failed. Before the final margin only those are taken that the path `kept` has, if it is given.
+        With `softens` a path near a singularity is first moved with larger floors.
         """
         program, integral = self.program, self.program.integral
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
@@ -117,7 +120,7 @@ class ProvenDescents:
         *wide, final = self.margins(kept)
         waiting = [(margin, integral.floor) for margin in [*wide, *[final] * DESCENTS]]
         moving = self.nearly_singular(path)
-        if moving:
+        if moving and softens:
             waiting = [*((waiting[0][0], softer * integral.floor) for softer in SOFTER), *waiting]
         while waiting:
             margin, floor = waiting.pop(0)

@@ -28,9 +28,10 @@ class Status(Enum):
         "collision-free seed, which does not have them, is returned; raise PathShape.degree, or give smaller ones"
     )
     SINGULAR = (
-        "singular: every check passed, but the manipulability is zero somewhere on the path, so g is infinite; "
-        "choose another start or goal if it is at an end. An arm with as many joints as task rows has to cross a singularity "
-        "between configurations at which det J has different signs: choose another solution of inverse_kinematics as goal"
+        "singular: every check passed, but the manipulability is below the floor on more than a tenth of the path or, without a "
+        "floor, zero somewhere, so that g is infinite; choose another start or goal, such as another solution of "
+        "inverse_kinematics. With as many joints as task rows every path between configurations at which det J has different "
+        "signs crosses a singularity"
     )
     INTERRUPTED = "interrupted: the best checked path so far, optimised or the seed; run it again to get further"
     # recorded motions

@@ -41,7 +41,7 @@ def many_links(n: int) -> ManyLinks:
         start,
         goal,
         shape=mp.PathShape(degree=config.BEST_DEGREE),
-        objective=mp.PathObjective(power=config.TABLE_POWER),
+        objective=mp.PathObjective(power=config.TABLE_POWER, floor=0.0),
     )
     return ManyLinks(arm=arm, q=q, manipulability=float(manipulability(arm, q)), proven=n <= config.PROVEN_LINKS, path=path)
 

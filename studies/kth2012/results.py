@@ -72,7 +72,7 @@ class Results:
                 example.start,
                 example.goal,
                 shape=mp.PathShape(degree=degree),
-                objective=mp.PathObjective(power=power),
+                objective=mp.PathObjective(power=power, floor=0.0),
             )
 
         return self.once(("path", example, degree, power), run)
@@ -150,7 +150,7 @@ class Results:
                 start,
                 goal,
                 shape=mp.PathShape(degree=config.MOST_DEGREE),
-                objective=mp.PathObjective(power=config.TEXT_POWER),
+                objective=mp.PathObjective(power=config.TEXT_POWER, floor=0.0),
             )
             a, b = (np.exp(first + 1j * second) for first, second in config.TWO_LINK_ENDS)
             return curve.g, path.g, float(np.arccosh(1 + abs(a - b) ** 2 / (2 * a.imag * b.imag)))
@@ -166,7 +166,7 @@ class Results:
                 example.start,
                 example.goal,
                 shape=mp.PathShape(degree=config.BEST_DEGREE),
-                objective=mp.PathObjective(power=config.TABLE_POWER),
+                objective=mp.PathObjective(power=config.TABLE_POWER, floor=0.0),
                 seeding=mp.Seeding(shifts="within-limits"),
             )
 
@@ -182,7 +182,7 @@ class Results:
                 example.start,
                 example.goal,
                 shape=mp.PathShape(degree=config.OBSTACLE_DEGREE),
-                objective=mp.PathObjective(power=config.TABLE_POWER),
+                objective=mp.PathObjective(power=config.TABLE_POWER, floor=0.0),
                 scene=mp.Scene(post),
                 clearance=config.CLEARANCE,
                 seeding=mp.Seeding(count=config.FIRST_PATHS),

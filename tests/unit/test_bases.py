@@ -274,7 +274,7 @@ def test_no_small_change_lowers_the_energy(planar, name, rng):
         s, weights = path.quadrature()
         return weights @ ((path(s, 1) ** 2).sum(axis=1) / planar.kinematics().manipulability(path(s)) ** 4)
 
-    best = program.solve(start, goal, np.zeros((3, size)))
+    best = program.solve(start, goal, np.zeros((3, size)), 0.0)
     least = energy(program.basis.path(start, goal, best.coefficients))
     assert best.status == "Solve_Succeeded"
     for _ in range(20):

@@ -58,7 +58,7 @@ def test_straight_lines_have_the_thesis_values(planar, problem):
 
 
 def test_cost_equals_a_plain_sum(planar):
-    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2))
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2, floor=0.0))
     assert result.g == pytest.approx(g_by_hand(planar, result.path, 2), rel=1e-8)
     assert result.length == pytest.approx(result.path.length)
 
@@ -165,17 +165,19 @@ DENSITIES = [
     *itertools.product(["planar", "panda", "tiago"], [None], [None, "weights"]),
     *itertools.product(["planar"], ["inverse_condition", "isotropy", "joint_limit_penalised", "dynamic"], ["matrix"]),
     *itertools.product(["panda"], ["smallest_singular_value", "frobenius", "isotropy"], ["weights"]),
+    ("ur5", None, "weights"),
 ]
 
 
+@pytest.mark.parametrize("floor", [0.0, 0.01])
 @pytest.mark.parametrize(("name", "measure", "metric"), DENSITIES)
 @pytest.mark.parametrize("kind", [energy_density, length_density])
-def test_densities_have_exact_derivatives(name, measure, metric, kind, rng):
+def test_densities_have_exact_derivatives(name, measure, metric, kind, floor, rng):
     robot = mp.planar_arm([1.0, 1.0, 1.0]) if name == "planar" else mp.load_robot(name)
     n = robot.n
     W = {None: None, "weights": np.diag(np.arange(1.0, n + 1)), "matrix": np.eye(n) + 0.3}[metric]
     density = kind(PathIntegral(kinematics=robot.kinematics(measure=measure), power=1.5, metric=W))
-    x, numbers = ca.SX.sym("x", 2 * n), [0.7, 1.5]  # g0 and the exponent
+    x, numbers = ca.SX.sym("x", 2 * n), [0.7, 1.5, floor]  # g0, exponent and floor
     value = ca.Function("value", [x], [density.value(x[:n], x[n:], numbers)])
     eps = 1e-6
     for q in robot.random_configuration(rng, size=5):
@@ -195,17 +197,19 @@ def test_densities_have_exact_derivatives(name, measure, metric, kind, rng):
 def test_a_metric_is_a_change_of_joint_units(planar):
     """With W = diag(w²) g is that of the Euclidean norm of w θ, here by a plain sum; equal weights only scale it."""
     start, goal = [0, 1.5, -2], [np.pi, -2, 2]
-    plain = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2))
-    scaled = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2, metric=[9.0, 9.0, 9.0]))
+    plain, scaled = (
+        mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2, metric=metric, floor=0.0))
+        for metric in (None, [9.0, 9.0, 9.0])
+    )
     assert scaled.g == pytest.approx(3 * plain.g, rel=1e-7)
     weights = np.array([9.0, 1.0, 0.25])
-    weighed = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2, metric=weights))
+    weighed = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2, metric=weights, floor=0.0))
     s = np.linspace(0, 1, 100_001)
     v, index = weighed.path(s, 1), planar.kinematics().manipulability(weighed.path(s))
     assert weighed.g == pytest.approx(np.trapezoid(np.sqrt((weights * v**2).sum(axis=1)) / index**2, s), rel=1e-7)
     assert weighed.g < mp.path_cost(plain.path, planar.kinematics(), 2, metric=weights).g
     assert plain.g < mp.path_cost(weighed.path, planar.kinematics(), 2).g
-    full = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2, metric=np.diag(weights)))
+    full = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2, metric=np.diag(weights), floor=0.0))
     assert full.g == weighed.g
     np.testing.assert_array_equal(full.metric, np.diag(weights))
 
@@ -252,7 +256,7 @@ def test_a_path_that_is_singular_all_along_costs_no_time(planar, power, folded):
     cost = PathIntegral(kinematics=planar.kinematics(), power=power).cost(path)
     assert cost.g == np.inf
     assert cost.min_manipulability < 1e-12
-    plan = mp.plan(planar, path.start, path.goal, objective=mp.PathObjective(power=power), throw=False)
+    plan = mp.plan(planar, path.start, path.goal, objective=mp.PathObjective(power=power, floor=0.0), throw=False)
     assert plan.report.seed_g == np.inf
     assert plan.report.min_manipulability < 1e-12
 
@@ -264,10 +268,11 @@ def test_an_interior_singularity_is_seen():
     assert cost.g == np.inf
     assert cost.min_manipulability < 1e-9
     assert cost.at == pytest.approx(1 / (1 + np.sqrt(2.0)), abs=1e-9)
-    result = mp.optimize_path(arm, [0.0, -1.0], [0.5, np.sqrt(2.0)], throw=False)
+    no_floor = mp.PathObjective(floor=0.0)
+    result = mp.optimize_path(arm, [0.0, -1.0], [0.5, np.sqrt(2.0)], objective=no_floor, throw=False)
     assert result.status is mp.Status.SINGULAR
     with pytest.raises(mp.PlanningError, match="manipulability is zero"):
-        mp.optimize_path(arm, [0.0, -1.0], [0.5, np.sqrt(2.0)])
+        mp.optimize_path(arm, [0.0, -1.0], [0.5, np.sqrt(2.0)], objective=no_floor)
 
 
 @pytest.mark.slow
@@ -482,7 +487,8 @@ def test_without_constraints_that_bind_the_gap_is_zero(planar):
     assert line.certificate.gap == pytest.approx(0, abs=1e-9)
     assert line.certificate.solver == ""
     arm = mp.planar_arm([1.0, 1.0])
-    singular = mp.optimize_path(arm, [0.0, -1.0], [0.5, np.sqrt(2.0)], throw=False).certificate
+    no_floor = mp.PathObjective(floor=0.0)
+    singular = mp.optimize_path(arm, [0.0, -1.0], [0.5, np.sqrt(2.0)], objective=no_floor, throw=False).certificate
     assert np.isnan(singular.gap)
     assert "inf" in str(singular)
 
@@ -506,9 +512,10 @@ def test_a_certificate_names_the_nearest_pair(planar):
 
 
 def test_a_singular_start_is_told(planar):
+    options = {"shape": mp.PathShape(degree=1), "objective": mp.PathObjective(floor=0.0)}
     with pytest.raises(mp.PlanningError, match="manipulability is zero"):
-        mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], shape=mp.PathShape(degree=1))
-    result = mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], shape=mp.PathShape(degree=1), throw=False)
+        mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], **options)
+    result = mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], **options, throw=False)
     assert result.min_manipulability == pytest.approx(0, abs=1e-12)
 
 

@@ -92,7 +92,7 @@ def test_wrong_kinds_of_things(demo_problem):
 
 
 def test_a_singular_start_is_planned_and_told(planar, tmp_path):
-    plan = mp.plan(planar, [0.0, 0.0, 0.0], [1.0, 1.0, 1.0])
+    plan = mp.plan(planar, [0.0, 0.0, 0.0], [1.0, 1.0, 1.0], objective=mp.PathObjective(floor=0.0))
     assert plan.status is mp.Status.SINGULAR
     assert plan.report.min_manipulability == pytest.approx(0.0, abs=1e-15)
     assert "at the start, which all paths" in plan.report.minimum_note

@@ -1,0 +1,237 @@
+"""Where a path meets singularities, of which kind, how steeply, and what that costs.
+
+Along a path of length ℓ through a singularity at ℓ_c, m = |σ (ℓ - ℓ_c)| + O(ℓ - ℓ_c)², with the steepness σ = |d det J / dℓ|.
+So g_ε = Σ_c (k_c / σ_c) ∫ (x² + ε²)^(-p/2) dx over 0 <= x <= M, plus a rest that has a limit as ε falls to 0, with k_c = 2, or 1
+at an end of the path. For p = 1 the integral is asinh(M / ε), which grows like log(1 / ε).
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.cost.floor import typical_measure
+from manipplan.cost.integral import PathIntegral, speeds
+from manipplan.kinematics.factors import DeterminantFactor, determinant_factors
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.manipulability import Yoshikawa
+from manipplan.paths.joint import JointPath
+from manipplan.support.checks import Array
+from manipplan.support.display import one_line
+
+#: Maximum joint motion between two configurations at which the sign of det J is compared [rad or m].
+STEP = 5e-3
+#: The same for a factor that depends on one joint.
+COARSE_STEP = 0.05
+#: Number of bisections of an interval in which det J changes its sign.
+BISECTIONS = 40
+#: Half of the share of the path over which the steepness is measured.
+WIDTH = 1e-6
+#: An end of a path is singular where m is below this share of the typical m.
+VANISHING = 1e-9
+#: Where m would not reach this share of its typical value within a radian, it is not linear beside the singularity.
+FLAT = 1e-3
+#: A crossing up to which m stays below this share of its typical value from a singular end is part of that end.
+SAME = 1e-2
+#: A factor of det J is zero below this share of its mean over SAMPLES random configurations.
+ZERO, SAMPLES = 1e-6, 20
+#: A path runs along singularities where m is below the floor on more than this share of its length.
+LONG = 0.1
+#: Number of places of the path at which that is measured.
+PLACES = 2000
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True)
+class Crossing:
+    """A place where a path meets a singularity.
+
+    Attributes:
+        at: s in [0, 1]; 0 or 1 where start or goal is singular.
+        kind: the factors of det J that vanish there, such as "elbow" or "elbow and wrist"; "" where they are not known.
+        steepness: |d det J / dℓ| with ℓ the length of the path in the metric of g.
+        cost: share of it in g, for m up to its typical value and det J linear in ℓ; nan where it is not linear there, such as
+            where several factors vanish at once.
+    """
+
+    at: float
+    kind: str
+    steepness: float
+    cost: float
+
+    @property
+    def at_end(self) -> bool:
+        """Whether start or goal is singular."""
+        return self.at in (0.0, 1.0)
+
+    def __str__(self) -> str:
+        kind = f"{self.kind} singularity" if self.kind else "singularity"
+        article = "an" if kind.startswith(("a", "e")) else "a"
+        if self.at_end:
+            return f"{'starts' if self.at == 0 else 'ends'} at {article} {kind}"
+        return f"crosses {article} {kind} at s = {self.at:.3f}"
+
+
+def find_crossings(path: JointPath, integral: PathIntegral) -> tuple[Crossing, ...]:
+    """The singularities that a path meets, in their order along the path.
+
+    With as many joints as task rows they are the places where a factor of det J, or det J itself where its factors are not
+    known, changes its sign, and a singular start or goal. With more joints, and for other measures than Yoshikawa's, only a
+    singular start or goal is found.
+    """
+    kinematics = integral.kinematics
+    m = kinematics.manipulability(path(np.array([0.0, 1.0])))
+    ends = [s for s, value in zip((0.0, 1.0), m, strict=True) if value < VANISHING * typical_measure(kinematics)]
+    found = _sign_changes(path, kinematics) if _is_square(kinematics) else []
+    met = [(s, kind) for s, kind in found if not any(_same_place(path, kinematics, s, end) for end in ends)]
+    met += [(s, _vanishing(kinematics, path(np.array([s])))) for s in ends]
+    return tuple(_crossing(path, integral, s, kind) for s, kind in sorted(met))
+
+
+def least_crossings(kinematics: Kinematics, start: Array, goal: Array) -> int | None:
+    """A lower bound on the crossings of any path between two configurations (n,); None for arms with more joints than rows.
+
+    A factor of det J that depends on one joint vanishes at least as often as on the straight way of that joint; any other one at
+    least once if it has different signs at start and goal. Where the factors are not known, det J counts as the only one.
+    """
+    if not _is_square(kinematics):
+        return None
+    ends = np.array([start, goal])
+    factors = _factors(kinematics)
+    if not factors:
+        return int(_differ(_determinants(kinematics, ends)))
+    count = 0
+    for factor in factors:
+        if factor.joint is None:
+            count += _differ(factor(ends))
+            continue
+        steps = 2 + int(abs(goal[factor.joint] - start[factor.joint]) / COARSE_STEP)
+        q = np.tile(start, (steps, 1))
+        q[:, factor.joint] = np.linspace(start[factor.joint], goal[factor.joint], steps)
+        count += len(_changes(factor(q)))
+    return count
+
+
+def runs_along(path: JointPath, integral: PathIntegral) -> bool:
+    """Whether m is below the floor on more than the share LONG of a path's length."""
+    s = np.linspace(0.0, 1.0, PLACES + 1)
+    speed = speeds(path(s, 1), integral.metric)
+    low = integral.kinematics.manipulability(path(s)) < integral.floor
+    return bool((speed * low).sum() > LONG * speed.sum())
+
+
+def describe(crossings: Sequence[Crossing], least: int | None) -> str:
+    """What a path does at singularities, in a sentence; "" for nothing."""
+    if not crossings:
+        return ""
+    sentence = ", ".join(str(each) for each in crossings)
+    inner = sum(not each.at_end for each in crossings)
+    if inner == 0 or least is None:
+        return sentence
+    if inner <= least:
+        one = "this" if inner == 1 else f"these {inner}"
+        return f"{sentence}; {one} cannot be avoided, since start and goal lie in different aspects"
+    if least == 0:
+        return f"{sentence}; start and goal may lie in one aspect, but no path without a crossing and of lower g was found"
+    return f"{sentence}; at least {least} cannot be avoided"
+
+
+def _crossing(path: JointPath, integral: PathIntegral, s: float, kind: str) -> Crossing:
+    kinematics = integral.kinematics
+    around = np.clip([s - WIDTH, s + WIDTH], 0.0, 1.0)
+    ends = path(around)
+    speed = float(speeds(path(np.array([s]), 1), integral.metric)[0])
+    if _is_square(kinematics):
+        change = abs(float(np.diff(_determinants(kinematics, ends))[0]))
+    else:
+        change = float(kinematics.manipulability(ends).max())
+    steepness = change / float(around[1] - around[0]) / speed if speed > 0 else 0.0
+    sides, typical = 1 if s in (0.0, 1.0) else 2, typical_measure(kinematics)
+    plain = float(np.linalg.norm(path(np.array([s]), 1)))
+    is_linear = change / float(around[1] - around[0]) > FLAT * typical * plain
+    cost = sides * _linear_cost(integral, typical) / steepness if is_linear else np.nan
+    return Crossing(at=s, kind=kind, steepness=steepness, cost=cost)
+
+
+def _same_place(path: JointPath, kinematics: Kinematics, s: float, end: float) -> bool:
+    """Whether m nearly vanishes everywhere between a change of sign and a singular end, so that the two are one singularity."""
+    between = kinematics.manipulability(path(np.linspace(s, end, 21)))
+    return bool(between.max() < SAME * typical_measure(kinematics))
+
+
+def _linear_cost(integral: PathIntegral, most: float) -> float:
+    """∫ (x² + ε²)^(-p/2) dx over 0 <= x <= most."""
+    if integral.floor == 0:
+        return most ** (1 - integral.power) / (1 - integral.power) if integral.power < 1 else np.inf
+    from scipy.special import hyp2f1
+
+    ratio = -((most / integral.floor) ** 2)
+    return float(most * integral.floor**-integral.power * hyp2f1(0.5, integral.power / 2, 1.5, ratio))
+
+
+def _sign_changes(path: JointPath, kinematics: Kinematics) -> list[tuple[float, str]]:
+    """The s where a factor of det J changes its sign, with its name; of det J itself where its factors are not known."""
+    s = path.fine_samples(STEP)
+    values = _determinants(kinematics, path(s))
+    changes = _changes(values)
+    factors = _factors(kinematics)
+    if not factors:
+        return [(at, "") for at in _bisected(lambda at: _determinants(kinematics, path(at)), s[changes], s[changes + 1])]
+    # two factors can change their signs between the same samples: |det J| then has a dip without a change of its sign
+    size = np.abs(values)
+    dips = 1 + np.flatnonzero((size[1:-1] <= size[:-2]) & (size[1:-1] <= size[2:]))
+    left, right = np.concatenate([changes, dips - 1, dips]), np.concatenate([changes + 1, dips, dips + 1])
+    intervals = np.unique(np.column_stack([left, right]), axis=0)
+    found = []
+    for factor in factors:
+        first, second = factor(path(s[intervals[:, 0]])), factor(path(s[intervals[:, 1]]))
+        low, high = s[intervals[(first >= 0) != (second >= 0)]].reshape(-1, 2).T
+        found += [(at, factor.name) for at in _bisected(lambda at, factor=factor: factor(path(at)), low, high)]
+    return found
+
+
+def _bisected(function: Callable[[Array], Array], low: Array, high: Array) -> list[float]:
+    """Zeros of a function of s between places (k,) at which it has different signs."""
+    if not len(low):
+        return []
+    positive = function(low) >= 0
+    for _ in range(BISECTIONS):
+        middle = (low + high) / 2
+        same = (function(middle) >= 0) == positive
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    return [float(each) for each in (low + high) / 2]
+
+
+def _vanishing(kinematics: Kinematics, q: Array) -> str:
+    """The factors that are zero at a singular configuration (1, n)."""
+    samples = kinematics.robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
+    names = [
+        factor.name
+        for factor in _factors(kinematics)
+        if abs(float(factor(q)[0])) < ZERO * float(np.abs(factor(samples)).mean())
+    ]
+    return " and ".join([", ".join(names[:-1]), *names[-1:]] if len(names) > 1 else names)
+
+
+def _changes(values: Array) -> NDArray[np.intp]:
+    """Indices k with values of different signs at k and k + 1; zero counts as positive."""
+    return np.flatnonzero(np.diff(values >= 0))
+
+
+def _differ(values: Array) -> bool:
+    """Whether two values have different signs; zero has that of the other."""
+    return bool(values[0] * values[1] < 0)
+
+
+def _determinants(kinematics: Kinematics, q: Array) -> Array:
+    return np.asarray(np.linalg.det(kinematics.jacobian(q)))
+
+
+def _factors(kinematics: Kinematics) -> tuple[DeterminantFactor, ...]:
+    """The factors of det J; empty where they are not known, and for tasks that are not a pose."""
+    return determinant_factors(kinematics.robot) if kinematics.task.rows == 6 else ()
+
+
+def _is_square(kinematics: Kinematics) -> bool:
+    return kinematics.task.rows == kinematics.robot.n and isinstance(kinematics.measure, Yoshikawa)
