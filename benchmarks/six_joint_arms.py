@@ -1,16 +1,14 @@
-"""Random pairs of the UR5 without an obstacle through `mp.plan`: how many of them cross a singularity.
+"""Random pairs of six-joint arms without an obstacle through `mp.optimize_path`: do paths cross singularities well?
 
 Run with `make benchmark`. Start and goal are uniform inside the joint limits, of joints that turn more than once within half a
-turn of zero, and free of self-collision. det J of the UR5 is a product of three factors: shoulder, elbow, wrist. Where each of
-them has one sign at start and goal, the two lie in one aspect, and a path without a singularity can be there; from one aspect
-to another every path crosses one, and g is infinite. So the pairs are counted by aspect, too. Writes
-docs/benchmarks/six_joint_arms.md.
+turn of zero, and free of self-collision. Between most of them every path crosses singularities. Counted are the paths that are
+OPTIMAL, those that cross no more often than the lower bound from the factors of det J, and those whose g is at most that of
+the straight line. Writes docs/benchmarks/six_joint_arms.md.
 """
 
 import argparse
 import platform
 import time
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,15 +20,21 @@ import manipplan as mp
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "six_joint_arms.md"
 SEED = 6
-ROWS = {True: "start and goal in one aspect", False: "in different aspects"}
+ARMS = ("ur5", "ur10", "z1", "kinova")
+HEAD = (
+    "| arm | pairs | crossings needed: mean, most | `OPTIMAL` | other | crossings as few as the bound | at most 2 more "
+    "| g over the straight line's: median, largest | wall time: median, worst |"
+)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Outcome:
-    """Of one pair: whether its ends lie in one aspect, the plan's status, and the wall time [s]."""
+    """Of one pair: status, crossings of the path and their lower bound, g over that of the straight line, wall time [s]."""
 
-    one_aspect: bool
     status: mp.Status
+    crossings: int
+    least: int
+    ratio: float
     seconds: float
 
 
@@ -46,51 +50,62 @@ def pairs(robot: mp.Robot, count: int) -> Iterator[tuple[np.ndarray, np.ndarray]
             yield start, goal
 
 
-def aspect(kinematics: mp.Kinematics, q: np.ndarray) -> tuple[float, float, float]:
-    """Which aspect q lies in: the signs of det J and of its elbow and wrist factors, which leave that of the shoulder."""
-    shoulder_elbow_wrist = np.linalg.det(kinematics.jacobian(q))
-    elbow, wrist = np.sin(q[2]), np.sin(q[4])
-    return float(np.sign(shoulder_elbow_wrist)), float(np.sign(elbow)), float(np.sign(wrist))
+def outcome(robot: mp.Robot, start: np.ndarray, goal: np.ndarray) -> Outcome:
+    """Optimise one pair."""
+    began = time.perf_counter()
+    result = mp.optimize_path(robot, start, goal, throw=False)
+    seconds = time.perf_counter() - began
+    certificate = result.certificate
+    return Outcome(
+        status=result.status,
+        crossings=len(certificate.crossings),
+        least=certificate.least_crossings,
+        ratio=result.g / result.seed_cost.g,
+        seconds=seconds,
+    )
 
 
 def row(name: str, found: Sequence[Outcome]) -> str:
     """The line of a table."""
-    counts = Counter(each.status for each in found)
-    optimised = sum(count for status, count in counts.items() if status.ok)
-    other = len(found) - optimised - counts[mp.Status.SINGULAR]
-    seconds = [each.seconds for each in found]
-    times = f"{np.median(seconds):.2f} s, {max(seconds):.2f} s" if found else ""
-    return f"| {name} | {len(found)} | {counts[mp.Status.SINGULAR]} | {other} | {optimised} | {times} |"
+    optimal = sum(each.status is mp.Status.OPTIMAL for each in found)
+    least = [each.least for each in found]
+    few = [sum(each.crossings <= each.least + more for each in found) for more in (0, 2)]
+    ratios, seconds = [each.ratio for each in found], [each.seconds for each in found]
+    cells = [
+        name,
+        str(len(found)),
+        f"{np.mean(least):.1f}, {max(least)}",
+        str(optimal),
+        ", ".join(sorted({each.status.name for each in found if each.status is not mp.Status.OPTIMAL})) or "–",
+        *(f"{100 * count / len(found):.0f} %" for count in few),
+        f"{np.median(ratios):.2f}, {max(ratios):.2f}",
+        f"{np.median(seconds):.2f} s, {max(seconds):.2f} s",
+    ]
+    return f"| {' | '.join(cells)} |"
 
 
 def main(arguments: Sequence[str] | None = None) -> list[Outcome]:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--pairs", type=int, default=100)
+    parser.add_argument("--pairs", type=int, default=50, help="number of pairs of each arm")
     parser.add_argument("--out", type=Path, default=OUT, help="file of the table")
     given = parser.parse_args(arguments)
-    robot = mp.load_robot("ur5")
-    kinematics = robot.kinematics()
-    mp.plan(robot, robot.neutral, robot.neutral + 0.1)  # compiles, which no row counts
-    found = []
-    for start, goal in track(list(pairs(robot, given.pairs)), description="planning"):
-        one_aspect = aspect(kinematics, start) == aspect(kinematics, goal)
-        began = time.perf_counter()
-        plan = mp.plan(robot, start, goal, throw=False)
-        seconds = time.perf_counter() - began
-        found.append(Outcome(one_aspect=one_aspect, status=plan.status, seconds=seconds))
-    lines = [
-        "| random pairs of the UR5 | pairs | `SINGULAR` | seed or no path | optimised | wall time: median, worst |",
-        "|---|---|---|---|---|---|",
-        *(row(name, [each for each in found if each.one_aspect is same]) for same, name in ROWS.items()),
-        row("all", found),
+    lines, every = [HEAD, "|" + "---|" * 9], []
+    for name in ARMS:
+        robot = mp.load_robot(name)
+        mp.optimize_path(robot, robot.neutral, robot.neutral + 0.1)  # compiles, which no row counts
+        found = [outcome(robot, *pair) for pair in track(list(pairs(robot, given.pairs)), description=name)]
+        lines.append(row(f"`{name}`", found))
+        every += found
+    lines += [
+        row("all", every),
         "",
         f"Python {platform.python_version()}, {platform.machine()}; command: "
         f"`.venv/bin/python benchmarks/six_joint_arms.py --pairs {given.pairs}`.",
     ]
     given.out.parent.mkdir(parents=True, exist_ok=True)
-    given.out.write_text("\n".join(lines) + "\n")
+    given.out.write_text("\n".join(lines) + "\n", encoding="utf-8")
     print("\n".join(lines))
-    return found
+    return every
 
 
 if __name__ == "__main__":

@@ -1,12 +1,13 @@
 """Where a path meets singularities, of which kind, how steeply, and what that costs.
 
 Along a path of length ℓ through a singularity at ℓ_c, m = |σ (ℓ - ℓ_c)| + O(ℓ - ℓ_c)², with the steepness σ = |d det J / dℓ|.
-So g_ε = Σ_c (k_c / σ_c) ∫ (x² + ε²)^(-p/2) dx over 0 <= x <= M, plus a rest that has a limit as ε falls to 0, with k_c = 2, or 1
-at an end of the path. For p = 1 the integral is asinh(M / ε), which grows like log(1 / ε).
+So g_ε = Σ_c (k_c / σ_c) ∫ (x² + ε²)^(-p/2) dx over 0 <= x <= M, plus a rest that has a limit as ε falls to 0, with k_c = 2,
+or 1 at an end of the path. For p = 1 the integral is asinh(M / ε), which grows like log(1 / ε).
 """
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +31,8 @@ BISECTIONS = 40
 WIDTH = 1e-6
 #: An end of a path is singular where m is below this share of the typical m.
 VANISHING = 1e-9
+#: A path that moves no joint by more than this beside a singularity stands still, such as a timed motion at its ends [rad].
+STANDING = 1e-9
 #: Where m would not reach this share of its typical value within a radian, it is not linear beside the singularity.
 FLAT = 1e-3
 #: A crossing up to which m stays below this share of its typical value from a singular end is part of that end.
@@ -50,7 +53,7 @@ class Crossing:
     Attributes:
         at: s in [0, 1]; 0 or 1 where start or goal is singular.
         kind: the factors of det J that vanish there, such as "elbow" or "elbow and wrist"; "" where they are not known.
-        steepness: |d det J / dℓ| with ℓ the length of the path in the metric of g.
+        steepness: |d det J / dℓ| with ℓ the length of the path in the metric of g; nan where the path stands still.
         cost: share of it in g, for m up to its typical value and det J linear in ℓ; nan where it is not linear there, such as
             where several factors vanish at once.
     """
@@ -92,8 +95,9 @@ def find_crossings(path: JointPath, integral: PathIntegral) -> tuple[Crossing, .
 def least_crossings(kinematics: Kinematics, start: Array, goal: Array) -> int | None:
     """A lower bound on the crossings of any path between two configurations (n,); None for arms with more joints than rows.
 
-    A factor of det J that depends on one joint vanishes at least as often as on the straight way of that joint; any other one at
-    least once if it has different signs at start and goal. Where the factors are not known, det J counts as the only one.
+    A factor of det J that depends on one joint vanishes at least as often as on the straight way of that joint; any other one
+    at least once if it has different signs at start and goal. Where the factors are not known, det J counts as the only one.
+    A factor that vanishes at start or goal has no sign there, so the path may leave to either side.
     """
     if not _is_square(kinematics):
         return None
@@ -103,13 +107,16 @@ def least_crossings(kinematics: Kinematics, start: Array, goal: Array) -> int | 
         return int(_differ(_determinants(kinematics, ends)))
     count = 0
     for factor in factors:
+        least = ZERO * _usual_size(kinematics, factor)
         if factor.joint is None:
-            count += _differ(factor(ends))
+            values = factor(ends)
+            count += _differ(np.where(np.abs(values) < least, 0.0, values))
             continue
         steps = 2 + int(abs(goal[factor.joint] - start[factor.joint]) / COARSE_STEP)
         q = np.tile(start, (steps, 1))
         q[:, factor.joint] = np.linspace(start[factor.joint], goal[factor.joint], steps)
-        count += len(_changes(factor(q)))
+        values = factor(q)
+        count += len(_changes(values[np.abs(values) >= least]))
     return count
 
 
@@ -139,17 +146,17 @@ def describe(crossings: Sequence[Crossing], least: int | None) -> str:
 
 def _crossing(path: JointPath, integral: PathIntegral, s: float, kind: str) -> Crossing:
     kinematics = integral.kinematics
-    around = np.clip([s - WIDTH, s + WIDTH], 0.0, 1.0)
-    ends = path(around)
-    speed = float(speeds(path(np.array([s]), 1), integral.metric)[0])
+    ends = path(np.clip([s - WIDTH, s + WIDTH], 0.0, 1.0))
+    moved = ends[1] - ends[0]
+    if np.abs(moved).max() < STANDING:
+        return Crossing(at=s, kind=kind, steepness=np.nan, cost=np.nan)
     if _is_square(kinematics):
         change = abs(float(np.diff(_determinants(kinematics, ends))[0]))
     else:
         change = float(kinematics.manipulability(ends).max())
-    steepness = change / float(around[1] - around[0]) / speed if speed > 0 else 0.0
+    steepness = change / float(speeds(moved[None], integral.metric)[0])
     sides, typical = 1 if s in (0.0, 1.0) else 2, typical_measure(kinematics)
-    plain = float(np.linalg.norm(path(np.array([s]), 1)))
-    is_linear = change / float(around[1] - around[0]) > FLAT * typical * plain
+    is_linear = change > FLAT * typical * float(np.linalg.norm(moved))
     cost = sides * _linear_cost(integral, typical) / steepness if is_linear else np.nan
     return Crossing(at=s, kind=kind, steepness=steepness, cost=cost)
 
@@ -187,8 +194,12 @@ def _sign_changes(path: JointPath, kinematics: Kinematics) -> list[tuple[float, 
     for factor in factors:
         first, second = factor(path(s[intervals[:, 0]])), factor(path(s[intervals[:, 1]]))
         low, high = s[intervals[(first >= 0) != (second >= 0)]].reshape(-1, 2).T
-        found += [(at, factor.name) for at in _bisected(lambda at, factor=factor: factor(path(at)), low, high)]
+        found += [(at, factor.name) for at in _bisected(partial(_along, factor, path), low, high)]
     return found
+
+
+def _along(factor: DeterminantFactor, path: JointPath, s: Array) -> Array:
+    return factor(path(s))
 
 
 def _bisected(function: Callable[[Array], Array], low: Array, high: Array) -> list[float]:
@@ -205,13 +216,14 @@ def _bisected(function: Callable[[Array], Array], low: Array, high: Array) -> li
 
 def _vanishing(kinematics: Kinematics, q: Array) -> str:
     """The factors that are zero at a singular configuration (1, n)."""
-    samples = kinematics.robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
-    names = [
-        factor.name
-        for factor in _factors(kinematics)
-        if abs(float(factor(q)[0])) < ZERO * float(np.abs(factor(samples)).mean())
-    ]
+    names = [factor.name for factor in _factors(kinematics) if abs(factor(q)[0]) < ZERO * _usual_size(kinematics, factor)]
     return " and ".join([", ".join(names[:-1]), *names[-1:]] if len(names) > 1 else names)
+
+
+def _usual_size(kinematics: Kinematics, factor: DeterminantFactor) -> float:
+    """The mean of a factor's absolute values over random configurations."""
+    samples = kinematics.robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
+    return float(np.abs(factor(samples)).mean())
 
 
 def _changes(values: Array) -> NDArray[np.intp]:

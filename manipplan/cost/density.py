@@ -1,8 +1,8 @@
 """The integrands along a path: the energy, which is minimised until a free path is found, and the length, g itself.
 
-g = ∫ h ds with h = ‖q'‖_W / (m² + ε²)^(p/2) does not change when a path is re-parametrised, so its Hessian is singular. The energy
-E = ∫ h² ds does change: g² <= E, with equality where h is constant, so both have the same minimum over all curves. Over the
-polynomials of one degree, which cannot represent every re-parametrisation, the minima differ slightly.
+g = ∫ h ds with h = ‖q'‖_W / (m² + ε²)^(p/2) does not change when a path is re-parametrised, so its Hessian is singular. The
+energy E = ∫ h² ds does change: g² <= E, with equality where h is constant, so both have the same minimum over all curves. Over
+the polynomials of one degree, which cannot represent every re-parametrisation, the minima differ slightly.
 """
 
 from dataclasses import dataclass
@@ -21,7 +21,8 @@ from manipplan.symbolic.machine_code import as_asked
 #: ρ in log sqrt(det(J Jᵀ + ρ² I)) of the energy and of the length; it keeps them finite at a singular configuration. The
 #: reported g is not regularised.
 ENERGY_REGULARISATION, LENGTH_REGULARISATION = 1e-5, 1e-7
-#: δ in log sqrt(m² + ε² + δ²) of det J and of any other measure is this times its typical value times ρ / ENERGY_REGULARISATION.
+#: δ in log sqrt(m² + ε² + δ²), of det J and of any other measure, is its typical value times this times ρ over that of the
+#: energy.
 MEASURE_REGULARISATION = 1e-6
 #: Speed [rad] below which ‖q'‖ is smoothed, so that it has derivatives where a path stands still.
 STANDSTILL = 1e-9
@@ -78,9 +79,7 @@ def _metric(integral: PathIntegral) -> ca.SX:
     return ca.SX.eye(n) if integral.metric is None else ca.sparsify(ca.SX(ca.DM(integral.metric)))
 
 
-def _symbols(
-    kinematics: Kinematics, floor: ca.SX, regularisation: float
-) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX, ca.SX]:
+def _symbols(kinematics: Kinematics, floor: ca.SX, regularisation: float) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX, ca.SX]:
     """q, v, and log sqrt(m² + ε²) with gradient and Hessian in q; m is regularised by ρ."""
     posture, measure = kinematics.symbolic.posture, kinematics.measure
     q = kinematics.symbolic.chain.q

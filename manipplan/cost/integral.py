@@ -98,7 +98,7 @@ class PathIntegral:
         return edges
 
     def fine_panels(self, path: JointPath) -> Array:
-        """Edges (k + 1,) of panels for this path alone, each halved until its two halves change it by at most FINE_ACCURACY of g.
+        """Edges (k + 1,) of panels for this path alone, halved until that changes each by at most FINE_ACCURACY of g.
 
         Only the panels that still change are evaluated again, so that this can be done for every path of a descent.
         """
@@ -107,7 +107,9 @@ class PathIntegral:
         whole, settled = _integrate_panels(path, begin, end, self), 0.0
         for _ in range(FINE_HALVINGS):
             middle = (begin + end) / 2
-            parts = _integrate_panels(path, np.stack([begin, middle], axis=1).ravel(), np.stack([middle, end], axis=1).ravel(), self)
+            parts = _integrate_panels(
+                path, np.stack([begin, middle], axis=1).ravel(), np.stack([middle, end], axis=1).ravel(), self
+            )
             halves = parts.reshape(-1, 2).sum(axis=1)
             rough = np.abs(whole - halves) > FINE_ACCURACY * (settled + halves.sum())
             settled += float(halves[~rough].sum())

@@ -163,12 +163,13 @@ class Report:
     def __str__(self) -> str:
         unit = f" {self.measure_unit}" if self.measure_unit != "1" else ""
         first = _first_path(self.status)
+        others = f"{first} {_shown(self.seed_min_manipulability)}, straight {_shown(self.straight_min_manipulability)}"
         lines = [
             f"{self.robot}, tool {self.tool}, task {self.task}: {self._verdict()}",
             f"  status       {self.status}",
             f"  duration     {self.duration:.3f} s",
-            f"  minimum m    {_shown(self.min_manipulability)}{unit} ({self.measure}; {first} {_shown(self.seed_min_manipulability)}, "
-            f"straight {_shown(self.straight_min_manipulability)}{'' if self.straight_free else ', which collides'})",
+            f"  minimum m    {_shown(self.min_manipulability)}{unit} ({self.measure}; {others}"
+            f"{'' if self.straight_free else ', which collides'})",
             f"               {self.minimum_note}",
             f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
             f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",

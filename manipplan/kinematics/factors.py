@@ -1,6 +1,6 @@
 """The factors of det J of an arm with six joints: elbow, wrist and shoulder, each of which is a kind of singularity.
 
-Two constructions make det J a product [angeles2014, sec. 5.8]:
+Two constructions make det J a product:
 
 - Three neighbouring joints with parallel axes, along n, move three of six directions: turning about n and shifting across it.
   det J is the area that their axes span (the elbow) times a determinant of three rows, for the shift along n and the turns
@@ -15,6 +15,7 @@ The product is compared with det J at random configurations before it is used.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 import pinocchio as pin
@@ -29,8 +30,10 @@ ROUNDED = 1e-5
 #: Largest deviation of the product of the factors from det J, relative to its size, and number of configurations compared.
 AGREEMENT, SAMPLES = 1e-3, 40
 
-#: Directions (n, 3) of the joint axes and a point (n, 3) on each, in the world.
+#: Directions (6, 3) of the joint axes and a point (6, 3) on each, in the world.
 Axes = tuple[Array, Array]
+#: A function of them.
+Value = Callable[[Array, Array], float]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -44,7 +47,7 @@ class DeterminantFactor:
 
     name: str
     joint: int | None
-    _value: Callable[[Array, Array], float]
+    _value: Value
     _robot: Robot
 
     def __call__(self, q: Array) -> Array:
@@ -59,7 +62,9 @@ def determinant_factors(robot: Robot) -> tuple[DeterminantFactor, ...]:
     Such are all arms that do not have six revolute joints, one after another.
     """
     model = robot.model
-    serial = list(model.parents)[1:] == list(range(robot.n)) and model.frames[frame_index(model, robot.tool)].parentJoint == robot.n
+    serial = (
+        list(model.parents)[1:] == list(range(robot.n)) and model.frames[frame_index(model, robot.tool)].parentJoint == robot.n
+    )
     if robot.n != 6 or not serial or any(is_prismatic(joint) for joint in model.joints[1:]):
         return ()
     samples = robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
@@ -67,7 +72,7 @@ def determinant_factors(robot: Robot) -> tuple[DeterminantFactor, ...]:
     found = _of_three_parallel(axes) or _of_spherical_wrist(axes)
     factors = [
         DeterminantFactor(name=name, joint=_only_joint(robot, value, samples[0]), _value=value, _robot=robot)
-        for name, value in found
+        for name, value in found.items()
     ]
     if not factors:
         return ()
@@ -86,43 +91,68 @@ def _axes(robot: Robot, q: Array) -> Axes:
     return np.array(directions), np.array([place.translation for place in places])
 
 
-def _of_three_parallel(axes: list[Axes]) -> list[tuple[str, Callable[[Array, Array], float]]]:
-    for i in range(1, 3):  # the three are in the middle, or come second
-        three, rest = [i, i + 1, i + 2], [k for k in range(6) if not i <= k <= i + 2]
-        if all(_parallel(z, three[0], k) for z, _ in axes for k in three[1:]):
-            elbow = ("elbow", lambda z, o, i=i: float(z[i] @ np.cross(o[i + 1] - o[i], o[i + 2] - o[i])))
-            pair = next(((a, b) for a, b in ((rest[1], rest[2]), (rest[0], rest[1])) if all(_meet(*each, a, b) for each in axes)), None)
-            if pair is None:
-                return [elbow, ("wrist and shoulder", lambda z, o, i=i, rest=rest: _across(z, o, i, rest))]
-            single = next(k for k in rest if k not in pair)
-            return [
-                elbow,
-                ("wrist", lambda z, o, i=i, pair=pair: float(z[i] @ np.cross(z[pair[0]], z[pair[1]]))),
-                ("shoulder", lambda z, o, i=i, pair=pair, k=single: float(z[i] @ np.cross(z[k], _common(z, o, *pair) - o[k]))),
-            ]
-    return []
+def _of_three_parallel(axes: list[Axes]) -> dict[str, Value]:
+    for i in range(1, 3):  # the parallel axes are the second to fourth, or the third to fifth
+        rest = [k for k in range(6) if not i <= k <= i + 2]
+        if not all(_parallel(z, i, k) for z, _ in axes for k in (i + 1, i + 2)):
+            continue
+        elbow = partial(_area, n=i, corners=(i, i + 1, i + 2))
+        pairs = ((rest[1], rest[2]), (rest[0], rest[1]))
+        pair = next((each for each in pairs if all(_meet(z, o, *each) for z, o in axes)), None)
+        if pair is None:
+            return {"elbow": elbow, "wrist and shoulder": partial(_across, n=i, rest=rest)}
+        [single] = [k for k in rest if k not in pair]
+        return {
+            "elbow": elbow,
+            "wrist": partial(_volume, triple=(i, *pair)),
+            "shoulder": partial(_lever, n=i, joint=single, pair=pair),
+        }
+    return {}
 
 
-def _of_spherical_wrist(axes: list[Axes]) -> list[tuple[str, Callable[[Array, Array], float]]]:
-    if not all(_meet(*each, 3, 4) and _meet(*each, 4, 5) and _near(*each) for each in axes):
-        return []
-    wrist = ("wrist", lambda z, o: float(z[3] @ np.cross(z[4], z[5])))
+def _of_spherical_wrist(axes: list[Axes]) -> dict[str, Value]:
+    if not all(_meet(z, o, 3, 4) and _meet(z, o, 4, 5) and _meet_in_a_point(z, o) for z, o in axes):
+        return {}
+    wrist = partial(_volume, triple=(3, 4, 5))
     for single, a, b in ((0, 1, 2), (2, 0, 1)):
         if all(_parallel(z, a, b) for z, _ in axes):
-            return [
-                ("elbow", lambda z, o, a=a, b=b: float(z[a] @ np.cross(_wrist(z, o) - o[a], _wrist(z, o) - o[b]))),
-                wrist,
-                ("shoulder", lambda z, o, a=a, k=single: float(z[a] @ np.cross(z[k], _wrist(z, o) - o[k]))),
-            ]
-    return [("arm", lambda z, o: float(np.linalg.det(np.cross(z[:3], _wrist(z, o) - o[:3])))), wrist]
+            elbow, shoulder = partial(_area_to_wrist, a=a, b=b), partial(_lever, n=a, joint=single, pair=(3, 4))
+            return {"elbow": elbow, "wrist": wrist, "shoulder": shoulder}
+    return {"arm": _velocity_of_wrist, "wrist": wrist}
 
 
-def _across(z: Array, o: Array, i: int, rest: list[int]) -> float:
+def _area(z: Array, o: Array, *, n: int, corners: tuple[int, int, int]) -> float:
+    """Twice the area that three axes along n span."""
+    a, b, c = o[list(corners)]
+    return float(z[n] @ np.cross(b - a, c - a))
+
+
+def _area_to_wrist(z: Array, o: Array, *, a: int, b: int) -> float:
+    """Twice the area that two parallel axes and the common point of the last three span."""
+    wrist = _common(z, o, 3, 4)
+    return float(z[a] @ np.cross(wrist - o[a], wrist - o[b]))
+
+
+def _volume(z: Array, _o: Array, *, triple: tuple[int, int, int]) -> float:
+    """The determinant of three directions."""
+    return float(np.linalg.det(z[list(triple)]))
+
+
+def _lever(z: Array, o: Array, *, n: int, joint: int, pair: tuple[int, int]) -> float:
+    """The velocity along n that a joint gives to the point where the axes of a pair meet."""
+    return float(z[n] @ np.cross(z[joint], _common(z, o, *pair) - o[joint]))
+
+
+def _velocity_of_wrist(z: Array, o: Array) -> float:
+    """The determinant of the velocities that the first three joints give to the common point of the last three axes."""
+    return float(np.linalg.det(np.cross(z[:3], _common(z, o, 3, 4) - o[:3])))
+
+
+def _across(z: Array, o: Array, *, n: int, rest: list[int]) -> float:
     """The determinant of the other joints' shifts along the parallel axes and turns across them."""
-    n = z[i]
-    e = np.linalg.svd(n[None])[2][1:]
-    e = e if n @ np.cross(e[0], e[1]) > 0 else e[::-1]
-    rows = [[n @ np.cross(z[k], -o[k]) for k in rest], *([each @ z[k] for k in rest] for each in e)]
+    first = np.cross(z[n], np.eye(3)[np.abs(z[n]).argmin()])
+    frame = np.array([first, np.cross(z[n], first)]) / np.linalg.norm(first)
+    rows = [[z[n] @ np.cross(z[k], -o[k]) for k in rest], *([each @ z[k] for k in rest] for each in frame)]
     return float(np.linalg.det(np.array(rows)))
 
 
@@ -136,13 +166,9 @@ def _meet(z: Array, o: Array, a: int, b: int) -> bool:
     return bool(np.linalg.norm(across) > ROUNDED and abs(across @ (o[b] - o[a])) < ROUNDED * _size(o) * np.linalg.norm(across))
 
 
-def _near(z: Array, o: Array) -> bool:
+def _meet_in_a_point(z: Array, o: Array) -> bool:
     """Whether the last three axes meet in one point."""
-    return bool(np.linalg.norm(_wrist(z, o) - _common(z, o, 4, 5)) < ROUNDED * _size(o))
-
-
-def _wrist(z: Array, o: Array) -> Array:
-    return _common(z, o, 3, 4)
+    return bool(np.linalg.norm(_common(z, o, 3, 4) - _common(z, o, 4, 5)) < ROUNDED * _size(o))
 
 
 def _common(z: Array, o: Array, a: int, b: int) -> Array:
@@ -156,7 +182,7 @@ def _size(o: Array) -> float:
     return float(np.linalg.norm(np.diff(o, axis=0), axis=1).sum())
 
 
-def _only_joint(robot: Robot, value: Callable[[Array, Array], float], q: Array) -> int | None:
+def _only_joint(robot: Robot, value: Value, q: Array) -> int | None:
     """The joint on which a function of the axes depends, if it is only one."""
     here = value(*_axes(robot, q))
     changes = []

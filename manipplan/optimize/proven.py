@@ -126,7 +126,9 @@ class ProvenDescents:
             margin, floor = waiting.pop(0)
             if surroundings is not None:
                 surroundings.margin = margin
-            true, z = program.descent_program(self.start, self.goal, coefficients, surroundings, edges=edges, floor=floor, moving=moving)
+            true, z = program.descent_program(
+                self.start, self.goal, coefficients, surroundings, edges=edges, floor=floor, moving=moving
+            )
             refined = edges is None or len(true.length.edges) > len(edges)
             edges = true.length.edges
             if not np.isfinite(true.length.g0):

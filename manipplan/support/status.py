@@ -28,8 +28,8 @@ class Status(Enum):
         "collision-free seed, which does not have them, is returned; raise PathShape.degree, or give smaller ones"
     )
     SINGULAR = (
-        "singular: every check passed, but the manipulability is below the floor on more than a tenth of the path or, without a "
-        "floor, zero somewhere, so that g is infinite; choose another start or goal, such as another solution of "
+        "singular: every check passed, but the manipulability is below the floor on more than a tenth of the path or, without "
+        "a floor, zero somewhere, so that g is infinite; choose another start or goal, such as another solution of "
         "inverse_kinematics. With as many joints as task rows every path between configurations at which det J has different "
         "signs crosses a singularity"
     )

@@ -331,7 +331,11 @@ def test_paths_are_those_of_the_optimiser(page, data, script, power):
             assert abs(float(page.text_content(f"#len-{kind}")) - path.length) < 10 * DIGIT
             assert abs(float(page.text_content(f"#min-{kind}")) - index.min()) < 2e-3
         best = mp.optimize_path(
-            mp.planar_arm(UNIT), start, goal, shape=mp.PathShape(degree=script.DEGREE), objective=mp.PathObjective(power=power)
+            mp.planar_arm(UNIT),
+            start,
+            goal,
+            shape=mp.PathShape(degree=script.DEGREE),
+            objective=mp.PathObjective(power=power, floor=0.0),
         )
         assert abs(g / best.g - 1) < 1e-6
         page.fill("#way", "0.4")  # of the length of the optimal path

@@ -25,7 +25,11 @@ def folder(tmp_path, monkeypatch):
 def points(robot, rng, count=20):
     """Random q, v, and [g0, p, floor] as columns."""
     q = robot.random_configuration(rng, size=count).T
-    return q, rng.normal(size=q.shape), np.array([rng.uniform(1, 5, count), rng.uniform(0.5, 3, count), rng.choice([0.0, 0.01], count)])
+    return (
+        q,
+        rng.normal(size=q.shape),
+        np.array([rng.uniform(1, 5, count), rng.uniform(0.5, 3, count), rng.choice([0.0, 0.01], count)]),
+    )
 
 
 @pytest.mark.compiler

@@ -31,7 +31,9 @@ def six_revolute(folder, joints):
             f'<link name="l{k + 1}"/><joint name="j{k + 1}" type="revolute"><parent link="l{k}"/><child link="l{k + 1}"/>'
             f'<origin xyz="{xyz}" rpy="{rpy}"/><axis xyz="{axis}"/><limit lower="-3" upper="3" velocity="1" effort="1"/></joint>'
         )
-    lines.append('<link name="tip"/><joint name="end" type="fixed"><parent link="l6"/><child link="tip"/><origin xyz="0.1 0 0"/>')
+    lines.append(
+        '<link name="tip"/><joint name="end" type="fixed"><parent link="l6"/><child link="tip"/><origin xyz="0.1 0 0"/>'
+    )
     file = folder / "made.urdf"
     file.write_text("".join([*lines, "</joint></robot>"]))
     return mp.Robot.from_urdf(file, tool="tip")
@@ -250,7 +252,9 @@ def test_sentences():
     line = mp.JointPath.line(start, goal)
     found = find_crossings(line, integral)
     least = least_crossings(integral.kinematics, line.start, line.goal)
-    expected = "crosses an elbow singularity at s = 0.583; this cannot be avoided, since start and goal lie in different aspects"
+    expected = (
+        "crosses an elbow singularity at s = 0.583; this cannot be avoided, since start and goal lie in different aspects"
+    )
     assert describe(found, least) == expected
     there_and_back = mp.JointPath.through([start, goal, [0.1, *start[1:]]])
     told = describe(find_crossings(there_and_back, integral), 0)
