@@ -46,7 +46,7 @@ class Report:
         robot, tool, task, measure, measure_unit, power: what was planned for; the measure, its unit and its exponent.
         status: text of the Status.
         duration: of the trajectory [s].
-        g, seed_g: ∫ ‖q'‖ / m^power ds along the trajectory and along the seed.
+        g, seed_g: g of the objective along the trajectory and along the seed.
         length, seed_length: in joint space.
         min_manipulability, min_at: minimum manipulability along the trajectory, and the share of the duration at which it
             occurs.

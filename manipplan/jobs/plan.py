@@ -89,7 +89,7 @@ def plan(
         robot: the arm.
         start, goal: (n,) inside the limits and collision-free [rad or m].
         scene: obstacles; None: none. The arm is always checked against itself.
-        objective: power, task, measure and metric of g = ∫ ‖q'‖_W / m^power ds.
+        objective: power, task, measure, metric and floor of g = ∫ ‖q'‖_W / (m² + floor²)^(power/2) ds.
         shape: degree, basis, pieces and end derivatives of the path.
         seeding: how first paths are found, or a given one.
         clearance: distance [m] to keep from obstacles and between the arm's own links.

@@ -156,11 +156,12 @@ class LocalSearch(ProvenDescents):
         shape = self.program.basis.values(np.linspace(0.0, 1.0, near.PLACES + 1)) @ self.program.free[:, :1]
         aside = np.random.default_rng(0).normal(size=(self.program.n, 1))
         step = ASIDE / np.abs(shape).max() * aside / np.linalg.norm(aside) @ self.program.free[:, :1].T
+        best = found
         for sign in (1.0, -1.0):
             other = self.descend("aside", found.coefficients + sign * step, softens=False)  # a larger floor would lead back
-            if other is not None and other.cost.g < found.cost.g * (1 - WORTH):
-                found = other
-        return found
+            if other is not None and other.cost.g < best.cost.g * (1 - WORTH):
+                best = other
+        return best
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """The local optimum near a free path, through a path of low energy that passes each body on the same side.

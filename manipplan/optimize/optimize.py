@@ -75,9 +75,10 @@ def optimize_path(
     throw: bool = True,
     progress: Progress | None = None,
 ) -> PathResult | NoPath:
-    """Find the path from start to goal of minimum g = ∫ ‖q'‖_W / m^power ds, far from singularities [kth2012, ch. 6].
+    """Find the path from start to goal of minimum g, far from singularities [kth2012, ch. 6].
 
-    The path is a polynomial, or a spline of several pieces. IPOPT minimises its energy ∫ ‖q'‖_W² / m^(2 power) ds, from the
+    g = ∫ ‖q'‖_W / (m² + floor²)^(power/2) ds is finite on paths through singularities, too; `certificate` tells which these are.
+    The path is a polynomial, or a spline of several pieces. IPOPT minimises its energy, ∫ of the square of the same, from the
     straight line without obstacles and from the seed among them. From there, sequential quadratic programming in a trust region
     [nocedal2006, ch. 18] minimises g itself with the true distances of the scene. Among clouds, meshes that are not convex or
     100 or more small obstacles, this is done in a coarse copy of the scene first, and then near the path found there. Degrees
@@ -94,7 +95,7 @@ def optimize_path(
         robot: the arm.
         start, goal: (n,) inside the joint limits [rad or m].
         scene: obstacles. None: no collision is checked, not even of the arm with itself.
-        objective: power, task, measure and metric of g.
+        objective: power, task, measure, metric and floor of g.
         shape: degree, basis, pieces and end derivatives of the path.
         seeding: how first paths are found, or a given one.
         clearance: minimum distance [m] from obstacles and between the arm's own links; needs a scene. An optimised path keeps
@@ -104,8 +105,8 @@ def optimize_path(
             task, measure and metric, and kept in the user's cache folder. False: CasADi's virtual machine. "auto": machine
             code if there is a compiler, except for measures whose Hessian takes long to compile (singular values, dynamic).
             The path is the same.
-        throw: raise PlanningError when no collision-free path is found, or m is zero on it, so that g is infinite. False:
-            return a NoPath, or the result with Status.SINGULAR.
+        throw: raise PlanningError when no collision-free path is found or, without a floor, m is zero on it, so that g is
+            infinite. False: return a NoPath, or the result with Status.SINGULAR.
         progress: called with the completed share in [0, 1] and a text.
 
     Returns:

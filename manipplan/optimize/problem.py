@@ -12,7 +12,7 @@ from manipplan.collision.covers.coarse import coarse_scene, without_pieces_at
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene
-from manipplan.cost.crossings import runs_along
+from manipplan.cost.crossings import least_crossings, runs_along
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective
 from manipplan.optimize.local import LocalSearch
@@ -227,9 +227,9 @@ def _coarse_optimum(coarse: PathProblem, search: LocalSearch, first: JointPath, 
 
 
 def planned_path(problem: PathProblem, start: Array, goal: Array, seed: int) -> JointPath:
-    """A free first path of the planner, if possible one on which det J keeps its sign; raises PlanningError without any."""
-    limit = problem.seeding.time_limit
-    if Aspect.shared(problem.integral().kinematics, start, goal) is not None:
+    """A free first path of the planner, if possible one without a singularity; raises PlanningError without any."""
+    limit, kinematics = problem.seeding.time_limit, problem.integral().kinematics
+    if Aspect.shared(kinematics, start, goal) is not None and least_crossings(kinematics, start, goal) == 0:
         try:
             return _planned(problem, start, goal, seed, limit / 2, same_aspect=True)
         except PlanningError as error:

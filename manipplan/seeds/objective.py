@@ -1,4 +1,4 @@
-"""The path cost g for OMPL's optimising planners: ∫ ‖q'‖_W / m^p along straight motions."""
+"""The path cost g for OMPL's optimising planners, integrated along straight motions."""
 
 import numpy as np
 
