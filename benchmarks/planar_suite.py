@@ -84,7 +84,8 @@ def main() -> None:
     worst = 0.0
     for name, power, degree in track(cases, description="planar suite"):
         start, goal = PROBLEMS[name]
-        result = mp.optimize_path(arm, start, goal, shape=mp.PathShape(degree=degree), objective=mp.PathObjective(power=power))
+        objective = mp.PathObjective(power=power, floor=0.0)
+        result = mp.optimize_path(arm, start, goal, shape=mp.PathShape(degree=degree), objective=objective)
         printed = THESIS[name][degree - 1] if power == 2 and degree <= 6 else None
         energy = result.history[0].g if result.history else result.g
         best, reached = result.g, None

@@ -15,6 +15,7 @@ import gc
 from manipplan.collision.path_clearance import PathClearance
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, PointCloud, Sphere
+from manipplan.cost.crossings import Crossing
 from manipplan.cost.integral import PathCost, path_cost
 from manipplan.cost.objective import PathObjective
 from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
@@ -94,6 +95,7 @@ __all__ = [
     "Completeness",
     "ConditionNumber",
     "Controller",
+    "Crossing",
     "Cylinder",
     "Deviation",
     "DynamicManipulability",

@@ -1,8 +1,8 @@
 """Where a path meets singularities, of which kind, how steeply, and what that costs.
 
 Along a path of length ℓ through a singularity at ℓ_c, m = |σ (ℓ - ℓ_c)| + O(ℓ - ℓ_c)², with the steepness σ = |d det J / dℓ|.
-So g_ε = Σ_c (k_c / σ_c) ∫ (x² + ε²)^(-p/2) dx over 0 <= x <= M, plus a rest that has a limit as ε falls to 0, with k_c = 2,
-or 1 at an end of the path. For p = 1 the integral is asinh(M / ε), which grows like log(1 / ε).
+So g_ε = Σ_c (k_c / σ_c) ∫ (x² + ε²)^(-p/2) dx over 0 <= x <= M, plus a rest, with k_c = 2, or 1 at an end of the path. The rest
+has a limit as ε falls to 0 for p < 1 + k_c. For p = 1 the integral is asinh(M / ε), which grows like log(1 / ε).
 """
 
 from collections.abc import Callable, Sequence
@@ -12,7 +12,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.cost.floor import typical_measure
+from manipplan.cost.floor import floor_of, typical_measure
 from manipplan.cost.integral import PathIntegral, speeds
 from manipplan.kinematics.factors import DeterminantFactor, determinant_factors
 from manipplan.kinematics.kinematics import Kinematics
@@ -29,16 +29,17 @@ COARSE_STEP = 0.05
 BISECTIONS = 40
 #: Half of the share of the path over which the steepness is measured.
 WIDTH = 1e-6
-#: An end of a path is singular where m is below this share of the typical m.
+#: J loses rank where its smallest singular value is below this share of its largest.
 VANISHING = 1e-9
-#: A path that moves no joint by more than this beside a singularity stands still, such as a timed motion at its ends [rad].
+#: A path that moves no joint by more than this beside a singularity stands still, as a timed motion does at its ends
+#: [rad or m].
 STANDING = 1e-9
-#: Where m would not reach this share of its typical value within a radian, it is not linear beside the singularity.
-FLAT = 1e-3
-#: A crossing up to which m stays below this share of its typical value from a singular end is part of that end.
+#: Distance from a crossing, in floors, up to which m must be linear, and the largest relative deviation.
+NEAR, BENT = 10.0, 0.2
+#: A change of sign up to which m stays below this share of its typical value from a singular end can be part of that end.
 SAME = 1e-2
-#: A factor of det J is zero below this share of its mean over SAMPLES random configurations.
-ZERO, SAMPLES = 1e-6, 20
+#: A factor of det J is zero below this share of its usual size.
+ZERO = 1e-6
 #: A path runs along singularities where m is below the floor on more than this share of its length.
 LONG = 0.1
 #: Number of places of the path at which that is measured.
@@ -53,9 +54,10 @@ class Crossing:
     Attributes:
         at: s in [0, 1]; 0 or 1 where start or goal is singular.
         kind: the factors of det J that vanish there, such as "elbow" or "elbow and wrist"; "" where they are not known.
-        steepness: |d det J / dℓ| with ℓ the length of the path in the metric of g; nan where the path stands still.
-        cost: share of it in g, for m up to its typical value and det J linear in ℓ; nan where it is not linear there, such as
-            where several factors vanish at once.
+        steepness: |dm / dℓ| beside the place, with ℓ the length of the path in the metric of g [unit of m per rad or m]; nan
+            where the path stands still.
+        cost: share of it in g, for m up to its typical value and linear in ℓ. nan where m is not linear there, such as where
+            several factors vanish at once, and for powers from 3 on (2 at an end), whose rest has no limit.
     """
 
     at: float
@@ -80,15 +82,19 @@ def find_crossings(path: JointPath, integral: PathIntegral) -> tuple[Crossing, .
     """The singularities that a path meets, in their order along the path.
 
     With as many joints as task rows they are the places where a factor of det J, or det J itself where its factors are not
-    known, changes its sign, and a singular start or goal. With more joints, and for other measures than Yoshikawa's, only a
-    singular start or goal is found.
+    known, changes its sign. With more joints it is the place of the minimum of m, if J loses rank there. A singular start or
+    goal comes besides. Two factors that vanish at one place count as two crossings.
     """
     kinematics = integral.kinematics
-    m = kinematics.manipulability(path(np.array([0.0, 1.0])))
-    ends = [s for s, value in zip((0.0, 1.0), m, strict=True) if value < VANISHING * typical_measure(kinematics)]
-    found = _sign_changes(path, kinematics) if _is_square(kinematics) else []
-    met = [(s, kind) for s, kind in found if not any(_same_place(path, kinematics, s, end) for end in ends)]
-    met += [(s, _vanishing(kinematics, path(np.array([s])))) for s in ends]
+    ends = {s: path(np.array([s])) for s in (0.0, 1.0)}
+    ends = {s: q for s, q in ends.items() if _loses_rank(kinematics, q)}
+    if kinematics.is_square:
+        found = _sign_changes(path, kinematics)
+        met = [(s, kind) for s, kind in found if not any(_is_part_of(path, kinematics, s, kind, end) for end in ends)]
+    else:
+        at = integral.cost(path).at
+        met = [(at, "")] if at not in (0.0, 1.0) and _loses_rank(kinematics, path(np.array([at]))) else []
+    met += [(s, _listed(_vanishing(kinematics, q))) for s, q in ends.items()]
     return tuple(_crossing(path, integral, s, kind) for s, kind in sorted(met))
 
 
@@ -99,15 +105,16 @@ def least_crossings(kinematics: Kinematics, start: Array, goal: Array) -> int | 
     at least once if it has different signs at start and goal. Where the factors are not known, det J counts as the only one.
     A factor that vanishes at start or goal has no sign there, so the path may leave to either side.
     """
-    if not _is_square(kinematics):
+    if not kinematics.is_square:
         return None
     ends = np.array([start, goal])
     factors = _factors(kinematics)
     if not factors:
-        return int(_differ(_determinants(kinematics, ends)))
+        singular = [_loses_rank(kinematics, q[None]) for q in ends]
+        return int(_differ(np.where(singular, 0.0, _determinants(kinematics, ends))))
     count = 0
     for factor in factors:
-        least = ZERO * _usual_size(kinematics, factor)
+        least = ZERO * factor.usual
         if factor.joint is None:
             values = factor(ends)
             count += _differ(np.where(np.abs(values) < least, 0.0, values))
@@ -121,10 +128,11 @@ def least_crossings(kinematics: Kinematics, start: Array, goal: Array) -> int | 
 
 
 def runs_along(path: JointPath, integral: PathIntegral) -> bool:
-    """Whether m is below the floor on more than the share LONG of a path's length."""
+    """Whether m is below the floor, and below the default floor, on more than the share LONG of a path's length."""
+    floor = min(integral.floor, floor_of(integral.kinematics, None))
     s = np.linspace(0.0, 1.0, PLACES + 1)
     speed = speeds(path(s, 1), integral.metric)
-    low = integral.kinematics.manipulability(path(s)) < integral.floor
+    low = integral.kinematics.manipulability(path(s)) < floor
     return bool((speed * low).sum() > LONG * speed.sum())
 
 
@@ -140,7 +148,7 @@ def describe(crossings: Sequence[Crossing], least: int | None) -> str:
         one = "this" if inner == 1 else f"these {inner}"
         return f"{sentence}; {one} cannot be avoided, since start and goal lie in different aspects"
     if least == 0:
-        return f"{sentence}; start and goal may lie in one aspect, but no path without a crossing and of lower g was found"
+        return f"{sentence}; start and goal may lie in one aspect"
     return f"{sentence}; at least {least} cannot be avoided"
 
 
@@ -150,27 +158,43 @@ def _crossing(path: JointPath, integral: PathIntegral, s: float, kind: str) -> C
     moved = ends[1] - ends[0]
     if np.abs(moved).max() < STANDING:
         return Crossing(at=s, kind=kind, steepness=np.nan, cost=np.nan)
-    if _is_square(kinematics):
+    if kinematics.is_square and isinstance(kinematics.measure, Yoshikawa):
         change = abs(float(np.diff(_determinants(kinematics, ends))[0]))
     else:
         change = float(kinematics.manipulability(ends).max())
     steepness = change / float(speeds(moved[None], integral.metric)[0])
-    sides, typical = 1 if s in (0.0, 1.0) else 2, typical_measure(kinematics)
-    is_linear = change > FLAT * typical * float(np.linalg.norm(moved))
-    cost = sides * _linear_cost(integral, typical) / steepness if is_linear else np.nan
+    sides = 1 if s in (0.0, 1.0) else 2
+    cost = np.nan
+    if integral.power < 1 + sides and _is_linear(path, integral, s, steepness):
+        cost = sides / steepness * _linear_cost(integral, typical_measure(kinematics))
     return Crossing(at=s, kind=kind, steepness=steepness, cost=cost)
 
 
-def _same_place(path: JointPath, kinematics: Kinematics, s: float, end: float) -> bool:
-    """Whether m nearly vanishes everywhere between a change of sign and a singular end, so that the two are one singularity."""
+def _is_linear(path: JointPath, integral: PathIntegral, s: float, steepness: float) -> bool:
+    """Whether m grows in proportion to the distance from s, where it is one and where it is NEAR times the floor."""
+    if steepness == 0:
+        return False
+    floor = max(integral.floor, VANISHING * typical_measure(integral.kinematics))
+    speed = float(speeds(path(np.array([s]), 1), integral.metric)[0])
+    away = np.array([-NEAR, -1.0, 1.0, NEAR]) * floor / steepness / speed
+    places = s + away[(s + away >= 0) & (s + away <= 1)]
+    m = integral.kinematics.manipulability(path(places))
+    return bool(len(places) > 0 and (np.abs(m / (steepness * speed * np.abs(places - s)) - 1) < BENT).all())
+
+
+def _is_part_of(path: JointPath, kinematics: Kinematics, s: float, kind: str, end: float) -> bool:
+    """Whether the same factor vanishes at a singular end, and m nearly vanishes on the way there: it is one singularity."""
     between = kinematics.manipulability(path(np.linspace(s, end, 21)))
-    return bool(between.max() < SAME * typical_measure(kinematics))
+    same = not kind or kind in _vanishing(kinematics, path(np.array([end])))
+    return same and bool(between.max() < SAME * typical_measure(kinematics))
 
 
 def _linear_cost(integral: PathIntegral, most: float) -> float:
     """∫ (x² + ε²)^(-p/2) dx over 0 <= x <= most."""
     if integral.floor == 0:
         return most ** (1 - integral.power) / (1 - integral.power) if integral.power < 1 else np.inf
+    if integral.power == 1:
+        return float(np.arcsinh(most / integral.floor))
     from scipy.special import hyp2f1
 
     ratio = -((most / integral.floor) ** 2)
@@ -214,16 +238,20 @@ def _bisected(function: Callable[[Array], Array], low: Array, high: Array) -> li
     return [float(each) for each in (low + high) / 2]
 
 
-def _vanishing(kinematics: Kinematics, q: Array) -> str:
-    """The factors that are zero at a singular configuration (1, n)."""
-    names = [factor.name for factor in _factors(kinematics) if abs(factor(q)[0]) < ZERO * _usual_size(kinematics, factor)]
-    return " and ".join([", ".join(names[:-1]), *names[-1:]] if len(names) > 1 else names)
+def _vanishing(kinematics: Kinematics, q: Array) -> list[str]:
+    """The factors that are zero at a configuration (1, n)."""
+    return [factor.name for factor in _factors(kinematics) if abs(factor(q)[0]) < ZERO * factor.usual]
 
 
-def _usual_size(kinematics: Kinematics, factor: DeterminantFactor) -> float:
-    """The mean of a factor's absolute values over random configurations."""
-    samples = kinematics.robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
-    return float(np.abs(factor(samples)).mean())
+def _listed(names: list[str]) -> str:
+    """Names with commas and an "and"."""
+    return " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else "".join(names)
+
+
+def _loses_rank(kinematics: Kinematics, q: Array) -> bool:
+    """Whether the task's Jacobian has a row too few at a configuration (1, n)."""
+    values = np.linalg.svd(kinematics.jacobian(q)[0], compute_uv=False)
+    return bool(values[-1] <= VANISHING * values[0])
 
 
 def _changes(values: Array) -> NDArray[np.intp]:
@@ -241,9 +269,7 @@ def _determinants(kinematics: Kinematics, q: Array) -> Array:
 
 
 def _factors(kinematics: Kinematics) -> tuple[DeterminantFactor, ...]:
-    """The factors of det J; empty where they are not known, and for tasks that are not a pose."""
-    return determinant_factors(kinematics.robot) if kinematics.task.rows == 6 else ()
-
-
-def _is_square(kinematics: Kinematics) -> bool:
-    return kinematics.task.rows == kinematics.robot.n and isinstance(kinematics.measure, Yoshikawa)
+    """The factors of det J; empty where they are not known, and for tasks that are no pose in one frame."""
+    task = kinematics.task
+    is_pose = task.rows == 6 and not (task.world_rows and task.tool_rows)
+    return determinant_factors(kinematics.robot) if is_pose else ()

@@ -10,8 +10,8 @@ import numpy as np
 
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.measure import Measure
+from manipplan.paths.rounding import with_bits
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import number
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.task import Task
 
@@ -22,41 +22,31 @@ log = logging.getLogger("manipplan")
 SHARE = 1e-3
 #: Number of random configurations whose median is the typical value.
 SAMPLES = 200
+#: Bits of the typical value, so that it is the same on every processor.
+BITS = 24
 
 
 def typical_measure(kinematics: Kinematics) -> float:
-    """The median of the measure over SAMPLES random configurations with a fixed seed."""
-    return _typical(kinematics.robot, kinematics.task, kinematics.measure)
+    """The median of the measure over SAMPLES random configurations with a fixed seed, to BITS bits."""
+    return _typical(kinematics.robot, kinematics.task, kinematics.measure, kinematics.compiled)
 
 
 def floor_of(kinematics: Kinematics, floor: float | None) -> float:
-    """The floor ε, in the unit of the measure: `floor` itself, or the default SHARE of the typical measure for None.
+    """The floor ε, in the unit of the measure: `floor` itself, or the default SHARE of the typical measure for None."""
+    return SHARE * typical_measure(kinematics) if floor is None else floor
 
-    A floor above the typical measure is accepted with a warning: it hides most singularities.
-    """
+
+def warn_of_floor(kinematics: Kinematics, floor: float) -> None:
+    """Log a warning about a floor above the typical measure: it hides most singularities."""
     typical = typical_measure(kinematics)
-    if floor is None:
-        return SHARE * typical
     if floor > typical:
-        measure, unit = kinematics.measure.name, kinematics.measure.unit(kinematics.task)
-        log.warning(
-            "floor=%g is above the typical %s of %s, %.4g %s: singularities hardly count",
-            floor,
-            measure,
-            kinematics.robot.name,
-            typical,
-            unit,
-        )
-    return floor
-
-
-def check_floor(floor: float | None) -> float | None:
-    """A valid floor; raises InvalidInputError for one that is negative or not finite."""
-    return None if floor is None else number("floor", floor, least=0.0)
+        name, unit = kinematics.measure.name, kinematics.measure.unit(kinematics.task)
+        told = "floor=%g is above the typical %s of %s, %.4g %s: singularities hardly count"
+        log.warning(told, floor, name, kinematics.robot.name, typical, unit)
 
 
 @once_per_owner
-def _typical(robot: Robot, task: Task, measure: Measure) -> float:
+def _typical(robot: Robot, task: Task, measure: Measure, compiled: bool | str) -> float:
     q = robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
-    values = robot.kinematics(task, measure=measure).manipulability(q)
-    return float(np.median(values))
+    values = robot.kinematics(task, measure=measure, compiled=compiled).manipulability(q)
+    return float(with_bits(np.array([np.median(values)]), BITS)[0])

@@ -168,7 +168,7 @@ def path_cost(
         path: the path.
         kinematics: provides the measure.
         power: exponent of the measure.
-        floor: ε in (m² + ε²)^(power / 2), in the unit of the measure.
+        floor: ε in (m² + ε²)^(power / 2), in the unit of the measure. `result.floor` is that of a result's g.
         metric: W in ‖q'‖_W, weights (n,) or a matrix (n, n); None: the identity.
         panels: initial number of panels.
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 from numpy.typing import ArrayLike
 
-from manipplan.cost.floor import check_floor, floor_of
+from manipplan.cost.floor import floor_of, warn_of_floor
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.metric import metric_matrix
 from manipplan.kinematics.kinematics import Kinematics
@@ -43,7 +43,8 @@ class PathObjective:
     floor: float | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "floor", check_floor(self.floor))
+        if self.floor is not None:
+            object.__setattr__(self, "floor", number("floor", self.floor, least=0.0))
         object.__setattr__(self, "power", number("power", self.power, above=0.0, most=MOST_POWER))
         if self.task is not None:
             instance("task", self.task, Task)
@@ -70,6 +71,7 @@ class PathObjective:
         """The same objective with the task, measure, floor and metric (n, n) that hold for a robot; it can be pickled."""
         integral = self.integral(robot, compiled=compiled)
         kinematics = integral.kinematics
+        warn_of_floor(kinematics, integral.floor)
         return replace(self, task=kinematics.task, measure=kinematics.measure, metric=integral.metric, floor=integral.floor)
 
 

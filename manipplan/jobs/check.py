@@ -43,7 +43,8 @@ class Report:
     """Figures of a finished trajectory. Lengths are in radians or metres of joint space, times in seconds.
 
     Attributes:
-        robot, tool, task, measure, measure_unit, power: what was planned for; the measure, its unit and its exponent.
+        robot, tool, task, measure, measure_unit: what was planned for, and the unit of the measure.
+        power, floor: exponent and floor of g.
         status: text of the Status.
         duration: of the trajectory [s].
         g, seed_g: g of the objective along the trajectory and along the seed.
@@ -83,7 +84,6 @@ class Report:
     seed_min_manipulability: float
     straight_min_manipulability: float
     minimum_note: str
-    crossing_note: str
     clearance: float
     nearest_pair: tuple[str, ...]
     proven_clearance: float
@@ -93,6 +93,8 @@ class Report:
     straight_free: bool
     goal_error: float
     passed: bool
+    floor: float = 0.0
+    crossing_note: str = ""
 
     @classmethod
     def of(
@@ -137,6 +139,7 @@ class Report:
             measure=result.measure.name,
             measure_unit=result.measure.unit(result.task),
             power=result.power,
+            floor=result.floor,
             status=result.status.value,
             duration=trajectory.duration,
             g=cost.g,

@@ -90,8 +90,8 @@ def improve(
             recording that exceeds the robot's limits is slowed down until it keeps them.
         scene: obstacles to check against, and to avoid if `avoidance` is not given.
         formulation: Objective, Equality or LogDrive of `manipplan.formulations`; default LogDrive().
-        objective: its task is tracked, default `robot.default_task`; its measure is raised; power and metric only count in
-            the g that is reported.
+        objective: its task is tracked, default `robot.default_task`; its measure is raised; power, metric and floor only count
+            in the g that is reported.
         dt: time step [s].
         duration: new duration of the recording, slower or faster [s].
         tolerance: maximum deviation of the tool from the recorded poses; None: limited only by the stiffness.

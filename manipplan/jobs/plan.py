@@ -128,7 +128,7 @@ def plan(
         raise KeyboardInterrupt
     for other in _other_shapes(shape):
         descended = result.certificate is not None and np.isfinite(result.certificate.projected_gradient)
-        if (descended and result.status.ok) or result.status is Status.SINGULAR:  # another degree crosses the same singularity
+        if (descended and result.status.ok) or not np.isfinite(result.g):  # another degree crosses the same singularity
             break
         tell(0.6, f"{other.basis} of degree {other.degree}")
         more = optimize_from(robot, result.seed, scene, objective=objective, shape=other, clearance=clearance)

@@ -43,16 +43,18 @@ class DeterminantFactor:
     Attributes:
         name: "elbow", "wrist", "shoulder" or "arm".
         joint: the only joint on which it depends, counted from 0; None for several.
+        usual: the mean of its absolute values over random configurations.
     """
 
     name: str
     joint: int | None
+    usual: float
     _value: Value
     _robot: Robot
 
     def __call__(self, q: Array) -> Array:
         """Values (k,) at configurations q (k, n)."""
-        return np.array([self._value(*_axes(self._robot, each)) for each in q])
+        return np.array([self._value(*each) for each in _axes(self._robot, q)])
 
 
 @once_per_owner
@@ -68,27 +70,44 @@ def determinant_factors(robot: Robot) -> tuple[DeterminantFactor, ...]:
     if robot.n != 6 or not serial or any(is_prismatic(joint) for joint in model.joints[1:]):
         return ()
     samples = robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
-    axes = [_axes(robot, q) for q in samples]
+    axes = _axes(robot, samples)
     found = _of_three_parallel(axes) or _of_spherical_wrist(axes)
-    factors = [
-        DeterminantFactor(name=name, joint=_only_joint(robot, value, samples[0]), _value=value, _robot=robot)
-        for name, value in found.items()
-    ]
-    if not factors:
+    values = {name: np.array([value(*each) for each in axes]) for name, value in found.items()}
+    true = np.array([_determinant(*each) for each in axes])
+    product = np.prod(list(values.values()), axis=0)
+    if not found or not product.any():
         return ()
-    true = np.linalg.det(robot.kinematics().jacobian(samples))
-    product = np.prod([factor(samples) for factor in factors], axis=0)
     scale = float(true @ product / (product @ product))
-    agrees = np.abs(true - scale * product).max() <= AGREEMENT * np.abs(true).max()
-    return tuple(factors) if agrees else ()
+    if np.abs(true - scale * product).max() > AGREEMENT * np.abs(true).max():
+        return ()
+    return tuple(
+        DeterminantFactor(
+            name=name,
+            joint=_only_joint(robot, value, samples),
+            usual=float(np.abs(values[name]).mean()),
+            _value=value,
+            _robot=robot,
+        )
+        for name, value in found.items()
+    )
 
 
-def _axes(robot: Robot, q: Array) -> Axes:
-    model, data = robot.model, _data(robot)
-    pin.forwardKinematics(model, data, np.asarray(q, dtype=float))
-    places = list(data.oMi)[1:]
-    directions = [place.rotation @ axis_of(joint) for place, joint in zip(places, model.joints[1:], strict=True)]
-    return np.array(directions), np.array([place.translation for place in places])
+def _axes(robot: Robot, q: Array) -> list[Axes]:
+    """The axes at configurations q (k, n)."""
+    model, data = robot.model, robot.model.createData()
+    own = [axis_of(joint) for joint in model.joints[1:]]
+    found = []
+    for each in q:
+        pin.forwardKinematics(model, data, np.asarray(each, dtype=float))
+        places = list(data.oMi)[1:]
+        directions = [place.rotation @ axis for place, axis in zip(places, own, strict=True)]
+        found.append((np.array(directions), np.array([place.translation for place in places])))
+    return found
+
+
+def _determinant(z: Array, o: Array) -> float:
+    """det J of the pose, which does not depend on the tool."""
+    return float(np.linalg.det(np.concatenate([np.cross(z, -o), z], axis=1)))
 
 
 def _of_three_parallel(axes: list[Axes]) -> dict[str, Value]:
@@ -182,19 +201,12 @@ def _size(o: Array) -> float:
     return float(np.linalg.norm(np.diff(o, axis=0), axis=1).sum())
 
 
-def _only_joint(robot: Robot, value: Value, q: Array) -> int | None:
+def _only_joint(robot: Robot, value: Value, samples: Array) -> int | None:
     """The joint on which a function of the axes depends, if it is only one."""
-    here = value(*_axes(robot, q))
+    here = np.array([value(*each) for each in _axes(robot, samples)])
     changes = []
     for joint in range(6):
-        moved = q.copy()
-        moved[joint] += 0.7
-        changes.append(abs(value(*_axes(robot, moved)) - here))
-    most = max(changes)
-    moving = [joint for joint, change in enumerate(changes) if change > 1e-3 * most]
+        moved = samples + 0.7 * np.eye(6)[joint]
+        changes.append(np.abs([value(*each) for each in _axes(robot, moved)] - here).max())
+    moving = [joint for joint, change in enumerate(changes) if change > 1e-3 * max(changes)]
     return moving[0] if len(moving) == 1 else None
-
-
-@once_per_owner
-def _data(robot: Robot) -> pin.Data:
-    return robot.model.createData()

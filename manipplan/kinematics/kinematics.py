@@ -157,6 +157,11 @@ class Kinematics:
         symbolic = SymbolicKinematics(self.chain, self.task, self.measure, self.robot)
         object.__setattr__(self, "symbolic", symbolic)
 
+    @property
+    def is_square(self) -> bool:
+        """Whether the arm has as many joints as the task has rows."""
+        return self.task.rows == self.robot.n
+
     def __reduce__(self) -> tuple[object, ...]:
         return kinematics_of, (self.robot, self.task, self.measure, self.backend, self.compiled, self.threads)
 

@@ -177,7 +177,6 @@ class Certificate:
     g: float
     unconstrained_g: float
     power: float
-    floor: float
     measure: str
     unit: str
     min_manipulability: float
@@ -187,6 +186,7 @@ class Certificate:
     nearest_pair: tuple[str, ...]
     proven_clearance: float
     limits: tuple[LimitApproach, ...]
+    floor: float = 0.0
     crossings: tuple[Crossing, ...] = ()
     least_crossings: int | None = None
 
@@ -253,7 +253,7 @@ class Certificate:
             f"minimum m    {self.min_manipulability:.4g}{unit} at s = {self.min_at:.3f} ({self.measure})",
         ]
         if self.crossings:
-            lines.append(f"singularities {describe(self.crossings, self.least_crossings)}")
+            lines.append(f"singularity  {describe(self.crossings, self.least_crossings)}")
             lines.append(f"             g without them: {self.finite_g:.6g}")
         if self.nearest_pair:
             pair = " and ".join(self.nearest_pair)

@@ -31,7 +31,8 @@ SAME_SOLUTION = 1e-3
 WORSE = 1.1
 #: A nearly free solution starts another descent if its g is below this share of the lowest g of an optimum found.
 PROMISING = 0.8
-#: Largest displacement of the path from which descents begin beside an optimum that meets several singularities at once [rad].
+#: Largest displacement of the path from which descents begin beside an optimum that meets several singularities at once
+#: [rad or m].
 ASIDE = 0.5
 #: Maximum deviation of the fit to a path at which the basis counts as containing the path [rad or m].
 SAME = 1e-9
@@ -102,7 +103,9 @@ class LocalSearch(ProvenDescents):
         coefficients = self.ends.met(basis, basis.fit(first, even), self.start, self.goal)
         off = np.abs(basis.path(self.start, self.goal, coefficients)(even) - first(even)).max()
         same = off < SAME  # then a margin wider than the path's own would first lead away from it, such as from an optimum
-        found = self.descend("path", coefficients if same else self._followed(first)[1], kept=first if same else None)
+        found = self.descend(
+            "path", coefficients if same else self._followed(first)[1], kept=first if same else None, softens=not same
+        )
         return [] if found is None else [found]
 
     def from_optimum(self, found: Candidate) -> list[Candidate]:
@@ -141,7 +144,7 @@ class LocalSearch(ProvenDescents):
                 best = again
             if not is_worth:
                 break
-        if best is not None and self.nearly_singular(best.path):
+        if best is not None and self.nearly_singular(best.cost):
             best = self._beside(best)
         return [] if best is None else [best]
 
@@ -151,14 +154,15 @@ class LocalSearch(ProvenDescents):
         Such an optimum is often a saddle, at which descents end: where det J has a zero of higher order, g is much larger than
         with one crossing after the other.
         """
-        if not any(np.isnan(each.cost) for each in find_crossings(found.path, self.program.integral)):
+        crossings = find_crossings(found.path, self.program.integral)
+        if not any(np.isnan(each.cost) and np.isfinite(each.steepness) for each in crossings):
             return found
         shape = self.program.basis.values(np.linspace(0.0, 1.0, near.PLACES + 1)) @ self.program.free[:, :1]
         aside = np.random.default_rng(0).normal(size=(self.program.n, 1))
         step = ASIDE / np.abs(shape).max() * aside / np.linalg.norm(aside) @ self.program.free[:, :1].T
         best = found
         for sign in (1.0, -1.0):
-            other = self.descend("aside", found.coefficients + sign * step, softens=False)  # a larger floor would lead back
+            other = self.descend("aside", best.coefficients + sign * step, softens=False)  # a larger floor would lead back
             if other is not None and other.cost.g < best.cost.g * (1 - WORTH):
                 best = other
         return best
@@ -257,7 +261,7 @@ class LocalSearch(ProvenDescents):
         coefficients = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
         if not self.program.free.size:
             return self.program.integral.cost(basis.path(self.start, self.goal, coefficients)).g
-        moving = self.nearly_singular(path)
+        moving = self.nearly_singular(self.program.integral.cost(path))
         true, z = self.program.descent_program(self.start, self.goal, coefficients, None, limited=False, moving=moving)
         costs = [self.program.integral.cost(each).g for each in (path, true.path(descend(true, z, tolerance=ROUGH).z))]
         return min(costs)
@@ -287,7 +291,7 @@ class LocalSearch(ProvenDescents):
     def _energy_floor(self, path: JointPath) -> float:
         """Floor of the energy near a path: a large one where the path nearly meets a singularity."""
         floor = self.program.integral.floor
-        return SOFTER[0] * floor if self.nearly_singular(path) else floor
+        return SOFTER[0] * floor if self.nearly_singular(self.program.integral.cost(path)) else floor
 
     def _straight(self) -> Array:
         """Coefficients (n, size) of the path nearest to the straight line that meets the end conditions."""

@@ -77,7 +77,7 @@ def optimize_path(
 ) -> PathResult | NoPath:
     """Find the path from start to goal of minimum g, far from singularities [kth2012, ch. 6].
 
-    g = ∫ ‖q'‖_W / (m² + floor²)^(power/2) ds is finite on paths through singularities, too; `certificate` tells which these are.
+    g = ∫ ‖q'‖_W / (m² + floor²)^(power/2) ds is finite on paths through singularities, too, and `certificate` names them.
     The path is a polynomial, or a spline of several pieces. IPOPT minimises its energy, ∫ of the square of the same, from the
     straight line without obstacles and from the seed among them. From there, sequential quadratic programming in a trust region
     [nocedal2006, ch. 18] minimises g itself with the true distances of the scene. Among clouds, meshes that are not convex or
@@ -117,7 +117,7 @@ def optimize_path(
     Raises:
         InvalidInputError: an argument is invalid.
         CompilerError: `compiled` is True and there is no compiler, or it fails.
-        PlanningError: with `throw`: no collision-free path was found, or every path that was found meets a singularity.
+        PlanningError: with `throw`: no collision-free path was found, or g is infinite without a floor.
     """
     instance("robot", robot, Robot)
     if scene is not None:

@@ -110,7 +110,8 @@ class ProvenDescents:
         program, integral = self.program, self.program.integral
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
         path = program.basis.path(self.start, self.goal, coefficients)
-        if not np.isfinite(integral.cost(path).g):  # without a floor, a path through a singularity has no finite g
+        beginning = integral.cost(path)
+        if not np.isfinite(beginning.g):  # without a floor, a path through a singularity has no finite g
             return None
         best: Candidate | None = None
         edges: Array | None = None
@@ -119,7 +120,7 @@ class ProvenDescents:
         backed_off = False
         *wide, final = self.margins(kept)
         waiting = [(margin, integral.floor) for margin in [*wide, *[final] * DESCENTS]]
-        moving = self.nearly_singular(path)
+        moving = self.nearly_singular(beginning)
         if moving and softens:
             waiting = [*((waiting[0][0], softer * integral.floor) for softer in SOFTER), *waiting]
         while waiting:
@@ -197,10 +198,9 @@ class ProvenDescents:
             return 0.0
         return self.model.least_distance(np.array([self.start, self.goal]))[0] - self.clearance
 
-    def nearly_singular(self, path: JointPath) -> bool:
-        """Whether m comes near the floor somewhere on a path."""
-        integral = self.program.integral
-        return bool(integral.cost(path).min_manipulability < SOFTER[-1] * integral.floor)
+    def nearly_singular(self, cost: PathCost) -> bool:
+        """Whether m comes near the floor somewhere on a path of known cost."""
+        return bool(cost.min_manipulability < SOFTER[-1] * self.program.integral.floor)
 
     def keeps(self, path: JointPath, margin: float = 0.0) -> bool:
         """Whether a path is proven to keep the required clearance plus a margin [m], or nothing is checked."""

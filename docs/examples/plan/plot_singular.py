@@ -1,11 +1,11 @@
 """
-When every path is singular
-===========================
+Start and goal in different aspects
+===================================
 
-A UR5 has six joints and a pose has six numbers, so its configurations form regions, and
-every motion from one region to another crosses a singularity. Then g is infinite for
-every path. The planner reports this. This page shows the message, the cause, and the
-remedy.
+A UR5 has six joints and a pose has six numbers, so its configurations form regions, the
+aspects, and every motion from one to another crosses a singularity. The optimiser
+crosses it steeply. This page shows what the certificate says about that, and how another
+configuration of the same goal avoids it.
 """
 
 import matplotlib.pyplot as plt
@@ -16,60 +16,39 @@ import manipplan as mp
 robot = mp.load_robot("ur5")
 kinematics = robot.kinematics()
 start = np.array([0.4, -1.2, 1.5, -1.8, -1.3, 0.7])
-goal = np.array([1.4, -0.5, -1.3, 0.3, -1.2, 0.5])  # elbow down
+goal = np.array([1.4, -0.5, -1.3, 0.3, -1.2, 0.5])  # the elbow bends the other way
 
 # %%
-# With ``throw=False`` the result is returned, and its status says what is wrong and
-# what would help.
+# The certificate tells which singularities the path crosses, and how many every path has
+# to cross at least.
 
-result = mp.optimize_path(robot, start, goal, throw=False)
-print(result.status.name)
-print(result.status.value)
-print("g:", result.g)
-assert result.status is mp.Status.SINGULAR and np.isinf(result.g)
-
-# %%
-# The cause: det J has different signs at start and goal, so it is zero somewhere along
-# the path.
-
-signs = {
-    name: np.sign(np.linalg.det(kinematics.jacobian(q)))
-    for name, q in (("start", start), ("goal", goal))
-}
-print({name: f"{sign:+.0f}" for name, sign in signs.items()})
+result = mp.optimize_path(robot, start, goal)
+certificate = result.certificate
+print(result.status.name, f"g {result.g:.0f}")
+for crossing in certificate.crossings:
+    print(f"{crossing}; its share in g: {crossing.cost:.0f}")
+print("every path crosses at least", certificate.least_crossings)
+assert result.status is mp.Status.OPTIMAL
+assert len(certificate.crossings) == certificate.least_crossings == 1
 
 # %%
-# The remedy: only the pose of the tool matters, and other configurations reach it. Take
-# those with the same sign as the start, and choose the one whose path has the smallest
-# g. The same sign is necessary, but not sufficient: det J of this arm is a product of
-# three factors, one each for shoulder, elbow and wrist, and if two of them change their
-# signs, the sign of det J stays the same.
+# Only the pose of the tool matters, and other configurations reach it. Take those in the
+# aspect of the start, and choose the one whose path has the smallest g.
 
 solutions = mp.inverse_kinematics(robot, kinematics.pose(goal)).q
-same = np.array(
-    [
-        q
-        for q in solutions
-        if np.sign(np.linalg.det(kinematics.jacobian(q))) == signs["start"]
-    ]
-)
-nearest = same[np.argsort(np.linalg.norm(same - start, axis=1))][:6]
-print(
-    f"{len(solutions)} configurations reach the goal's pose, {len(same)} of "
-    "them with the same sign of det J as the start"
-)
-tried = [mp.optimize_path(robot, start, q, throw=False) for q in nearest]
+nearest = solutions[np.argsort(np.linalg.norm(solutions - start, axis=1))][:8]
+tried = [mp.optimize_path(robot, start, q) for q in nearest]
 for candidate in tried:
     print(
-        f"goal {candidate.path.goal.round(2)}: {candidate.status.name}, g "
-        f"{candidate.g:.1f}, length {candidate.length:.2f} rad"
+        f"goal {candidate.path.goal.round(2)}: g {candidate.g:.0f}, "
+        f"{len(candidate.certificate.crossings)} crossings"
     )
 best = min(tried, key=lambda candidate: candidate.g)
-assert np.isfinite(best.g)
+assert not best.certificate.crossings
 assert np.allclose(kinematics.pose(best.path.goal), kinematics.pose(goal), atol=1e-9)
 
 # %%
-# det J along both paths: the first one crosses zero, the second one does not.
+# det J along both paths: the first one crosses zero steeply, the second one does not.
 
 s = np.linspace(0, 1, 800)
 fig, ax = plt.subplots(figsize=(7.5, 3.6), layout="constrained")
