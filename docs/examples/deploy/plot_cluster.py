@@ -47,8 +47,8 @@ print(f"{len(client.scheduler_info()['workers'])} workers")
 
 # %%
 # **One problem, many first paths.** With ``mp.Seeding(count=4)`` the planner looks for
-# four first paths and optimises them in parallel. The result does not depend on where
-# they are optimised, so it is the same as without an executor. A problem as small as
+# four first paths and optimises them in parallel. The result is the same as without an
+# executor, up to the tolerance at which a descent ends: 5e-7 of g. A problem as small as
 # this one is not worth the overhead; it only shows the call. The first call also loads
 # the library on the workers.
 
@@ -78,8 +78,8 @@ print(
     f"here {alone:.1f} s, on the cluster {time.perf_counter() - begin:.1f} s; "
     f"{len(there.rivals)} rivals"
 )
-print(f"g {here.g:.9f} and {there.g:.9f}")
-assert np.isclose(here.g, there.g, rtol=1e-9)
+print(f"g {here.g:.5f} and {there.g:.5f}")
+assert np.isclose(here.g, there.g, rtol=1e-6)
 
 # %%
 # **Many problems.** A sweep is a function and a list of arguments. Here: where should a
