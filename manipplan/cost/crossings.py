@@ -54,7 +54,7 @@ class Crossing:
     Attributes:
         at: s in [0, 1]; 0 or 1 where start or goal is singular.
         kind: the factors of det J that vanish there, such as "elbow" or "elbow and wrist"; "" where they are not known.
-        steepness: |dm / dℓ| beside the place, with ℓ the length of the path in the metric of g [unit of m per rad or m]; nan
+        steepness: slope of m over the length of the path, in the metric of g, beside the place [unit of m per rad or m]; nan
             where the path stands still.
         cost: share of it in g, for m up to its typical value and linear in ℓ. nan where m is not linear there, such as where
             several factors vanish at once, and for powers from 3 on (2 at an end), whose rest has no limit.
