@@ -260,7 +260,8 @@ def crossings():
 def result_without_crossings(robot, path, floor):
     """g of a path less the cost of its crossings."""
     integral = mp.PathObjective(floor=floor).integral(robot)
-    return integral.cost(path).g - sum(each.cost for each in find_crossings(path, integral))
+    cost = integral.cost(path)
+    return cost.g - sum(each.cost for each in find_crossings(path, integral, cost))
 
 
 PICTURES = (flow, frames, ellipsoids, measures, proof, drives, search, crossings)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.cost.floor import floor_of, typical_measure
-from manipplan.cost.integral import PathIntegral, speeds
+from manipplan.cost.integral import PathCost, PathIntegral, speeds
 from manipplan.kinematics.factors import DeterminantFactor, determinant_factors
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.manipulability import Yoshikawa
@@ -78,8 +78,8 @@ class Crossing:
         return f"crosses {article} {kind} at s = {self.at:.3f}"
 
 
-def find_crossings(path: JointPath, integral: PathIntegral) -> tuple[Crossing, ...]:
-    """The singularities that a path meets, in their order along the path.
+def find_crossings(path: JointPath, integral: PathIntegral, cost: PathCost) -> tuple[Crossing, ...]:
+    """The singularities that a path of known cost meets, in their order along the path.
 
     With as many joints as task rows they are the places where a factor of det J, or det J itself where its factors are not
     known, changes its sign. With more joints it is the place of the minimum of m, if J loses rank there. A singular start or
@@ -92,8 +92,8 @@ def find_crossings(path: JointPath, integral: PathIntegral) -> tuple[Crossing, .
         found = _sign_changes(path, kinematics)
         met = [(s, kind) for s, kind in found if not any(_is_part_of(path, kinematics, s, kind, end) for end in ends)]
     else:
-        at = integral.cost(path).at
-        met = [(at, "")] if at not in (0.0, 1.0) and _loses_rank(kinematics, path(np.array([at]))) else []
+        inner = cost.at not in (0.0, 1.0) and _loses_rank(kinematics, path(np.array([cost.at])))
+        met = [(cost.at, "")] if inner else []
     met += [(s, _listed(_vanishing(kinematics, q))) for s, q in ends.items()]
     return tuple(_crossing(path, integral, s, kind) for s, kind in sorted(met))
 
@@ -127,9 +127,11 @@ def least_crossings(kinematics: Kinematics, start: Array, goal: Array) -> int | 
     return count
 
 
-def runs_along(path: JointPath, integral: PathIntegral) -> bool:
-    """Whether m is below the floor, and below the default floor, on more than the share LONG of a path's length."""
+def runs_along(path: JointPath, integral: PathIntegral, cost: PathCost) -> bool:
+    """Whether m is below the floor, and below the default floor, on more than the share LONG of the length of a path."""
     floor = min(integral.floor, floor_of(integral.kinematics, None))
+    if cost.min_manipulability >= floor:
+        return False
     s = np.linspace(0.0, 1.0, PLACES + 1)
     speed = speeds(path(s, 1), integral.metric)
     low = integral.kinematics.manipulability(path(s)) < floor

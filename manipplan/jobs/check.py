@@ -151,7 +151,7 @@ class Report:
             seed_min_manipulability=result.seed_cost.min_manipulability,
             straight_min_manipulability=straight.min_manipulability,
             minimum_note=_minimum_note(cost, result, straight),
-            crossing_note=describe(find_crossings(path, integral), least_crossings(kinematics, path.start, path.goal)),
+            crossing_note=describe(find_crossings(path, integral, cost), least_crossings(kinematics, path.start, path.goal)),
             clearance=min(least, proof.upper),
             nearest_pair=pair,
             proven_clearance=proof.lower,

@@ -239,7 +239,7 @@ class Certificate:
             nearest_pair=pair,
             proven_clearance=np.inf if model is None else path_clearance(model, path, clearance=clearance).lower,
             limits=limit_approaches(path, kinematics.robot),
-            crossings=find_crossings(path, integral),
+            crossings=find_crossings(path, integral, cost),
             least_crossings=least_crossings(kinematics, path.start, path.goal),
         )
 

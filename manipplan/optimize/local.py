@@ -154,7 +154,7 @@ class LocalSearch(ProvenDescents):
         Such an optimum is often a saddle, at which descents end: where det J has a zero of higher order, g is much larger than
         with one crossing after the other.
         """
-        crossings = find_crossings(found.path, self.program.integral)
+        crossings = find_crossings(found.path, self.program.integral, found.cost)
         if not any(np.isnan(each.cost) and np.isfinite(each.steepness) for each in crossings):
             return found
         shape = self.program.basis.values(np.linspace(0.0, 1.0, near.PLACES + 1)) @ self.program.free[:, :1]

@@ -132,7 +132,7 @@ def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPat
         path, cost = first, first_cost
         status = Status.SEED_IS_BETTER if safe else Status.SEED_IS_SAFE
         status = status if fallback else Status.ENDS_NOT_MET
-    if status is not Status.ENDS_NOT_MET and (not np.isfinite(cost.g) or runs_along(path, integral)):
+    if status is not Status.ENDS_NOT_MET and (not np.isfinite(cost.g) or runs_along(path, integral, cost)):
         status = Status.SINGULAR
     unconstrained = np.nan
     if np.isfinite(cost.g) and not interrupted:

@@ -23,6 +23,10 @@ def two_links():
     return mp.planar_arm([1.0, 1.0])
 
 
+def crossings_of(path, integral):
+    return find_crossings(path, integral, integral.cost(path))
+
+
 def revolute(folder, joints):
     """A URDF of revolute joints, each with its origin xyz, rpy and axis; the tool is 0.1 m along x beyond the last."""
     lines = ['<robot name="made"><link name="l0"/>']
@@ -177,7 +181,7 @@ def test_arms_without_known_factors(tmp_path, panda):
     assert determinant_factors(robot) == () == determinant_factors(panda)
     start, goal = robot.random_configuration(np.random.default_rng(3), size=2)
     integral = mp.PathObjective().integral(robot)
-    found = find_crossings(mp.JointPath.line(start, goal), integral)
+    found = crossings_of(mp.JointPath.line(start, goal), integral)
     assert all(each.kind == "" for each in found)
     signs = np.sign(np.linalg.det(robot.kinematics().jacobian([start, goal])))
     assert least_crossings(robot.kinematics(), start, goal) == int(signs[0] != signs[1]) == len(found) % 2
@@ -190,7 +194,7 @@ def test_crossings_are_where_factors_vanish(name, rng):
     count = 0
     for start, goal in robot.random_configuration(rng, size=20).reshape(10, 2, 6):
         path = mp.JointPath.line(start, goal)
-        found = find_crossings(path, integral)
+        found = crossings_of(path, integral)
         assert least_crossings(integral.kinematics, start, goal) <= len(found)
         s = np.linspace(0.0, 1.0, 4001)
         for kind, factor in factors.items():
@@ -206,7 +210,7 @@ def test_two_factors_that_vanish_between_the_same_samples():
     robot = mp.load_robot("kinova")
     q = robot.random_configuration(np.random.default_rng(1), size=8)
     path = mp.JointPath.line(q[6], q[7])
-    found = find_crossings(path, mp.PathObjective().integral(robot))
+    found = crossings_of(path, mp.PathObjective().integral(robot))
     assert [each.kind for each in found] == ["shoulder", "elbow"]
     assert found[1].at - found[0].at < 1e-3
 
@@ -218,7 +222,7 @@ def test_g_without_its_crossings_does_not_depend_on_the_floor():
     rest, g = [], []
     for share in (1e-3, 1e-4, 1e-5):
         integral = mp.PathObjective(floor=share * typical).integral(robot)
-        found = find_crossings(path, integral)
+        found = crossings_of(path, integral)
         assert [each.kind for each in found] == ["wrist", "elbow"]
         g.append(integral.cost(path).g)
         rest.append(g[-1] - sum(each.cost for each in found))
@@ -234,7 +238,7 @@ def test_the_cost_of_a_crossing_for_other_powers(two_links, power):
     arm, end = two_links, 1e-3
     integral = mp.PathObjective(power=power, floor=1e-5, task=mp.Task.planar()).integral(arm)
     path = mp.JointPath.line([0.0, -end], [0.0, end])
-    [crossing] = find_crossings(path, integral)
+    [crossing] = crossings_of(path, integral)
     assert crossing.steepness == pytest.approx(1.0, rel=1e-6)
     x = np.sinh(np.linspace(0.0, np.arcsinh(typical_measure(integral.kinematics) / 1e-5), 20_001)) * 1e-5
     beyond = x >= end
@@ -249,27 +253,27 @@ def test_sentences():
     integral = mp.PathObjective().integral(robot)
     start, goal = [0.0, -1.2, 1.4, -1.0, 1.0, 0.0], [0.8, -0.9, -1.0, -1.4, 1.4, 0.5]
     line = mp.JointPath.line(start, goal)
-    found = find_crossings(line, integral)
+    found = crossings_of(line, integral)
     least = least_crossings(integral.kinematics, line.start, line.goal)
     expected = (
         "crosses an elbow singularity at s = 0.583; this cannot be avoided, since start and goal lie in different aspects"
     )
     assert describe(found, least) == expected
     there_and_back = mp.JointPath.through([start, goal, [0.1, *start[1:]]])
-    told = describe(find_crossings(there_and_back, integral), 0)
+    told = describe(crossings_of(there_and_back, integral), 0)
     assert told.count("crosses an elbow singularity") == 2 and "may lie in one aspect" in told
     assert describe((), 0) == ""
-    upright = find_crossings(mp.JointPath.line(UPRIGHT, start), integral)
+    upright = crossings_of(mp.JointPath.line(UPRIGHT, start), integral)
     assert str(upright[0]) == "starts at an elbow, wrist and shoulder singularity" and upright[0].at_end
 
 
 def test_powers_whose_rest_has_no_limit_have_no_cost(two_links):
     path, task = mp.JointPath.line([0.0, -1.0], [0.3, 1.0]), mp.Task.planar()
     for power in (3.0, 4.0):
-        [crossing] = find_crossings(path, mp.PathObjective(power=power, task=task).integral(two_links))
+        [crossing] = crossings_of(path, mp.PathObjective(power=power, task=task).integral(two_links))
         assert np.isnan(crossing.cost) and crossing.steepness > 0
     half = mp.JointPath.line([0.0, 0.0], [0.3, 1.0])
-    costs = [find_crossings(half, mp.PathObjective(power=p, task=task).integral(two_links))[0].cost for p in (1.0, 2.0)]
+    costs = [crossings_of(half, mp.PathObjective(power=p, task=task).integral(two_links))[0].cost for p in (1.0, 2.0)]
     assert np.isfinite(costs[0]) and np.isnan(costs[1])
 
 
@@ -288,7 +292,7 @@ def test_another_factor_that_vanishes_soon_after_a_singular_start():
     """The wrist is singular at the start, and the elbow a hundredth of a radian later: both are told."""
     robot = mp.load_robot("ur5")
     path = mp.JointPath.line([0.0, -1.2, 0.01, -1.0, 0.0, 0.0], [0.4, -1.0, -1.0, -1.4, 1.0, 0.5])
-    found = find_crossings(path, mp.PathObjective().integral(robot))
+    found = crossings_of(path, mp.PathObjective().integral(robot))
     assert [(each.kind, each.at_end) for each in found] == [("wrist", True), ("elbow", False)]
     assert least_crossings(robot.kinematics(), path.start, path.goal) == 1
 
@@ -308,7 +312,7 @@ def test_a_redundant_arm_that_has_to_cross(tmp_path):
     robot = revolute(tmp_path, [(xyz, "0 0 0", axis[name]) for xyz, name in spherical])
     integral = mp.PathObjective().integral(robot)
     path = mp.JointPath.line([0.1, 0.7, 0.2, -0.8, 0.3, 0.9, 0.1], [0.4, 0.5, 0.3, 1.1, 0.2, 0.8, 0.3])
-    [crossing] = find_crossings(path, integral)
+    [crossing] = crossings_of(path, integral)
     assert crossing.at == pytest.approx(0.8 / 1.9, abs=1e-6) and crossing.kind == ""
     assert least_crossings(integral.kinematics, path.start, path.goal) is None
     assert describe([crossing], None).startswith("crosses a singularity at s = 0.421")
@@ -320,7 +324,7 @@ def test_six_parallel_axes_with_a_task_of_six_rows():
     assert determinant_factors(arm) == ()
     line = mp.JointPath.line(np.full(6, 0.1), np.full(6, 0.4))
     integral = mp.PathObjective(task=mp.Task.pose(), floor=0.1).integral(arm)
-    assert all(each.at_end for each in find_crossings(line, integral))
+    assert all(each.at_end for each in crossings_of(line, integral))
 
 
 def test_a_large_floor_makes_no_path_singular(panda, rng):
@@ -370,7 +374,8 @@ def test_without_a_floor_g_is_infinite():
 def test_a_path_along_the_singular_set_is_told(two_links):
     objective = mp.PathObjective(task=mp.Task.planar())
     line = mp.JointPath.line([0.0, 0.0], [1.0, 0.0])
-    assert runs_along(line, objective.integral(two_links))
+    integral = objective.integral(two_links)
+    assert runs_along(line, integral, integral.cost(line))
     options = {"objective": objective, "throw": False}
     held = mp.optimize_path(two_links, [0.0, 0.0], [1.0, 0.0], shape=mp.PathShape(degree=1), **options)
     assert held.status is mp.Status.SINGULAR and np.isfinite(held.g)
