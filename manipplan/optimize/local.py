@@ -155,7 +155,7 @@ class LocalSearch(ProvenDescents):
         with one crossing after the other.
         """
         crossings = find_crossings(found.path, self.program.integral, found.cost)
-        if not any(np.isnan(each.cost) and np.isfinite(each.steepness) for each in crossings):
+        if not any(np.isnan(each.cost) and np.isfinite(each.steepness) and not each.at_end for each in crossings):
             return found
         shape = self.program.basis.values(np.linspace(0.0, 1.0, near.PLACES + 1)) @ self.program.free[:, :1]
         aside = np.random.default_rng(0).normal(size=(self.program.n, 1))

@@ -31,6 +31,8 @@ WIDER = (9e-5, 3e-4, 1e-3, 3e-3)
 #: Floors of the first two descents from a path whose m falls below the last of them, in units of the objective's floor: with a
 #: larger floor the place of a crossing moves more easily.
 SOFTER = (100.0, 10.0)
+#: Tolerance of descents with a larger floor or margin, as a share of g: the next one starts where they end.
+ROUGH = 1e-4
 #: A converged descent whose path still misses the required clearance by more than this [m] is stuck in an obstacle.
 STUCK = 5e-3
 #: With a required clearance below the first value, descents keep these wider margins first [m]: a descent is slow around a
@@ -134,10 +136,11 @@ class ProvenDescents:
             edges = true.length.edges
             if not np.isfinite(true.length.g0):
                 break
-            descent = descend(true, z)
+            preliminary = margin > final or floor > integral.floor
+            descent = descend(true, z, tolerance=ROUGH if preliminary else None)
             steps += descent.steps
             coefficients = true.length.curves.coefficients(descent.z)
-            if margin > final or floor > integral.floor:
+            if preliminary:
                 continue
             path = true.path(descent.z)
             cost, proof = integral.cost(path), self.proof(path)

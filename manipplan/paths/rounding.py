@@ -5,6 +5,8 @@ differences from step to step, until they lead to another local optimum. Rounded
 except where a number lies halfway between two points of the grid.
 """
 
+from functools import cache
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -35,10 +37,13 @@ def product(left: Array, right: Array) -> Array:
     return np.asarray(np.einsum("ij,jk->ik", left, right))
 
 
+@cache
 def gauss_rule(count: int) -> tuple[Array, Array]:
-    """Gauss points on [-1, 1] and their weights, (count,) each, rounded: NumPy computes them as eigenvalues."""
-    nodes, weights = np.polynomial.legendre.leggauss(count)
-    return on_grid(nodes, FIXED), on_grid(weights, FIXED)
+    """Gauss points on [-1, 1] and their weights, (count,) each, rounded: NumPy computes them as eigenvalues. Read-only."""
+    rule = tuple(on_grid(each, FIXED) for each in np.polynomial.legendre.leggauss(count))
+    for each in rule:
+        each.flags.writeable = False
+    return rule
 
 
 def with_bits(values: Array, bits: int) -> Array:
