@@ -25,8 +25,8 @@ from manipplan.support.display import one_line
 STEP = 5e-3
 #: The same for a factor that depends on one joint.
 COARSE_STEP = 0.05
-#: Number of bisections of an interval in which det J changes its sign.
-BISECTIONS = 40
+#: Number of times an interval in which det J changes its sign is cut, and number of parts.
+CUTS, PARTS = 10, 16
 #: Half of the share of the path over which the steepness is measured.
 WIDTH = 1e-6
 #: J loses rank where its smallest singular value is below this share of its largest.
@@ -210,7 +210,7 @@ def _sign_changes(path: JointPath, kinematics: Kinematics) -> list[tuple[float, 
     changes = _changes(values)
     factors = _factors(kinematics)
     if not factors:
-        return [(at, "") for at in _bisected(lambda at: _determinants(kinematics, path(at)), s[changes], s[changes + 1])]
+        return [(at, "") for at in _zeros(lambda at: _determinants(kinematics, path(at)), s[changes], s[changes + 1])]
     # two factors can change their signs between the same samples: |det J| then has a dip without a change of its sign
     size = np.abs(values)
     dips = 1 + np.flatnonzero((size[1:-1] <= size[:-2]) & (size[1:-1] <= size[2:]))
@@ -220,7 +220,7 @@ def _sign_changes(path: JointPath, kinematics: Kinematics) -> list[tuple[float, 
     for factor in factors:
         first, second = factor(path(s[intervals[:, 0]])), factor(path(s[intervals[:, 1]]))
         low, high = s[intervals[(first >= 0) != (second >= 0)]].reshape(-1, 2).T
-        found += [(at, factor.name) for at in _bisected(partial(_along, factor, path), low, high)]
+        found += [(at, factor.name) for at in _zeros(partial(_along, factor, path), low, high)]
     return found
 
 
@@ -228,15 +228,16 @@ def _along(factor: DeterminantFactor, path: JointPath, s: Array) -> Array:
     return factor(path(s))
 
 
-def _bisected(function: Callable[[Array], Array], low: Array, high: Array) -> list[float]:
+def _zeros(function: Callable[[Array], Array], low: Array, high: Array) -> list[float]:
     """Zeros of a function of s between places (k,) at which it has different signs."""
     if not len(low):
         return []
-    positive = function(low) >= 0
-    for _ in range(BISECTIONS):
-        middle = (low + high) / 2
-        same = (function(middle) >= 0) == positive
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    positive, k = function(low) >= 0, np.arange(len(low))
+    for _ in range(CUTS):
+        grid = np.linspace(low, high, PARTS + 1)  # one column per interval
+        inside = (function(grid[1:-1].ravel()) >= 0).reshape(PARTS - 1, -1)
+        first = np.argmax(np.vstack([inside != positive, np.ones((1, len(k)), dtype=bool)]), axis=0)
+        low, high = grid[first, k], grid[first + 1, k]
     return [float(each) for each in (low + high) / 2]
 
 

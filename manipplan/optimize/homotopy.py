@@ -21,6 +21,7 @@ from manipplan.optimize.problem import TIE, PathProblem, planned_path, solve_loc
 from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
+from manipplan.seeds.random_path import random_path
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, part, silent
@@ -34,6 +35,14 @@ SAME = 1e-2
 log = logging.getLogger("manipplan")
 T = TypeVar("T")
 _own = threading.local()
+
+
+@dataclass(frozen=True, kw_only=True)
+class FirstPath:
+    """A path to solve from, and the number of first paths of its class."""
+
+    path: JointPath
+    count: int
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -52,13 +61,14 @@ class SolvePool:
         tell = part(self.tell, 0.0, 0.33)
         return self._each(_seed, [(start, goal, seed) for goal, seed in tasks], tell, "looking for a first path")
 
-    def solve_local(self, firsts: Sequence[JointPath]) -> list[PathResult]:
+    def solve_local(self, firsts: Sequence[FirstPath]) -> list[PathResult]:
         """The optimiser's result from each first path; the first one to each goal is solved from the straight line as well."""
         tasks = []
         for k, first in enumerate(firsts):
-            known = any(np.array_equal(first.goal, other.goal) for other in firsts[:k])
-            tasks.append((first, not known))
-        return self._each(_solve, tasks, part(self.tell, 0.33, 1.0), "optimising the path")
+            known = any(np.array_equal(first.path.goal, other.path.goal) for other in firsts[:k])
+            tasks.append((first.path, not known))
+        results = self._each(_solve, tasks, part(self.tell, 0.33, 1.0), "optimising the path")
+        return [replace(result, first_paths=first.count) for result, first in zip(results, firsts, strict=False)]
 
     def _each(self, work: Callable[..., T], tasks: Sequence[tuple[object, ...]], tell: Progress, text: str) -> list[T]:
         made: list[Callable[[], T]]
@@ -79,10 +89,11 @@ class SolvePool:
         return results
 
 
-def seed_classes(pool: SolvePool, start: Array, goals: Sequence[Array], seeds: Iterable[int]) -> list[JointPath]:
-    """First paths to solve from: per goal and class, the one with the smallest g.
+def seed_classes(pool: SolvePool, start: Array, goals: Sequence[Array], seeds: Iterable[int]) -> list[FirstPath]:
+    """First paths to solve from: for each goal the first one that was found, and of every other class the one of smallest g.
 
-    Raises PlanningError when there is none to any goal.
+    The first one is always among them, so that more seeds never give a larger g. Raises PlanningError when there is none to
+    any goal.
     """
     tasks = list(itertools.product(goals, seeds))
     found = pool.seeds(start, tasks)
@@ -91,12 +102,18 @@ def seed_classes(pool: SolvePool, start: Array, goals: Sequence[Array], seeds: I
         raise PlanningError(str(found[0]))
     model = pool.problem.model()
     if model is None or len(paths) == 1:
-        return paths
+        return [FirstPath(path=path, count=1) for path in paths]
     integral = pool.problem.integral()
-    chosen: list[JointPath] = []
-    for path in sorted(paths, key=lambda each: integral.cost(each).g):
-        if not any(same_class(model, path, other, pool.problem.clearance) for other in chosen):
-            chosen.append(path)
+    is_first = [not any(np.array_equal(path.goal, other.goal) for other in paths[:k]) for k, path in enumerate(paths)]
+    order = sorted(range(len(paths)), key=lambda k: (not is_first[k], integral.cost(paths[k]).g))
+    chosen: list[FirstPath] = []
+    for path in (paths[k] for k in order):
+        for k, other in enumerate(chosen):
+            if same_class(model, path, other.path, pool.problem.clearance):
+                chosen[k] = replace(other, count=other.count + 1)
+                break
+        else:
+            chosen.append(FirstPath(path=path, count=1))
     return chosen
 
 
@@ -115,13 +132,19 @@ def same_class(model: CollisionModel, first: JointPath, second: JointPath, clear
 def best_and_rivals(results: Sequence[PathResult]) -> PathResult:
     """The result with the smallest g, with the others as its rivals, best first, each path once.
 
-    Of results whose g tie the earlier one comes first, so that rounding does not decide.
+    Of results whose g tie the earlier one comes first, so that rounding does not decide. The estimate of what is missing is
+    that of Good and Turing [good1953]: the share of first paths whose result no other one led to.
     """
     kept: list[PathResult] = []
     for result in _best_first(results):
-        if not any(_same(result.path, other.path) for other in kept):
+        same = next((k for k, other in enumerate(kept) if _same(result.path, other.path)), None)
+        if same is None:
             kept.append(result)
-    best = replace(kept[0], rivals=tuple(kept[1:]))
+        else:
+            kept[same] = replace(kept[same], first_paths=kept[same].first_paths + result.first_paths)
+    counts = np.array([each.first_paths for each in kept])
+    missing = float((counts == 1).sum() / counts.sum()) if counts.sum() > 1 else np.nan
+    best = replace(kept[0], rivals=tuple(kept[1:]), missing=missing)
     if any(result.status is Status.INTERRUPTED for result in results):
         best = replace(best, status=Status.INTERRUPTED)
     return best
@@ -165,19 +188,11 @@ def _even(path: JointPath) -> Array:
 
 def _seed(problem: PathProblem, start: Array, goal: Array, seed: int) -> JointPath | str:
     if problem.scene is None:
-        return _random_path(problem.robot, start, goal, seed)
+        return random_path(problem.robot, start, goal, seed)
     try:
         return planned_path(problem, start, goal, seed)
     except PlanningError as error:
         return str(error)
-
-
-def _random_path(robot: Robot, start: Array, goal: Array, seed: int) -> JointPath:
-    """The straight line for seed 0, else a path through a random configuration within half a turn of its middle per joint."""
-    if seed == 0:
-        return JointPath.line(start, goal)
-    via = (start + goal) / 2 + np.random.default_rng(seed).uniform(-np.pi, np.pi, robot.n)
-    return JointPath.through(np.stack([start, np.clip(via, robot.limits.lower, robot.limits.upper), goal]))
 
 
 def _solve(problem: PathProblem, first: JointPath, straight: bool) -> PathResult:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from manipplan.collision.near_pairs import NearPairs
-from manipplan.cost.crossings import find_crossings
+from manipplan.cost.crossings import find_crossings, runs_along
 from manipplan.optimize import clearance as near
 from manipplan.optimize.certificate import SINGLE, UNKNOWN
 from manipplan.optimize.clearance import ClearanceRow
@@ -31,9 +31,9 @@ SAME_SOLUTION = 1e-3
 WORSE = 1.1
 #: A nearly free solution starts another descent if its g is below this share of the lowest g of an optimum found.
 PROMISING = 0.8
-#: Largest displacement of the path from which descents begin beside an optimum that meets several singularities at once
-#: [rad or m].
-ASIDE = 0.5
+#: Largest displacement of the paths from which descents begin beside an optimum that meets several singularities at once
+#: [rad or m], and number of directions, each to both sides.
+ASIDE, DIRECTIONS = 0.5, 3
 #: Maximum deviation of the fit to a path at which the basis counts as containing the path [rad or m].
 SAME = 1e-9
 #: The descent is repeated from the fit to the optimum at an even pace while that lowers g by more than this share.
@@ -135,7 +135,7 @@ class LocalSearch(ProvenDescents):
         """
         best = self.descend(name, coefficients)
         while self.repaces and best is not None and best.optimality.active_clearance == 0.0 and np.isfinite(best.cost.g):
-            again = self.descend("even pace", self._followed(best.path)[1])
+            again = self.descend("even pace", self._followed(best.path)[1], softens=False)
             if again is None or again.cost.g >= best.cost.g:
                 break
             gain = best.cost.g - again.cost.g
@@ -149,23 +149,30 @@ class LocalSearch(ProvenDescents):
         return [] if best is None else [best]
 
     def _beside(self, found: Candidate) -> Candidate:
-        """The best of an optimum and those reached from either side of it, where it meets several singularities at once.
+        """The best of an optimum and those reached from beside it, where it is likely to be a saddle.
 
-        Such an optimum is often a saddle, at which descents end: where det J has a zero of higher order, g is much larger than
-        with one crossing after the other.
+        Descents end at saddles, too: where det J has a zero of higher order, g is much larger than with one crossing after the
+        other.
         """
-        crossings = find_crossings(found.path, self.program.integral, found.cost)
-        if not any(np.isnan(each.cost) and np.isfinite(each.steepness) and not each.at_end for each in crossings):
-            return found
+        best, rng = found, np.random.default_rng(0)
         shape = self.program.basis.values(np.linspace(0.0, 1.0, near.PLACES + 1)) @ self.program.free[:, :1]
-        aside = np.random.default_rng(0).normal(size=(self.program.n, 1))
-        step = ASIDE / np.abs(shape).max() * aside / np.linalg.norm(aside) @ self.program.free[:, :1].T
-        best = found
-        for sign in (1.0, -1.0):
-            other = self.descend("aside", best.coefficients + sign * step, softens=False)  # a larger floor would lead back
-            if other is not None and other.cost.g < best.cost.g * (1 - WORTH):
-                best = other
+        for _ in range(DIRECTIONS):
+            if not self._is_wedged(best):
+                break
+            aside = rng.normal(size=(self.program.n, 1))
+            step = ASIDE / np.abs(shape).max() * aside / np.linalg.norm(aside) @ self.program.free[:, :1].T
+            for sign in (1.0, -1.0):
+                other = self.descend("aside", best.coefficients + sign * step, softens=False)  # a larger floor would lead back
+                if other is not None and other.cost.g < best.cost.g * (1 - WORTH):
+                    best = other
         return best
+
+    def _is_wedged(self, found: Candidate) -> bool:
+        """Whether a path runs along singularities, or meets several of them at once between its ends."""
+        if runs_along(found.path, self.program.integral, found.cost):
+            return True
+        inner = [each for each in find_crossings(found.path, self.program.integral, found.cost) if not each.at_end]
+        return any(np.isnan(each.cost) and np.isfinite(each.steepness) for each in inner)
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """The local optimum near a free path, through a path of low energy that passes each body on the same side.

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.optimize.homotopy import SolvePool, best_and_rivals, seed_classes, shifted_goals
+from manipplan.optimize.homotopy import FirstPath, SolvePool, best_and_rivals, seed_classes, shifted_goals
 from manipplan.optimize.problem import PathProblem, check_initial, initial_path, solve_local
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.basis import PathShape
@@ -158,7 +158,7 @@ def optimize_path(
     pool = SolvePool(problem=problem, executor=executor, tell=tell)
     if recorded is not None:
         check_initial(problem, recorded, q_start, q_goal)
-        firsts = [recorded]
+        firsts = [FirstPath(path=recorded, count=1)]
     else:
         try:
             with interruptible():

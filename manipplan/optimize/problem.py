@@ -12,7 +12,7 @@ from manipplan.collision.covers.coarse import coarse_scene, without_pieces_at
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene
-from manipplan.cost.crossings import least_crossings, runs_along
+from manipplan.cost.crossings import find_crossings, least_crossings, runs_along
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective
 from manipplan.optimize.local import LocalSearch
@@ -25,6 +25,7 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.seeds.aspect import Aspect
 from manipplan.seeds.ompl import CHECK_STEP, PROVABLE, seed_path
+from manipplan.seeds.random_path import random_path
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, InvalidInputError, PlanningError
@@ -38,6 +39,8 @@ log = logging.getLogger("manipplan")
 BEGINNING, STRIDE = 6, 3
 #: A later local optimum is preferred to an earlier one when its g is lower by more than this share.
 TIE = 1e-5
+#: Maximum number of further first paths without obstacles, where the best path crosses singularities more often than it must.
+MORE_PATHS = 3
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -170,6 +173,8 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
     2. The path `first`. For a given path, or with several pieces, the descent starts at the path itself. Otherwise, or if that
        gives no collision-free path, it starts at a path of low energy near it.
     3. The optimum of a lower degree.
+    4. Without obstacles, while the best path crosses singularities more often than the lower bound: paths through random
+       configurations.
     """
     if (coarse := problem.coarse()) is not None:
         return _optima_among_many(problem, coarse, search, first, straight)
@@ -184,7 +189,24 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
         search.history.extend(result.history)
         if result.status.ok:
             found += search.embedded(result.path)
+    if problem.scene is None and is_line and search.repaces:
+        found += _with_fewer_crossings(problem, search, found)
     return found
+
+
+def _with_fewer_crossings(problem: PathProblem, search: LocalSearch, found: Sequence[Candidate]) -> list[Candidate]:
+    """Optima reached from paths through random configurations, until one crosses singularities as few times as possible."""
+    least = least_crossings(search.program.kinematics, search.start, search.goal)
+    more: list[Candidate] = []
+    for seed in range(1, MORE_PATHS + 1):
+        best = _best([*found, *more])
+        if least is None or best is None:
+            break
+        crossings = find_crossings(best.path, search.program.integral, best.cost)
+        if sum(not each.at_end for each in crossings) <= least:
+            break
+        more += search.from_safe_path(random_path(problem.robot, search.start, search.goal, seed))
+    return more
 
 
 def _optima_among_many(

@@ -109,16 +109,18 @@ class JointPath:
     def __call__(self, s: ArrayLike, order: int = 0) -> Array:
         """q(s), or its derivative of the given order with respect to s; s (...) in [0, 1] gives (..., n)."""
         s = number_array("s", s)
-        if not ((s >= 0) & (s <= 1)).all():
+        if s.size and not (s.min() >= 0 and s.max() <= 1):  # also NaN
             raise InvalidInputError("s", s, "numbers from 0 to 1")
         order = whole_number("order", order, least=0)
-        piece = np.clip(np.searchsorted(self.breaks, s, side="right") - 1, 0, len(self.control) - 1)
-        width = np.diff(self.breaks)
         control = self.control
+        width = np.diff(self.breaks)
         for _ in range(order):
             if control.shape[1] == 1:
                 return np.zeros((*s.shape, self.n))
-            control = np.diff(control, axis=1) * ((control.shape[1] - 1) / width[:, None, None])
+            control = (control[:, 1:] - control[:, :-1]) * ((control.shape[1] - 1) / width[:, None, None])
+        if len(control) == 1:
+            return np.asarray(np.einsum("...k,kn->...n", bernstein(control.shape[1] - 1, s), control[0]))
+        piece = np.clip(np.searchsorted(self.breaks, s, side="right") - 1, 0, len(control) - 1)
         u = (s - self.breaks[piece]) / width[piece]
         return np.asarray(np.einsum("...k,...kn->...n", bernstein(control.shape[1] - 1, u), control[piece]))
 
