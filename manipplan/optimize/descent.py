@@ -66,12 +66,14 @@ class Descent:
         z: unknowns (f, n).
         steps: number of steps that were tried.
         reason: why it ended.
+        violation: largest violation of limits and target clearance there [rad or m].
         exhausted: it ended after the maximum number of steps, before it converged.
     """
 
     z: Array
     steps: int
     reason: str
+    violation: float
     exhausted: bool
 
 
@@ -237,7 +239,7 @@ def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None
 
     def ended(steps: int, reason: str, *, exhausted: bool = False) -> Descent:
         log.debug("descent: %s after %d steps", reason, steps)
-        return Descent(z=here.z, steps=steps, reason=reason, exhausted=exhausted)
+        return Descent(z=here.z, steps=steps, reason=reason, violation=here.violation, exhausted=exhausted)
 
     for count in range(steps):
         if model is None:

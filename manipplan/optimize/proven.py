@@ -140,6 +140,9 @@ class ProvenDescents:
             descent = descend(true, z, tolerance=ROUGH if preliminary else None)
             steps += descent.steps
             coefficients = true.length.curves.coefficients(descent.z)
+            if preliminary and descent.violation - margin > STUCK and not descent.exhausted:
+                log.debug("descent: stuck in an obstacle")
+                break
             if preliminary:
                 continue
             path = true.path(descent.z)
