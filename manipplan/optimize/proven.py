@@ -177,7 +177,7 @@ class ProvenDescents:
             converged = optimality.reached or not descent.exhausted
             if not np.isfinite(cost.g) or self.until is Until.PROVEN:
                 break
-            settled |= (self.until is Until.OPTIMAL or self.model is None) and optimality.reached
+            settled |= optimality.reached
             if settled and converged and (agrees or not refined):
                 if best.optimality.reached or backed_off or not WIDE_MARGINS[-1] < self.room:
                     break
