@@ -78,6 +78,8 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/control_step.py
 	$(BIN)/python benchmarks/six_joint_arms.py
 	$(BIN)/python benchmarks/motionbenchmaker.py
+	$(BIN)/python benchmarks/motionbenchmaker.py --arm ur5
+	$(BIN)/python benchmarks/first_paths.py
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py
 	$(BIN)/python benchmarks/planar_suite.py

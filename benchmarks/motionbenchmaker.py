@@ -1,7 +1,7 @@
-"""MotionBenchMaker's problems of the Panda through `mp.plan`: how many are refused, solved and optimised, and in what time.
+"""MotionBenchMaker's problems of an arm through `mp.plan`: how many are refused, solved and optimised, and in what time.
 
-Run with `make benchmark`, which plans the first 8 of each set; `--problems 50` plans all 350. Writes
-docs/benchmarks/motionbenchmaker.md. The problems and their licence: benchmarks/outside/README.md. Times are wall times of this
+Run with `make benchmark`, which plans the first 8 of each set; `--problems 50` plans all 350, `--arm ur5` those of the UR5. Writes
+docs/benchmarks/motionbenchmaker.md, for the UR5 motionbenchmaker_ur5.md. The problems and their licence: benchmarks/outside/README.md. Times are wall times of this
 machine.
 """
 
@@ -21,7 +21,8 @@ from rich.progress import track
 
 import manipplan as mp
 
-OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "motionbenchmaker.md"
+TABLES = Path(__file__).parents[1] / "docs" / "benchmarks"
+OUT = {"panda": TABLES / "motionbenchmaker.md", "ur5": TABLES / "motionbenchmaker_ur5.md"}
 BEYOND, TOUCHES = "beyond a joint limit", "not free"
 #: What becomes of a problem: the column's head, and the statuses that count there.
 OUTCOMES = {
@@ -44,6 +45,7 @@ class Outcome:
         set, result: its set, and one of BEYOND, TOUCHES and OUTCOMES.
         seconds: wall time of `mp.plan`; NaN where it was refused.
         ratio: g over the seed's; NaN where there is no motion.
+        proven: the motion is proven free of collision between all samples.
         meshes_free: of one that is not free, whether the meshes of the arm touch no obstacle.
     """
 
@@ -51,6 +53,7 @@ class Outcome:
     result: str
     seconds: float = np.nan
     ratio: float = np.nan
+    proven: bool = False
     meshes_free: bool = False
 
 
@@ -92,7 +95,8 @@ def outcome(robot: mp.Robot, problem: problems.Problem) -> Outcome:
     seconds = time.perf_counter() - began
     [result] = [name for name, statuses in OUTCOMES.items() if plan.status.name in statuses]
     ratio = plan.report.g / plan.report.seed_g if result in SOLVED and plan.report is not None else np.nan
-    return Outcome(set=problem.set, result=result, seconds=seconds, ratio=ratio)
+    proven = result in SOLVED and plan.report is not None and plan.report.proven_clearance >= 0
+    return Outcome(set=problem.set, result=result, seconds=seconds, ratio=ratio, proven=proven)
 
 
 def row(name: str, found: Sequence[Outcome]) -> str:
@@ -110,9 +114,11 @@ def row(name: str, found: Sequence[Outcome]) -> str:
 def main(arguments: Sequence[str] | None = None) -> list[Outcome]:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--problems", type=int, default=8, help="number of problems of each set, at most 50")
-    parser.add_argument("--out", type=Path, default=OUT, help="file of the table")
+    parser.add_argument("--arm", choices=tuple(OUT), default="panda", help="whose problems")
+    parser.add_argument("--out", type=Path, help="file of the table")
     given = parser.parse_args(arguments)
-    every, robot = problems.load("panda"), problems.robot("panda")
+    out = OUT[given.arm] if given.out is None else given.out
+    every, robot = problems.load(given.arm), problems.robot(given.arm)
     by_set: dict[str, list[problems.Problem]] = defaultdict(list)
     for problem in every:
         by_set[problem.set].append(problem)
@@ -129,17 +135,17 @@ def main(arguments: Sequence[str] | None = None) -> list[Outcome]:
         *(row(name, [each for each in found if each.set == name]) for name in by_set),
         row("all", found),
         "",
-        f"{solved} of {len(found)} get a motion, and {optimised} an optimised one.",
+        f"{solved} of {len(found)} get a motion, {sum(each.proven for each in found)} a proven one, and {optimised} an optimised one.",
         "",
         f"Of all {len(every)} problems {len(refused)} are refused before any planning: {counts[BEYOND]} with an end {BEYOND}, "
         f"{counts[TOUCHES]} with an end that is {TOUCHES}. "
         f"The meshes of the links touch nothing in {sum(each.meshes_free for each in refused)} of these {counts[TOUCHES]}.",
         "",
         f"The first {given.problems} of each set; Python {platform.python_version()}, {platform.machine()}; command: "
-        f"`.venv/bin/python benchmarks/motionbenchmaker.py --problems {given.problems}`.",
+        f"`.venv/bin/python benchmarks/motionbenchmaker.py --arm {given.arm} --problems {given.problems}`.",
     ]
-    given.out.parent.mkdir(parents=True, exist_ok=True)
-    given.out.write_text("\n".join(lines) + "\n")
+    out.parent.mkdir(parents=True, exist_ok=True)
+    out.write_text("\n".join(lines) + "\n")
     print("\n".join(lines))
     return found
 

@@ -22,6 +22,7 @@ from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
 from manipplan.jobs.check import Report
 from manipplan.jobs.follow import follow
 from manipplan.jobs.improve import improve
+from manipplan.jobs.other_goals import OtherGoal, other_goals
 from manipplan.jobs.plan import plan
 from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.kinematics.evaluate import Evaluator
@@ -124,6 +125,7 @@ __all__ = [
     "MissingSourcesError",
     "NoPath",
     "Obstacle",
+    "OtherGoal",
     "PartialPlan",
     "PathClearance",
     "PathCost",
@@ -173,6 +175,7 @@ __all__ = [
     "load_robot",
     "max_min_search",
     "optimize_path",
+    "other_goals",
     "path_cost",
     "pinocchio_casadi",
     "plan",

@@ -5,7 +5,7 @@ from typing import Any
 
 ORDER = {
     "first_steps": ("first_plan", "own_robot", "trajectory_files"),
-    "plan": ("shelf", "cell", "rivals", "power_and_degree", "singular", "timing"),
+    "plan": ("shelf", "cell", "rivals", "power_and_degree", "singular", "home", "timing"),
     "follow": ("all_solutions", "weld_seam", "talos_circle"),
     "track": ("tracking", "improve_recording", "avoidance", "live_follow"),
     "measure": ("measures", "workspace_map", "own_measure", "planar_postures", "pictures"),

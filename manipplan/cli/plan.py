@@ -8,11 +8,16 @@ from tyro.conf import OmitArgPrefixes, Positional
 from manipplan.cli import terminal
 from manipplan.cli.arm import RobotOptions, configuration_of
 from manipplan.cost.objective import PathObjective
+from manipplan.jobs.other_goals import other_goals as find_other_goals
 from manipplan.jobs.plan import plan as plan_job
 from manipplan.paths.basis import PathShape
 from manipplan.seeds.seeding import Seeding
+from manipplan.support.checks import whole_number
 from manipplan.support.files import place_for
 from manipplan.support.progress import part
+
+#: Line for a goal without another configuration.
+NO_OTHER = "no other configuration of the goal's pose is inside the limits, collision-free and reached by a path"
 
 
 def plan(
@@ -32,6 +37,7 @@ def plan(
     seed: int = 0,
     seeds: int = 1,
     time_limit: float = 10.0,
+    other_goals: int = 0,
 ) -> int:
     """Plan a motion and write it as CSV, JSON and ROS JointTrajectory, with a report and a picture.
 
@@ -51,23 +57,32 @@ def plan(
         seed: Random seed of the planner.
         seeds: Number of first paths to search for.
         time_limit: Time limit of the planner's search [s].
+        other_goals: Number of other configurations of the goal's pose to try and list with their g; they are not timed.
     """
     folder = place_for("out", out)
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
         arm, world = options.load(robot, jerk=jerk)
+        ends = configuration_of("start", start, arm), configuration_of("goal", goal, arm)
+        objective = PathObjective(power=power, measure=measure)
+        most = whole_number("other_goals", other_goals, least=0)
         made = plan_job(
             arm,
-            configuration_of("start", start, arm),
-            configuration_of("goal", goal, arm),
+            *ends,
             world,
-            objective=PathObjective(power=power, measure=measure),
+            objective=objective,
             shape=PathShape(degree=degree),
             seeding=Seeding(seed=seed, count=seeds, time_limit=time_limit, shifts=shifts),
             clearance=clearance,
             torque=torque,
-            progress=part(tell, 0.0, 0.95),
+            progress=part(tell, 0.0, 0.6 if most else 0.95),
         )
+        lines = []
+        if most:
+            others = find_other_goals(
+                arm, *ends, world, objective=objective, clearance=clearance, most=most, progress=part(tell, 0.6, 0.95)
+            )
+            lines = ["other configurations of the goal's pose", *(f"  {each}" for each in others)] if others else [NO_OTHER]
         tell(1.0, "writing files")
         files = made.save(folder)
-    return terminal.show_plan(made, files)
+    return terminal.show_plan(made, files, *lines)

@@ -6,7 +6,7 @@ has a limit as ε falls to 0 for p < 1 + k_c. For p = 1 the integral is asinh(M 
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -40,6 +40,8 @@ NEAR, BENT = 10.0, 0.2
 SAME = 1e-2
 #: A factor of det J is zero below this share of its usual size.
 ZERO = 1e-6
+#: The share of a singular end goes up to where m reaches this part of its typical value.
+OUT = 0.1
 #: A path runs along singularities where m is below the floor on more than this share of its length.
 LONG = 0.1
 #: Number of places of the path at which that is measured.
@@ -58,12 +60,17 @@ class Crossing:
             where the path stands still.
         cost: share of it in g, for m up to its typical value and linear in ℓ. nan where m is not linear there, such as where
             several factors vanish at once, and for powers from 3 on (2 at an end), whose rest has no limit.
+        share: part of g, from 0 to 1, that a singular start or goal takes: up to where m first reaches a tenth of its typical
+            value. nan for a place between them.
+        lost: unit vector in the rows of the task: the velocity of the tool that no joint velocity gives there.
     """
 
     at: float
     kind: str
     steepness: float
     cost: float
+    share: float = np.nan
+    lost: tuple[float, ...] = ()
 
     @property
     def at_end(self) -> bool:
@@ -74,7 +81,8 @@ class Crossing:
         kind = f"{self.kind} singularity" if self.kind else "singularity"
         article = "an" if kind.startswith(("a", "e")) else "a"
         if self.at_end:
-            return f"{'starts' if self.at == 0 else 'ends'} at {article} {kind}"
+            share = "" if np.isnan(self.share) else f" ({100 * self.share:.0f} % of g)"
+            return f"{'starts' if self.at == 0 else 'ends'} at {article} {kind}{share}"
         return f"crosses {article} {kind} at s = {self.at:.3f}"
 
 
@@ -95,7 +103,8 @@ def find_crossings(path: JointPath, integral: PathIntegral, cost: PathCost) -> t
         inner = cost.at not in (0.0, 1.0) and _loses_rank(kinematics, path(np.array([cost.at])))
         met = [(cost.at, "")] if inner else []
     met += [(s, _listed(_vanishing(kinematics, q))) for s, q in ends.items()]
-    return tuple(_crossing(path, integral, s, kind) for s, kind in sorted(met))
+    found = [_crossing(path, integral, s, kind) for s, kind in sorted(met)]
+    return tuple(replace(each, share=_share(path, integral, cost, each.at)) if each.at_end else each for each in found)
 
 
 def least_crossings(kinematics: Kinematics, start: Array, goal: Array) -> int | None:
@@ -156,10 +165,13 @@ def describe(crossings: Sequence[Crossing], least: int | None) -> str:
 
 def _crossing(path: JointPath, integral: PathIntegral, s: float, kind: str) -> Crossing:
     kinematics = integral.kinematics
+    left, _, _ = np.linalg.svd(kinematics.jacobian(path(np.array([s])))[0])
+    lost = left[:, -1] * np.sign(left[np.abs(left[:, -1]).argmax(), -1])
+    at = {"at": s, "kind": kind, "lost": tuple(lost.tolist())}
     ends = path(np.clip([s - WIDTH, s + WIDTH], 0.0, 1.0))
     moved = ends[1] - ends[0]
     if np.abs(moved).max() < STANDING:
-        return Crossing(at=s, kind=kind, steepness=np.nan, cost=np.nan)
+        return Crossing(**at, steepness=np.nan, cost=np.nan)
     if kinematics.is_square and isinstance(kinematics.measure, Yoshikawa):
         change = abs(float(np.diff(_determinants(kinematics, ends))[0]))
     else:
@@ -169,7 +181,17 @@ def _crossing(path: JointPath, integral: PathIntegral, s: float, kind: str) -> C
     cost = np.nan
     if integral.power < 1 + sides and _is_linear(path, integral, s, steepness):
         cost = sides / steepness * _linear_cost(integral, typical_measure(kinematics))
-    return Crossing(at=s, kind=kind, steepness=steepness, cost=cost)
+    return Crossing(**at, steepness=steepness, cost=cost)
+
+
+def _share(path: JointPath, integral: PathIntegral, cost: PathCost, end: float) -> float:
+    """The part of g between an end and the place where m first reaches a tenth of its typical value."""
+    s = np.abs(end - np.linspace(0.0, 1.0, PLACES + 1))
+    high = integral.kinematics.manipulability(path(s)) >= OUT * typical_measure(integral.kinematics)
+    until = s[int(high.argmax())] if high.any() else 1.0 - end
+    edges = np.unique(np.append(integral.fine_panels(path), until))
+    inside = edges[(edges - until) * (end - until) >= 0]
+    return float(min(integral.on_panels(path, inside) / cost.g, 1.0)) if np.isfinite(cost.g) else np.nan
 
 
 def _is_linear(path: JointPath, integral: PathIntegral, s: float, steepness: float) -> bool:

@@ -35,6 +35,8 @@ AT_END = 0.01
 VANISHING = 1e-12
 #: Number of equal intervals of time, at whose ends the report measures distances.
 PLACES = 400
+#: Number of intervals in which m is compared with the floor, and of parts of those at whose ends it is below this many floors.
+FINE_PLACES, PARTS, NEAR = 5_000, 200, 100.0
 
 
 @one_line
@@ -53,6 +55,7 @@ class Report:
             occurs.
         seed_min_manipulability, straight_min_manipulability: minimum manipulability on the seed, and on the straight line.
         crossing_note: which singularities the trajectory meets, and whether that can be avoided; "" for none.
+        below_floor: time for which m is below the floor of g [s], to 1e-6 of the duration.
         minimum_note: how the minimum manipulability compares with those two, and the reason if it is not twice both.
         clearance, nearest_pair: minimum distance [m] measured at evenly spaced times, and its pair; inf and () if nothing
             is checked.
@@ -95,6 +98,7 @@ class Report:
     passed: bool
     floor: float = 0.0
     crossing_note: str = ""
+    below_floor: float = 0.0
 
     @classmethod
     def of(
@@ -152,6 +156,7 @@ class Report:
             straight_min_manipulability=straight.min_manipulability,
             minimum_note=_minimum_note(cost, result, straight),
             crossing_note=describe(find_crossings(path, integral, cost), least_crossings(kinematics, path.start, path.goal)),
+            below_floor=trajectory.duration * _share_below(path, integral, cost),
             clearance=min(least, proof.upper),
             nearest_pair=pair,
             proven_clearance=proof.lower,
@@ -179,6 +184,11 @@ class Report:
         ]
         if self.crossing_note:
             lines.append(f"  singularity  {self.crossing_note}")
+            if self.below_floor > 0:
+                lines.append(
+                    f"               m is below {self.floor:.2g} for {1e3 * self.below_floor:.2g} ms: the joints move on, "
+                    "but a controller of the tool cannot correct it in one direction"
+                )
         if self.nearest_pair:
             lines.append(
                 f"  clearance    {1e3 * self.clearance:.2f} mm between {' and '.join(self.nearest_pair)}; "
@@ -227,6 +237,18 @@ def _standing(path: JointPath, integral: PathIntegral) -> PathCost:
     """The cost of standing still, in place of that of the straight line, for a path that returns to its start."""
     m = float(integral.kinematics.manipulability(path.start))
     return PathCost(g=0.0, length=0.0, min_manipulability=m, at=0.0)
+
+
+def _share_below(path: JointPath, integral: PathIntegral, cost: PathCost) -> float:
+    """The share of [0, 1] on which m is below the floor."""
+    if cost.min_manipulability >= integral.floor:
+        return 0.0
+    s = np.linspace(0.0, 1.0, FINE_PLACES + 1)
+    near = integral.kinematics.manipulability(path(s)) < NEAR * integral.floor
+    begin = s[:-1][near[:-1] | near[1:]]
+    between = begin[:, None] + (np.arange(PARTS) + 0.5) / (PARTS * FINE_PLACES)
+    low = integral.kinematics.manipulability(path(between.ravel())) < integral.floor
+    return float(low.sum() / (PARTS * FINE_PLACES))
 
 
 def _shown(m: float) -> str:

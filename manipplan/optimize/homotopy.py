@@ -65,7 +65,7 @@ class SolvePool:
         """The optimiser's result from each first path; the first one to each goal is solved from the straight line as well."""
         tasks = []
         for k, first in enumerate(firsts):
-            known = any(np.array_equal(first.path.goal, other.path.goal) for other in firsts[:k])
+            known = any(np.abs(first.path.goal - other.path.goal).max() < SAME for other in firsts[:k])
             tasks.append((first.path, not known))
         results = self._each(_solve, tasks, part(self.tell, 0.33, 1.0), "optimising the path")
         return [replace(result, first_paths=first.count) for result, first in zip(results, firsts, strict=False)]
@@ -97,6 +97,7 @@ def seed_classes(pool: SolvePool, start: Array, goals: Sequence[Array], seeds: I
     """
     tasks = list(itertools.product(goals, seeds))
     found = pool.seeds(start, tasks)
+    of_goal = [goal for (goal, _), path in zip(tasks, found, strict=True) if isinstance(path, JointPath)]
     paths = [path for path in found if isinstance(path, JointPath)]
     if not paths:
         raise PlanningError(str(found[0]))
@@ -104,7 +105,7 @@ def seed_classes(pool: SolvePool, start: Array, goals: Sequence[Array], seeds: I
     if model is None or len(paths) == 1:
         return [FirstPath(path=path, count=1) for path in paths]
     integral = pool.problem.integral()
-    is_first = [not any(np.array_equal(path.goal, other.goal) for other in paths[:k]) for k, path in enumerate(paths)]
+    is_first = [not any(goal is other for other in of_goal[:k]) for k, goal in enumerate(of_goal)]
     order = sorted(range(len(paths)), key=lambda k: (not is_first[k], integral.cost(paths[k]).g))
     chosen: list[FirstPath] = []
     for path in (paths[k] for k in order):

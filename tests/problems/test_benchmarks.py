@@ -10,6 +10,7 @@ import manipplan as mp
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 import control_step
+import first_paths
 import motionbenchmaker
 import six_joint_arms
 import version_01
@@ -60,6 +61,25 @@ def test_pairs_of_six_joint_arms_are_optimised(tmp_path):
     assert all(each.ratio < 1 and each.crossings >= each.least for each in found)
     assert max(each.least for each in found) > 0
     assert "| all | 8 |" in (tmp_path / "table.md").read_text()
+
+
+def test_upright_ur5_gets_a_proven_and_optimised_motion():
+    ur5, problem = problems.robot("ur5"), problems.load("ur5")[0]
+    assert np.allclose(problem.start, [0.0, -1.5707, 0.0, -1.5707, 0.0, 0.0], atol=1e-3)
+    outcome = motionbenchmaker.outcome(ur5, problem)
+    assert outcome.result in motionbenchmaker.OPTIMISED
+    assert outcome.proven
+    assert 0 < outcome.ratio < 1
+
+
+@pytest.mark.slow
+def test_twelve_first_paths_are_never_worse_than_one(tmp_path):
+    made = first_paths.main(["--pairs", "1", "--out", str(tmp_path / "table.md")])
+    every = [each for found in made.values() for each in found]
+    assert len(every) == len(made) == 9
+    assert all(each.ratio <= 1 + 1e-5 for each in every)
+    assert all(each.apart <= 1e-3 for each in every if each.clear)
+    assert any(each.clear for each in every)
 
 
 def test_at_rest_bounds_are_active_and_along_a_path_hardly_any(tmp_path):

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 from scipy.special import ellipkinc
 
 import manipplan as mp
@@ -264,7 +265,8 @@ def test_sentences():
     assert told.count("crosses an elbow singularity") == 2 and "may lie in one aspect" in told
     assert describe((), 0) == ""
     upright = crossings_of(mp.JointPath.line(UPRIGHT, start), integral)
-    assert str(upright[0]) == "starts at an elbow, wrist and shoulder singularity" and upright[0].at_end
+    assert upright[0].at_end
+        assert str(upright[0]) == f"starts at an elbow, wrist and shoulder singularity ({100 * upright[0].share:.0f} % of g)"
 
 
 def test_powers_whose_rest_has_no_limit_have_no_cost(two_links):
@@ -401,3 +403,89 @@ def test_moving_panels_give_exact_derivatives(two_links, floor, rng):
         np.testing.assert_allclose(bend, true.length.hessian(z) @ along.ravel(), rtol=1e-3, atol=1e-4)
         path = true.path(z)
         assert true.length.without_energy.value(z) * true.length.g0 == pytest.approx(integral.cost(path).g, rel=1e-9)
+
+
+def test_a_singular_start_has_its_share_of_g():
+    plan = mp.plan(mp.load_robot("ur5"), UPRIGHT, [0.8, -1.0, 1.2, -0.5, 0.7, 0.3])
+    start = plan.result.certificate.crossings[0]
+    assert start.at == 0.0 and 0.9 < start.share <= 1.0
+    assert f"({100 * start.share:.0f} % of g)" in str(start)
+
+
+def test_the_share_of_an_end_is_its_part_of_the_integral(two_links):
+    """θ₂ from 0 to 1 at constant θ₁: m = sin θ₂, so ∫ dθ / sqrt(sin² θ + ε²) up to a tenth of the typical m."""
+    integral = replace(mp.PathObjective(task=mp.Task.planar()).integral(two_links), floor=1e-3)
+    path = mp.JointPath.line([0.3, 0.0], [0.3, 1.0])
+    cost = integral.cost(path)
+    [start] = find_crossings(path, integral, cost)
+    until = np.arcsin(0.1 * typical_measure(integral.kinematics))
+    part, _ = quad(lambda x: 1 / np.hypot(np.sin(x), 1e-3), 0.0, until, epsabs=1e-10)
+    assert start.share == pytest.approx(part / cost.g, rel=2e-3)
+
+
+def test_the_lost_direction_is_one_that_no_joint_gives(two_links):
+    """Stretched along x, a two-link arm cannot move its tip along x."""
+    integral = mp.PathObjective(task=mp.Task.planar()).integral(two_links)
+    path = mp.JointPath.line([0.5, -0.5], [-0.5, 0.5])
+    [crossing] = find_crossings(path, integral, integral.cost(path))
+    q = path(np.array([crossing.at]))
+    lost = np.array(crossing.lost)
+    assert np.linalg.norm(lost) == pytest.approx(1.0)
+    np.testing.assert_allclose(lost @ integral.kinematics.jacobian(q)[0], 0.0, atol=1e-6)
+    np.testing.assert_allclose(lost, [1.0, 0.0], atol=1e-6)
+
+
+def test_the_report_tells_how_long_m_is_below_the_floor():
+    robot = mp.load_robot("ur5")
+    plan = mp.plan(robot, [0.0, -1.2, 1.4, -1.0, 1.0, 0.0], [0.8, -0.9, -1.0, -1.4, 1.4, 0.5])
+    t = np.linspace(0.0, plan.trajectory.duration, 2_000_001)
+    share = (robot.kinematics().manipulability(plan.trajectory(t)) < plan.result.floor).mean()
+    assert 0 < plan.report.below_floor == pytest.approx(share * plan.trajectory.duration, rel=0.05)
+    assert f"for {1e3 * plan.report.below_floor:.2g} ms" in str(plan.report)
+    away = mp.plan(robot, [0.0, -1.2, 1.4, -1.0, 1.0, 0.0], [0.5, -1.0, 1.2, -1.2, 1.2, 0.2])
+    assert away.report.below_floor == 0.0 and "is below" not in str(away.report)
+
+
+def test_another_goal_avoids_the_crossing():
+    robot = mp.load_robot("ur5")
+    start, goal = [0.4, -1.2, 1.5, -1.8, -1.3, 0.7], [1.4, -0.5, -1.3, 0.3, -1.2, 0.5]
+    given = mp.optimize_path(robot, start, goal, mp.Scene())
+    assert given.certificate.least_crossings == 1
+    others = mp.other_goals(robot, start, goal, mp.Scene(), most=2)
+    kinematics = robot.kinematics()
+    assert len(others) == 2 and others[0].g <= others[1].g < given.g
+    for other in others:
+        np.testing.assert_allclose(kinematics.pose(other.q), kinematics.pose(np.array(goal)), atol=1e-9)
+        np.testing.assert_array_equal(other.result.path.goal, other.q)
+        assert other.least_crossings == 0 and not other.result.certificate.crossings
+        assert not mp.Scene().in_collision(robot, other.q)
+    assert "crosses no singularity" in str(others[0])
+
+
+def test_other_goals_avoid_obstacles_and_exclude_the_goal_itself():
+    robot = mp.load_robot("ur5")
+    start, goal = np.array([0.4, -1.2, 1.5, -1.8, -1.3, 0.7]), np.array([1.4, -0.5, -1.3, 0.3, -1.2, 0.5])
+    [best] = mp.other_goals(robot, start, goal, most=1)
+    assert np.abs(best.q - goal).max() > 0.1
+    links = robot.kinematics().pose(best.q)[:3, 3]
+    elbow = mp.Sphere(radius=0.05, position=[0.0, 0.0, 5.0], name="far")
+    assert len(mp.other_goals(robot, start, goal, mp.Scene([elbow]), most=1)) == 1
+    at_tool = mp.Scene([mp.Sphere(radius=0.05, position=links, name="ball")])
+    assert mp.other_goals(robot, start, goal, at_tool, most=1) == ()  # every solution has its tool in the ball
+    with pytest.raises(mp.InvalidInputError, match="most"):
+        mp.other_goals(robot, start, goal, most=0)
+    with pytest.raises(mp.InvalidInputError, match="start"):
+        mp.other_goals(robot, start[:3], goal)
+
+
+def test_more_first_paths_are_never_worse_and_are_counted():
+    robot = mp.load_robot("ur5")
+    start, goal = [0.0, -1.2, 1.4, -1.0, 1.0, 0.0], [0.8, -0.9, -1.0, -1.4, 1.4, 0.5]
+    post = mp.Scene([mp.Cylinder(radius=0.06, length=1.5, position=(0.35, 0.35, 0.5), name="post")])
+    one = mp.optimize_path(robot, start, goal, post)
+    several = mp.optimize_path(robot, start, goal, post, seeding=mp.Seeding(count=4))
+    assert several.g <= one.g * (1 + 1e-5)
+    found = (several, *several.rivals)
+    assert sum(each.first_paths for each in found) == 4
+    assert several.missing == sum(each.first_paths == 1 for each in found) / 4
+    assert np.isnan(one.missing) and one.first_paths == 1

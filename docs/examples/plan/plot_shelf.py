@@ -65,7 +65,7 @@ goal = goals[np.linalg.norm(goals - start, axis=1).argmin()]
 
 # %%
 # ``mp.Seeding(count=3)`` looks for three first paths. Paths that can be deformed into
-# each other without a collision belong to one class, and only the best of each class is
+# each other without a collision belong to one class, and of each class one is
 # optimised. The best result is returned, and those of the other classes are kept as
 # rivals.
 

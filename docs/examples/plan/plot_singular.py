@@ -32,18 +32,14 @@ assert result.status is mp.Status.OPTIMAL
 assert len(certificate.crossings) == certificate.least_crossings == 1
 
 # %%
-# Only the pose of the tool matters, and other configurations reach it. Take those in the
-# aspect of the start, and choose the one whose path has the smallest g.
+# Only the pose of the tool matters, and other configurations reach it.
+# ``mp.other_goals`` optimises paths to those that need the fewest crossings and are
+# nearest to the start.
 
-solutions = mp.inverse_kinematics(robot, kinematics.pose(goal)).q
-nearest = solutions[np.argsort(np.linalg.norm(solutions - start, axis=1))][:8]
-tried = [mp.optimize_path(robot, start, q) for q in nearest]
-for candidate in tried:
-    print(
-        f"goal {candidate.path.goal.round(2)}: g {candidate.g:.0f}, "
-        f"{len(candidate.certificate.crossings)} crossings"
-    )
-best = min(tried, key=lambda candidate: candidate.g)
+others = mp.other_goals(robot, start, goal)
+for other in others:
+    print(other)
+best = others[0].result
 assert not best.certificate.crossings
 assert np.allclose(kinematics.pose(best.path.goal), kinematics.pose(goal), atol=1e-9)
 
