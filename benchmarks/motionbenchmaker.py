@@ -1,8 +1,8 @@
 """MotionBenchMaker's problems of an arm through `mp.plan`: how many are refused, solved and optimised, and in what time.
 
-Run with `make benchmark`, which plans the first 8 of each set; `--problems 50` plans all 350, `--arm ur5` those of the UR5. Writes
-docs/benchmarks/motionbenchmaker.md, for the UR5 motionbenchmaker_ur5.md. The problems and their licence: benchmarks/outside/README.md. Times are wall times of this
-machine.
+Run with `make benchmark`, which plans the first 8 of each set of the Panda and of the UR5; `--problems 50` plans all 350.
+Writes docs/benchmarks/motionbenchmaker.md, for the UR5 motionbenchmaker_ur5.md. The problems and their licence:
+benchmarks/outside/README.md. Times are wall times of this machine.
 """
 
 import argparse
@@ -128,6 +128,7 @@ def main(arguments: Sequence[str] | None = None) -> list[Outcome]:
     mp.plan(robot, robot.neutral, robot.neutral + 0.1)  # compiles, which no row counts
     found = [outcome(robot, problem) for problem in track(chosen, description="planning")]
     solved, optimised = (sum(each.result in names for each in found) for names in (SOLVED, OPTIMISED))
+    proven = sum(each.proven for each in found)
     lines = [
         f"| set | problems | refused: {BEYOND} | refused: {TOUCHES} | of these free by the meshes | {' | '.join(OUTCOMES)} "
         "| wall time: median, worst | g over the seed's: median, worst |",
@@ -135,7 +136,7 @@ def main(arguments: Sequence[str] | None = None) -> list[Outcome]:
         *(row(name, [each for each in found if each.set == name]) for name in by_set),
         row("all", found),
         "",
-        f"{solved} of {len(found)} get a motion, {sum(each.proven for each in found)} a proven one, and {optimised} an optimised one.",
+        f"{solved} of {len(found)} get a motion, {proven} a proven one, and {optimised} an optimised one.",
         "",
         f"Of all {len(every)} problems {len(refused)} are refused before any planning: {counts[BEYOND]} with an end {BEYOND}, "
         f"{counts[TOUCHES]} with an end that is {TOUCHES}. "

@@ -103,8 +103,8 @@ def find_crossings(path: JointPath, integral: PathIntegral, cost: PathCost) -> t
         inner = cost.at not in (0.0, 1.0) and _loses_rank(kinematics, path(np.array([cost.at])))
         met = [(cost.at, "")] if inner else []
     met += [(s, _listed(_vanishing(kinematics, q))) for s, q in ends.items()]
-    found = [_crossing(path, integral, s, kind) for s, kind in sorted(met)]
-    return tuple(replace(each, share=_share(path, integral, cost, each.at)) if each.at_end else each for each in found)
+    crossings = [_crossing(path, integral, s, kind) for s, kind in sorted(met)]
+    return tuple(replace(each, share=_share(path, integral, cost, each.at)) if each.at_end else each for each in crossings)
 
 
 def least_crossings(kinematics: Kinematics, start: Array, goal: Array) -> int | None:
@@ -167,11 +167,11 @@ def _crossing(path: JointPath, integral: PathIntegral, s: float, kind: str) -> C
     kinematics = integral.kinematics
     left, _, _ = np.linalg.svd(kinematics.jacobian(path(np.array([s])))[0])
     lost = left[:, -1] * np.sign(left[np.abs(left[:, -1]).argmax(), -1])
-    at = {"at": s, "kind": kind, "lost": tuple(lost.tolist())}
+    found = Crossing(at=s, kind=kind, steepness=np.nan, cost=np.nan, lost=tuple(lost.tolist()))
     ends = path(np.clip([s - WIDTH, s + WIDTH], 0.0, 1.0))
     moved = ends[1] - ends[0]
     if np.abs(moved).max() < STANDING:
-        return Crossing(**at, steepness=np.nan, cost=np.nan)
+        return found
     if kinematics.is_square and isinstance(kinematics.measure, Yoshikawa):
         change = abs(float(np.diff(_determinants(kinematics, ends))[0]))
     else:
@@ -181,7 +181,7 @@ def _crossing(path: JointPath, integral: PathIntegral, s: float, kind: str) -> C
     cost = np.nan
     if integral.power < 1 + sides and _is_linear(path, integral, s, steepness):
         cost = sides / steepness * _linear_cost(integral, typical_measure(kinematics))
-    return Crossing(**at, steepness=steepness, cost=cost)
+    return replace(found, steepness=steepness, cost=cost)
 
 
 def _share(path: JointPath, integral: PathIntegral, cost: PathCost, end: float) -> float:

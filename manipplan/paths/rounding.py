@@ -40,10 +40,9 @@ def product(left: Array, right: Array) -> Array:
 @cache
 def gauss_rule(count: int) -> tuple[Array, Array]:
     """Gauss points on [-1, 1] and their weights, (count,) each, rounded: NumPy computes them as eigenvalues. Read-only."""
-    rule = tuple(on_grid(each, FIXED) for each in np.polynomial.legendre.leggauss(count))
-    for each in rule:
-        each.flags.writeable = False
-    return rule
+    nodes, weights = (on_grid(each, FIXED) for each in np.polynomial.legendre.leggauss(count))
+    nodes.flags.writeable = weights.flags.writeable = False
+    return nodes, weights
 
 
 def with_bits(values: Array, bits: int) -> Array:

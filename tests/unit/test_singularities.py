@@ -266,7 +266,7 @@ def test_sentences():
     assert describe((), 0) == ""
     upright = crossings_of(mp.JointPath.line(UPRIGHT, start), integral)
     assert upright[0].at_end
-        assert str(upright[0]) == f"starts at an elbow, wrist and shoulder singularity ({100 * upright[0].share:.0f} % of g)"
+    assert str(upright[0]) == f"starts at an elbow, wrist and shoulder singularity ({100 * upright[0].share:.0f} % of g)"
 
 
 def test_powers_whose_rest_has_no_limit_have_no_cost(two_links):

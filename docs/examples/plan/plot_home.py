@@ -86,9 +86,7 @@ spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
 for body in spec.bodies[1:]:
     body.gravcomp = 1
 for joint in spec.joints:
-    actuator = spec.add_actuator(
-        target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT
-    )
+    actuator = spec.add_actuator(target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
     actuator.set_to_position(kp=4000.0, kv=400.0)
 model = spec.compile()
 data = mujoco.MjData(model)
