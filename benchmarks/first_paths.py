@@ -72,11 +72,11 @@ def outcome(robot: mp.Robot, scene: mp.Scene, start: np.ndarray, goal: np.ndarra
     middle = time.perf_counter()
     several = mp.optimize_path(robot, start, goal, scene, seeding=mp.Seeding(count=COUNT), throw=False)
     ended = time.perf_counter()
-    if one.path is None:
+    if one.path is None or several.path is None:
         return None
     clear, apart, gained = False, np.nan, np.nan
     if robot.n > 6:
-        without = mp.optimize_path(robot, start, goal, scene, objective=mp.PathObjective(floor=0.0), throw=False)
+        without = mp.optimize_path(robot, start, goal, scene, objective=mp.PathObjective(floor=0.0))
         clear = without.min_manipulability > 10 * one.floor
         apart = float(np.abs(even(without.path) - even(one.path)).max())
         gained = mp.path_cost(one.path, robot.kinematics(), 1.0).g / without.g

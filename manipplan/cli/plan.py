@@ -16,8 +16,8 @@ from manipplan.support.checks import whole_number
 from manipplan.support.files import place_for
 from manipplan.support.progress import part
 
-#: Line for a goal without another configuration.
-NO_OTHER = "no other configuration of the goal's pose is inside the limits, collision-free and reached by a path"
+#: Line where no other configuration was found.
+NO_OTHER = "other configurations of the goal's pose: none is inside the limits and free and was reached by a path"
 
 
 def plan(
@@ -66,23 +66,32 @@ def plan(
         ends = configuration_of("start", start, arm), configuration_of("goal", goal, arm)
         objective = PathObjective(power=power, measure=measure)
         most = whole_number("other_goals", other_goals, least=0)
+        shape = PathShape(degree=degree)
         made = plan_job(
             arm,
             *ends,
             world,
             objective=objective,
-            shape=PathShape(degree=degree),
+            shape=shape,
             seeding=Seeding(seed=seed, count=seeds, time_limit=time_limit, shifts=shifts),
             clearance=clearance,
             torque=torque,
-            progress=part(tell, 0.0, 0.6 if most else 0.95),
+            progress=part(tell, 0.0, 0.55 if most else 0.95),
         )
+        tell(0.55 if most else 1.0, "writing files")
+        files = made.save(folder)
         lines = []
         if most:
             others = find_other_goals(
-                arm, *ends, world, objective=objective, clearance=clearance, most=most, progress=part(tell, 0.6, 0.95)
+                arm,
+                *ends,
+                world,
+                objective=objective,
+                shape=shape,
+                seeding=Seeding(seed=seed, count=seeds, time_limit=time_limit),
+                clearance=clearance,
+                most=most,
+                progress=part(tell, 0.6, 1.0),
             )
             lines = ["other configurations of the goal's pose", *(f"  {each}" for each in others)] if others else [NO_OTHER]
-        tell(1.0, "writing files")
-        files = made.save(folder)
     return terminal.show_plan(made, files, *lines)

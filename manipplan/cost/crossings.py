@@ -31,6 +31,8 @@ CUTS, PARTS = 10, 16
 WIDTH = 1e-6
 #: J loses rank where its smallest singular value is below this share of its largest.
 VANISHING = 1e-9
+#: A second direction counts as lost where its singular value is below this share of the largest.
+NEARLY = 1e-6
 #: A path that moves no joint by more than this beside a singularity stands still, as a timed motion does at its ends
 #: [rad or m].
 STANDING = 1e-9
@@ -60,9 +62,10 @@ class Crossing:
             where the path stands still.
         cost: share of it in g, for m up to its typical value and linear in ℓ. nan where m is not linear there, such as where
             several factors vanish at once, and for powers from 3 on (2 at an end), whose rest has no limit.
-        share: part of g, from 0 to 1, that a singular start or goal takes: up to where m first reaches a tenth of its typical
-            value. nan for a place between them.
-        lost: unit vector in the rows of the task: the velocity of the tool that no joint velocity gives there.
+        share: share of g, from 0 to 1, between a singular start or goal and the place where m first reaches a tenth of its
+            typical value. nan for other places, and where m does not reach it.
+        lost: unit vector (m,) in the rows of the task's Jacobian: the direction in which no joint velocity moves the tool.
+            () where several directions are lost.
     """
 
     at: float
@@ -103,7 +106,11 @@ def find_crossings(path: JointPath, integral: PathIntegral, cost: PathCost) -> t
         inner = cost.at not in (0.0, 1.0) and _loses_rank(kinematics, path(np.array([cost.at])))
         met = [(cost.at, "")] if inner else []
     met += [(s, _listed(_vanishing(kinematics, q))) for s, q in ends.items()]
-    crossings = [_crossing(path, integral, s, kind) for s, kind in sorted(met)]
+    return tuple(_crossing(path, integral, s, kind) for s, kind in sorted(met))
+
+
+def with_shares(crossings: Sequence[Crossing], path: JointPath, integral: PathIntegral, cost: PathCost) -> tuple[Crossing, ...]:
+    """The crossings of a path of known cost, those at its ends with their share of g."""
     return tuple(replace(each, share=_share(path, integral, cost, each.at)) if each.at_end else each for each in crossings)
 
 
@@ -165,9 +172,7 @@ def describe(crossings: Sequence[Crossing], least: int | None) -> str:
 
 def _crossing(path: JointPath, integral: PathIntegral, s: float, kind: str) -> Crossing:
     kinematics = integral.kinematics
-    left, _, _ = np.linalg.svd(kinematics.jacobian(path(np.array([s])))[0])
-    lost = left[:, -1] * np.sign(left[np.abs(left[:, -1]).argmax(), -1])
-    found = Crossing(at=s, kind=kind, steepness=np.nan, cost=np.nan, lost=tuple(lost.tolist()))
+    found = Crossing(at=s, kind=kind, steepness=np.nan, cost=np.nan, lost=_lost(kinematics, path(np.array([s]))))
     ends = path(np.clip([s - WIDTH, s + WIDTH], 0.0, 1.0))
     moved = ends[1] - ends[0]
     if np.abs(moved).max() < STANDING:
@@ -188,10 +193,21 @@ def _share(path: JointPath, integral: PathIntegral, cost: PathCost, end: float) 
     """The part of g between an end and the place where m first reaches a tenth of its typical value."""
     s = np.abs(end - np.linspace(0.0, 1.0, PLACES + 1))
     high = integral.kinematics.manipulability(path(s)) >= OUT * typical_measure(integral.kinematics)
-    until = s[int(high.argmax())] if high.any() else 1.0 - end
-    edges = np.unique(np.append(integral.fine_panels(path), until))
-    inside = edges[(edges - until) * (end - until) >= 0]
-    return float(min(integral.on_panels(path, inside) / cost.g, 1.0)) if np.isfinite(cost.g) else np.nan
+    if not high.any() or not 0 < cost.g < np.inf:
+        return np.nan
+    first, last = sorted((end, float(s[int(high.argmax())])))
+    if first == last:  # the measure does not vanish there
+        return 0.0
+    edges = np.unique(np.append(integral.fine_panels(path), [first, last]))
+    return float(min(integral.on_panels(path, edges[(edges >= first) & (edges <= last)]) / cost.g, 1.0))
+
+
+def _lost(kinematics: Kinematics, q: Array) -> tuple[float, ...]:
+    """The direction that the tool loses at a configuration (1, n), largest entry positive; () where it loses several."""
+    left, values, _ = np.linalg.svd(kinematics.jacobian(q)[0])
+    if len(values) > 1 and values[-2] <= NEARLY * values[0]:
+        return ()
+    return tuple((left[:, -1] * np.sign(left[np.abs(left[:, -1]).argmax(), -1])).tolist())
 
 
 def _is_linear(path: JointPath, integral: PathIntegral, s: float, steepness: float) -> bool:

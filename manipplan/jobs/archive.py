@@ -51,7 +51,7 @@ def write_plan(plan: "Plan", file: Path) -> None:
 
     result = plan.result
     folder = file.expanduser().resolve().parent
-    figures = ("g", "length", "min_manipulability", "min_at", "status", "seed_cost", "certificate")
+    figures = ("g", "length", "min_manipulability", "min_at", "status", "seed_cost", "certificate", "first_paths", "missing")
     data = {
         "format": FORMAT,
         "version": VERSION,
@@ -113,6 +113,8 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
             history=(),
             status=Status[numbers["status"]],
             certificate=from_json(numbers["certificate"], Certificate),
+            first_paths=int(numbers.get("first_paths", 1)),  # older files have none
+            missing=float(numbers.get("missing", "nan")),
         )
         return Plan(
             robot=arm,

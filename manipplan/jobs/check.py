@@ -10,7 +10,7 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
-from manipplan.cost.crossings import describe, find_crossings, least_crossings
+from manipplan.cost.crossings import describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import SHORTEST, JointPath
@@ -35,8 +35,8 @@ AT_END = 0.01
 VANISHING = 1e-12
 #: Number of equal intervals of time, at whose ends the report measures distances.
 PLACES = 400
-#: Number of intervals in which m is compared with the floor, and of parts of those at whose ends it is below this many floors.
-FINE_PLACES, PARTS, NEAR = 5_000, 200, 100.0
+#: Number of intervals at whose ends m is compared with the floor, and of places inside those where it may pass it.
+FINE_PLACES, PARTS = 5_000, 200
 
 
 @one_line
@@ -121,6 +121,7 @@ class Report:
         integral = PathIntegral(kinematics=kinematics, power=result.power, floor=result.floor, metric=result.metric)
         path = trajectory.path()
         cost = integral.cost(path)
+        crossings = with_shares(find_crossings(path, integral, cost), path, integral, cost)
         line = JointPath.line(path.start, path.goal) if np.linalg.norm(path.goal - path.start) >= SHORTEST else None
         straight = integral.cost(line) if line is not None else _standing(path, integral)
         use = dict(limit_use(trajectory, robot.limits))
@@ -155,7 +156,7 @@ class Report:
             seed_min_manipulability=result.seed_cost.min_manipulability,
             straight_min_manipulability=straight.min_manipulability,
             minimum_note=_minimum_note(cost, result, straight),
-            crossing_note=describe(find_crossings(path, integral, cost), least_crossings(kinematics, path.start, path.goal)),
+            crossing_note=describe(crossings, least_crossings(kinematics, path.start, path.goal)),
             below_floor=trajectory.duration * _share_below(path, integral, cost),
             clearance=min(least, proof.upper),
             nearest_pair=pair,
@@ -184,11 +185,11 @@ class Report:
         ]
         if self.crossing_note:
             lines.append(f"  singularity  {self.crossing_note}")
-            if self.below_floor > 0:
-                lines.append(
-                    f"               m is below {self.floor:.2g} for {1e3 * self.below_floor:.2g} ms: the joints move on, "
-                    "but a controller of the tool cannot correct it in one direction"
-                )
+        if self.below_floor > 0:
+            lines.append(
+                f"               m is below {self.floor:.2g} for {1e3 * self.below_floor:.2g} ms: joint control is unaffected, "
+                "but a controller of the tool cannot correct errors in a lost direction"
+            )
         if self.nearest_pair:
             lines.append(
                 f"  clearance    {1e3 * self.clearance:.2f} mm between {' and '.join(self.nearest_pair)}; "
@@ -240,15 +241,17 @@ def _standing(path: JointPath, integral: PathIntegral) -> PathCost:
 
 
 def _share_below(path: JointPath, integral: PathIntegral, cost: PathCost) -> float:
-    """The share of [0, 1] on which m is below the floor."""
+    """The share of [0, 1] on which m is below the floor: intervals of a grid, and finer ones around its dips and roots."""
     if cost.min_manipulability >= integral.floor:
         return 0.0
     s = np.linspace(0.0, 1.0, FINE_PLACES + 1)
-    near = integral.kinematics.manipulability(path(s)) < NEAR * integral.floor
-    begin = s[:-1][near[:-1] | near[1:]]
-    between = begin[:, None] + (np.arange(PARTS) + 0.5) / (PARTS * FINE_PLACES)
-    low = integral.kinematics.manipulability(path(between.ravel())) < integral.floor
-    return float(low.sum() / (PARTS * FINE_PLACES))
+    m = integral.kinematics.manipulability(path(s))
+    low = m < integral.floor
+    is_dip = (m <= np.append(np.inf, m[:-1])) & (m <= np.append(m[1:], np.inf))
+    unclear = (low[:-1] != low[1:]) | is_dip[:-1] | is_dip[1:]
+    between = s[:-1][unclear, None] + (np.arange(PARTS) + 0.5) / (PARTS * FINE_PLACES)
+    share = (integral.kinematics.manipulability(path(between)) < integral.floor).mean(axis=1).sum()
+    return float((share + (low[:-1] & low[1:] & ~unclear).sum()) / FINE_PLACES)
 
 
 def _shown(m: float) -> str:

@@ -11,12 +11,17 @@ from manipplan.cost.objective import PathObjective
 from manipplan.ik.solutions import inverse_kinematics
 from manipplan.optimize.optimize import optimize_path
 from manipplan.optimize.result import PathResult
+from manipplan.paths.basis import PathShape
+from manipplan.paths.joint import SHORTEST
 from manipplan.robots.robot import Robot
+from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array, instance, number, whole_number
 from manipplan.support.display import one_line
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, part, teller
+from manipplan.support.status import Status
 
-#: Configurations are the same when no joint differs by more than this [rad or m].
+#: Configurations are the same when no joint differs by more than this, up to full turns [rad or m].
 SAME = 1e-6
 
 
@@ -43,7 +48,8 @@ class OtherGoal:
     def __str__(self) -> str:
         crossings = sum(not each.at_end for each in self.result.certificate.crossings) if self.result.certificate else 0
         count = "no singularity" if crossings == 0 else f"{crossings} singularit{'y' if crossings == 1 else 'ies'}"
-        return f"g {self.g:.5g}, crosses {count}: {self.q.round(4).tolist()}"
+        status = "" if self.result.status is Status.OPTIMAL else f", {self.result.status.name}"
+        return f"g {self.g:.5g}, crosses {count}{status}: {self.q.round(9).tolist()}"
 
 
 def other_goals(
@@ -53,6 +59,8 @@ def other_goals(
     scene: Scene | None = None,
     *,
     objective: PathObjective = PathObjective(),
+    shape: PathShape = PathShape(),
+    seeding: Seeding = Seeding(),
     clearance: float = 0.0,
     most: int = 4,
     progress: Progress | None = None,
@@ -60,35 +68,41 @@ def other_goals(
     """Other configurations of the goal's pose with the best path found to each: a remedy where a path crosses singularities.
 
     Of the solutions of inverse kinematics that are inside the limits and collision-free, paths are optimised to those that need
-    the fewest crossings and are nearest to the start.
+    the fewest crossings and are nearest to the start. Of configurations that differ by full turns only the nearest counts.
 
     Args:
         robot: the arm.
         start, goal: (n,) [rad or m].
         scene: obstacles; None: nothing is checked for collision.
-        objective: what the paths minimise.
+        objective, shape: what the paths minimise, and their degree and basis.
+        seeding: how first paths are found; without `initial` and `shifts`.
         clearance: minimum distance [m] to keep; needs a scene.
         most: maximum number of configurations that are tried. Each takes as long as `optimize_path`.
         progress: called with the fraction done in [0, 1] and a text.
 
     Returns:
-        The configurations to which a collision-free path was found, that of the smallest g first; empty where there is none.
+        The configurations to which a path was found, with a scene a collision-free one, that of the smallest g first; empty
+        where there is none.
 
     Raises:
         InvalidInputError: as in `optimize_path` and `inverse_kinematics`.
     """
     instance("robot", robot, Robot)
     instance("objective", objective, PathObjective)
+    if instance("seeding", seeding, Seeding).initial is not None or seeding.shifts != "none":
+        raise InvalidInputError("seeding", seeding, "one without `initial` and `shifts`")
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
     clearance, most = number("clearance", clearance, least=0.0), whole_number("most", most, least=1)
     tell = teller(progress)
     tell(0.0, "solving the inverse kinematics")
     solutions = inverse_kinematics(robot, robot.kinematics().pose(q_goal)).q
-    solutions = solutions[np.abs(solutions - q_goal).max(axis=1) > SAME]
-    if scene is not None and len(solutions):
+    solutions = _nearest_turns(robot, q_start, solutions[np.abs(solutions - q_goal).max(axis=1) > SAME])
+    solutions = solutions[np.abs(solutions - q_start).max(axis=1) >= SHORTEST]
+    if scene is not None:
         model = instance("scene", scene, Scene).collision_model(robot)
-        solutions = solutions[[not model.in_collision(q, clearance=clearance) for q in solutions]]
-    kinematics = objective.resolved(robot).integral(robot).kinematics
+        least = np.array([model.least_distance(q[None])[0] for q in solutions])
+        solutions = solutions[(least > 0) & (least >= clearance)]
+    kinematics = objective.kinematics(robot)
     needed = [least_crossings(kinematics, q_start, q) for q in solutions]
     distance = np.linalg.norm(solutions - q_start, axis=1)
     order = sorted(range(len(solutions)), key=lambda k: (needed[k] or 0, distance[k]))[:most]
@@ -100,10 +114,26 @@ def other_goals(
             solutions[k],
             scene,
             objective=objective,
+            shape=shape,
+            seeding=seeding,
             clearance=clearance,
             throw=False,
             progress=part(tell, done / len(order), (done + 1) / len(order)),
         )
+        if result.status is Status.INTERRUPTED:
+            raise KeyboardInterrupt
         if isinstance(result, PathResult):
             found.append(OtherGoal(q=solutions[k], least_crossings=needed[k], result=result))
     return tuple(sorted(found, key=lambda each: each.g))
+
+
+def _nearest_turns(robot: Robot, start: Array, solutions: Array) -> Array:
+    """Of configurations (k, n) that differ by full turns, the one nearest to the start (n,)."""
+    turns = np.array([kind != "prismatic" for kind in robot.joint_types])
+    kept: list[Array] = []
+    for q in solutions[np.argsort(np.linalg.norm(solutions - start, axis=1), kind="stable")]:
+        apart = [q - other for other in kept]
+        apart = [np.where(turns, each - 2 * np.pi * np.round(each / (2 * np.pi)), each) for each in apart]
+        if not any(np.abs(each).max() <= SAME for each in apart):
+            kept.append(q)
+    return np.array(kept).reshape(-1, robot.n)

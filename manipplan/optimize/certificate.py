@@ -11,7 +11,7 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
-from manipplan.cost.crossings import Crossing, describe, find_crossings, least_crossings
+from manipplan.cost.crossings import Crossing, describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.optimize.descent import DescentProgram
 from manipplan.paths.joint import JointPath
@@ -239,7 +239,7 @@ class Certificate:
             nearest_pair=pair,
             proven_clearance=np.inf if model is None else path_clearance(model, path, clearance=clearance).lower,
             limits=limit_approaches(path, kinematics.robot),
-            crossings=find_crossings(path, integral, cost),
+            crossings=with_shares(find_crossings(path, integral, cost), path, integral, cost),
             least_crossings=least_crossings(kinematics, path.start, path.goal),
         )
 

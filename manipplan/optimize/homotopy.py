@@ -65,7 +65,7 @@ class SolvePool:
         """The optimiser's result from each first path; the first one to each goal is solved from the straight line as well."""
         tasks = []
         for k, first in enumerate(firsts):
-            known = any(np.abs(first.path.goal - other.path.goal).max() < SAME for other in firsts[:k])
+            known = any(_ends_together(first.path, other.path) for other in firsts[:k])
             tasks.append((first.path, not known))
         results = self._each(_solve, tasks, part(self.tell, 0.33, 1.0), "optimising the path")
         return [replace(result, first_paths=first.count) for result, first in zip(results, firsts, strict=False)]
@@ -134,7 +134,7 @@ def best_and_rivals(results: Sequence[PathResult]) -> PathResult:
     """The result with the smallest g, with the others as its rivals, best first, each path once.
 
     Of results whose g tie the earlier one comes first, so that rounding does not decide. The estimate of what is missing is
-    that of Good and Turing [good1953]: the share of first paths whose result no other one led to.
+    that of Good and Turing [good1953].
     """
     kept: list[PathResult] = []
     for result in _best_first(results):
@@ -143,12 +143,25 @@ def best_and_rivals(results: Sequence[PathResult]) -> PathResult:
             kept.append(result)
         else:
             kept[same] = replace(kept[same], first_paths=kept[same].first_paths + result.first_paths)
-    counts = np.array([each.first_paths for each in kept])
-    missing = float((counts == 1).sum() / counts.sum()) if counts.sum() > 1 else np.nan
-    best = replace(kept[0], rivals=tuple(kept[1:]), missing=missing)
+    best = replace(kept[0], rivals=tuple(kept[1:]), missing=_missing(kept))
     if any(result.status is Status.INTERRUPTED for result in results):
         best = replace(best, status=Status.INTERRUPTED)
     return best
+
+
+def _missing(results: Sequence[PathResult]) -> float:
+    """The share of first paths whose result no other one to the same goal led to; nan where no goal has several."""
+    all_paths = singles = 0
+    for result in results:
+        of_goal = sum(other.first_paths for other in results if _ends_together(result.path, other.path))
+        if of_goal > 1:
+            all_paths += result.first_paths
+            singles += result.first_paths == 1
+    return singles / all_paths if all_paths else np.nan
+
+
+def _ends_together(first: JointPath, second: JointPath) -> bool:
+    return bool(np.abs(first.goal - second.goal).max() < SAME)
 
 
 def _best_first(results: Sequence[PathResult]) -> list[PathResult]:

@@ -31,9 +31,11 @@ SAME_SOLUTION = 1e-3
 WORSE = 1.1
 #: A nearly free solution starts another descent if its g is below this share of the lowest g of an optimum found.
 PROMISING = 0.8
-#: Largest displacement of the paths from which descents begin beside an optimum that meets several singularities at once
-#: [rad or m], and number of directions, each to both sides.
+#: Largest displacement of the paths from which descents begin beside an optimum that meets several singularities at once or
+#: runs along one [rad or m], and number of directions, each to both sides.
 ASIDE, DIRECTIONS = 0.5, 3
+#: From this power on no crossing between the ends has a finite cost.
+NO_COSTS = 3.0
 #: Maximum deviation of the fit to a path at which the basis counts as containing the path [rad or m].
 SAME = 1e-9
 #: The descent is repeated from the fit to the optimum at an even pace while that lowers g by more than this share.
@@ -168,9 +170,13 @@ class LocalSearch(ProvenDescents):
         return best
 
     def _is_wedged(self, found: Candidate) -> bool:
-        """Whether a path runs along singularities, or meets several of them at once between its ends."""
-        if runs_along(found.path, self.program.integral, found.cost):
-            return True
+        """Whether a path runs along singularities, or meets several of them at once between its ends.
+
+        The latter is told by a crossing without a cost, which for powers from 3 on none has.
+        """
+        along = runs_along(found.path, self.program.integral, found.cost)
+        if along or self.program.integral.power >= NO_COSTS:
+            return along
         inner = [each for each in find_crossings(found.path, self.program.integral, found.cost) if not each.at_end]
         return any(np.isnan(each.cost) and np.isfinite(each.steepness) for each in inner)
 

@@ -26,7 +26,7 @@ from manipplan.robots.robot import Robot
 from manipplan.seeds.aspect import Aspect
 from manipplan.seeds.ompl import CHECK_STEP, PROVABLE, seed_path
 from manipplan.seeds.random_path import random_path
-from manipplan.seeds.seeding import Seeding
+from manipplan.seeds.seeding import MOST_SEEDS, Seeding
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
@@ -197,15 +197,17 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
 def _with_fewer_crossings(problem: PathProblem, search: LocalSearch, found: Sequence[Candidate]) -> list[Candidate]:
     """Optima reached from paths through random configurations, until one crosses singularities as few times as possible."""
     least = least_crossings(search.program.kinematics, search.start, search.goal)
+    if least is None:
+        return []
     more: list[Candidate] = []
-    for seed in range(1, MORE_PATHS + 1):
+    for k in range(MORE_PATHS):
         best = _best([*found, *more])
-        if least is None or best is None:
+        if best is None:
             break
         crossings = find_crossings(best.path, search.program.integral, best.cost)
         if sum(not each.at_end for each in crossings) <= least:
             break
-        more += search.from_safe_path(random_path(problem.robot, search.start, search.goal, seed))
+        more += search.from_safe_path(random_path(problem.robot, search.start, search.goal, MOST_SEEDS + k))
     return more
 
 

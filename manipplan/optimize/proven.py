@@ -22,8 +22,8 @@ from manipplan.support.checks import Array
 log = logging.getLogger("manipplan")
 
 #: Maximum number of descents from one path with the final margin. Another one follows when the proof fails, when the
-#: quadrature panels do not resolve g on the path reached, or when this one lowered g by more than the share SETTLED: a new
-#: trust region may get past a kink of the clearance where the last one became too small.
+#: quadrature panels do not resolve g on the path reached, or when the first-order conditions do not hold and this one lowered g
+#: by more than the share SETTLED: a new trust region may get past a kink of the clearance where the last one became too small.
 DESCENTS, SETTLED = 8, 2e-4
 #: Final margins after the second, third, ... path that is not proven free, such as along the bumps of a point cloud, except
 #: where descents go on until they settle [m]. With the first of them the first-order conditions can still be met.
@@ -63,9 +63,9 @@ class Until(Enum):
 
     #: At the first path that is proven free.
     PROVEN = "proven"
-    #: At the first one that meets the first-order conditions as well, or when they settle.
+    #: When the first-order conditions hold or another descent no longer lowers g; with a wider margin where the proof fails.
     OPTIMAL = "optimal"
-    #: When another descent no longer lowers g.
+    #: The same, with the final margin to the end, after wider ones.
     SETTLED = "settled"
 
     @property
@@ -140,8 +140,8 @@ class ProvenDescents:
             descent = descend(true, z, tolerance=ROUGH if preliminary else None)
             steps += descent.steps
             coefficients = true.length.curves.coefficients(descent.z)
-            if preliminary and descent.violation - margin > STUCK and not descent.exhausted:
-                log.debug("descent: stuck in an obstacle")
+            if preliminary and surroundings is not None and descent.violation - margin > STUCK and not descent.exhausted:
+                log.debug("descent: stuck in an obstacle before the final margin")
                 break
             if preliminary:
                 continue
@@ -170,14 +170,13 @@ class ProvenDescents:
             candidate = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)
             agrees = abs(true.length.without_energy.value(descent.z) * true.length.g0 - cost.g) <= AGREEMENT * cost.g
             candidate = candidate if agrees else replace(candidate, optimality=UNKNOWN)
-            settled = best is not None and best.cost.g - cost.g <= SETTLED * cost.g
+            settled = optimality.reached or (best is not None and best.cost.g - cost.g <= SETTLED * cost.g)
             # a confirmed optimum may have a slightly larger g
             worth = CONFIRMED if agrees and (optimality.reached or not backed_off) else 0.0
             best = candidate if best is None or cost.g < best.cost.g * (1 + worth) else best
             converged = optimality.reached or not descent.exhausted
             if not np.isfinite(cost.g) or self.until is Until.PROVEN:
                 break
-            settled |= optimality.reached
             if settled and converged and (agrees or not refined):
                 if best.optimality.reached or backed_off or not WIDE_MARGINS[-1] < self.room:
                     break

@@ -42,9 +42,11 @@ class PathResult:
         status: how the path came about.
         measure, metric: m, and W (n, n) or None for the identity.
         rivals: results of other seed classes and shifted goals, best first; each path differs from those before it.
-        first_paths: number of first paths that led to this path. Of first paths of one class only one is optimised.
+        first_paths: number of first paths of this result's class. One of a class is optimised; that the others would lead to
+            the same path is assumed.
         missing: estimated probability that one more first path leads to a path that is not among these, better or not: the
-            share of first paths whose path no other one led to [good1953]. nan with a single first path, and of rivals.
+            share of first paths whose path no other one led to [good1953]. nan with a single first path to each goal, and of
+            rivals.
         certificate: figures measured on the path.
     """
 

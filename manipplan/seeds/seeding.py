@@ -32,10 +32,10 @@ class Seeding:
             BKPIECE1, LBKPIECE1, and RRTstar, InformedRRTstar, SORRTstar and BITstar, which lower the cost of their path.
         seed: random seed of the planner; without a scene, of the random first paths. The same seed gives the same path, on any
             machine, unless `time_limit` ends the search.
-        count: number of first paths per goal. With a scene the planner finds them, with `seed`, `seed` + 1 and so on. The first
-            one is always optimised, and of the others, among those joined by a collision-free straight homotopy, the best. So
-            more first paths never give a larger g. Without a scene they are the straight line and paths through random
-            configurations. `PathResult.missing` estimates how likely another one would lead to a new path.
+        count: number of first paths per goal. With a scene the planner finds them, with `seed`, `seed` + 1 and so on. Paths
+            joined by a collision-free straight homotopy form a class. The first path is optimised, and of each class without it
+            the path of smallest g, so more first paths never give a larger g. Without a scene they are the straight line and
+            paths through random configurations. `PathResult.missing` estimates how likely one more leads to a new path.
         time_limit: time limit of the planner per first path [s]; among many obstacles it may search twice.
         shifts: "within-limits" also tries goals 2π away in each revolute joint, at most 3 to the power of n of them, and
             returns the best path. Their pose is that of the goal. Not together with `initial`.

@@ -9,7 +9,7 @@ from scipy.integrate import quad
 from scipy.special import ellipkinc
 
 import manipplan as mp
-from manipplan.cost.crossings import describe, find_crossings, least_crossings, runs_along
+from manipplan.cost.crossings import describe, find_crossings, least_crossings, runs_along, with_shares
 from manipplan.cost.floor import SAMPLES, SHARE, typical_measure
 from manipplan.kinematics.factors import determinant_factors
 from manipplan.optimize.program import PathProgram
@@ -265,8 +265,8 @@ def test_sentences():
     assert told.count("crosses an elbow singularity") == 2 and "may lie in one aspect" in told
     assert describe((), 0) == ""
     upright = crossings_of(mp.JointPath.line(UPRIGHT, start), integral)
-    assert upright[0].at_end
-    assert str(upright[0]) == f"starts at an elbow, wrist and shoulder singularity ({100 * upright[0].share:.0f} % of g)"
+    assert str(upright[0]) == "starts at an elbow, wrist and shoulder singularity" and upright[0].at_end
+    assert upright[0].lost == ()  # three factors vanish at once
 
 
 def test_powers_whose_rest_has_no_limit_have_no_cost(two_links):
@@ -417,7 +417,7 @@ def test_the_share_of_an_end_is_its_part_of_the_integral(two_links):
     integral = replace(mp.PathObjective(task=mp.Task.planar()).integral(two_links), floor=1e-3)
     path = mp.JointPath.line([0.3, 0.0], [0.3, 1.0])
     cost = integral.cost(path)
-    [start] = find_crossings(path, integral, cost)
+    [start] = with_shares(find_crossings(path, integral, cost), path, integral, cost)
     until = np.arcsin(0.1 * typical_measure(integral.kinematics))
     part, _ = quad(lambda x: 1 / np.hypot(np.sin(x), 1e-3), 0.0, until, epsabs=1e-10)
     assert start.share == pytest.approx(part / cost.g, rel=2e-3)
@@ -453,11 +453,12 @@ def test_another_goal_avoids_the_crossing():
     assert given.certificate.least_crossings == 1
     others = mp.other_goals(robot, start, goal, mp.Scene(), most=2)
     kinematics = robot.kinematics()
-    assert len(others) == 2 and others[0].g <= others[1].g < given.g
+    assert len(others) == 2 and others[0].g <= others[1].g
+    assert others[0].g < given.g and others[0].least_crossings == 0 and not others[0].result.certificate.crossings
     for other in others:
         np.testing.assert_allclose(kinematics.pose(other.q), kinematics.pose(np.array(goal)), atol=1e-9)
         np.testing.assert_array_equal(other.result.path.goal, other.q)
-        assert other.least_crossings == 0 and not other.result.certificate.crossings
+        assert len(other.result.certificate.crossings) >= other.least_crossings
         assert not mp.Scene().in_collision(robot, other.q)
     assert "crosses no singularity" in str(others[0])
 
@@ -472,6 +473,10 @@ def test_other_goals_avoid_obstacles_and_exclude_the_goal_itself():
     assert len(mp.other_goals(robot, start, goal, mp.Scene([elbow]), most=1)) == 1
     at_tool = mp.Scene([mp.Sphere(radius=0.05, position=links, name="ball")])
     assert mp.other_goals(robot, start, goal, at_tool, most=1) == ()  # every solution has its tool in the ball
+    same_pose = mp.other_goals(robot, best.q, goal, most=3)  # the start is one of the configurations
+    assert all(np.abs(other.q - best.q).max() > 0.1 for other in same_pose)
+    with pytest.raises(mp.InvalidInputError, match="seeding"):
+        mp.other_goals(robot, start, goal, seeding=mp.Seeding(shifts="within-limits"))
     with pytest.raises(mp.InvalidInputError, match="most"):
         mp.other_goals(robot, start, goal, most=0)
     with pytest.raises(mp.InvalidInputError, match="start"):
