@@ -59,6 +59,7 @@ def test_pairs_of_six_joint_arms_are_optimised(tmp_path):
     assert len(found) == 2 * len(six_joint_arms.ARMS)
     assert {each.status for each in found} == {mp.Status.OPTIMAL}
     assert all(each.ratio < 1 and each.crossings >= each.least for each in found)
+    assert all(each.fall < 1e-6 for each in found), "OPTIMAL paths are optimised again"
     assert max(each.least for each in found) > 0
     assert "| all | 8 |" in (tmp_path / "table.md").read_text()
 
