@@ -57,13 +57,14 @@ links: $(READY)
 pictures: $(READY)
 	$(BIN)/python docs/make_pictures.py
 
-# The collision kernel in LLVM's language, for machines without a C compiler; needs clang 16.
-KERNEL := manipplan/collision/distances
-kernel:
-	{ echo "; distances.c $$(sha256sum $(KERNEL).c | cut -d' ' -f1): written by make kernel"; \
+# The compiled kernels in LLVM's language, for machines without a C compiler; needs clang 16.
+KERNELS := manipplan/collision/distances
+kernel: $(KERNELS:=.ll)
+%.ll: %.c
+	{ echo "; $(<F) $$(sha256sum $< | cut -d' ' -f1): written by make kernel"; \
 	  clang-16 -O2 -fno-vectorize -fno-slp-vectorize -fno-unroll-loops -ffp-contract=off -fno-math-errno -fno-trapping-math \
-	    -S -emit-llvm -o - $(KERNEL).c | sed -E -e '/^(target|source_filename|!|;)/d' -e 's/"(target|tune)-[a-z]+"="[^"]*"//g' \
-	    -e 's/, !(tbaa|tbaa\.struct|llvm\.loop) ![0-9]+//g'; } > $(KERNEL).ll
+	    -S -emit-llvm -o - $< | sed -E -e '/^(target|source_filename|!|;)/d' -e 's/"(target|tune)-[a-z]+"="[^"]*"//g' \
+	    -e 's/, !(tbaa|tbaa\.struct|llvm\.loop) ![0-9]+//g'; } > $@
 
 # Edited files for every loader, 10,000 each: half an hour. Files at fault are kept in .faults.
 fuzz: $(READY)

@@ -12,7 +12,7 @@ from examples import FEW
 
 import manipplan as mp
 from manipplan.jobs.demo import panda_among_boxes
-from manipplan.support.compiler import find_compiler
+from manipplan.support.compiling.compiler import find_compiler
 
 #: Folders of tests that `make test-all` adds, and fixtures whose tests it adds.
 SLOW_FOLDERS, SLOW_FIXTURES = ("docs", "problems", "studies"), ("browser",)

@@ -1,7 +1,6 @@
 """The compiled kernel that decides collisions and measures distances: `distances.c`, with the arrays of one collision model."""
 
 import ctypes
-import logging
 import threading
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
@@ -14,15 +13,11 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.llvm import compiled_by_llvm
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.robots.model_tree import axis_of, is_prismatic
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.compiler import NATIVE, load_library
-from manipplan.support.errors import CompilerError
-
-log = logging.getLogger("manipplan")
+from manipplan.support.compiling.native import NativeCode, native_code
 
 #: As in distances.c.
 POINTS, BOX, CYLINDER, HALFSPACE, SURFACE, UNKNOWN = range(6)
@@ -69,41 +64,25 @@ class Calls:
     Attributes:
         functions: they release the GIL.
         check_one: the check of one configuration, which holds the GIL: to release it would take longer than the check.
-        owner: what keeps their code alive.
+        code: where they come from.
     """
 
     functions: Mapping[str, Callable[..., Any]]
     check_one: Callable[[int, int, float], int]
-    owner: object
+    code: NativeCode
 
     @classmethod
-    def of(cls, address: Callable[[str], int], owner: object) -> "Calls":
-        """Those at the addresses of their names."""
-        functions = {name: ctypes.CFUNCTYPE(*types)(address(f"manipplan_{name}")) for name, types in SIGNATURES.items()}
-        one = ctypes.PYFUNCTYPE(ctypes.c_int, _P, _P, ctypes.c_double)(address("manipplan_check_one"))
-        return cls(functions=functions, check_one=one, owner=owner)
+    def of(cls, code: NativeCode) -> "Calls":
+        """Those of the compiled source."""
+        one = ctypes.PYFUNCTYPE(ctypes.c_int, _P, _P, ctypes.c_double)(code.address("manipplan_check_one"))
+        return cls(functions=code.functions("manipplan_", SIGNATURES), check_one=one, code=code)
 
 
 @cache
 def _calls() -> Calls | None:
-    """The compiled kernel: by the C compiler, or from distances.ll by LLVM; None, with a message in the log, without either."""
-    source = Path(__file__).with_name("distances.c").read_text(encoding="utf-8")
-    flags = [flag for flag in NATIVE if flag != "-O2"] + ["-O3", "-lm"]
-    try:
-        return load_library(source, _loaded, flags=flags, subject="collision checks, once per machine")
-    except CompilerError as error:
-        log.info("collision checks are compiled by LLVM in each process: %s", error)
-    try:
-        engine = compiled_by_llvm(Path(__file__).with_name("distances.ll").read_text(encoding="utf-8"))
-    except RuntimeError as error:
-        log.warning("collisions are checked by coal alone, which takes about ten times as long: %s", error)
-        return None
-    return Calls.of(engine.get_function_address, engine)
-
-
-def _loaded(file: Path) -> Calls:
-    library = ctypes.CDLL(str(file))
-    return Calls.of(lambda name: ctypes.cast(getattr(library, name), ctypes.c_void_p).value or 0, library)
+    """The compiled kernel; None where it cannot be compiled."""
+    code = native_code(Path(__file__).with_name("distances.c"), "collision checks")
+    return None if code is None else Calls.of(code)
 
 
 def find_kernel(

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.support.checks import Array
-from manipplan.support.kernels import kernel
+from manipplan.support.compiling.kernels import kernel
 
 #: Configurations of one sample that differ by less than this are the same [rad or m].
 SAME = 1e-6

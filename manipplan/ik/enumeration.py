@@ -12,7 +12,7 @@ from manipplan.ik.spherical import AT_LIMIT, MOST, least_above, lie, row, solve_
 from manipplan.ik.subproblems import Vector, turn_by, turned, turned_about
 from manipplan.ik.swivel import solve_swivel
 from manipplan.support.checks import Array
-from manipplan.support.kernels import kernel
+from manipplan.support.compiling.kernels import kernel
 
 #: Number of samples that a block of solutions is sized for.
 CHUNK = 8192

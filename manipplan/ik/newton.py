@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from manipplan.ik.spherical import row
 from manipplan.ik.subproblems import add, cross, sub, turn_by, turned, turned_about
 from manipplan.support.checks import Array
-from manipplan.support.kernels import kernel
+from manipplan.support.compiling.kernels import kernel
 
 #: Damping of the first step of a search, as a factor of the squared error.
 DAMPING = 1e-2

@@ -18,7 +18,7 @@ from manipplan.ik.subproblems import (
     turns_to_height,
 )
 from manipplan.support.checks import Array
-from manipplan.support.kernels import kernel
+from manipplan.support.compiling.kernels import kernel
 
 #: Sine below which the last axis counts as parallel to the three, and the number of q6 values then tried.
 IN_LINE, TRIES = 1e-7, 32

@@ -23,7 +23,7 @@ from manipplan.ik.subproblems import (
     turns_to_height,
 )
 from manipplan.support.checks import Array
-from manipplan.support.kernels import kernel
+from manipplan.support.compiling.kernels import kernel
 
 #: Arrangement of the axes of the three joints a, b, c that place the point.
 A_MEETS_B, B_MEETS_C, A_PARALLEL_B, B_PARALLEL_C, SKEW = range(5)

@@ -7,7 +7,7 @@ description. All solutions are refined and verified by forward kinematics afterw
 
 import math
 
-from manipplan.support.kernels import kernel
+from manipplan.support.compiling.kernels import kernel
 
 #: Maximum amount by which a cosine may exceed 1.
 GRAZE = 1e-3

@@ -11,7 +11,7 @@ import numpy as np
 from manipplan.ik.spherical import angles_fit, fits, orient, perpendicular, row, times, times_back
 from manipplan.ik.subproblems import Vector, add, angle, back, cross, dot, sub, turn_by, turned, turned_about, turns_to_distance
 from manipplan.support.checks import Array
-from manipplan.support.kernels import kernel
+from manipplan.support.compiling.kernels import kernel
 
 #: Sine below which two directions count as parallel.
 IN_LINE = 1e-9

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from manipplan.ik.spherical import row
 from manipplan.ik.subproblems import cross, dot
 from manipplan.support.checks import ROTATION, Array
-from manipplan.support.kernels import kernel
+from manipplan.support.compiling.kernels import kernel
 
 
 @kernel

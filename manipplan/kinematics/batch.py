@@ -13,7 +13,7 @@ import numpy as np
 
 from manipplan.kinematics.simd import kernel_source
 from manipplan.support.checks import Array
-from manipplan.support.compiler import NATIVE, load_library
+from manipplan.support.compiling.compiler import NATIVE, load_library
 
 #: Minimum number of configurations per thread.
 SHARE = 16384

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from manipplan.search.steps import TAU
 from manipplan.support.checks import Array
-from manipplan.support.kernels import kernel
+from manipplan.support.compiling.kernels import kernel
 
 Whole = NDArray[np.int64]
 Numbers = NDArray[np.int32]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import casadi as ca
 
-from manipplan.support.compiler import NATIVE, find_compiler, load_library
+from manipplan.support.compiling.compiler import NATIVE, find_compiler, load_library
 from manipplan.support.errors import CompilerError, CompilerWarning, ManipplanError
 from manipplan.support.files import cache_folder
 from manipplan.support.untrusted import is_identifier, printable

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import casadi as ca
 
 from manipplan.robots.model_tree import frame_index
-from manipplan.support.compiler import load_library
+from manipplan.support.compiling.compiler import load_library
 from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError, ManipplanError, UnknownNameError
 from manipplan.support.memo import once_per_owner

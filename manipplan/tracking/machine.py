@@ -9,7 +9,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.support.checks import Array
-from manipplan.support.compiler import load_library
+from manipplan.support.compiling.compiler import load_library
 from manipplan.support.errors import ManipplanError
 from manipplan.support.untrusted import identifier
 from manipplan.symbolic.machine_code import generated_source, native_flags

@@ -18,8 +18,9 @@ from hypothesis import strategies as st
 import manipplan as mp
 from manipplan.collision import kernel
 from manipplan.collision.kernel import UNDECIDED, Calls, DistanceKernel
-from manipplan.collision.llvm import compiled_by_llvm
 from manipplan.collision.shapes import Part
+from manipplan.support.compiling.llvm import compiled_by_llvm
+from manipplan.support.compiling.native import NativeCode
 
 LLVM_TEXT = Path(kernel.__file__).with_name("distances.ll")
 ARMS = ["panda", "ur5", "planar", "two", "eggs"]
@@ -366,7 +367,7 @@ def by_llvm(model, calls):
 @pytest.fixture(scope="session")
 def llvm_calls():
     engine = compiled_by_llvm(LLVM_TEXT.read_text(encoding="utf-8"))
-    return Calls.of(engine.get_function_address, engine)
+    return Calls.of(NativeCode(address=engine.get_function_address, owner=engine))
 
 
 @pytest.mark.slow
@@ -382,11 +383,13 @@ def test_llvm_s_kernel_gives_the_same(arm, wedge, rng, llvm_calls):
         np.testing.assert_array_equal([other.in_collision(each) for each in q[:50]], model.in_collision_rows(q[:50]))
 
 
-def test_llvm_s_kernel_is_made_of_the_source():
+@pytest.mark.parametrize("text", sorted(Path(mp.__file__).parent.rglob("*.ll")), ids=lambda text: text.stem)
+def test_llvm_s_code_is_made_of_the_source(text):
     """`make kernel` writes it; the first line names the source."""
-    source = hashlib.sha256(LLVM_TEXT.with_suffix(".c").read_bytes()).hexdigest()
-    assert LLVM_TEXT.read_text(encoding="utf-8").startswith(f"; distances.c {source}")
-    assert "target" not in LLVM_TEXT.read_text(encoding="utf-8")
+    source = text.with_suffix(".c")
+    digest = hashlib.sha256(source.read_bytes()).hexdigest()
+    assert text.read_text(encoding="utf-8").startswith(f"; {source.name} {digest}")
+    assert "target" not in text.read_text(encoding="utf-8")
 
 
 @pytest.mark.slow

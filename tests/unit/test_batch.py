@@ -7,7 +7,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.kinematics import kinematics as module
-from manipplan.support.compiler import find_compiler
+from manipplan.support.compiling.compiler import find_compiler
 
 COMPILED = [pytest.param(True, marks=pytest.mark.compiler), False]
 QUANTITIES = ["pose", "jacobian", "manipulability", "gradient", "hessian"]

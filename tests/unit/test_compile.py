@@ -17,15 +17,15 @@ import manipplan as mp
 from manipplan.cost.density import energy_density
 from manipplan.cost.integral import PathIntegral
 from manipplan.optimize.clearance import ClearanceRow, row_functions
-from manipplan.support import compiler as module
-from manipplan.support.compiler import find_compiler, load_library
+from manipplan.support.compiling import compiler as module
+from manipplan.support.compiling.compiler import find_compiler, load_library
 from manipplan.support.files import is_private
 from manipplan.support.processes import run
 
 SOURCE = "int answer(void) { return 42; }"
 BUILD = f"""
 from pathlib import Path
-from manipplan.support.compiler import load_library
+from manipplan.support.compiling.compiler import load_library
 print(load_library({SOURCE!r}, Path, subject="a test"))
 """
 

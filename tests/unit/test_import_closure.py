@@ -6,19 +6,19 @@ from pathlib import Path
 import pytest
 
 import manipplan
-from manipplan.support.kernels import import_closure, state_of
+from manipplan.support.compiling.kernels import import_closure, state_of
 
 PACKAGE = Path(manipplan.__file__).parent
 
 FILES = {
     "__init__.py": "from made.viewer import show\n",
     "support/__init__.py": "",
-    "support/kernels.py": "from made.folders import folder\ndef kernel(f): return f\n",
+    "support/compiling/kernels.py": "from made.folders import folder\ndef kernel(f): return f\n",
     "folders.py": "folder = 'cache'\n",
     "viewer.py": "def show(): pass\n",
     "search.py": (
         "import math\nfrom typing import TYPE_CHECKING\nimport numpy\n"
-        "from made.support.kernels import kernel\nfrom made import limits\nfrom .room.cells import SIZE\n"
+        "from made.support.compiling.kernels import kernel\nfrom made import limits\nfrom .room.cells import SIZE\n"
         "if TYPE_CHECKING:\n    from made.typed import Kind\nelse:\n    import made.otherwise\n"
         "class Late:\n    from made.of_class import x\n    def method(self):\n        from made.late import y\n"
     ),
@@ -35,7 +35,7 @@ FILES = {
 INSIDE = {
     "search.py",
     "otherwise.py",
-    "support/kernels.py",
+    "support/compiling/kernels.py",
     "limits.py",
     "numbers.py",
     "of_class.py",
@@ -55,7 +55,7 @@ def made(tmp_path):
 
 
 def test_the_closure_is_what_runs_while_a_module_is_imported(made):
-    found = import_closure(made / "search.py", made, leaves=[made / "support" / "kernels.py"])
+    found = import_closure(made / "search.py", made, leaves=[made / "support" / "compiling" / "kernels.py"])
     # `from made import limits` also takes the package itself, which here imports the viewer
     assert {each.relative_to(made).as_posix() for each in found} == INSIDE | {"__init__.py", "viewer.py"}
     whole = import_closure(made / "search.py", made)
@@ -97,7 +97,7 @@ def test_a_copy_of_this_package(tmp_path):
         "jobs/plan.py",
         "cli/plan.py",
         "tracking/step.py",
-        "support/compiler.py",
+        "support/compiling/compiler.py",
         "__init__.py",
     ):
         edit(outside)
@@ -107,6 +107,6 @@ def test_a_copy_of_this_package(tmp_path):
     assert "search/kernels.py" in changed
     assert not {name for name in changed if name.startswith("ik/")}
     before = states()
-    edit("support/kernels.py")
+    edit("support/compiling/kernels.py")
     assert not set(states().values()) & set(before.values())
     state_of.cache_clear()

@@ -504,7 +504,7 @@ import warnings
 warnings.simplefilter("error")
 warnings.filterwarnings("always", category=__import__("manipplan").CompilerWarning)
 with warnings.catch_warnings(record=True) as told:
-    from manipplan.support.kernels import kernel
+    from manipplan.support.compiling.kernels import kernel
     from manipplan.ik.subproblems import dot
     @kernel
     def square(x):

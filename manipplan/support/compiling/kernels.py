@@ -20,7 +20,7 @@ log = logging.getLogger(__name__)
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 #: Kernels of other packages are compiled in each process: the files they depend on are not known.
-PACKAGE = Path(__file__).parents[1]
+PACKAGE = Path(__file__).parents[2]
 
 
 def kernel(function: Function) -> Function:
@@ -43,7 +43,7 @@ def kernel(function: Function) -> Function:
 def state_of(file: Path, package: Path = PACKAGE) -> str:
     """A hash of all files on which the kernels in `file` depend; `package` is the package's folder."""
     # the imports of this module determine where code is kept, not what it computes
-    files = import_closure(file, package, leaves=[package / "support" / Path(__file__).name])
+    files = import_closure(file, package, leaves=[package / "support" / "compiling" / Path(__file__).name])
     digest = hashlib.sha256()
     for each in sorted(files):
         digest.update(f"{each.relative_to(package)}\0{each.stat().st_size}\0".encode())

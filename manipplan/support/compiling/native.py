@@ -1,0 +1,60 @@
+"""Machine code of our own C sources: by the C compiler, or by LLVM from the same source in its language."""
+
+import ctypes
+import logging
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from manipplan.support.compiling.compiler import NATIVE, load_library
+from manipplan.support.compiling.llvm import compiled_by_llvm
+from manipplan.support.errors import CompilerError
+
+log = logging.getLogger("manipplan")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class NativeCode:
+    """Compiled functions.
+
+    Attributes:
+        address: the address of a function by its name.
+        owner: what keeps their code alive.
+    """
+
+    address: Callable[[str], int]
+    owner: object
+
+    def functions(self, prefix: str, signatures: Mapping[str, tuple[Any, ...]]) -> dict[str, Callable[..., Any]]:
+        """Functions that release the GIL, by their names without prefix, with the types of their result and arguments."""
+        return {name: ctypes.CFUNCTYPE(*types)(self.address(prefix + name)) for name, types in signatures.items()}
+
+
+@cache
+def native_code(source: Path, subject: str) -> NativeCode | None:
+    """The functions of a C source, for this process; None, with a message in the log, where it cannot be compiled.
+
+    Without a C compiler, LLVM compiles the file of the same name that ends in .ll, which `make kernel` writes.
+
+    Args:
+        source: the C file.
+        subject: what it does, for messages.
+    """
+    flags = [flag for flag in NATIVE if flag != "-O2"] + ["-O3", "-lm"]
+    try:
+        return load_library(source.read_text(encoding="utf-8"), _loaded, flags=flags, subject=f"{subject}, once per machine")
+    except CompilerError as error:
+        log.info("%s: compiled by LLVM in each process: %s", subject, error)
+    try:
+        engine = compiled_by_llvm(source.with_suffix(".ll").read_text(encoding="utf-8"))
+    except RuntimeError as error:
+        log.warning("%s: cannot be compiled, so slower code is used: %s", subject, error)
+        return None
+    return NativeCode(address=engine.get_function_address, owner=engine)
+
+
+def _loaded(file: Path) -> NativeCode:
+    library = ctypes.CDLL(str(file))
+    return NativeCode(address=lambda name: ctypes.cast(getattr(library, name), ctypes.c_void_p).value or 0, owner=library)
