@@ -52,7 +52,7 @@ from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.refine import Refinement, refine
 from manipplan.search.sampling import sample_layers
-from manipplan.seeds.ompl import seed_path
+from manipplan.seeds.seed import seed_path
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.errors import (
     CompilerError,

@@ -18,6 +18,7 @@ from manipplan.collision.covers.fitting import enclose
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import core_of
 from manipplan.robots.model_tree import axis_of, is_prismatic
+from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
 
@@ -51,7 +52,7 @@ class BodyMotion:
         self.points = np.empty((len(objects), MOST_POINTS, 3))
         self.radii = np.zeros(len(objects))
         for k in sorted(set(self.body.tolist())):
-            points, self.radii[k] = _few_points(objects[k])
+            points, self.radii[k] = _few_points(model.robot, objects[k])
             self.points[k] = np.concatenate([points, np.repeat(points[:1], MOST_POINTS - len(points), axis=0)])
         self.slides = np.array([is_prismatic(joint) for joint in robot.joints[1:]])
         self._axes = [axis_of(joint) for joint in robot.joints[1:]]
@@ -108,12 +109,21 @@ class BodyMotion:
         return rotations, origins, axes
 
 
-def _few_points(item: pin.GeometryObject) -> tuple[Array, float]:
+def _few_points(robot: Robot, item: pin.GeometryObject) -> tuple[Array, float]:
     """At most MOST_POINTS points (k, 3) in the joint's frame and a radius [m]: the hull of these balls contains the body."""
     points, radius = core_of(item.geometry)
     place = item.placement
     if len(points) > MOST_POINTS:
-        around = enclose(np.repeat(points[:, None], 3, axis=1), refine=False)
-        points, radius = core_of(around.shape)
-        place = place * around.placement
+        known, key = _enclosed(robot), points.tobytes()
+        if key not in known:
+            around = enclose(np.repeat(points[:, None], 3, axis=1), refine=False)
+            known[key] = *core_of(around.shape), around.placement
+        points, radius, inner = known[key]
+        place = place * inner
     return points @ place.rotation.T + place.translation, radius
+
+
+@once_per_owner
+def _enclosed(_robot: Robot) -> dict[bytes, tuple[Array, float, pin.SE3]]:
+    """What encloses the bodies that were met with this robot, by their core points: it is the same in every scene."""
+    return {}

@@ -130,6 +130,16 @@ class DistanceKernel:
         self._q = np.zeros(self._n)
         self._q_at, self._check_one = self._q.ctypes.data, calls.check_one
 
+    @property
+    def world(self) -> int:
+        """The address of `World` of distances.c, for compiled code that uses it while no other thread does."""
+        return self._at
+
+    @property
+    def check_address(self) -> int:
+        """The address of `manipplan_check_one`."""
+        return self._calls.code.address("manipplan_check_one")
+
     def copy(self) -> "DistanceKernel":
         """The same with its own working memory, for another thread."""
         return DistanceKernel(self._calls, self._arrays)

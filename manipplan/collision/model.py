@@ -99,8 +99,12 @@ class CollisionModel:
             radii=self.radii,
             solids=self.solids,
         )
-        copied.__dict__["_kernel"] = None if self._kernel is None else self._kernel.copy()
+        copied.__dict__["_kernel"] = self.kernel_copy()
         return copied
+
+    def kernel_copy(self) -> DistanceKernel | None:
+        """A kernel for compiled code, with its own working memory; None where there is none."""
+        return None if self._kernel is None else self._kernel.copy()
 
     def in_collision(self, q: Array, *, clearance: float = 0.0) -> bool:
         """Whether any pair is nearer than `clearance` [m] at q (n,); 0: whether any pair touches."""

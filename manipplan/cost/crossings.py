@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from manipplan.cost.floor import floor_of, typical_measure
 from manipplan.cost.integral import PathCost, PathIntegral, speeds
-from manipplan.kinematics.factors import DeterminantFactor, determinant_factors
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.kinematics.sides import Sides, sides_of
 from manipplan.measures.manipulability import Yoshikawa
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
@@ -40,8 +40,6 @@ STANDING = 1e-9
 NEAR, BENT = 10.0, 0.2
 #: A change of sign up to which m stays below this share of its typical value from a singular end can be part of that end.
 SAME = 1e-2
-#: A factor of det J is zero below this share of its usual size.
-ZERO = 1e-6
 #: The share of a singular end goes up to where m reaches this part of its typical value.
 OUT = 0.1
 #: A path runs along singularities where m is below the floor on more than this share of its length.
@@ -99,13 +97,14 @@ def find_crossings(path: JointPath, integral: PathIntegral, cost: PathCost) -> t
     kinematics = integral.kinematics
     ends = {s: path(np.array([s])) for s in (0.0, 1.0)}
     ends = {s: q for s, q in ends.items() if _loses_rank(kinematics, q)}
-    if kinematics.is_square:
-        found = _sign_changes(path, kinematics)
+    sides = sides_of(kinematics)
+    if sides is not None:
+        found = _sign_changes(path, sides)
         met = [(s, kind) for s, kind in found if not any(_is_part_of(path, kinematics, s, kind, end) for end in ends)]
     else:
         inner = cost.at not in (0.0, 1.0) and _loses_rank(kinematics, path(np.array([cost.at])))
         met = [(cost.at, "")] if inner else []
-    met += [(s, _listed(_vanishing(kinematics, q))) for s, q in ends.items()]
+    met += [(s, _listed(_vanishing(kinematics, q[0]))) for s, q in ends.items()]
     return tuple(_crossing(path, integral, s, kind) for s, kind in sorted(met))
 
 
@@ -121,25 +120,17 @@ def least_crossings(kinematics: Kinematics, start: Array, goal: Array) -> int | 
     at least once if it has different signs at start and goal. Where the factors are not known, det J counts as the only one.
     A factor that vanishes at start or goal has no sign there, so the path may leave to either side.
     """
-    if not kinematics.is_square:
+    sides = sides_of(kinematics)
+    if sides is None:
         return None
-    ends = np.array([start, goal])
-    factors = _factors(kinematics)
-    if not factors:
-        singular = [_loses_rank(kinematics, q[None]) for q in ends]
-        return int(_differ(np.where(singular, 0.0, _determinants(kinematics, ends))))
     count = 0
-    for factor in factors:
-        least = ZERO * factor.usual
-        if factor.joint is None:
-            values = factor(ends)
-            count += _differ(np.where(np.abs(values) < least, 0.0, values))
-            continue
-        steps = 2 + int(abs(goal[factor.joint] - start[factor.joint]) / COARSE_STEP)
-        q = np.tile(start, (steps, 1))
-        q[:, factor.joint] = np.linspace(start[factor.joint], goal[factor.joint], steps)
-        values = factor(q)
-        count += len(_changes(values[np.abs(values) >= least]))
+    for k, joint in enumerate(sides.joints):
+        q = np.array([start, goal])
+        if joint is not None:
+            q = np.tile(start, (2 + int(abs(goal[joint] - start[joint]) / COARSE_STEP), 1))
+            q[:, joint] = np.linspace(start[joint], goal[joint], len(q))
+        values = sides.values(q)[:, k]
+        count += len(_changes(values[np.abs(values) >= sides.zero[k]]))
     return count
 
 
@@ -225,7 +216,7 @@ def _is_linear(path: JointPath, integral: PathIntegral, s: float, steepness: flo
 def _is_part_of(path: JointPath, kinematics: Kinematics, s: float, kind: str, end: float) -> bool:
     """Whether the same factor vanishes at a singular end, and m nearly vanishes on the way there: it is one singularity."""
     between = kinematics.manipulability(path(np.linspace(s, end, 21)))
-    same = not kind or kind in _vanishing(kinematics, path(np.array([end])))
+    same = not kind or kind in _vanishing(kinematics, path(np.array([end]))[0])
     return same and bool(between.max() < SAME * typical_measure(kinematics))
 
 
@@ -241,29 +232,18 @@ def _linear_cost(integral: PathIntegral, most: float) -> float:
     return float(most * integral.floor**-integral.power * hyp2f1(0.5, integral.power / 2, 1.5, ratio))
 
 
-def _sign_changes(path: JointPath, kinematics: Kinematics) -> list[tuple[float, str]]:
+def _sign_changes(path: JointPath, sides: Sides) -> list[tuple[float, str]]:
     """The s where a factor of det J changes its sign, with its name; of det J itself where its factors are not known."""
     s = path.fine_samples(STEP)
-    values = _determinants(kinematics, path(s))
-    changes = _changes(values)
-    factors = _factors(kinematics)
-    if not factors:
-        return [(at, "") for at in _zeros(lambda at: _determinants(kinematics, path(at)), s[changes], s[changes + 1])]
-    # two factors can change their signs between the same samples: |det J| then has a dip without a change of its sign
-    size = np.abs(values)
-    dips = 1 + np.flatnonzero((size[1:-1] <= size[:-2]) & (size[1:-1] <= size[2:]))
-    left, right = np.concatenate([changes, dips - 1, dips]), np.concatenate([changes + 1, dips, dips + 1])
-    intervals = np.unique(np.column_stack([left, right]), axis=0)
     found = []
-    for factor in factors:
-        first, second = factor(path(s[intervals[:, 0]])), factor(path(s[intervals[:, 1]]))
-        low, high = s[intervals[(first >= 0) != (second >= 0)]].reshape(-1, 2).T
-        found += [(at, factor.name) for at in _zeros(partial(_along, factor, path), low, high)]
+    for k, (name, values) in enumerate(zip(sides.names, sides.values(path(s)).T, strict=True)):
+        changes = _changes(values)
+        found += [(at, name) for at in _zeros(partial(_along, sides, k, path), s[changes], s[changes + 1])]
     return found
 
 
-def _along(factor: DeterminantFactor, path: JointPath, s: Array) -> Array:
-    return factor(path(s))
+def _along(sides: Sides, k: int, path: JointPath, s: Array) -> Array:
+    return sides.values(path(s))[:, k]
 
 
 def _zeros(function: Callable[[Array], Array], low: Array, high: Array) -> list[float]:
@@ -280,8 +260,9 @@ def _zeros(function: Callable[[Array], Array], low: Array, high: Array) -> list[
 
 
 def _vanishing(kinematics: Kinematics, q: Array) -> list[str]:
-    """The factors that are zero at a configuration (1, n)."""
-    return [factor.name for factor in _factors(kinematics) if abs(factor(q)[0]) < ZERO * factor.usual]
+    """The factors that are zero at a configuration (n,)."""
+    sides = sides_of(kinematics)
+    return [] if sides is None else sides.vanishing(q)
 
 
 def _listed(names: list[str]) -> str:
@@ -300,17 +281,5 @@ def _changes(values: Array) -> NDArray[np.intp]:
     return np.flatnonzero(np.diff(values >= 0))
 
 
-def _differ(values: Array) -> bool:
-    """Whether two values have different signs; zero has that of the other."""
-    return bool(values[0] * values[1] < 0)
-
-
 def _determinants(kinematics: Kinematics, q: Array) -> Array:
     return np.asarray(np.linalg.det(kinematics.jacobian(q)))
-
-
-def _factors(kinematics: Kinematics) -> tuple[DeterminantFactor, ...]:
-    """The factors of det J; empty where they are not known, and for tasks that are no pose in one frame."""
-    task = kinematics.task
-    is_pose = task.rows == 6 and not (task.world_rows and task.tool_rows)
-    return determinant_factors(kinematics.robot) if is_pose else ()

@@ -20,19 +20,32 @@ SHARE = 16384
 
 #: Evaluates q (count, n) into out (count, outputs), both contiguous; returns whether all of q was finite.
 Kernel = Callable[[Array, Array], bool]
+#: int (const double *q, double *out, long count): the same in C; 0 if all of q was finite.
+BATCH = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long)
 
 
-def simd_kernel(function: ca.Function, subject: str) -> Kernel:
+class NativeKernel:
+    """A kernel in machine code.
+
+    Attributes:
+        run: the C function, a BATCH.
+    """
+
+    def __init__(self, run: Any) -> None:
+        self.run = run
+
+    def __call__(self, q: Array, out: Array) -> bool:
+        """As `Kernel`."""
+        return bool(self.run(q.ctypes.data, out.ctypes.data, len(q)) == 0)
+
+
+def simd_kernel(function: ca.Function, subject: str) -> NativeKernel:
     """A C kernel that uses the processor's vector width; raises CompilerError if it cannot be built."""
 
-    def load(file: Path) -> Any:
-        run = ctypes.CDLL(str(file)).manipplan_batch
-        run.argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long]
-        run.restype = ctypes.c_int
-        return run
+    def load(file: Path) -> NativeKernel:
+        return NativeKernel(BATCH(("manipplan_batch", ctypes.CDLL(str(file)))))
 
-    run = load_library(kernel_source(function), load, flags=(*NATIVE, "-fschedule-insns", "-lm"), subject=subject)
-    return lambda q, out: run(q.ctypes.data, out.ctypes.data, len(q)) == 0
+    return load_library(kernel_source(function), load, flags=(*NATIVE, "-fschedule-insns", "-lm"), subject=subject)
 
 
 def run_kernel(kernel: Kernel, q: Array, outputs: int, *, threads: int) -> Array | None:

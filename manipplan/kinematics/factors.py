@@ -13,9 +13,10 @@ Two constructions make det J a product:
 The product is compared with det J at random configurations before it is used.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import numpy as np
 import pinocchio as pin
@@ -32,8 +33,11 @@ AGREEMENT, SAMPLES = 1e-3, 40
 
 #: Directions (6, 3) of the joint axes and a point (6, 3) on each, in the world.
 Axes = tuple[Array, Array]
-#: A function of them.
-Value = Callable[[Array, Array], float]
+#: Three numbers or symbols, and one such vector per joint.
+Vector = Sequence[Any]
+Vectors = Sequence[Vector] | Array
+#: A function of the directions and points.
+Value = Callable[[Vectors, Vectors], Any]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -44,17 +48,13 @@ class DeterminantFactor:
         name: "elbow", "wrist", "shoulder" or "arm".
         joint: the only joint on which it depends, counted from 0; None for several.
         usual: the mean of its absolute values over random configurations.
+        value: the factor as a function of the `Axes`, which can also be symbols.
     """
 
     name: str
     joint: int | None
     usual: float
-    _value: Value
-    _robot: Robot
-
-    def __call__(self, q: Array) -> Array:
-        """Values (k,) at configurations q (k, n)."""
-        return np.array([self._value(*each) for each in _axes(self._robot, q)])
+    value: Value
 
 
 @once_per_owner
@@ -85,8 +85,7 @@ def determinant_factors(robot: Robot) -> tuple[DeterminantFactor, ...]:
             name=name,
             joint=_only_joint(robot, value, samples),
             usual=float(np.abs(values[name]).mean()),
-            _value=value,
-            _robot=robot,
+            value=value,
         )
         for name, value in found.items()
     )
@@ -140,39 +139,64 @@ def _of_spherical_wrist(axes: list[Axes]) -> dict[str, Value]:
     return {"arm": _velocity_of_wrist, "wrist": wrist}
 
 
-def _area(z: Array, o: Array, *, n: int, corners: tuple[int, int, int]) -> float:
+def _cross(a: Vector, b: Vector) -> Vector:
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def _dot(a: Vector, b: Vector) -> Any:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def _minus(a: Vector, b: Vector) -> Vector:
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def _triple(a: Vector, b: Vector, c: Vector) -> Any:
+    """The determinant of three vectors."""
+    return _dot(a, _cross(b, c))
+
+
+def _area(z: Vectors, o: Vectors, *, n: int, corners: tuple[int, int, int]) -> Any:
     """Twice the area that three axes along n span."""
-    a, b, c = o[list(corners)]
-    return float(z[n] @ np.cross(b - a, c - a))
+    a, b, c = (o[k] for k in corners)
+    return _triple(z[n], _minus(b, a), _minus(c, a))
 
 
-def _area_to_wrist(z: Array, o: Array, *, a: int, b: int) -> float:
+def _area_to_wrist(z: Vectors, o: Vectors, *, a: int, b: int) -> Any:
     """Twice the area that two parallel axes and the common point of the last three span."""
     wrist = _common(z, o, 3, 4)
-    return float(z[a] @ np.cross(wrist - o[a], wrist - o[b]))
+    return _triple(z[a], _minus(wrist, o[a]), _minus(wrist, o[b]))
 
 
-def _volume(z: Array, _o: Array, *, triple: tuple[int, int, int]) -> float:
+def _volume(z: Vectors, _o: Vectors, *, triple: tuple[int, int, int]) -> Any:
     """The determinant of three directions."""
-    return float(np.linalg.det(z[list(triple)]))
+    a, b, c = (z[k] for k in triple)
+    return _triple(a, b, c)
 
 
-def _lever(z: Array, o: Array, *, n: int, joint: int, pair: tuple[int, int]) -> float:
+def _lever(z: Vectors, o: Vectors, *, n: int, joint: int, pair: tuple[int, int]) -> Any:
     """The velocity along n that a joint gives to the point where the axes of a pair meet."""
-    return float(z[n] @ np.cross(z[joint], _common(z, o, *pair) - o[joint]))
+    return _triple(z[n], z[joint], _minus(_common(z, o, *pair), o[joint]))
 
 
-def _velocity_of_wrist(z: Array, o: Array) -> float:
+def _velocity_of_wrist(z: Vectors, o: Vectors) -> Any:
     """The determinant of the velocities that the first three joints give to the common point of the last three axes."""
-    return float(np.linalg.det(np.cross(z[:3], _common(z, o, 3, 4) - o[:3])))
+    wrist = _common(z, o, 3, 4)
+    a, b, c = (_cross(z[k], _minus(wrist, o[k])) for k in range(3))
+    return _triple(a, b, c)
 
 
-def _across(z: Array, o: Array, *, n: int, rest: list[int]) -> float:
+def _across(z: Vectors, o: Vectors, *, n: int, rest: list[int]) -> Any:
     """The determinant of the other joints' shifts along the parallel axes and turns across them."""
-    first = np.cross(z[n], np.eye(3)[np.abs(z[n]).argmin()])
-    frame = np.array([first, np.cross(z[n], first)]) / np.linalg.norm(first)
-    rows = [[z[n] @ np.cross(z[k], -o[k]) for k in rest], *([each @ z[k] for k in rest] for each in frame)]
-    return float(np.linalg.det(np.array(rows)))
+    a, b, c = rest
+    return sum(_triple(z[n], o[i], z[i]) * _triple(z[n], z[j], z[k]) for i, j, k in ((a, b, c), (b, c, a), (c, a, b)))
+
+
+def _common(z: Vectors, o: Vectors, a: int, b: int) -> Vector:
+    """The point on axis `a` nearest to axis `b`."""
+    cosine, between = _dot(z[a], z[b]), _minus(o[b], o[a])
+    along = (_dot(between, z[a]) - cosine * _dot(between, z[b])) / (1 - cosine * cosine)
+    return tuple(o[a][i] + along * z[a][i] for i in range(3))
 
 
 def _parallel(z: Array, a: int, b: int) -> bool:
@@ -187,14 +211,7 @@ def _meet(z: Array, o: Array, a: int, b: int) -> bool:
 
 def _meet_in_a_point(z: Array, o: Array) -> bool:
     """Whether the last three axes meet in one point."""
-    return bool(np.linalg.norm(_common(z, o, 3, 4) - _common(z, o, 4, 5)) < ROUNDED * _size(o))
-
-
-def _common(z: Array, o: Array, a: int, b: int) -> Array:
-    """The point (3,) on axis `a` nearest to axis `b`."""
-    cosine, between = z[a] @ z[b], o[b] - o[a]
-    along = (between @ z[a] - cosine * (between @ z[b])) / (1 - cosine**2)
-    return np.asarray(o[a] + along * z[a])
+    return bool(np.linalg.norm(_minus(_common(z, o, 3, 4), _common(z, o, 4, 5))) < ROUNDED * _size(o))
 
 
 def _size(o: Array) -> float:

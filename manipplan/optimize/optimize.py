@@ -15,7 +15,7 @@ from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.basis import PathShape
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
-from manipplan.seeds.ompl import check_apart
+from manipplan.seeds.seed import check_apart
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import instance, number
 from manipplan.support.errors import InvalidInputError, PlanningError

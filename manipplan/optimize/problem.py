@@ -23,9 +23,8 @@ from manipplan.paths.basis import EndConditions, PathShape, named_basis
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.seeds.aspect import Aspect
-from manipplan.seeds.ompl import CHECK_STEP, PROVABLE, seed_path
 from manipplan.seeds.random_path import random_path
+from manipplan.seeds.seed import CHECK_STEP, PROVABLE, seed_path
 from manipplan.seeds.seeding import MOST_SEEDS, Seeding
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, InvalidInputError, PlanningError
@@ -251,28 +250,15 @@ def _coarse_optimum(coarse: PathProblem, search: LocalSearch, first: JointPath, 
 
 
 def planned_path(problem: PathProblem, start: Array, goal: Array, seed: int) -> JointPath:
-    """A free first path of the planner, if possible one without a singularity; raises PlanningError without any."""
-    limit, kinematics = problem.seeding.time_limit, problem.integral().kinematics
-    if Aspect.shared(kinematics, start, goal) is not None and least_crossings(kinematics, start, goal) == 0:
-        try:
-            return _planned(problem, start, goal, seed, limit / 2, same_aspect=True)
-        except PlanningError as error:
-            log.info("%s; trying again with paths through singularities", error)
-            limit /= 2
-    return _planned(problem, start, goal, seed, limit)
-
-
-def _planned(
-    problem: PathProblem, start: Array, goal: Array, seed: int, time_limit: float, *, same_aspect: bool = False
-) -> JointPath:
+    """A free first path of the planner with few singularities on it; raises PlanningError without any."""
     return seed_path(
         problem.robot,
         start,
         goal,
         problem.scene,
-        seeding=replace(problem.seeding, seed=seed, count=1, shifts="none", time_limit=time_limit),
+        seeding=replace(problem.seeding, seed=seed, count=1, shifts="none"),
         objective=problem.objective,
-        same_aspect=same_aspect,
+        fewest_crossings=True,
         clearance=problem.clearance,
     )
 

@@ -63,8 +63,3 @@ class Seeding:
             raise InvalidInputError("shifts", self.shifts, "'none' together with an initial path")
         if self.initial is not None and self.count > 1:
             raise InvalidInputError("count", self.count, "1 together with an initial path")
-
-    @property
-    def planner_name(self) -> str:
-        """The name of OMPL's planner."""
-        return AUTO if self.planner == "auto" else self.planner

@@ -313,7 +313,7 @@ def test_an_interrupt_of_the_planner_is_raised(planar, monkeypatch, sigint):
 
     monkeypatch.setattr(CollisionModel, "in_collision", interrupt)
     with pytest.raises(KeyboardInterrupt):
-        mp.optimize_path(planar, START, GOAL, scene=POST)
+        mp.optimize_path(planar, START, GOAL, scene=POST, seeding=mp.Seeding(planner="RRTConnect"))
 
 
 #: Pairs of the UR5 in one aspect, among them some around whose table the shortest ways cross a singularity.
@@ -333,15 +333,16 @@ def det_signs(robot, path):
 
 
 @pytest.mark.slow
-def test_a_seed_that_keeps_its_aspect_crosses_no_singularity(ur5):
+@pytest.mark.parametrize("planner", ["auto", "RRTConnect"])
+def test_a_seed_that_keeps_its_aspect_crosses_no_singularity(ur5, planner):
     lines = [line for line in (SUITE / "pairs.csv").read_text().splitlines() if not line.startswith("#")]
     rows = [row for row in csv.DictReader(lines) if row["arm"] == "ur5" and row["scene"] == "table"]
     scene = mp.Scene.from_yaml(SUITE / "table_ur5.yaml")
     crossing = 0
     for row in rows[4:8]:
         start, goal = (np.array(row[end].split(), dtype=float) for end in ("start", "goal"))
-        free = mp.seed_path(ur5, start, goal, scene, seeding=mp.Seeding(time_limit=30.0))
-        kept = mp.seed_path(ur5, start, goal, scene, same_aspect=True, seeding=mp.Seeding(time_limit=30.0))
+        free = mp.seed_path(ur5, start, goal, scene, seeding=mp.Seeding(planner="RRTConnect", time_limit=30.0))
+        kept = mp.seed_path(ur5, start, goal, scene, same_aspect=True, seeding=mp.Seeding(planner=planner, time_limit=30.0))
         crossing += len(det_signs(ur5, free)) > 1
         assert len(det_signs(ur5, kept)) == 1
         assert not scene.in_collision(ur5, kept(kept.fine_samples(1e-3))).any()
@@ -349,11 +350,13 @@ def test_a_seed_that_keeps_its_aspect_crosses_no_singularity(ur5):
     assert crossing >= 2
 
 
-@pytest.mark.slow
 def test_an_aspect_needs_a_square_jacobian_and_one_sign(ur5, panda):
     with pytest.raises(mp.InvalidInputError, match="same_aspect: got True; allowed: False: det J of the task pose has no sign"):
         mp.seed_path(panda, panda.neutral, panda.neutral + 0.2, same_aspect=True)
     q = np.array([0.0, -1.2, 1.5, -1.0, -1.2, 0.0])
-    flipped = q * [1, 1, 1, 1, -1, 1]  # on the other side of the wrist's singularity
-    with pytest.raises(mp.InvalidInputError, match="not the same one at start and goal"):
-        mp.seed_path(ur5, q, flipped, same_aspect=True)
+    for others, message in (
+        (q * [1, 1, 1, 1, -1, 1], "start and goal lie in different aspects of the task pose"),
+        (q * [1, 1, 1, 1, 0, 1], "goal is singular for the task pose"),
+    ):
+        with pytest.raises(mp.InvalidInputError, match=message):
+            mp.seed_path(ur5, q, others, same_aspect=True)

@@ -1,0 +1,300 @@
+"""Seed paths among obstacles: found by a search, simplified, rounded, and proven collision-free.
+
+The motion checks of a search sample configurations, so its path is accepted only after the whole curve is proven collision-free
+or, where it comes too close to contact for a proof, checked at every milliradian.
+"""
+
+import logging
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.path_clearance import path_clearance
+from manipplan.collision.scene import Scene
+from manipplan.cost.crossings import least_crossings
+from manipplan.cost.integral import PathIntegral
+from manipplan.cost.objective import PathObjective
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.kinematics.sides import sides_of
+from manipplan.paths.joint import SHORTEST, JointPath
+from manipplan.paths.smooth import rounded
+from manipplan.robots.robot import Robot
+from manipplan.seeds.connect import TreeSearch, can_search
+from manipplan.seeds.ompl import OmplSearch
+from manipplan.seeds.seeding import AUTO, OPTIMISING, Seeding
+from manipplan.seeds.task import GRACE, SeedTask
+from manipplan.support.checks import Array, instance, number, whole_number
+from manipplan.support.errors import InvalidInputError, PlanningError
+
+log = logging.getLogger("manipplan")
+
+#: Maximum joint motion between two checks of a finished path [rad or m].
+CHECK_STEP = 1e-3
+#: Maximum joint motion between two configurations whose sides of the singularities are compared [rad or m].
+SIDES_STEP = 5e-3
+#: Minimum distance of the ends beyond the clearance for a proof [m]; the proof's own tolerances take as much.
+PROVABLE = 1e-4
+#: Steps of the motion checks [rad or m] and their margins beyond the clearance [m], tried in turn until a path is proven.
+MOTION_STEPS = ((0.02, 0.0), (0.008, 0.002), (0.003, 0.005))
+#: Checks of the search for a path with the fewest crossings, and of the one that allows `MORE` of them.
+FEWEST_CHECKS, MORE_CHECKS, MORE = 100_000, 50_000, 2
+
+
+def seed_path(
+    robot: Robot,
+    start: ArrayLike,
+    goal: ArrayLike,
+    scene: Scene | None = None,
+    *,
+    seeding: Seeding = Seeding(),
+    objective: PathObjective | None = None,
+    same_aspect: bool = False,
+    fewest_crossings: bool = False,
+    checks: int = 50_000,
+    clearance: float = 0.0,
+) -> JointPath:
+    """Find a collision-free path: the straight line if that is free, else the path of a planner, simplified and rounded.
+
+    Args:
+        robot: the arm.
+        start, goal: (n,) [rad or m].
+        scene: obstacles; None: only self-collision is checked.
+        seeding: planner, random seed and time limit; the other fields keep their defaults.
+        objective: the cost that the optimising planners (RRTstar, InformedRRTstar, SORRTstar, BITstar) lower; None: the length.
+            With an objective the straight line is returned only if no lower g is found, and the path is simplified only where
+            that does not raise g. The other planners ignore it.
+        same_aspect: only accept a path on which no factor of det J changes its sign, so that it crosses no singularity of the
+            objective's task. Requires an arm with as many joints as the task has rows, and no crossing that is unavoidable.
+        fewest_crossings: look first for a path that crosses singularities no more often than it must, then for one with two
+            crossings more, and then for any. The planners of OMPL only tell paths without crossings from others. No effect on
+            arms with more joints than the task has rows.
+        checks: maximum number of configurations that an optimising planner checks, about 60 µs each.
+        clearance: minimum distance [m] to every obstacle and between the arm's own links.
+
+    Returns:
+        A JointPath that is proven collision-free on the whole curve. If no such path is found, for instance because the start
+        nearly touches something, one that is free at every milliradian. `scene.path_clearance` tells which.
+
+    Raises:
+        InvalidInputError: start or goal has a wrong length, is outside the limits, or in collision; `same_aspect` if start and
+            goal are singular or lie in different aspects.
+        PlanningError: no collision-free path was found within the time limit or `checks`.
+    """
+    instance("robot", robot, Robot)
+    _check_seeding(instance("seeding", seeding, Seeding))
+    integral = instance("objective", objective if objective is not None else PathObjective(), PathObjective).integral(robot)
+    lowers_g = objective is not None and seeding.planner in OPTIMISING
+    checks = whole_number("checks", checks, least=1)
+    clearance = number("clearance", clearance, least=0.0)
+    scene = instance("scene", scene if scene is not None else Scene(), Scene)
+    model = scene.collision_model(robot)
+    q_start = model.free_configuration("start", start, clearance)
+    q_goal = model.free_configuration("goal", goal, clearance)
+    check_apart(q_start, q_goal)
+    kinematics = integral.kinematics
+    task = SeedTask(
+        model=model,
+        start=q_start,
+        goal=q_goal,
+        seed=seeding.seed,
+        clearance=clearance,
+        sides=sides_of(kinematics),
+        most_crossings=None,
+        checks=None,
+        deadline=time.monotonic() + seeding.time_limit,
+    )
+    finder = _Finder(
+        seeding=seeding,
+        integral=integral if lowers_g else None,
+        checks=checks,
+        compiled=seeding.planner == "auto" and can_search(model),
+        free=_acceptance(model, (q_start, q_goal), clearance),
+    )
+    if same_aspect:
+        _check_aspect(task, kinematics)
+        tasks = [replace(task, most_crossings=0)]
+    else:
+        tasks = _stages(task, kinematics, finder) if fewest_crossings else [task]
+    for each in tasks:
+        found = finder.find(each)
+        if found is not None:
+            return found
+    raise PlanningError(finder.failure())
+
+
+def _check_aspect(task: SeedTask, kinematics: Kinematics) -> None:
+    """Raise InvalidInputError unless start and goal lie in one aspect, as far as the signs of det J's factors tell."""
+    name = kinematics.task.name
+    if task.sides is None:
+        raise InvalidInputError("same_aspect", True, f"False: det J of the task {name} has no sign, since J is not square")
+    singular = [end for end, q in (("start", task.start), ("goal", task.goal)) if task.sides.vanishing(q)]
+    if singular:
+        raise InvalidInputError("same_aspect", True, f"False: {' and '.join(singular)} is singular for the task {name}")
+    if least_crossings(kinematics, task.start, task.goal):
+        raise InvalidInputError("same_aspect", True, f"False: start and goal lie in different aspects of the task {name}")
+
+
+def _stages(task: SeedTask, kinematics: Kinematics, finder: "_Finder") -> list[SeedTask]:
+    """Searches that allow more and more crossings, each but the last one with a limit."""
+    least = least_crossings(kinematics, task.start, task.goal)
+    if least is None:
+        return [task]
+    if not finder.compiled:
+        half = task.deadline - finder.seeding.time_limit / 2
+        return ([replace(task, most_crossings=0, deadline=half)] if least == 0 else []) + [task]
+    return [
+        replace(task, most_crossings=least, checks=FEWEST_CHECKS),
+        replace(task, most_crossings=least + MORE, checks=MORE_CHECKS),
+        task,
+    ]
+
+
+@dataclass(kw_only=True, eq=False)
+class _Finder:
+    """Finds the path of a task.
+
+    Attributes:
+        seeding: planner and time limit.
+        integral: the cost that the search lowers; None: the length.
+        checks: maximum number of checks of an optimising planner.
+        compiled: search by our own compiled code, not by OMPL.
+        free: the acceptance test.
+        spent: the number of checks, not the time limit, ended the search.
+    """
+
+    seeding: Seeding
+    integral: PathIntegral | None
+    checks: int
+    compiled: bool
+    free: Callable[[JointPath], bool]
+    spent: bool = False
+
+    def cost(self, path: JointPath) -> float:
+        """The cost that the search lowers, for any path."""
+        return path.length if self.integral is None else self.integral.cost(path).g
+
+    def find(self, task: SeedTask) -> JointPath | None:
+        """The path of a search; None if none is found in time."""
+        line = JointPath.line(task.start, task.goal)
+        is_allowed, cost = _crossing_limit(task), self.cost
+
+        def accept(path: JointPath) -> bool:
+            return is_allowed(path) and self.free(path)
+
+        def accept_in_time(path: JointPath) -> bool:
+            return time.monotonic() < task.deadline + GRACE and accept(path)
+
+        line_is_free = accept(line)
+        if line_is_free and self.integral is None:
+            return line
+        checked = None
+        for waypoints in self._waypoints(task):
+            points = waypoints if self.compiled else _shortened(waypoints, accept_in_time, cost)
+            if accept(JointPath.through(points)):
+                found = _rounded(points, accept_in_time, cost)
+                return line if line_is_free and cost(line) <= cost(found) else found
+            sharp = JointPath.through(waypoints)
+            if checked is None and is_allowed(sharp) and _is_free(task.model, sharp, task.clearance):
+                checked = sharp
+        self.spent = time.monotonic() < task.deadline
+        if line_is_free:
+            return line
+        if checked is not None:
+            log.info("no path was proven collision-free in time; this one is free at every milliradian")
+        return checked
+
+    @property
+    def planner(self) -> str:
+        """The name of OMPL's planner."""
+        return AUTO if self.seeding.planner == "auto" else self.seeding.planner
+
+    def _waypoints(self, task: SeedTask) -> Iterator[Array]:
+        """The paths (k, n) of searches with finer and finer motion checks."""
+        spare = 0.9 * (task.model.least_distance(np.array([task.start, task.goal]))[0] - task.clearance)
+        checks = self.checks if self.planner in OPTIMISING else None
+        ompl = OmplSearch(task=task, planner=self.planner, integral=self.integral, checks=checks)
+        search = TreeSearch(task=task) if self.compiled else ompl
+        for step, margin in MOTION_STEPS:
+            waypoints = search.run(step, min(margin, spare))
+            if waypoints is None:
+                return
+            apart = np.abs(np.diff(waypoints, axis=0)).max(axis=1) > 1e-9
+            yield np.vstack([waypoints[:-1][apart], waypoints[-1:]])
+            log.info("the path is not proven free with checks %g rad apart; checking finer", step)
+
+    def failure(self) -> str:
+        """Why no path was found."""
+        limit = self.seeding.time_limit
+        spent, remedy = f"in {limit:g} s", "allow more time (Seeding.time_limit)"
+        if self.spent and self.planner in OPTIMISING:
+            spent, remedy = f"with {self.checks} checks", "allow more of them (checks)"
+        return (
+            f"no path from start to goal was found by {'RRT-Connect' if self.compiled else self.planner} {spent}; "
+            f"{remedy}, reduce the clearance, or check that the goal can be reached"
+        )
+
+
+def _crossing_limit(task: SeedTask) -> Callable[[JointPath], bool]:
+    """Whether a path crosses singularities no more often than allowed."""
+    sides, most = task.sides, task.most_crossings
+    if sides is None or most is None:
+        return lambda _: True
+    return lambda path: sides.changes(path(path.fine_samples(SIDES_STEP))) <= most
+
+
+def _check_seeding(seeding: Seeding) -> None:
+    """Raise InvalidInputError for options that concern several first paths, or a given one."""
+    for name, value, only in (
+        ("seeding.count", seeding.count, 1),
+        ("seeding.shifts", seeding.shifts, "none"),
+        ("seeding.initial", seeding.initial, None),
+    ):
+        if value != only:
+            raise InvalidInputError(name, value, f"{only!r}: seed_path looks for one path; optimize_path takes the others")
+
+
+def _rounded(waypoints: Array, accept: Callable[[JointPath], bool], cost: Callable[[JointPath], float]) -> JointPath:
+    """The path through waypoints, with rounded corners where that is accepted and costs no more."""
+    sharp, smooth = JointPath.through(waypoints), rounded(waypoints, accept)
+    return smooth if accept(smooth) and cost(smooth) <= cost(sharp) else sharp
+
+
+def _acceptance(model: CollisionModel, ends: tuple[Array, Array], clearance: float) -> Callable[[JointPath], bool]:
+    """The acceptance test of a seed: proven free, or free at every milliradian if an end is too near contact for a proof."""
+    for q in ends:
+        if model.least_distance(np.asarray(q)[None])[0] <= clearance + PROVABLE:
+            log.info("start or goal is too close to contact for a proof; the seed is checked at every milliradian")
+            return lambda path: _is_free(model, path, clearance)
+    return lambda path: path_clearance(model, path, clearance=clearance, tolerance=None).proven
+
+
+def _is_free(model: CollisionModel, path: JointPath, clearance: float) -> bool:
+    """Whether the path is free at every milliradian, and the proof found no contact in between."""
+    return (
+        model.path_is_free(path, CHECK_STEP, clearance)
+        and not path_clearance(model, path, clearance=clearance, tolerance=None).refuted
+    )
+
+
+def check_apart(start: Array, goal: Array) -> None:
+    """Raise InvalidInputError if start and goal coincide."""
+    if np.abs(goal - start).max() < SHORTEST:
+        raise InvalidInputError("goal", goal.tolist(), f"a configuration that differs from start by {SHORTEST:g} or more")
+
+
+def _shortened(waypoints: Array, accept: Callable[[JointPath], bool], cost: Callable[[JointPath], float]) -> Array:
+    """The waypoints without those that an accepted straight motion of no higher cost can skip."""
+    points = list(waypoints)
+    k = 0
+    while k + 2 < len(points):
+        for far in range(len(points) - 1, k + 1, -1):
+            skip = JointPath.line(points[k], points[far])
+            if cost(skip) <= cost(JointPath.through(points[k : far + 1])) and accept(skip):
+                del points[k + 1 : far]
+                break
+        k += 1
+    return np.array(points)

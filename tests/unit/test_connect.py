@@ -1,0 +1,184 @@
+"""Our own compiled search for paths, which counts crossings of singularities."""
+
+import json
+import os
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import manipplan as mp
+from manipplan.collision.model import CollisionModel
+from manipplan.kinematics.sides import sides_of
+from manipplan.seeds import connect
+from manipplan.seeds.connect import TreeSearch, can_search
+from manipplan.seeds.task import SeedTask
+
+START, GOAL = [0.0, 1.5, -2.0], [3.14, -2.0, 2.0]
+POST = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+
+
+def crossings(robot, path):
+    """Number of changes of sign of any factor of det J along a path."""
+    return sides_of(robot.kinematics()).changes(path(path.fine_samples(1e-3)))
+
+
+def task_of(robot, scene, start, goal, **options):
+    given = {"seed": 0, "clearance": 0.0, "sides": None, "most_crossings": None, "checks": None}
+    given |= {"deadline": time.monotonic() + 30.0} | options
+    return SeedTask(model=scene.collision_model(robot), start=np.array(start), goal=np.array(goal), **given)
+
+
+def assert_free(scene, robot, waypoints):
+    """Free by coal alone at every milliradian."""
+    model = scene.collision_model(robot)
+    path = mp.JointPath.through(waypoints)
+    assert not any(model._touches(q, 0.0) for q in path(path.fine_samples(5e-3)))
+
+
+def two_links(lower, upper):
+    """Two links of 1 m; det J is zero where the second joint is."""
+    arm = mp.planar_arm([1.0, 1.0])
+    limits = replace(arm.limits, lower=np.array(lower), upper=np.array(upper))
+    return replace(arm, limits=limits)
+
+
+#: A post that the first link passes below: between these ends the elbow must straighten, unless it bends by 120 degrees or more.
+NARROW = mp.Scene([mp.Cylinder(radius=0.03, length=1.0, position=(1.08 * np.cos(1.0), 1.08 * np.sin(1.0), 0.0), name="post")])
+ENDS = [-0.8, 0.5], [2.8, 0.5]
+
+
+def test_a_path_keeps_its_aspect_where_it_can():
+    arm = two_links([-3.0, -2.6], [3.0, 2.6])
+    path = mp.seed_path(arm, *ENDS, NARROW, fewest_crossings=True)
+    assert crossings(arm, path) == 0
+    assert NARROW.path_clearance(arm, path).proven
+
+
+def test_two_crossings_more_are_taken_where_none_is_not_enough():
+    arm = two_links([-3.0, -2.6], [3.0, 1.6])
+    path = mp.seed_path(arm, *ENDS, NARROW, fewest_crossings=True)
+    assert crossings(arm, path) == 2
+    assert NARROW.path_clearance(arm, path).proven
+    with pytest.raises(mp.PlanningError, match="no path from start to goal was found by RRT-Connect in 1 s"):
+        mp.seed_path(arm, *ENDS, NARROW, same_aspect=True, seeding=mp.Seeding(time_limit=1.0))
+
+
+def test_the_time_limit_holds_for_an_enclosed_goal():
+    arm = two_links([-3.0, -2.6], [3.0, 1.6])
+    wall = mp.Scene([mp.Cylinder(radius=0.03, length=1.0, position=(0.5 * np.cos(1.0), 0.5 * np.sin(1.0), 0.0), name="post")])
+    began = time.monotonic()
+    with pytest.raises(mp.PlanningError, match="allow more time"):
+        mp.seed_path(arm, [0.0, 0.5], [2.5, 0.5], wall, fewest_crossings=True, seeding=mp.Seeding(time_limit=0.8))
+    assert 0.7 < time.monotonic() - began < 1.0
+
+
+@pytest.mark.parametrize("name", ["panda", "ur5"])
+def test_paths_are_free_and_depend_on_the_seed_alone(name, panda, ur5, demo_problem):
+    robot = {"panda": panda, "ur5": ur5}[name]
+    scene = (
+        demo_problem.scene
+        if name == "panda"
+        else mp.Scene([mp.Box(size=(0.2, 0.6, 0.6), position=(0.5, 0.0, 0.4), name="wall")])
+    )
+    ends = (
+        (demo_problem.start, demo_problem.goal)
+        if name == "panda"
+        else ([-0.9, -1.0, 1.0, -1, -1.2, 0], [0.9, -1.0, 1.0, -1, -1.2, 0])
+    )
+    task = task_of(robot, scene, *ends)
+    first = TreeSearch(task=task).run(0.01, 0.005)
+    assert len(first) > 2
+    assert_free(scene, robot, first)
+    np.testing.assert_array_equal(first[[0, -1]], ends)
+    with ThreadPoolExecutor(3) as pool:
+        for again in pool.map(lambda _: TreeSearch(task=task).run(0.01, 0.005), range(3)):
+            np.testing.assert_array_equal(again, first)
+    other = TreeSearch(task=replace(task, seed=1)).run(0.01, 0.005)
+    assert other.shape != first.shape or np.abs(other - first).max() > 0.01
+
+
+def test_a_search_ends_after_its_checks(planar):
+    blocked = mp.Scene([mp.Cylinder(radius=0.05, length=1.0, position=(0.0, 0.6, 0.0), name="post")])
+    task = task_of(planar, blocked, START, GOAL, checks=5000)
+    began = time.monotonic()
+    assert TreeSearch(task=task).run(0.02, 0.0) is None
+    assert time.monotonic() - began < 5.0
+    assert TreeSearch(task=replace(task, deadline=began)).run(0.02, 0.0) is None
+
+
+def test_many_nodes(planar, monkeypatch):
+    """The room for nodes grows, which changes nothing."""
+    task = task_of(planar, POST, START, GOAL)
+    usual = TreeSearch(task=task).run(0.02, 0.0)
+    monkeypatch.setattr(connect, "ROOM", 2)
+    np.testing.assert_array_equal(TreeSearch(task=task).run(0.02, 0.0), usual)
+
+
+EGGS = """<mujoco><worldbody><body name="a" pos="0 0 0.3"><joint name="i" axis="0 0 1" range="-170 170"/>
+  <geom type="ellipsoid" size="0.3 0.1 0.05" pos="0.3 0 0"/><body name="b" pos="0.7 0 0"><joint name="j" axis="0 1 0" range="-120 120"/>
+  <geom type="ellipsoid" size="0.25 0.05 0.1" pos="0.3 0 0"/></body></body></worldbody></mujoco>"""
+
+
+@pytest.fixture
+def eggs(tmp_path):
+    """An arm of ellipsoids, which the collision kernel leaves to coal, and a post in its way."""
+    (tmp_path / "eggs.xml").write_text(EGGS)
+    arm = mp.Robot.from_mjcf(tmp_path / "eggs.xml", tool="b", velocity=1.0)
+    return arm, mp.Scene([mp.Cylinder(radius=0.05, length=0.5, position=(1.05, 0.0, 0.3), name="post")])
+
+
+def test_coal_decides_what_the_kernel_cannot(eggs):
+    arm, scene = eggs
+    task = task_of(arm, scene, [-1.0, 0.0], [1.0, 0.0])
+    way = TreeSearch(task=task).run(0.02, 0.0)
+    assert len(way) > 2
+    assert_free(scene, arm, way)
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, RuntimeError])
+def test_an_error_of_coal_s_answer_is_raised(eggs, monkeypatch, error):
+    arm, scene = eggs
+
+    def fail(*_, **__):
+        raise error
+
+    task = task_of(arm, scene, [-1.0, 0.0], [1.0, 0.0])
+    monkeypatch.setattr(CollisionModel, "in_collision", fail)
+    with pytest.raises(error):
+        TreeSearch(task=task).run(0.02, 0.0)
+
+
+WITHOUT_COMPILER = """
+import json, sys, numpy as np, manipplan as mp
+arm = mp.load_robot("ur5")
+wall = mp.Scene([mp.Box(size=(0.2, 0.6, 0.6), position=(0.5, 0.0, 0.4), name="wall")])
+ends = [-0.9, -1.0, 1.0, -1, -1.2, 0], [0.9, -1.0, 1.0, -1, -1.2, 0]
+print(json.dumps(mp.seed_path(arm, *ends, wall, fewest_crossings=True).control.tolist()))
+"""
+
+
+@pytest.mark.slow
+def test_without_a_compiler_the_path_is_the_same(tmp_path):
+    found = []
+    for compiler in (None, ""):
+        environment = {**os.environ, "PYTHONWARNINGS": "ignore"} | ({} if compiler is None else {"CC": compiler})
+        environment["MANIPPLAN_CACHE"] = str(tmp_path / str(compiler))
+        run = subprocess.run(
+            [sys.executable, "-c", WITHOUT_COMPILER], env=environment, capture_output=True, text=True, timeout=200, check=True
+        )
+        found.append(np.array(json.loads(run.stdout)))
+    np.testing.assert_allclose(found[0], found[1], atol=1e-9)
+
+
+def test_where_it_cannot_be_compiled_ompl_searches(planar, monkeypatch):
+    monkeypatch.setattr(connect, "_functions", lambda: None)
+    assert not can_search(POST.collision_model(planar))
+    path = mp.seed_path(planar, START, GOAL, POST)
+    np.testing.assert_array_equal(
+        path.control, mp.seed_path(planar, START, GOAL, POST, seeding=mp.Seeding(planner="RRTConnect")).control
+    )
