@@ -8,7 +8,7 @@
 #include <string.h>
 
 enum { FREE, TOUCHING, UNDECIDED };
-enum { SEARCHING, FOUND, FULL, STOPPED };
+enum { SEARCHING, FOUND, FULL };
 enum { MOST_SIDES = 8, BLOCK = 64, MOST_JOINTS = 64 };
 
 typedef struct {
@@ -25,8 +25,11 @@ typedef struct {
     const double *near_high;
     const void *world;      /* what `check` takes */
     int (*check)(const void *, const double *, double);
-    int (*decide)(const double *); /* FREE or TOUCHING where `check` cannot tell, or STOPPED */
+    int (*decide)(const double *, double); /* FREE or TOUCHING where `check` cannot tell */
     double clearance;
+    double margin;          /* demanded beyond the clearance, but no more at start and goal than */
+    double spare[2];        /* what they have, */
+    double growth;          /* and this more per rad or m away from them */
     double step;            /* largest motion of a joint between two checks */
     double range;           /* longest edge */
     long sides;             /* number of functions; 0: singularities do not count */
@@ -63,10 +66,19 @@ static int differences(const Side *a, const Side *b) {
     return count_bits((unsigned char)((a->positive ^ b->positive) & a->known & b->known));
 }
 
+static double distance(const Search *s, const double *a, const double *b) {
+    double sum = 0;
+    for (long j = 0; j < s->n; j++) sum += (b[j] - a[j]) * (b[j] - a[j]);
+    return sqrt(sum);
+}
+
 static int is_free(Search *s, const double *q) {
+    double margin = s->margin;
+    for (int end = 0; end < 2; end++)
+        if (margin > s->spare[end]) margin = fmin(margin, s->spare[end] + s->growth * distance(s, q, s->node[end]));
     s->checks++;
-    int verdict = s->check(s->world, q, s->clearance);
-    return verdict == UNDECIDED ? s->decide(q) == FREE : verdict == FREE;
+    int verdict = s->check(s->world, q, s->clearance + margin);
+    return verdict == UNDECIDED ? s->decide(q, s->clearance + margin) == FREE : verdict == FREE;
 }
 
 static void between(const Search *s, const double *a, const double *b, double share, double *out) {
@@ -78,12 +90,6 @@ static long steps_of(const Search *s, const double *a, const double *b) {
     for (long j = 0; j < s->n; j++) most = fmax(most, fabs(b[j] - a[j]));
     long count = (long)ceil(most / s->step);
     return count > 1 ? count : 1;
-}
-
-static double distance(const Search *s, const double *a, const double *b) {
-    double sum = 0;
-    for (long j = 0; j < s->n; j++) sum += (b[j] - a[j]) * (b[j] - a[j]);
-    return sqrt(sum);
 }
 
 /* Carry `side` from a to b; returns whether a path from there to `other` may still have few enough changes. */

@@ -1,28 +1,28 @@
-; connect.c 5f5f7ff7d4a8e0865338abf3644834cfe5d23b39d147be14ed60cc8a85dc9f10: written by make kernel
+; connect.c 246effc601d8210649f5b2fe7ec83b54c61fe1568a7d96a25cc093164cfad46f: written by make kernel
 
-%struct.Search = type { i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, double, double, double, i64, ptr, ptr, i64, i64, i64, [2 x ptr], [2 x ptr], [2 x ptr], [2 x i64], [2 x i64], i64, i64 }
+%struct.Search = type { i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, double, double, [2 x double], double, double, double, i64, ptr, ptr, i64, i64, i64, [2 x ptr], [2 x ptr], [2 x ptr], [2 x i64], [2 x i64], i64, i64 }
 %struct.Side = type { i8, i8, i64 }
 
 define dso_local i32 @manipplan_connect(ptr nocapture noundef %0, i64 noundef %1) local_unnamed_addr #0 {
   %3 = alloca [64 x double], align 16
-  %4 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23
+  %4 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
   %5 = load i64, ptr %4, align 8
   %6 = add nsw i64 %5, %1
   %7 = icmp sgt i64 %1, 0
   br i1 %7, label %8, label %221
 
 8:                                                ; preds = %2
-  %9 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
-  %10 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  %9 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25
+  %10 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 18
   %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
   %12 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
   %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
   %14 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %15 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20
-  %16 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
-  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
-  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
-  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 1
+  %15 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23
+  %16 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 19
+  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 1
   br label %20
 
 20:                                               ; preds = %8, %218
@@ -60,7 +60,7 @@ define dso_local i32 @manipplan_connect(ptr nocapture noundef %0, i64 noundef %1
 45:                                               ; preds = %44, %20
   %46 = add nsw i64 %21, 1
   store i64 %46, ptr %4, align 8
-  %47 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %22
+  %47 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %22
   %48 = load i64, ptr %47, align 8
   %49 = load i64, ptr %16, align 8
   %50 = icmp slt i64 %48, %49
@@ -99,7 +99,7 @@ define dso_local i32 @manipplan_connect(ptr nocapture noundef %0, i64 noundef %1
   br i1 %77, label %78, label %106
 
 78:                                               ; preds = %76
-  %79 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17, i64 %22
+  %79 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %22
   %80 = load ptr, ptr %79, align 8
   br label %81
 
@@ -141,20 +141,20 @@ define dso_local i32 @manipplan_connect(ptr nocapture noundef %0, i64 noundef %1
   br i1 %109, label %218, label %110
 
 110:                                              ; preds = %106
-  %111 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17, i64 %22
+  %111 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %22
   %112 = load ptr, ptr %111, align 8
   %113 = load i64, ptr %0, align 8
   %114 = mul nsw i64 %113, %108
   %115 = getelementptr inbounds double, ptr %112, i64 %114
   %116 = shl i64 %113, 3
   call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 16 %3, ptr align 8 %115, i64 %116, i1 false)
-  %117 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %23
+  %117 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %23
   %118 = load i64, ptr %117, align 8
   %119 = icmp sgt i64 %118, 0
   br i1 %119, label %120, label %151
 
 120:                                              ; preds = %110
-  %121 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17, i64 %23
+  %121 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %23
   %122 = load ptr, ptr %121, align 8
   %123 = icmp sgt i64 %113, 0
   br label %124
@@ -196,7 +196,7 @@ define dso_local i32 @manipplan_connect(ptr nocapture noundef %0, i64 noundef %1
 
 151:                                              ; preds = %110, %149
   %152 = phi i64 [ %134, %149 ], [ 0, %110 ]
-  %153 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17, i64 %23
+  %153 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %23
   br label %154
 
 154:                                              ; preds = %151, %208
@@ -216,10 +216,10 @@ define dso_local i32 @manipplan_connect(ptr nocapture noundef %0, i64 noundef %1
   br i1 %165, label %201, label %166
 
 166:                                              ; preds = %163
-  %167 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 19, i64 %23
+  %167 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 %23
   %168 = load ptr, ptr %167, align 8
   %169 = getelementptr inbounds %struct.Side, ptr %168, i64 %155
-  %170 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 19, i64 %22
+  %170 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 %22
   %171 = load ptr, ptr %170, align 8
   %172 = getelementptr inbounds %struct.Side, ptr %171, i64 %108
   %173 = getelementptr inbounds %struct.Side, ptr %171, i64 %108, i32 2
@@ -257,9 +257,9 @@ define dso_local i32 @manipplan_connect(ptr nocapture noundef %0, i64 noundef %1
   br i1 %200, label %211, label %201
 
 201:                                              ; preds = %195, %163
-  %202 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21, i64 %22
+  %202 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24, i64 %22
   store i64 %108, ptr %202, align 8
-  %203 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21, i64 %23
+  %203 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24, i64 %23
   store i64 %155, ptr %203, align 8
   br label %216
 
@@ -304,12 +304,12 @@ declare void @llvm.lifetime.end.p0(i64 immarg, ptr nocapture) #1
 
 define internal fastcc i64 @extend(ptr nocapture noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #0 {
   %5 = alloca %struct.Side, align 8
-  %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17, i64 %1
+  %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %1
   %7 = load ptr, ptr %6, align 8
   %8 = load i64, ptr %0, align 8
   %9 = mul nsw i64 %8, %2
   %10 = getelementptr inbounds double, ptr %7, i64 %9
-  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %1
+  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %1
   %12 = load i64, ptr %11, align 8
   %13 = mul nsw i64 %12, %8
   %14 = getelementptr inbounds double, ptr %7, i64 %13
@@ -332,13 +332,13 @@ define internal fastcc i64 @extend(ptr nocapture noundef %0, i64 noundef %1, i64
 
 28:                                               ; preds = %16
   %29 = tail call double @llvm.sqrt.f64(double %25)
-  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
   %31 = load double, ptr %30, align 8
   %32 = fcmp ogt double %29, %31
   br i1 %32, label %37, label %51
 
 33:                                               ; preds = %4
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
   %35 = load double, ptr %34, align 8
   %36 = fcmp olt double %35, 0.000000e+00
   br i1 %36, label %53, label %51
@@ -369,18 +369,18 @@ define internal fastcc i64 @extend(ptr nocapture noundef %0, i64 noundef %1, i64
 
 53:                                               ; preds = %39, %33, %51
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %5) #8
-  %54 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 19, i64 %1
+  %54 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 %1
   %55 = load ptr, ptr %54, align 8
   %56 = getelementptr inbounds %struct.Side, ptr %55, i64 %2
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %5, ptr noundef nonnull align 8 dereferenceable(16) %56, i64 16, i1 false)
-  %57 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  %57 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
   %58 = load i64, ptr %57, align 8
   %59 = icmp eq i64 %58, 0
   br i1 %59, label %66, label %60
 
 60:                                               ; preds = %53
   %61 = sub nsw i64 1, %1
-  %62 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 19, i64 %61
+  %62 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 %61
   %63 = load ptr, ptr %62, align 8
   %64 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %10, ptr noundef %14, ptr noundef nonnull %5, ptr noundef %63)
   %65 = icmp eq i32 %64, 0
@@ -392,7 +392,7 @@ define internal fastcc i64 @extend(ptr nocapture noundef %0, i64 noundef %1, i64
   br i1 %68, label %77, label %69
 
 69:                                               ; preds = %66
-  %70 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 18, i64 %1
+  %70 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21, i64 %1
   %71 = load ptr, ptr %70, align 8
   %72 = getelementptr inbounds i64, ptr %71, i64 %12
   store i64 %2, ptr %72, align 8
@@ -429,13 +429,13 @@ define dso_local i64 @manipplan_way(ptr nocapture noundef readonly %0, ptr nound
   %11 = phi i64 [ 0, %2 ], [ 1, %20 ]
   %12 = getelementptr inbounds [2 x i64], ptr %3, i64 0, i64 %11
   store i64 0, ptr %12, align 8
-  %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21, i64 %11
+  %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24, i64 %11
   %14 = load i64, ptr %13, align 8
   %15 = icmp sgt i64 %14, -1
   br i1 %15, label %16, label %20
 
 16:                                               ; preds = %9
-  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 18, i64 %11
+  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21, i64 %11
   %18 = load ptr, ptr %17, align 8
   br label %21
 
@@ -456,20 +456,20 @@ define dso_local i64 @manipplan_way(ptr nocapture noundef readonly %0, ptr nound
   br i1 %27, label %21, label %19
 
 28:                                               ; preds = %4
-  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21
+  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24
   %30 = load i64, ptr %29, align 8
   %31 = icmp sgt i64 %30, -1
   br i1 %31, label %32, label %35
 
 32:                                               ; preds = %28
-  %33 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 18
+  %33 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20
+  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21
   br label %45
 
 35:                                               ; preds = %45, %28
-  %36 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 18, i64 1
+  %36 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21, i64 1
   %37 = load ptr, ptr %36, align 8
-  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21, i64 1
+  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24, i64 1
   %39 = load i64, ptr %38, align 8
   %40 = getelementptr inbounds i64, ptr %37, i64 %39
   %41 = load i64, ptr %40, align 8
@@ -477,7 +477,7 @@ define dso_local i64 @manipplan_way(ptr nocapture noundef readonly %0, ptr nound
   br i1 %42, label %43, label %75
 
 43:                                               ; preds = %35
-  %44 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17, i64 1
+  %44 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 1
   br label %60
 
 45:                                               ; preds = %32, %45
@@ -531,9 +531,9 @@ define dso_local i64 @manipplan_skip(ptr nocapture noundef %0, ptr noundef %1, p
   br i1 %8, label %9, label %21
 
 9:                                                ; preds = %4
-  %10 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 19
-  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
-  %12 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 19, i64 1
+  %10 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
+  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  %12 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 1
   br label %13
 
 13:                                               ; preds = %9, %70
@@ -657,121 +657,219 @@ define internal fastcc i32 @motion_is_free(ptr nocapture noundef %0, ptr nocaptu
 
 19:                                               ; preds = %7, %3
   %20 = phi double [ 0.000000e+00, %3 ], [ %16, %7 ]
-  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
   %22 = load double, ptr %21, align 8
   %23 = fdiv double %20, %22
   %24 = tail call double @llvm.ceil.f64(double %23)
   %25 = fptosi double %24 to i64
-  %26 = tail call i64 @llvm.smax.i64(i64 %25, i64 1)
-  %27 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23
-  %28 = load i64, ptr %27, align 8
-  %29 = add nsw i64 %28, 1
-  store i64 %29, ptr %27, align 8
-  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %31 = load ptr, ptr %30, align 8
-  %32 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %33 = load ptr, ptr %32, align 8
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %35 = load double, ptr %34, align 8
-  %36 = tail call i32 %31(ptr noundef %33, ptr noundef %2, double noundef %35) #8
-  %37 = icmp eq i32 %36, 2
-  br i1 %37, label %38, label %42
+  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  %27 = load double, ptr %26, align 8
+  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  br label %43
 
-38:                                               ; preds = %19
-  %39 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  %40 = load ptr, ptr %39, align 8
-  %41 = tail call i32 %40(ptr noundef %2) #8
-  br label %42
+29:                                               ; preds = %72
+  %30 = tail call i64 @llvm.smax.i64(i64 %25, i64 1)
+  %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
+  %32 = load i64, ptr %31, align 8
+  %33 = add nsw i64 %32, 1
+  store i64 %33, ptr %31, align 8
+  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %35 = load ptr, ptr %34, align 8
+  %36 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %37 = load ptr, ptr %36, align 8
+  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %39 = load double, ptr %38, align 8
+  %40 = fadd double %73, %39
+  %41 = tail call i32 %35(ptr noundef %37, ptr noundef %2, double noundef %40) #8
+  %42 = icmp eq i32 %41, 2
+  br i1 %42, label %74, label %80
 
-42:                                               ; preds = %19, %38
-  %43 = phi i32 [ %41, %38 ], [ %36, %19 ]
-  %44 = icmp eq i32 %43, 0
-  br i1 %44, label %45, label %99
+43:                                               ; preds = %72, %19
+  %44 = phi i1 [ true, %19 ], [ false, %72 ]
+  %45 = phi i64 [ 0, %19 ], [ 1, %72 ]
+  %46 = phi double [ %27, %19 ], [ %73, %72 ]
+  %47 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i64 %45
+  %48 = load double, ptr %47, align 8
+  %49 = fcmp ogt double %46, %48
+  br i1 %49, label %50, label %72
 
-45:                                               ; preds = %42, %45
-  %46 = phi i64 [ %47, %45 ], [ 1, %42 ]
-  %47 = shl nsw i64 %46, 1
-  %48 = icmp slt i64 %47, %26
-  br i1 %48, label %45, label %49
+50:                                               ; preds = %43
+  %51 = load double, ptr %28, align 8
+  %52 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %45
+  %53 = load ptr, ptr %52, align 8
+  br i1 %6, label %54, label %66
 
-49:                                               ; preds = %45
-  %50 = icmp ugt i64 %26, 1
-  %51 = icmp sgt i64 %46, 0
-  %52 = select i1 %51, i1 %50, i1 false
-  br i1 %52, label %53, label %99
+54:                                               ; preds = %50, %54
+  %55 = phi i64 [ %64, %54 ], [ 0, %50 ]
+  %56 = phi double [ %63, %54 ], [ 0.000000e+00, %50 ]
+  %57 = getelementptr inbounds double, ptr %53, i64 %55
+  %58 = load double, ptr %57, align 8
+  %59 = getelementptr inbounds double, ptr %2, i64 %55
+  %60 = load double, ptr %59, align 8
+  %61 = fsub double %58, %60
+  %62 = fmul double %61, %61
+  %63 = fadd double %56, %62
+  %64 = add nuw nsw i64 %55, 1
+  %65 = icmp eq i64 %64, %5
+  br i1 %65, label %66, label %54
 
-53:                                               ; preds = %49
-  %54 = sitofp i64 %26 to double
-  %55 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  br label %56
+66:                                               ; preds = %54, %50
+  %67 = phi double [ 0.000000e+00, %50 ], [ %63, %54 ]
+  %68 = tail call double @llvm.sqrt.f64(double %67)
+  %69 = fmul double %51, %68
+  %70 = fadd double %48, %69
+  %71 = tail call double @llvm.minnum.f64(double %46, double %70)
+  br label %72
 
-56:                                               ; preds = %53, %96
-  %57 = phi i64 [ %46, %53 ], [ %97, %96 ]
-  %58 = icmp slt i64 %57, %26
-  br i1 %58, label %59, label %96
+72:                                               ; preds = %66, %43
+  %73 = phi double [ %71, %66 ], [ %46, %43 ]
+  br i1 %44, label %43, label %29
 
-59:                                               ; preds = %56
-  %60 = shl nuw nsw i64 %57, 1
-  br label %61
+74:                                               ; preds = %29
+  %75 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %76 = load ptr, ptr %75, align 8
+  %77 = load double, ptr %38, align 8
+  %78 = fadd double %73, %77
+  %79 = tail call i32 %76(ptr noundef %2, double noundef %78) #8
+  br label %80
 
-61:                                               ; preds = %59, %93
-  %62 = phi i64 [ %57, %59 ], [ %94, %93 ]
-  %63 = sitofp i64 %62 to double
-  %64 = fdiv double %63, %54
-  %65 = load i64, ptr %0, align 8
-  %66 = icmp sgt i64 %65, 0
-  br i1 %66, label %67, label %79
+80:                                               ; preds = %29, %74
+  %81 = phi i32 [ %79, %74 ], [ %41, %29 ]
+  %82 = icmp eq i32 %81, 0
+  br i1 %82, label %83, label %173
 
-67:                                               ; preds = %61, %67
-  %68 = phi i64 [ %77, %67 ], [ 0, %61 ]
-  %69 = getelementptr inbounds double, ptr %1, i64 %68
-  %70 = load double, ptr %69, align 8
-  %71 = getelementptr inbounds double, ptr %2, i64 %68
-  %72 = load double, ptr %71, align 8
-  %73 = fsub double %72, %70
-  %74 = fmul double %64, %73
-  %75 = fadd double %70, %74
-  %76 = getelementptr inbounds double, ptr %4, i64 %68
-  store double %75, ptr %76, align 8
-  %77 = add nuw nsw i64 %68, 1
-  %78 = icmp eq i64 %77, %65
-  br i1 %78, label %79, label %67
+83:                                               ; preds = %80, %83
+  %84 = phi i64 [ %85, %83 ], [ 1, %80 ]
+  %85 = shl nsw i64 %84, 1
+  %86 = icmp slt i64 %85, %30
+  br i1 %86, label %83, label %87
 
-79:                                               ; preds = %67, %61
-  %80 = load i64, ptr %27, align 8
-  %81 = add nsw i64 %80, 1
-  store i64 %81, ptr %27, align 8
-  %82 = load ptr, ptr %30, align 8
-  %83 = load ptr, ptr %32, align 8
-  %84 = load double, ptr %34, align 8
-  %85 = call i32 %82(ptr noundef %83, ptr noundef nonnull %4, double noundef %84) #8
-  %86 = icmp eq i32 %85, 2
-  br i1 %86, label %87, label %90
+87:                                               ; preds = %83
+  %88 = icmp ugt i64 %30, 1
+  %89 = icmp sgt i64 %84, 0
+  %90 = select i1 %89, i1 %88, i1 false
+  br i1 %90, label %91, label %173
 
-87:                                               ; preds = %79
-  %88 = load ptr, ptr %55, align 8
-  %89 = call i32 %88(ptr noundef nonnull %4) #8
-  br label %90
+91:                                               ; preds = %87
+  %92 = sitofp i64 %30 to double
+  %93 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  br label %94
 
-90:                                               ; preds = %79, %87
-  %91 = phi i32 [ %89, %87 ], [ %85, %79 ]
-  %92 = icmp eq i32 %91, 0
-  br i1 %92, label %93, label %99
+94:                                               ; preds = %91, %170
+  %95 = phi i64 [ %84, %91 ], [ %171, %170 ]
+  %96 = icmp slt i64 %95, %30
+  br i1 %96, label %97, label %170
 
-93:                                               ; preds = %90
-  %94 = add nsw i64 %62, %60
-  %95 = icmp slt i64 %94, %26
-  br i1 %95, label %61, label %96
+97:                                               ; preds = %94
+  %98 = shl nuw nsw i64 %95, 1
+  br label %99
 
-96:                                               ; preds = %93, %56
-  %97 = lshr i64 %57, 1
-  %98 = icmp ugt i64 %57, 1
-  br i1 %98, label %56, label %99
+99:                                               ; preds = %97, %167
+  %100 = phi i64 [ %95, %97 ], [ %168, %167 ]
+  %101 = sitofp i64 %100 to double
+  %102 = fdiv double %101, %92
+  %103 = load i64, ptr %0, align 8
+  %104 = icmp sgt i64 %103, 0
+  br i1 %104, label %105, label %117
 
-99:                                               ; preds = %96, %90, %49, %42
-  %100 = phi i32 [ 0, %42 ], [ 1, %49 ], [ 0, %90 ], [ 1, %96 ]
+105:                                              ; preds = %99, %105
+  %106 = phi i64 [ %115, %105 ], [ 0, %99 ]
+  %107 = getelementptr inbounds double, ptr %1, i64 %106
+  %108 = load double, ptr %107, align 8
+  %109 = getelementptr inbounds double, ptr %2, i64 %106
+  %110 = load double, ptr %109, align 8
+  %111 = fsub double %110, %108
+  %112 = fmul double %102, %111
+  %113 = fadd double %108, %112
+  %114 = getelementptr inbounds double, ptr %4, i64 %106
+  store double %113, ptr %114, align 8
+  %115 = add nuw nsw i64 %106, 1
+  %116 = icmp eq i64 %115, %103
+  br i1 %116, label %117, label %105
+
+117:                                              ; preds = %105, %99
+  %118 = load double, ptr %26, align 8
+  br label %128
+
+119:                                              ; preds = %157
+  %120 = load i64, ptr %31, align 8
+  %121 = add nsw i64 %120, 1
+  store i64 %121, ptr %31, align 8
+  %122 = load ptr, ptr %34, align 8
+  %123 = load ptr, ptr %36, align 8
+  %124 = load double, ptr %38, align 8
+  %125 = fadd double %158, %124
+  %126 = call i32 %122(ptr noundef %123, ptr noundef nonnull %4, double noundef %125) #8
+  %127 = icmp eq i32 %126, 2
+  br i1 %127, label %159, label %164
+
+128:                                              ; preds = %157, %117
+  %129 = phi i1 [ true, %117 ], [ false, %157 ]
+  %130 = phi i64 [ 0, %117 ], [ 1, %157 ]
+  %131 = phi double [ %118, %117 ], [ %158, %157 ]
+  %132 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i64 %130
+  %133 = load double, ptr %132, align 8
+  %134 = fcmp ogt double %131, %133
+  br i1 %134, label %135, label %157
+
+135:                                              ; preds = %128
+  %136 = load double, ptr %28, align 8
+  %137 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %130
+  %138 = load ptr, ptr %137, align 8
+  br i1 %104, label %139, label %151
+
+139:                                              ; preds = %135, %139
+  %140 = phi i64 [ %149, %139 ], [ 0, %135 ]
+  %141 = phi double [ %148, %139 ], [ 0.000000e+00, %135 ]
+  %142 = getelementptr inbounds double, ptr %138, i64 %140
+  %143 = load double, ptr %142, align 8
+  %144 = getelementptr inbounds double, ptr %4, i64 %140
+  %145 = load double, ptr %144, align 8
+  %146 = fsub double %143, %145
+  %147 = fmul double %146, %146
+  %148 = fadd double %141, %147
+  %149 = add nuw nsw i64 %140, 1
+  %150 = icmp eq i64 %149, %103
+  br i1 %150, label %151, label %139
+
+151:                                              ; preds = %139, %135
+  %152 = phi double [ 0.000000e+00, %135 ], [ %148, %139 ]
+  %153 = call double @llvm.sqrt.f64(double %152)
+  %154 = fmul double %136, %153
+  %155 = fadd double %133, %154
+  %156 = call double @llvm.minnum.f64(double %131, double %155)
+  br label %157
+
+157:                                              ; preds = %151, %128
+  %158 = phi double [ %156, %151 ], [ %131, %128 ]
+  br i1 %129, label %128, label %119
+
+159:                                              ; preds = %119
+  %160 = load ptr, ptr %93, align 8
+  %161 = load double, ptr %38, align 8
+  %162 = fadd double %158, %161
+  %163 = call i32 %160(ptr noundef nonnull %4, double noundef %162) #8
+  br label %164
+
+164:                                              ; preds = %119, %159
+  %165 = phi i32 [ %163, %159 ], [ %126, %119 ]
+  %166 = icmp eq i32 %165, 0
+  br i1 %166, label %167, label %173
+
+167:                                              ; preds = %164
+  %168 = add nsw i64 %100, %98
+  %169 = icmp slt i64 %168, %30
+  br i1 %169, label %99, label %170
+
+170:                                              ; preds = %167, %94
+  %171 = lshr i64 %95, 1
+  %172 = icmp ugt i64 %95, 1
+  br i1 %172, label %94, label %173
+
+173:                                              ; preds = %170, %164, %87, %80
+  %174 = phi i32 [ 0, %80 ], [ 1, %87 ], [ 0, %164 ], [ 1, %170 ]
   call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #8
-  ret i32 %100
+  ret i32 %174
 }
 
 define dso_local i64 @manipplan_shorten(ptr nocapture noundef %0, ptr nocapture noundef %1, ptr nocapture noundef %2, i64 noundef %3, i64 noundef %4) local_unnamed_addr #0 {
@@ -784,306 +882,358 @@ define dso_local i64 @manipplan_shorten(ptr nocapture noundef %0, ptr nocapture 
   %12 = icmp sgt i64 %4, 0
   %13 = icmp sgt i64 %3, 2
   %14 = and i1 %12, %13
-  br i1 %14, label %15, label %33
+  br i1 %14, label %15, label %35
 
 15:                                               ; preds = %5
-  %16 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  %16 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 18
   %17 = getelementptr inbounds double, ptr %7, i64 1
   %18 = getelementptr inbounds [2 x i64], ptr %9, i64 0, i64 1
-  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23
-  %20 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  %24 = getelementptr inbounds [2 x [64 x double]], ptr %8, i64 0, i64 1
-  %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 19
-  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
-  %27 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 19, i64 1
-  br label %28
+  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  %20 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
+  %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %26 = getelementptr inbounds [2 x [64 x double]], ptr %8, i64 0, i64 1
+  %27 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
+  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 1
+  br label %30
 
-28:                                               ; preds = %222, %15
-  %29 = phi i64 [ %3, %15 ], [ %223, %222 ]
-  %30 = phi i64 [ 0, %15 ], [ %224, %222 ]
-  %31 = load i64, ptr %0, align 8
-  %32 = icmp sgt i64 %31, 0
-  br label %64
+30:                                               ; preds = %262, %15
+  %31 = phi i64 [ %3, %15 ], [ %263, %262 ]
+  %32 = phi i64 [ 0, %15 ], [ %264, %262 ]
+  %33 = load i64, ptr %0, align 8
+  %34 = icmp sgt i64 %33, 0
+  br label %66
 
-33:                                               ; preds = %222, %5
-  %34 = phi i64 [ %3, %5 ], [ %223, %222 ]
-  ret i64 %34
+35:                                               ; preds = %262, %5
+  %36 = phi i64 [ %3, %5 ], [ %263, %262 ]
+  ret i64 %36
 
-35:                                               ; preds = %84
+37:                                               ; preds = %86
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %7) #8
-  %36 = load i64, ptr %16, align 8
-  %37 = add i64 %36, -7046029254386353131
-  %38 = lshr i64 %37, 30
-  %39 = xor i64 %38, %37
-  %40 = mul i64 %39, -4658895280553007687
-  %41 = lshr i64 %40, 27
-  %42 = xor i64 %41, %40
-  %43 = mul i64 %42, -7723592293110705685
-  %44 = lshr i64 %43, 42
-  %45 = lshr i64 %43, 11
-  %46 = xor i64 %44, %45
-  %47 = uitofp i64 %46 to double
-  %48 = fmul double %47, 0x3CA0000000000000
-  %49 = fmul double %87, %48
-  store double %49, ptr %7, align 16
-  %50 = add i64 %36, 4354685564936845354
-  store i64 %50, ptr %16, align 8
-  %51 = lshr i64 %50, 30
-  %52 = xor i64 %51, %50
-  %53 = mul i64 %52, -4658895280553007687
-  %54 = lshr i64 %53, 27
-  %55 = xor i64 %54, %53
-  %56 = mul i64 %55, -7723592293110705685
-  %57 = lshr i64 %56, 42
-  %58 = lshr i64 %56, 11
-  %59 = xor i64 %57, %58
-  %60 = uitofp i64 %59 to double
-  %61 = fmul double %60, 0x3CA0000000000000
-  %62 = fmul double %87, %61
-  store double %62, ptr %17, align 8
+  %38 = load i64, ptr %16, align 8
+  %39 = add i64 %38, -7046029254386353131
+  %40 = lshr i64 %39, 30
+  %41 = xor i64 %40, %39
+  %42 = mul i64 %41, -4658895280553007687
+  %43 = lshr i64 %42, 27
+  %44 = xor i64 %43, %42
+  %45 = mul i64 %44, -7723592293110705685
+  %46 = lshr i64 %45, 42
+  %47 = lshr i64 %45, 11
+  %48 = xor i64 %46, %47
+  %49 = uitofp i64 %48 to double
+  %50 = fmul double %49, 0x3CA0000000000000
+  %51 = fmul double %89, %50
+  store double %51, ptr %7, align 16
+  %52 = add i64 %38, 4354685564936845354
+  store i64 %52, ptr %16, align 8
+  %53 = lshr i64 %52, 30
+  %54 = xor i64 %53, %52
+  %55 = mul i64 %54, -4658895280553007687
+  %56 = lshr i64 %55, 27
+  %57 = xor i64 %56, %55
+  %58 = mul i64 %57, -7723592293110705685
+  %59 = lshr i64 %58, 42
+  %60 = lshr i64 %58, 11
+  %61 = xor i64 %59, %60
+  %62 = uitofp i64 %61 to double
+  %63 = fmul double %62, 0x3CA0000000000000
+  %64 = fmul double %89, %63
+  store double %64, ptr %17, align 8
   call void @llvm.lifetime.start.p0(i64 1024, ptr nonnull %8) #8
-  %63 = fcmp ogt double %49, %62
-  br i1 %63, label %90, label %91
+  %65 = fcmp ogt double %51, %64
+  br i1 %65, label %92, label %93
 
-64:                                               ; preds = %28, %84
-  %65 = phi i64 [ 1, %28 ], [ %88, %84 ]
-  %66 = phi double [ 0.000000e+00, %28 ], [ %87, %84 ]
-  %67 = phi i64 [ 0, %28 ], [ %65, %84 ]
-  %68 = mul nsw i64 %31, %67
-  %69 = getelementptr inbounds double, ptr %1, i64 %68
-  %70 = mul nsw i64 %31, %65
+66:                                               ; preds = %30, %86
+  %67 = phi i64 [ 1, %30 ], [ %90, %86 ]
+  %68 = phi double [ 0.000000e+00, %30 ], [ %89, %86 ]
+  %69 = phi i64 [ 0, %30 ], [ %67, %86 ]
+  %70 = mul nsw i64 %33, %69
   %71 = getelementptr inbounds double, ptr %1, i64 %70
-  br i1 %32, label %72, label %84
+  %72 = mul nsw i64 %33, %67
+  %73 = getelementptr inbounds double, ptr %1, i64 %72
+  br i1 %34, label %74, label %86
 
-72:                                               ; preds = %64, %72
-  %73 = phi i64 [ %82, %72 ], [ 0, %64 ]
-  %74 = phi double [ %81, %72 ], [ 0.000000e+00, %64 ]
-  %75 = getelementptr inbounds double, ptr %71, i64 %73
-  %76 = load double, ptr %75, align 8
-  %77 = getelementptr inbounds double, ptr %69, i64 %73
+74:                                               ; preds = %66, %74
+  %75 = phi i64 [ %84, %74 ], [ 0, %66 ]
+  %76 = phi double [ %83, %74 ], [ 0.000000e+00, %66 ]
+  %77 = getelementptr inbounds double, ptr %73, i64 %75
   %78 = load double, ptr %77, align 8
-  %79 = fsub double %76, %78
-  %80 = fmul double %79, %79
-  %81 = fadd double %74, %80
-  %82 = add nuw nsw i64 %73, 1
-  %83 = icmp eq i64 %82, %31
-  br i1 %83, label %84, label %72
+  %79 = getelementptr inbounds double, ptr %71, i64 %75
+  %80 = load double, ptr %79, align 8
+  %81 = fsub double %78, %80
+  %82 = fmul double %81, %81
+  %83 = fadd double %76, %82
+  %84 = add nuw nsw i64 %75, 1
+  %85 = icmp eq i64 %84, %33
+  br i1 %85, label %86, label %74
 
-84:                                               ; preds = %72, %64
-  %85 = phi double [ 0.000000e+00, %64 ], [ %81, %72 ]
-  %86 = call double @llvm.sqrt.f64(double %85)
-  %87 = fadd double %66, %86
-  %88 = add nuw nsw i64 %65, 1
-  %89 = icmp eq i64 %88, %29
-  br i1 %89, label %35, label %64
+86:                                               ; preds = %74, %66
+  %87 = phi double [ 0.000000e+00, %66 ], [ %83, %74 ]
+  %88 = call double @llvm.sqrt.f64(double %87)
+  %89 = fadd double %68, %88
+  %90 = add nuw nsw i64 %67, 1
+  %91 = icmp eq i64 %90, %31
+  br i1 %91, label %37, label %66
 
-90:                                               ; preds = %35
-  store double %62, ptr %7, align 16
-  store double %49, ptr %17, align 8
-  br label %91
+92:                                               ; preds = %37
+  store double %64, ptr %7, align 16
+  store double %51, ptr %17, align 8
+  br label %93
 
-91:                                               ; preds = %35, %90
+93:                                               ; preds = %37, %92
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %9) #8
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(16) %9, i8 -1, i64 16, i1 false)
-  %92 = load i64, ptr %0, align 8
-  %93 = icmp sgt i64 %92, 0
-  br label %97
+  %94 = load i64, ptr %0, align 8
+  %95 = icmp sgt i64 %94, 0
+  br label %99
 
-94:                                               ; preds = %123
-  %95 = load i64, ptr %9, align 16
-  %96 = icmp eq i64 %95, %126
-  br i1 %96, label %222, label %160
+96:                                               ; preds = %125
+  %97 = load i64, ptr %9, align 16
+  %98 = icmp eq i64 %97, %128
+  br i1 %98, label %262, label %162
 
-97:                                               ; preds = %91, %123
-  %98 = phi i64 [ 1, %91 ], [ %124, %123 ]
-  %99 = phi i64 [ 0, %91 ], [ %98, %123 ]
-  %100 = phi double [ 0.000000e+00, %91 ], [ %119, %123 ]
-  %101 = mul nsw i64 %92, %99
-  %102 = getelementptr inbounds double, ptr %1, i64 %101
-  %103 = getelementptr inbounds double, ptr %102, i64 %92
-  br i1 %93, label %104, label %116
+99:                                               ; preds = %93, %125
+  %100 = phi i64 [ 1, %93 ], [ %126, %125 ]
+  %101 = phi i64 [ 0, %93 ], [ %100, %125 ]
+  %102 = phi double [ 0.000000e+00, %93 ], [ %121, %125 ]
+  %103 = mul nsw i64 %94, %101
+  %104 = getelementptr inbounds double, ptr %1, i64 %103
+  %105 = getelementptr inbounds double, ptr %104, i64 %94
+  br i1 %95, label %106, label %118
 
-104:                                              ; preds = %97, %104
-  %105 = phi i64 [ %114, %104 ], [ 0, %97 ]
-  %106 = phi double [ %113, %104 ], [ 0.000000e+00, %97 ]
-  %107 = getelementptr inbounds double, ptr %103, i64 %105
-  %108 = load double, ptr %107, align 8
-  %109 = getelementptr inbounds double, ptr %102, i64 %105
+106:                                              ; preds = %99, %106
+  %107 = phi i64 [ %116, %106 ], [ 0, %99 ]
+  %108 = phi double [ %115, %106 ], [ 0.000000e+00, %99 ]
+  %109 = getelementptr inbounds double, ptr %105, i64 %107
   %110 = load double, ptr %109, align 8
-  %111 = fsub double %108, %110
-  %112 = fmul double %111, %111
-  %113 = fadd double %106, %112
-  %114 = add nuw nsw i64 %105, 1
-  %115 = icmp eq i64 %114, %92
-  br i1 %115, label %116, label %104
+  %111 = getelementptr inbounds double, ptr %104, i64 %107
+  %112 = load double, ptr %111, align 8
+  %113 = fsub double %110, %112
+  %114 = fmul double %113, %113
+  %115 = fadd double %108, %114
+  %116 = add nuw nsw i64 %107, 1
+  %117 = icmp eq i64 %116, %94
+  br i1 %117, label %118, label %106
 
-116:                                              ; preds = %104, %97
-  %117 = phi double [ 0.000000e+00, %97 ], [ %113, %104 ]
-  %118 = call double @llvm.sqrt.f64(double %117)
-  %119 = fadd double %100, %118
-  %120 = add nuw nsw i64 %99, 2
-  %121 = icmp eq i64 %120, %29
-  %122 = fcmp ogt double %118, 0.000000e+00
-  br label %129
+118:                                              ; preds = %106, %99
+  %119 = phi double [ 0.000000e+00, %99 ], [ %115, %106 ]
+  %120 = call double @llvm.sqrt.f64(double %119)
+  %121 = fadd double %102, %120
+  %122 = add nuw nsw i64 %101, 2
+  %123 = icmp eq i64 %122, %31
+  %124 = fcmp ogt double %120, 0.000000e+00
+  br label %131
 
-123:                                              ; preds = %159
-  %124 = add nuw nsw i64 %98, 1
-  %125 = icmp slt i64 %124, %29
-  %126 = load i64, ptr %18, align 8
-  %127 = icmp slt i64 %126, 0
-  %128 = select i1 %125, i1 %127, i1 false
-  br i1 %128, label %97, label %94
+125:                                              ; preds = %161
+  %126 = add nuw nsw i64 %100, 1
+  %127 = icmp slt i64 %126, %31
+  %128 = load i64, ptr %18, align 8
+  %129 = icmp slt i64 %128, 0
+  %130 = select i1 %127, i1 %129, i1 false
+  br i1 %130, label %99, label %96
 
-129:                                              ; preds = %116, %159
-  %130 = phi i1 [ true, %116 ], [ false, %159 ]
-  %131 = phi i64 [ 0, %116 ], [ 1, %159 ]
-  %132 = getelementptr inbounds [2 x i64], ptr %9, i64 0, i64 %131
-  %133 = load i64, ptr %132, align 8
-  %134 = icmp slt i64 %133, 0
-  br i1 %134, label %135, label %159
+131:                                              ; preds = %118, %161
+  %132 = phi i1 [ true, %118 ], [ false, %161 ]
+  %133 = phi i64 [ 0, %118 ], [ 1, %161 ]
+  %134 = getelementptr inbounds [2 x i64], ptr %9, i64 0, i64 %133
+  %135 = load i64, ptr %134, align 8
+  %136 = icmp slt i64 %135, 0
+  br i1 %136, label %137, label %161
 
-135:                                              ; preds = %129
-  %136 = getelementptr inbounds [2 x double], ptr %7, i64 0, i64 %131
-  %137 = load double, ptr %136, align 8
-  %138 = fcmp olt double %137, %119
-  %139 = select i1 %138, i1 true, i1 %121
-  br i1 %139, label %140, label %159
+137:                                              ; preds = %131
+  %138 = getelementptr inbounds [2 x double], ptr %7, i64 0, i64 %133
+  %139 = load double, ptr %138, align 8
+  %140 = fcmp olt double %139, %121
+  %141 = select i1 %140, i1 true, i1 %123
+  br i1 %141, label %142, label %161
 
-140:                                              ; preds = %135
-  %141 = fsub double %137, %100
-  %142 = fdiv double %141, %118
-  %143 = select i1 %122, double %142, double 0.000000e+00
-  store i64 %99, ptr %132, align 8
-  %144 = call double @llvm.maxnum.f64(double %143, double 0.000000e+00)
-  %145 = call double @llvm.minnum.f64(double %144, double 1.000000e+00)
-  %146 = getelementptr inbounds [2 x [64 x double]], ptr %8, i64 0, i64 %131
-  br i1 %93, label %147, label %159
+142:                                              ; preds = %137
+  %143 = fsub double %139, %102
+  %144 = fdiv double %143, %120
+  %145 = select i1 %124, double %144, double 0.000000e+00
+  store i64 %101, ptr %134, align 8
+  %146 = call double @llvm.maxnum.f64(double %145, double 0.000000e+00)
+  %147 = call double @llvm.minnum.f64(double %146, double 1.000000e+00)
+  %148 = getelementptr inbounds [2 x [64 x double]], ptr %8, i64 0, i64 %133
+  br i1 %95, label %149, label %161
 
-147:                                              ; preds = %140, %147
-  %148 = phi i64 [ %157, %147 ], [ 0, %140 ]
-  %149 = getelementptr inbounds double, ptr %102, i64 %148
-  %150 = load double, ptr %149, align 8
-  %151 = getelementptr inbounds double, ptr %103, i64 %148
+149:                                              ; preds = %142, %149
+  %150 = phi i64 [ %159, %149 ], [ 0, %142 ]
+  %151 = getelementptr inbounds double, ptr %104, i64 %150
   %152 = load double, ptr %151, align 8
-  %153 = fsub double %152, %150
-  %154 = fmul double %145, %153
-  %155 = fadd double %150, %154
-  %156 = getelementptr inbounds double, ptr %146, i64 %148
-  store double %155, ptr %156, align 8
-  %157 = add nuw nsw i64 %148, 1
-  %158 = icmp eq i64 %157, %92
-  br i1 %158, label %159, label %147
+  %153 = getelementptr inbounds double, ptr %105, i64 %150
+  %154 = load double, ptr %153, align 8
+  %155 = fsub double %154, %152
+  %156 = fmul double %147, %155
+  %157 = fadd double %152, %156
+  %158 = getelementptr inbounds double, ptr %148, i64 %150
+  store double %157, ptr %158, align 8
+  %159 = add nuw nsw i64 %150, 1
+  %160 = icmp eq i64 %159, %94
+  br i1 %160, label %161, label %149
 
-159:                                              ; preds = %147, %140, %135, %129
-  br i1 %130, label %129, label %123
+161:                                              ; preds = %149, %142, %137, %131
+  br i1 %132, label %131, label %125
 
-160:                                              ; preds = %94
-  %161 = load i64, ptr %19, align 8
-  %162 = add nsw i64 %161, 1
-  store i64 %162, ptr %19, align 8
-  %163 = load ptr, ptr %20, align 8
-  %164 = load ptr, ptr %21, align 8
-  %165 = load double, ptr %22, align 8
-  %166 = call i32 %163(ptr noundef %164, ptr noundef nonnull %8, double noundef %165) #8
-  %167 = icmp eq i32 %166, 2
-  br i1 %167, label %168, label %171
+162:                                              ; preds = %96
+  %163 = load double, ptr %19, align 8
+  br label %173
 
-168:                                              ; preds = %160
-  %169 = load ptr, ptr %23, align 8
-  %170 = call i32 %169(ptr noundef nonnull %8) #8
-  br label %171
+164:                                              ; preds = %204
+  %165 = load i64, ptr %21, align 8
+  %166 = add nsw i64 %165, 1
+  store i64 %166, ptr %21, align 8
+  %167 = load ptr, ptr %22, align 8
+  %168 = load ptr, ptr %23, align 8
+  %169 = load double, ptr %24, align 8
+  %170 = fadd double %205, %169
+  %171 = call i32 %167(ptr noundef %168, ptr noundef nonnull %8, double noundef %170) #8
+  %172 = icmp eq i32 %171, 2
+  br i1 %172, label %206, label %211
 
-171:                                              ; preds = %160, %168
-  %172 = phi i32 [ %170, %168 ], [ %166, %160 ]
-  %173 = icmp eq i32 %172, 0
-  br i1 %173, label %174, label %222
+173:                                              ; preds = %204, %162
+  %174 = phi i1 [ true, %162 ], [ false, %204 ]
+  %175 = phi i64 [ 0, %162 ], [ 1, %204 ]
+  %176 = phi double [ %163, %162 ], [ %205, %204 ]
+  %177 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i64 %175
+  %178 = load double, ptr %177, align 8
+  %179 = fcmp ogt double %176, %178
+  br i1 %179, label %180, label %204
 
-174:                                              ; preds = %171
-  %175 = call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef nonnull %8, ptr noundef nonnull %24)
-  %176 = icmp eq i32 %175, 0
-  br i1 %176, label %222, label %177
+180:                                              ; preds = %173
+  %181 = load double, ptr %20, align 8
+  %182 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %175
+  %183 = load ptr, ptr %182, align 8
+  %184 = load i64, ptr %0, align 8
+  %185 = icmp sgt i64 %184, 0
+  br i1 %185, label %186, label %198
 
-177:                                              ; preds = %174
-  %178 = add nsw i64 %95, 1
-  %179 = mul i64 %178, %11
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %2, ptr align 8 %1, i64 %179, i1 false)
-  %180 = add nsw i64 %95, 2
-  %181 = load i64, ptr %0, align 8
-  %182 = mul nsw i64 %181, %178
-  %183 = getelementptr inbounds double, ptr %2, i64 %182
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %183, ptr nonnull align 16 %8, i64 %11, i1 false)
-  %184 = add nsw i64 %95, 3
-  %185 = load i64, ptr %0, align 8
-  %186 = mul nsw i64 %185, %180
-  %187 = getelementptr inbounds double, ptr %2, i64 %186
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %187, ptr nonnull align 16 %24, i64 %11, i1 false)
-  %188 = load i64, ptr %0, align 8
-  %189 = mul nsw i64 %188, %184
-  %190 = getelementptr inbounds double, ptr %2, i64 %189
-  %191 = add nsw i64 %126, 1
-  %192 = mul nsw i64 %188, %191
-  %193 = getelementptr inbounds double, ptr %1, i64 %192
-  %194 = xor i64 %126, -1
-  %195 = add i64 %29, %194
-  %196 = mul i64 %195, %11
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %190, ptr align 8 %193, i64 %196, i1 false)
-  %197 = add nsw i64 %184, %195
+186:                                              ; preds = %180, %186
+  %187 = phi i64 [ %196, %186 ], [ 0, %180 ]
+  %188 = phi double [ %195, %186 ], [ 0.000000e+00, %180 ]
+  %189 = getelementptr inbounds double, ptr %183, i64 %187
+  %190 = load double, ptr %189, align 8
+  %191 = getelementptr inbounds double, ptr %8, i64 %187
+  %192 = load double, ptr %191, align 8
+  %193 = fsub double %190, %192
+  %194 = fmul double %193, %193
+  %195 = fadd double %188, %194
+  %196 = add nuw nsw i64 %187, 1
+  %197 = icmp eq i64 %196, %184
+  br i1 %197, label %198, label %186
+
+198:                                              ; preds = %186, %180
+  %199 = phi double [ 0.000000e+00, %180 ], [ %195, %186 ]
+  %200 = call double @llvm.sqrt.f64(double %199)
+  %201 = fmul double %181, %200
+  %202 = fadd double %178, %201
+  %203 = call double @llvm.minnum.f64(double %176, double %202)
+  br label %204
+
+204:                                              ; preds = %198, %173
+  %205 = phi double [ %203, %198 ], [ %176, %173 ]
+  br i1 %174, label %173, label %164
+
+206:                                              ; preds = %164
+  %207 = load ptr, ptr %25, align 8
+  %208 = load double, ptr %24, align 8
+  %209 = fadd double %205, %208
+  %210 = call i32 %207(ptr noundef nonnull %8, double noundef %209) #8
+  br label %211
+
+211:                                              ; preds = %164, %206
+  %212 = phi i32 [ %210, %206 ], [ %171, %164 ]
+  %213 = icmp eq i32 %212, 0
+  br i1 %213, label %214, label %262
+
+214:                                              ; preds = %211
+  %215 = call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef nonnull %8, ptr noundef nonnull %26)
+  %216 = icmp eq i32 %215, 0
+  br i1 %216, label %262, label %217
+
+217:                                              ; preds = %214
+  %218 = add nsw i64 %97, 1
+  %219 = mul i64 %218, %11
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %2, ptr align 8 %1, i64 %219, i1 false)
+  %220 = add nsw i64 %97, 2
+  %221 = load i64, ptr %0, align 8
+  %222 = mul nsw i64 %221, %218
+  %223 = getelementptr inbounds double, ptr %2, i64 %222
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %223, ptr nonnull align 16 %8, i64 %11, i1 false)
+  %224 = add nsw i64 %97, 3
+  %225 = load i64, ptr %0, align 8
+  %226 = mul nsw i64 %225, %220
+  %227 = getelementptr inbounds double, ptr %2, i64 %226
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %227, ptr nonnull align 16 %26, i64 %11, i1 false)
+  %228 = load i64, ptr %0, align 8
+  %229 = mul nsw i64 %228, %224
+  %230 = getelementptr inbounds double, ptr %2, i64 %229
+  %231 = add nsw i64 %128, 1
+  %232 = mul nsw i64 %228, %231
+  %233 = getelementptr inbounds double, ptr %1, i64 %232
+  %234 = xor i64 %128, -1
+  %235 = add i64 %31, %234
+  %236 = mul i64 %235, %11
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %230, ptr align 8 %233, i64 %236, i1 false)
+  %237 = add nsw i64 %224, %235
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %6) #8
-  %198 = load ptr, ptr %25, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %6, ptr noundef nonnull align 8 dereferenceable(16) %198, i64 16, i1 false)
-  %199 = load i64, ptr %26, align 8
-  %200 = icmp eq i64 %199, 0
-  br i1 %200, label %201, label %202
+  %238 = load ptr, ptr %27, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %6, ptr noundef nonnull align 8 dereferenceable(16) %238, i64 16, i1 false)
+  %239 = load i64, ptr %28, align 8
+  %240 = icmp eq i64 %239, 0
+  br i1 %240, label %241, label %242
 
-201:                                              ; preds = %177
+241:                                              ; preds = %217
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %6) #8
-  br label %220
+  br label %260
 
-202:                                              ; preds = %177
-  %203 = call i64 @llvm.smax.i64(i64 %197, i64 1)
-  %204 = add nsw i64 %203, -1
-  br label %205
+242:                                              ; preds = %217
+  %243 = call i64 @llvm.smax.i64(i64 %237, i64 1)
+  %244 = add nsw i64 %243, -1
+  br label %245
 
-205:                                              ; preds = %209, %202
-  %206 = phi i64 [ %207, %209 ], [ 0, %202 ]
-  %207 = add nuw nsw i64 %206, 1
-  %208 = icmp eq i64 %206, %204
-  br i1 %208, label %218, label %209
+245:                                              ; preds = %249, %242
+  %246 = phi i64 [ %247, %249 ], [ 0, %242 ]
+  %247 = add nuw nsw i64 %246, 1
+  %248 = icmp eq i64 %246, %244
+  br i1 %248, label %258, label %249
 
-209:                                              ; preds = %205
-  %210 = load i64, ptr %0, align 8
-  %211 = mul nsw i64 %210, %206
-  %212 = getelementptr inbounds double, ptr %2, i64 %211
-  %213 = mul nsw i64 %210, %207
-  %214 = getelementptr inbounds double, ptr %2, i64 %213
-  %215 = load ptr, ptr %27, align 8
-  %216 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %212, ptr noundef %214, ptr noundef nonnull %6, ptr noundef %215)
-  %217 = icmp eq i32 %216, 0
-  br i1 %217, label %218, label %205
+249:                                              ; preds = %245
+  %250 = load i64, ptr %0, align 8
+  %251 = mul nsw i64 %250, %246
+  %252 = getelementptr inbounds double, ptr %2, i64 %251
+  %253 = mul nsw i64 %250, %247
+  %254 = getelementptr inbounds double, ptr %2, i64 %253
+  %255 = load ptr, ptr %29, align 8
+  %256 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %252, ptr noundef %254, ptr noundef nonnull %6, ptr noundef %255)
+  %257 = icmp eq i32 %256, 0
+  br i1 %257, label %258, label %245
 
-218:                                              ; preds = %205, %209
-  %219 = icmp slt i64 %207, %197
+258:                                              ; preds = %245, %249
+  %259 = icmp slt i64 %247, %237
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %6) #8
-  br i1 %219, label %222, label %220
+  br i1 %259, label %262, label %260
 
-220:                                              ; preds = %201, %218
-  %221 = mul i64 %197, %11
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %1, ptr align 8 %2, i64 %221, i1 false)
-  br label %222
+260:                                              ; preds = %241, %258
+  %261 = mul i64 %237, %11
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %1, ptr align 8 %2, i64 %261, i1 false)
+  br label %262
 
-222:                                              ; preds = %220, %218, %171, %174, %94
-  %223 = phi i64 [ %29, %94 ], [ %29, %174 ], [ %29, %171 ], [ %197, %220 ], [ %29, %218 ]
+262:                                              ; preds = %260, %258, %211, %214, %96
+  %263 = phi i64 [ %31, %96 ], [ %31, %214 ], [ %31, %211 ], [ %237, %260 ], [ %31, %258 ]
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %9) #8
   call void @llvm.lifetime.end.p0(i64 1024, ptr nonnull %8) #8
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
-  %224 = add nuw nsw i64 %30, 1
-  %225 = icmp slt i64 %224, %4
-  %226 = icmp sgt i64 %223, 2
-  %227 = select i1 %225, i1 %226, i1 false
-  br i1 %227, label %28, label %33
+  %264 = add nuw nsw i64 %32, 1
+  %265 = icmp slt i64 %264, %4
+  %266 = icmp sgt i64 %263, 2
+  %267 = select i1 %265, i1 %266, i1 false
+  br i1 %267, label %30, label %35
 }
 
 declare double @llvm.maxnum.f64(double, double) #4
@@ -1115,21 +1265,21 @@ define internal fastcc i32 @carry(ptr nocapture noundef readonly %0, ptr nocaptu
 
 22:                                               ; preds = %10, %5
   %23 = phi double [ 0.000000e+00, %5 ], [ %19, %10 ]
-  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
   %25 = load double, ptr %24, align 8
   %26 = fdiv double %23, %25
   %27 = tail call double @llvm.ceil.f64(double %26)
   %28 = fptosi double %27 to i64
   %29 = tail call i64 @llvm.smax.i64(i64 %28, i64 1)
-  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
+  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
   %31 = add nuw nsw i64 %29, 1
   %32 = sitofp i64 %29 to double
-  %33 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
+  %33 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
   %35 = getelementptr inbounds %struct.Side, ptr %3, i64 0, i32 1
   %36 = getelementptr inbounds %struct.Side, ptr %3, i64 0, i32 2
   %37 = getelementptr inbounds %struct.Side, ptr %4, i64 0, i32 1
-  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
   br label %43
 
 39:                                               ; preds = %110

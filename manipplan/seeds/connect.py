@@ -24,6 +24,8 @@ SEARCHING, FOUND, FULL = range(3)
 MOST_SIDES, MOST_JOINTS = 8, 64
 #: Maximum length of an edge, and distance around start and goal from which every second configuration comes [rad or m].
 RANGE, AROUND = 1.0, 1.0
+#: Share of the distances of start and goal beyond the clearance that counts as margin, and margin per rad or m away from them.
+SPARE, GROWTH = 0.9, 0.05
 #: Number of checks between two looks at the clock and for interrupts.
 SLICE = 2000
 #: Number of random shortcuts, and of those between two looks at the clock.
@@ -34,7 +36,7 @@ ROOM = 2048
 ANY = 1 << 40
 
 _SIDE = np.dtype([("positive", np.uint8), ("known", np.uint8), ("changes", np.int64)], align=True)
-_DECIDE = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(ctypes.c_double))
+_DECIDE = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(ctypes.c_double), ctypes.c_double)
 _P, _N, _D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
 #: Result and arguments of the functions of connect.c.
 SIGNATURES: dict[str, tuple[Any, ...]] = {
@@ -51,7 +53,9 @@ class _Search(ctypes.Structure):
     _fields_ = [
         ("n", _N),
         *((name, _P) for name in ("low", "high", "near_low", "near_high", "world", "check", "decide")),
-        *((name, _D) for name in ("clearance", "step", "range")),
+        *((name, _D) for name in ("clearance", "margin")),
+        ("spare", _D * 2),
+        *((name, _D) for name in ("growth", "step", "range")),
         ("sides", _N),
         *((name, _P) for name in ("values", "zero")),
         ("most_changes", _N),
@@ -86,19 +90,19 @@ class TreeSearch:
     def run(self, step: float, margin: float) -> Array | None:
         """Waypoints (k, n) of a path, or None when none was found.
 
-        Motions are checked every `step` [rad or m], with `margin` [m] more than the clearance.
+        Motions are checked every `step` [rad or m], with `margin` [m] more than the clearance, but less near start and goal.
         """
-        return _Run(self.task, step, self.task.clearance + margin).path()
+        return _Run(self.task, step, margin).path()
 
 
 class _Run:
     """The data of one search."""
 
-    def __init__(self, task: SeedTask, step: float, clearance: float) -> None:
-        functions, kernel = _functions(), task.model.kernel_copy()
+    def __init__(self, task: SeedTask, step: float, margin: float) -> None:
+        model = task.model
+        functions, kernel = _functions(), model.kernel_copy()
         assert functions is not None and kernel is not None
-        self.task, self.call, self.n = task, functions, task.model.robot.n
-        self.clearance = clearance
+        self.task, self.call, self.n = task, functions, model.robot.n
         self.failure: BaseException | None = None
         low, high = task.bounds()
         first, last = np.minimum(task.start, task.goal), np.maximum(task.start, task.goal)
@@ -123,7 +127,10 @@ class _Run:
             world=kernel.world,
             check=kernel.check_address,
             decide=ctypes.cast(self._decide, ctypes.c_void_p),
-            clearance=clearance,
+            clearance=task.clearance,
+            margin=margin,
+            spare=(_D * 2)(*(SPARE * (model.least_distance(q[None])[0] - task.clearance) for q in (task.start, task.goal))),
+            growth=GROWTH,
             step=step,
             range=RANGE,
             sides=count,
@@ -161,11 +168,11 @@ class _Run:
             raise self.failure
         return way[:count].copy()
 
-    def _ask(self, q: Any) -> int:
+    def _ask(self, q: Any, clearance: float) -> int:
         """Whether a configuration that the kernel cannot judge is free; an error is kept, since C cannot pass it on."""
         try:
             here = np.array(q[: self.n])
-            return TOUCHING if self.task.model.in_collision(here, clearance=self.clearance) else FREE
+            return TOUCHING if self.task.model.in_collision(here, clearance=clearance) else FREE
         except BaseException as error:
             self.failure = error
             return TOUCHING

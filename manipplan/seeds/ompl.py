@@ -12,6 +12,8 @@ from manipplan.seeds.objective import ompl_objective
 from manipplan.seeds.task import GRACE, SeedTask
 from manipplan.support.checks import Array
 
+#: Share of the distances of start and goal beyond the clearance up to which a margin is demanded.
+SPARE = 0.9
 #: OMPL has one random seed per process, so searches in several threads would not be repeatable.
 _ONE_AT_A_TIME = threading.Lock()
 
@@ -37,8 +39,11 @@ class OmplSearch:
         Motions are checked every `step` [rad or m], with `margin` [m] more than the clearance.
         """
         with _ONE_AT_A_TIME:
-            in_time = time.monotonic() < self.task.deadline
-            return self._run(step, self.task.clearance + margin) if in_time else None
+            if time.monotonic() >= self.task.deadline:
+                return None
+            task = self.task
+            spare = task.model.least_distance(np.array([task.start, task.goal]))[0] - task.clearance
+            return self._run(step, task.clearance + min(margin, SPARE * spare))
 
     def _run(self, step: float, clearance: float) -> Array | None:
         from ompl import base, geometric, util

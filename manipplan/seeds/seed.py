@@ -40,6 +40,7 @@ SIDES_STEP = 5e-3
 PROVABLE = 1e-4
 #: Steps of the motion checks [rad or m] and their margins beyond the clearance [m], tried in turn until a path is proven.
 MOTION_STEPS = ((0.02, 0.0), (0.008, 0.002), (0.003, 0.005))
+WIDE_STEPS, WIDE_CHECKS = ((0.02, 0.02), (0.02, 0.005)), 20_000
 #: Checks of the search for a path with the fewest crossings, and of the one that allows `MORE` of them.
 FEWEST_CHECKS, MORE_CHECKS, MORE = 100_000, 50_000, 2
 
@@ -192,11 +193,13 @@ class _Finder:
         if line_is_free and self.integral is None:
             return line
         checked = None
-        for waypoints in self._waypoints(task):
+        for found in self._waypoints(task):
+            apart = np.abs(np.diff(found, axis=0)).max(axis=1) > 1e-9
+            waypoints = np.vstack([found[:-1][apart], found[-1:]])
             points = waypoints if self.compiled else _shortened(waypoints, accept_in_time, cost)
             if accept(JointPath.through(points)):
-                found = _rounded(points, accept_in_time, cost)
-                return line if line_is_free and cost(line) <= cost(found) else found
+                path = _rounded(points, accept_in_time, cost)
+                return line if line_is_free and cost(line) <= cost(path) else path
             sharp = JointPath.through(waypoints)
             if checked is None and is_allowed(sharp) and _is_free(task.model, sharp, task.clearance):
                 checked = sharp
@@ -214,16 +217,18 @@ class _Finder:
 
     def _waypoints(self, task: SeedTask) -> Iterator[Array]:
         """The paths (k, n) of searches with finer and finer motion checks."""
-        spare = 0.9 * (task.model.least_distance(np.array([task.start, task.goal]))[0] - task.clearance)
         checks = self.checks if self.planner in OPTIMISING else None
         ompl = OmplSearch(task=task, planner=self.planner, integral=self.integral, checks=checks)
         search = TreeSearch(task=task) if self.compiled else ompl
+        for step, margin in WIDE_STEPS if self.compiled else ():
+            waypoints = TreeSearch(task=replace(task, checks=WIDE_CHECKS)).run(step, margin)
+            if waypoints is not None:
+                yield waypoints
         for step, margin in MOTION_STEPS:
-            waypoints = search.run(step, min(margin, spare))
+            waypoints = search.run(step, margin)
             if waypoints is None:
                 return
-            apart = np.abs(np.diff(waypoints, axis=0)).max(axis=1) > 1e-9
-            yield np.vstack([waypoints[:-1][apart], waypoints[-1:]])
+            yield waypoints
             log.info("the path is not proven free with checks %g rad apart; checking finer", step)
 
     def failure(self) -> str:
