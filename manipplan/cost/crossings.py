@@ -134,6 +134,11 @@ def least_crossings(kinematics: Kinematics, start: Array, goal: Array) -> int | 
     return count
 
 
+def is_beside_singular_end(path: JointPath, kinematics: Kinematics, s: float) -> bool:
+    """Whether m nearly vanishes all the way between s and a singular start or goal."""
+    return any(_loses_rank(kinematics, path(np.array([end]))) and _is_low(path, kinematics, s, end) for end in (0.0, 1.0))
+
+
 def runs_along(path: JointPath, integral: PathIntegral, cost: PathCost) -> bool:
     """Whether m is below the floor, and below the default floor, on more than the share LONG of the length of a path."""
     floor = min(integral.floor, floor_of(integral.kinematics, None))
@@ -215,9 +220,14 @@ def _is_linear(path: JointPath, integral: PathIntegral, s: float, steepness: flo
 
 def _is_part_of(path: JointPath, kinematics: Kinematics, s: float, kind: str, end: float) -> bool:
     """Whether the same factor vanishes at a singular end, and m nearly vanishes on the way there: it is one singularity."""
-    between = kinematics.manipulability(path(np.linspace(s, end, 21)))
     same = not kind or kind in _vanishing(kinematics, path(np.array([end]))[0])
-    return same and bool(between.max() < SAME * typical_measure(kinematics))
+    return same and _is_low(path, kinematics, s, end)
+
+
+def _is_low(path: JointPath, kinematics: Kinematics, s: float, end: float) -> bool:
+    """Whether m nearly vanishes between two places."""
+    between = kinematics.manipulability(path(np.linspace(s, end, 21)))
+    return bool(between.max() < SAME * typical_measure(kinematics))
 
 
 def _linear_cost(integral: PathIntegral, most: float) -> float:

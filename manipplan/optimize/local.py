@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from manipplan.collision.near_pairs import NearPairs
-from manipplan.cost.crossings import find_crossings, runs_along
+from manipplan.cost.crossings import find_crossings, is_beside_singular_end, runs_along
 from manipplan.optimize import clearance as near
 from manipplan.optimize.certificate import SINGLE, UNKNOWN
 from manipplan.optimize.clearance import ClearanceRow
@@ -172,13 +172,16 @@ class LocalSearch(ProvenDescents):
     def _is_wedged(self, found: Candidate) -> bool:
         """Whether a path runs along singularities, or meets several of them at once between its ends.
 
-        The latter is told by a crossing without a cost, which for powers from 3 on none has.
+        The latter is told by a crossing without a cost, which for powers from 3 on none has. Crossings right beside a singular
+        end do not count: no path from there does without them.
         """
         along = runs_along(found.path, self.program.integral, found.cost)
         if along or self.program.integral.power >= NO_COSTS:
             return along
+        kinematics = self.program.kinematics
         inner = [each for each in find_crossings(found.path, self.program.integral, found.cost) if not each.at_end]
-        return any(np.isnan(each.cost) and np.isfinite(each.steepness) for each in inner)
+        without_cost = [each for each in inner if np.isnan(each.cost) and np.isfinite(each.steepness)]
+        return any(not is_beside_singular_end(found.path, kinematics, each.at) for each in without_cost)
 
     def from_safe_path(self, first: JointPath) -> list[Candidate]:
         """The local optimum near a free path, through a path of low energy that passes each body on the same side.
