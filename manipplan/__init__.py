@@ -5,7 +5,7 @@
     pose -> inverse_kinematics: every configuration that reaches it
     CartesianPath -> sample_layers -> max_min_search (the largest minimum manipulability) -> refine
     CartesianPath -> track (one QP per step, which raises m while following) -> Tracking
-    start, goal -> seed_path (OMPL) -> optimize_path (minimises ∫ ‖q'‖/m^p ds) -> retime (toppra) -> Trajectory -> Report
+    start, goal -> seed_path (RRT-Connect) -> optimize_path (minimises ∫ ‖q'‖/m^p ds) -> retime (toppra) -> Trajectory -> Report
 
 One call runs a whole row, for instance ``mp.plan(robot, start, goal, scene)``.
 """

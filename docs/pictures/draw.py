@@ -30,7 +30,7 @@ def flow():
     ax.set(xlim=(0, 92), ylim=(0, 37))
     ax.axis("off")
     rows = {
-        30: (OPTIMUM, "plan", ["start, goal", "seed_path\nOMPL", "optimize_path\nminimum g"]),
+        30: (OPTIMUM, "plan", ["start, goal", "seed_path\nRRT-Connect", "optimize_path\nminimum g"]),
         18: (ELLIPSOID, "follow", ["path of the tool", "sample_layers\nall configurations", "max_min_search\nrefine"]),
         6: (JOINTS[3], "improve", ["recording", "Controller\none QP per step", "track\nm raised"]),
     }

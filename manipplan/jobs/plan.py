@@ -80,7 +80,7 @@ def plan(
 ) -> Plan | PartialPlan:
     """Plan a motion from start to goal: collision-free, far from singularities, timed, and checked when finished.
 
-    OMPL finds a first path, and the path optimiser searches for a local optimum of g near it (see `optimize_path`). If no
+    A planner finds a first path, and the path optimiser searches for a local optimum of g near it (see `optimize_path`). If no
     path of this `shape` is collision-free with a lower g than the first path, a polynomial of three more degrees is tried, then
     a cubic B-spline of eight pieces, which starts from the fit to the first path. If that fails too, the first path itself is
     timed, and the status says so. A path that is checked but not at its optimum is timed with Status.STOPPED_EARLY.

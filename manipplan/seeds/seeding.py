@@ -15,7 +15,7 @@ FEASIBLE = ("RRTConnect", "RRT", "KPIECE1", "BKPIECE1", "LBKPIECE1")
 #: Planners that continue to lower the cost until `checks` or `time_limit` is used up.
 OPTIMISING = ("RRTstar", "InformedRRTstar", "SORRTstar", "BITstar")
 PLANNERS = FEASIBLE + OPTIMISING
-#: The planner that "auto" takes.
+#: The planner of OMPL that "auto" takes where our own cannot be compiled.
 AUTO = "RRTConnect"
 SHIFTS = ("none", "within-limits")
 #: Maximum number of first paths per goal.
@@ -28,8 +28,8 @@ class Seeding:
     """How first paths are found, from which the optimiser descends.
 
     Attributes:
-        planner: planner of OMPL that searches among obstacles: "auto" (RRTConnect), or one of RRTConnect, RRT, KPIECE1,
-            BKPIECE1, LBKPIECE1, and RRTstar, InformedRRTstar, SORRTstar and BITstar, which lower the cost of their path.
+        planner: what searches among obstacles: "auto", our compiled RRT-Connect, or a planner of OMPL: RRTConnect, RRT,
+            KPIECE1, BKPIECE1, LBKPIECE1, and RRTstar, InformedRRTstar, SORRTstar and BITstar, which lower their path's cost.
         seed: random seed of the planner; without a scene, of the random first paths. The same seed gives the same path, on any
             machine, unless `time_limit` ends the search.
         count: number of first paths per goal. With a scene the planner finds them, with `seed`, `seed` + 1 and so on. Paths
