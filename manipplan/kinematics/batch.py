@@ -22,7 +22,7 @@ SHARE = 16384
 Kernel = Callable[[Array, Array], bool]
 
 
-def simd_kernel(function: ca.Function, subject: str) -> Kernel:
+def simd_kernel(function: ca.Function, subject: str) -> "SimdKernel":
     """A C kernel that uses the processor's vector width; raises CompilerError if it cannot be built."""
 
     def load(file: Path) -> Any:
@@ -31,8 +31,23 @@ def simd_kernel(function: ca.Function, subject: str) -> Kernel:
         run.restype = ctypes.c_int
         return run
 
-    run = load_library(kernel_source(function), load, flags=(*NATIVE, "-fschedule-insns", "-lm"), subject=subject)
-    return lambda q, out: run(q.ctypes.data, out.ctypes.data, len(q)) == 0
+    return SimdKernel(load_library(kernel_source(function), load, flags=(*NATIVE, "-fschedule-insns", "-lm"), subject=subject))
+
+
+class SimdKernel:
+    """A compiled kernel.
+
+    Attributes:
+        address: of its C function `int f(const double *q, double *out, long count)`, which returns 0 where all of q is finite.
+    """
+
+    def __init__(self, run: Any) -> None:
+        self._run = run
+        self.address = ctypes.cast(run, ctypes.c_void_p).value or 0
+
+    def __call__(self, q: Array, out: Array) -> bool:
+        finite: bool = self._run(q.ctypes.data, out.ctypes.data, len(q)) == 0
+        return finite
 
 
 def run_kernel(kernel: Kernel, q: Array, outputs: int, *, threads: int) -> Array | None:
