@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.cost.metric import metric_matrix
+from manipplan.cost.panels import Panels
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import gauss_rule
@@ -103,6 +104,12 @@ class PathIntegral:
         Only the panels that still change are evaluated again, so that this can be done for every path of a descent.
         """
         edges = np.unique(np.concatenate([np.linspace(0.0, 1.0, RULE_PANELS + 1), path.breaks]))
+        panels = _compiled(path, self)
+        found = None if panels is None else panels.halved(edges, FINE_HALVINGS, FINE_ACCURACY)
+        return self._fine_panels(path, edges) if found is None else found
+
+    def _fine_panels(self, path: JointPath, edges: Array) -> Array:
+        """The same by NumPy, from the first edges (k + 1,)."""
         begin, end, done = edges[:-1], edges[1:], [edges]
         whole, settled = _integrate_panels(path, begin, end, self), 0.0
         for _ in range(FINE_HALVINGS):
@@ -193,6 +200,20 @@ def _weighted_speed(path: JointPath, s: Array, integral: PathIntegral) -> Array:
 
 def _integrate_panels(path: JointPath, begin: Array, end: Array, integral: PathIntegral) -> Array:
     """The integral of h over each panel from `begin` to `end` (k,)."""
+    panels = _compiled(path, integral)
+    found = None if panels is None else panels.integrals(begin, end)
+    return _integrate_by_numpy(path, begin, end, integral) if found is None else found
+
+
+def _compiled(path: JointPath, integral: PathIntegral) -> Panels | None:
+    """The integral of a path by compiled code; None where there is none."""
+    if integral.metric is not None:
+        return None
+    return Panels.of(path, integral.kinematics, integral.power, integral.floor, POINTS)
+
+
+def _integrate_by_numpy(path: JointPath, begin: Array, end: Array, integral: PathIntegral) -> Array:
+    """As `_integrate_panels`."""
     s, weights = gauss(begin, end)
     h = _weighted_speed(path, s.ravel(), integral)
     return np.asarray((weights * h.reshape(s.shape)).sum(axis=1))

@@ -29,10 +29,12 @@ class NativeKernel:
 
     Attributes:
         run: the C function, a BATCH.
+        address: of that function, for other compiled code.
     """
 
     def __init__(self, run: Any) -> None:
         self.run = run
+        self.address = ctypes.cast(run, ctypes.c_void_p).value or 0
 
     def __call__(self, q: Array, out: Array) -> bool:
         """As `Kernel`."""

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.kinematics import jit, simd
-from manipplan.kinematics.batch import Kernel, all_cores, run_kernel, simd_kernel
+from manipplan.kinematics.batch import Kernel, NativeKernel, all_cores, run_kernel, simd_kernel
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.instructions import expressible
 from manipplan.kinematics.view import View
@@ -210,6 +210,11 @@ class Kinematics:
             except CompilerError as error:
                 do_without(error, self.compiled)
         return Evaluator(function, [self._shape(quantity) for quantity in quantities])
+
+    def batch_code(self, quantity: str) -> int | None:
+        """The address of a quantity's batch function, see `NativeKernel`, for other compiled code; None where there is none."""
+        kernel = self._kernel(quantity, 1)
+        return kernel.address if isinstance(kernel, NativeKernel) else None
 
     def _evaluate(self, quantity: str, q: ArrayLike) -> Array:
         n, shape = self.robot.n, self._shape(quantity)

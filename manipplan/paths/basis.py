@@ -15,7 +15,8 @@ from numpy.polynomial import Chebyshev, Legendre, Polynomial
 from numpy.polynomial.legendre import legvander
 from numpy.typing import ArrayLike
 
-from manipplan.paths.joint import JointPath, bernstein, split
+from manipplan.paths.curves import bernstein
+from manipplan.paths.joint import JointPath, split
 from manipplan.paths.rounding import FIXED, gauss_rule, on_grid, product
 from manipplan.support.checks import Array, finite_array, whole_number
 from manipplan.support.display import one_line
@@ -57,7 +58,7 @@ class Basis(ABC):
         values = self.values(at.ravel()).reshape(*at.shape, self.size)
         return np.asarray(np.linalg.solve(bernstein(self.degree, u), values))
 
-    @property
+    @cached_property
     def line(self) -> Array:
         """The control points (p, degree + 1) of the function s."""
         return np.asarray(np.linspace(self.breaks[:-1], self.breaks[1:], self.degree + 1, axis=1))

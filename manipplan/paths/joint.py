@@ -1,13 +1,14 @@
 """JointPath: a curve q(s), s in [0, 1], through joint space, as pieces in Bernstein form."""
 
 from dataclasses import dataclass
-from functools import cache
+from functools import cached_property
 from math import comb
 
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
 from numpy.typing import ArrayLike
 
+from manipplan.paths.curves import Curve, bernstein
 from manipplan.support.checks import Array, finite_array, number_array, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -42,7 +43,7 @@ class JointPath:
             raise InvalidInputError("breaks", breaks, f"{len(control) + 1} increasing numbers from 0 to 1")
         if control.shape[1] < 2:
             raise InvalidInputError("control", control.shape, "at least two control points per piece")
-        if not np.allclose(control[:-1, -1], control[1:, 0], rtol=0, atol=1e-9):
+        if not (np.abs(control[:-1, -1] - control[1:, 0]) <= 1e-9).all():
             raise InvalidInputError("control", "pieces that do not join", "pieces whose ends meet")
         object.__setattr__(self, "breaks", breaks)
         object.__setattr__(self, "control", control)
@@ -108,21 +109,19 @@ class JointPath:
 
     def __call__(self, s: ArrayLike, order: int = 0) -> Array:
         """q(s), or its derivative of the given order with respect to s; s (...) in [0, 1] gives (..., n)."""
-        s = number_array("s", s)
-        if s.size and not (s.min() >= 0 and s.max() <= 1):  # also NaN
-            raise InvalidInputError("s", s, "numbers from 0 to 1")
-        order = whole_number("order", order, least=0)
-        control = self.control
-        width = np.diff(self.breaks)
-        for _ in range(order):
-            if control.shape[1] == 1:
-                return np.zeros((*s.shape, self.n))
-            control = (control[:, 1:] - control[:, :-1]) * ((control.shape[1] - 1) / width[:, None, None])
-        if len(control) == 1:
-            return np.asarray(np.einsum("...k,kn->...n", bernstein(control.shape[1] - 1, s), control[0]))
-        piece = np.clip(np.searchsorted(self.breaks, s, side="right") - 1, 0, len(control) - 1)
-        u = (s - self.breaks[piece]) / width[piece]
-        return np.asarray(np.einsum("...k,...kn->...n", bernstein(control.shape[1] - 1, u), control[piece]))
+        return self.curve(order)(s if isinstance(s, np.ndarray) and s.dtype == np.float64 else number_array("s", s))
+
+    def curve(self, order: int = 0) -> Curve:
+        """The curve q(s), or its derivative of the given order with respect to s, for repeated evaluation."""
+        if type(order) is not int or order not in self._curves:
+            order = whole_number("order", order, least=0)
+        if order not in self._curves:
+            self._curves[order] = self.curve(order - 1).derivative if order else Curve(self.breaks, self.control)
+        return self._curves[order]
+
+    @cached_property
+    def _curves(self) -> dict[int, Curve]:
+        return {}
 
     def coefficients(self, basis: str = "monomial") -> Array:
         """The coefficients (n, k + 1) of a path of one piece, c in q_i(s) = Σ_j c_ij f_j(s).
@@ -192,19 +191,6 @@ class JointPath:
             if not len(wide):
                 return samples
             samples = np.insert(samples, wide + 1, (samples[wide] + samples[wide + 1]) / 2)
-
-
-def bernstein(degree: int, u: ArrayLike) -> Array:
-    """Values of the Bernstein polynomials of `degree` at u (...), (..., degree + 1)."""
-    u = np.asarray(u, dtype=float)[..., None]
-    j = np.arange(degree + 1)
-    return _binomials(degree) * u**j * (1 - u) ** (degree - j)
-
-
-@cache
-def _binomials(degree: int) -> Array:
-    """The binomial coefficients of `degree`, (degree + 1,)."""
-    return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
 
 
 def split(control: Array, u: float = 0.5) -> tuple[Array, Array]:

@@ -29,7 +29,7 @@ def on_grid(values: Array, spacing: float) -> Array:
 
 def configurations(path: JointPath, s: ArrayLike) -> Array:
     """The configurations (m, n) of a path at s (m,), on the fine grid."""
-    return on_grid(path(s), FINE)
+    return path.curve()(np.asarray(s, dtype=float), FINE)
 
 
 def product(left: Array, right: Array) -> Array:

@@ -24,7 +24,7 @@ def finite_array(argument: str, value: ArrayLike, shape: tuple[int | None, ...],
         wanted = "(" + ", ".join("any" if k is None else str(k) for k in shape) + ("," if len(shape) == 1 else "") + ")"
         raise InvalidInputError(argument, value, f"numbers of shape {wanted}, not {array.shape}")
     _all_finite(argument, value, array)
-    if (np.abs(array) > most).any():
+    if most < np.inf and (np.abs(array) > most).any():
         raise InvalidInputError(argument, value, f"numbers from {-most:g} to {most:g}")
     return array
 
