@@ -307,7 +307,14 @@ def test_a_nearly_free_solution_that_leads_nowhere_is_followed_by_the_next(plana
     monkeypatch.setattr(LocalSearch, "_judged", never_free)
     monkeypatch.setattr(LocalSearch, "optimum_from", fails_at_first)
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.0, 0.0), name="post")])
-    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], post, objective=mp.PathObjective(power=2))
+    result = mp.optimize_path(
+        planar,
+        [0, 1.5, -2],
+        [np.pi, -2, 2],
+        post,
+        objective=mp.PathObjective(power=2),
+        seeding=mp.Seeding(planner="RRTConnect"),
+    )
     assert result.status is mp.Status.OPTIMAL
     assert [name for name, _ in tried] == ["straight", "seed", "seed"]
     assert not any(np.array_equal(first, second) for k, (_, first) in enumerate(tried) for _, second in tried[:k])
