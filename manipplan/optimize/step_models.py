@@ -179,6 +179,8 @@ FARTHEST = 0.05
 DEEP, BOTTOM = 1e-3, 1e-6
 #: Maximum number of steps to the bottom of a dip.
 BOTTOM_STEPS = 12
+#: Accuracy of the bottom of a dip deep below the target, as a share of the violation.
+ROUGH = 0.1
 #: Distance above the target below which every place of the grid gets a row [m].
 CLOSE = 2e-3
 #: Minimum distance in s between a place of the grid with a row and the bottom of a dip of the same pair.
@@ -336,28 +338,32 @@ class Surroundings:
             least: distances (k,) at `middle` [m].
             pairs: (k,) indices.
         """
-        (low, high), (left, right) = bracket, (self._at(path, side, pairs) for side in bracket)
+        low, high, middle, least = bracket[0].copy(), bracket[1].copy(), middle.copy(), least.copy()
+        left, right = (self._at(path, side, pairs) for side in bracket)
         for step in range(BOTTOM_STEPS):
-            a, b = middle - low, high - middle
-            if (a + b < BOTTOM).all():
+            # how far below its middle a dip may still fall, about: it matters little where the violation is much larger
+            rise = np.maximum(left, right) - least
+            k = np.flatnonzero((high - low >= BOTTOM) & (rise > ROUGH * (self.target - DEEP - least)))
+            if not len(k):
                 break
+            a, b = middle[k] - low[k], high[k] - middle[k]
             longer = np.where(a > b, -a / 2, b / 2)
             with np.errstate(divide="ignore", invalid="ignore"):
-                falls, rises = (left - least) / a, (right - least) / b
+                falls, rises = (left[k] - least[k]) / a, (right[k] - least[k]) / b
                 parabola = (b * falls - a * rises) / (2 * (falls + rises))
             usable = np.isfinite(parabola) & (parabola > -a) & (parabola < b) & (step % 3 < 2)
             change = np.where(usable, parabola, longer)
             gap = np.maximum(0.02 * (a + b), BOTTOM / 4)
             change = np.where(np.abs(change) < gap, np.copysign(gap, longer), change)
-            new = np.clip(middle + change, low, high)
-            value = self._at(path, new, pairs)
-            better, after = value < least, new > middle
+            new = np.clip(middle[k] + change, low[k], high[k])
+            value = self._at(path, new, pairs[k])
+            better, after = value < least[k], new > middle[k]
             # the nearer of the two becomes the middle, the other an end of the bracket
-            end, end_value = np.where(better, middle, new), np.where(better, least, value)
+            end, end_value = np.where(better, middle[k], new), np.where(better, least[k], value)
             is_low = better == after
-            low, left = np.where(is_low, end, low), np.where(is_low, end_value, left)
-            high, right = np.where(is_low, high, end), np.where(is_low, right, end_value)
-            middle, least = np.where(better, new, middle), np.where(better, value, least)
+            low[k], left[k] = np.where(is_low, end, low[k]), np.where(is_low, end_value, left[k])
+            high[k], right[k] = np.where(is_low, high[k], end), np.where(is_low, right[k], end_value)
+            middle[k], least[k] = np.where(better, new, middle[k]), np.where(better, value, least[k])
         return Look(distances=least, s=middle, pairs=pairs, is_bottom=np.ones(len(pairs), dtype=bool))
 
     def _at(self, path: JointPath, s: Array, pairs: NDArray[np.intp]) -> Array:
