@@ -9,6 +9,7 @@ between two bodies, and the shift of the place where they are nearest. The model
 """
 
 import logging
+from collections import deque
 from dataclasses import dataclass, replace
 
 import daqp
@@ -36,6 +37,9 @@ WIDE_STEPS = 3
 #: While the violation is above the first value, a radius below the second one is set back as well [rad or m]: deep in an
 #: obstacle short steps lead nowhere.
 DEEP, SHORT = 5e-3, 1e-3
+#: The descent ends where the violation stays above DEEP and falls by less than this share over this number of steps: paths that
+#: come out of an obstacle do so much faster.
+LITTLE, WINDOW = 0.1, 5
 #: A step is accepted when the actual decrease is more than this share of the predicted one. Up to the second share, a
 #: second-order correction is tried.
 ACCEPTED, CORRECTED = 1e-4, 0.75
@@ -236,6 +240,7 @@ def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None
     curvature = np.zeros((z.size, z.size))
     choice = 0  # which of model.convex gives the step
     wide_steps = 0  # steps left since the radius was set back to RADIUS, 0 before that
+    violations = deque([here.violation], maxlen=WINDOW + 1)
 
     def ended(steps: int, reason: str, *, exhausted: bool = False) -> Descent:
         log.debug("descent: %s after %d steps", reason, steps)
@@ -275,6 +280,9 @@ def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None
             penalty = max(penalty / 2, LEAST_PENALTY)
             if decrease > 0.5 * predicted and size > 0.7 * radius:
                 radius = min(2 * radius, LARGEST_RADIUS)
+        violations.append(here.violation)
+        if len(violations) > WINDOW and min(violations) > max(DEEP, (1 - LITTLE) * violations[0]):
+            return ended(count + 1, "stuck in an obstacle")
         if decrease < 0.25 * predicted:  # as in algorithm 4.1 of nocedal2006
             radius = size / 4
             if wide_steps > 0:
