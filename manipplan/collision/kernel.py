@@ -140,6 +140,15 @@ class DistanceKernel:
         """The address of `manipplan_check_one`."""
         return self._calls.code.address("manipplan_check_one")
 
+    @property
+    def pairs_address(self) -> int:
+        """The address of `manipplan_pairs`."""
+        return self._calls.code.address("manipplan_pairs")
+
+    def bodies(self, pairs: Numbers) -> Numbers:
+        """The two bodies (m, 2) of pairs (m,), as `manipplan_pairs` takes them."""
+        return np.ascontiguousarray(self._bodies[pairs])
+
     def copy(self) -> "DistanceKernel":
         """The same with its own working memory, for another thread."""
         return DistanceKernel(self._calls, self._arrays)
@@ -187,8 +196,7 @@ class DistanceKernel:
 
         nan where this kernel cannot tell.
         """
-        q, bodies = np.ascontiguousarray(q, dtype=float), np.ascontiguousarray(self._bodies[pairs])
-        return self._pairs(q, bodies, reach)[0]
+        return self._pairs(np.ascontiguousarray(q, dtype=float), self.bodies(pairs), reach)[0]
 
     def nearest_triangle(self, q: Array, pair: int) -> Array | None:
         """Corners (3, 3) of the triangle of a pair's second body nearest to the first at q (n,); None if it has none."""

@@ -164,8 +164,9 @@ class LocalSearch(ProvenDescents):
             aside = rng.normal(size=(self.program.n, 1))
             step = ASIDE / np.abs(shape).max() * aside / np.linalg.norm(aside) @ self.program.free[:, :1].T
             for sign in (1.0, -1.0):
-                other = self.descend("aside", best.coefficients + sign * step, softens=False)  # a larger floor would lead back
-                if other is not None and other.cost.g < best.cost.g * (1 - WORTH):
+                beside, most = best.coefficients + sign * step, best.cost.g * (1 - WORTH)
+                other = self.descend("aside", beside, softens=False, below=most)  # a larger floor would lead back
+                if other is not None and other.cost.g < most:
                     best = other
         return best
 

@@ -100,14 +100,15 @@ class ProvenDescents:
     until: Until = Until.SETTLED
 
     def descend(
-        self, name: str, coefficients: Array, *, kept: JointPath | None = None, softens: bool = True
+        self, name: str, coefficients: Array, *, kept: JointPath | None = None, softens: bool = True, below: float = np.inf
     ) -> Candidate | None:
         """The path at which descents from coefficients (n, size) end; None when it is not free or leaves the limits.
 
         Descents are repeated until the path is proven free, the quadrature panels resolve its g, and the descent has
         converged, or as `until` says. Each starts with the panels of the one before it, and also watches the place where the
         proof failed. Before the final margin only those are taken that the path `kept` has, if it is given.
-        With `softens` a path near a singularity is first moved with larger floors.
+        With `softens` a path near a singularity is first moved with larger floors. None as well when g is not below `below`
+        with a wider margin than the final one.
         """
         program, integral = self.program, self.program.integral
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
@@ -144,6 +145,8 @@ class ProvenDescents:
                 log.debug("descent: stuck in an obstacle before the final margin")
                 break
             if preliminary:
+                if true.length.without_energy.value(descent.z) * true.length.g0 >= below:
+                    return None
                 continue
             path = true.path(descent.z)
             cost, proof = integral.cost(path), self.proof(path)

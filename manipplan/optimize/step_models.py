@@ -10,10 +10,11 @@ from manipplan.collision.model import CollisionModel
 from manipplan.collision.near_pairs import NearPairs
 from manipplan.cost.density import Density
 from manipplan.cost.integral import PathIntegral, gauss
+from manipplan.optimize.bottoms import DEEP, DipSearch
 from manipplan.optimize.clearance import ClearanceRow, Place, distance_profile
 from manipplan.paths.basis import Basis
 from manipplan.paths.joint import JointPath
-from manipplan.paths.rounding import FINE_DISTANCE, configurations, on_grid, product
+from manipplan.paths.rounding import configurations, product
 from manipplan.support.checks import Array
 from manipplan.symbolic.batch_function import BatchFunction
 
@@ -175,12 +176,6 @@ INTERVALS, SPACING = 160, 4
 MARGIN = 5e-5
 #: Minimum distance above the target at which distances are cut off [m]; a wider band of rows raises it.
 FARTHEST = 0.05
-#: Distance above the target below which dips are located [m], and the accuracy in s.
-DEEP, BOTTOM = 1e-3, 1e-6
-#: Maximum number of steps to the bottom of a dip.
-BOTTOM_STEPS = 12
-#: Accuracy of the bottom of a dip deep below the target, as a share of the violation.
-ROUGH = 0.1
 #: Distance above the target below which every place of the grid gets a row [m].
 CLOSE = 2e-3
 #: Minimum distance in s between a place of the grid with a row and the bottom of a dip of the same pair.
@@ -239,6 +234,10 @@ class Surroundings:
     margin: float = MARGIN
     always: list[Place] = field(default_factory=list)
 
+    @cached_property
+    def _search(self) -> DipSearch:
+        return DipSearch(model=self.model)
+
     @property
     def target(self) -> float:
         """The distance to keep [m]: the required one plus the margin."""
@@ -266,7 +265,7 @@ class Surroundings:
         if self.always:
             at, known = np.array([x for x, _ in self.always]), np.array([pair for _, pair in self.always])
             bracket = np.maximum(at - 1 / INTERVALS, 0.0), np.minimum(at + 1 / INTERVALS, 1.0)
-            found.append(self._bottoms(path, bracket, at, self._at(path, at, known), known))
+            found.append(self._bottoms(path, bracket, at, self._search.distances(path, at, known), known))
         return Look.of(*found)
 
     def places(self, look: Look) -> list[tuple[float, int, bool]]:
@@ -327,46 +326,6 @@ class Surroundings:
     def _bottoms(
         self, path: JointPath, bracket: tuple[Array, Array], middle: Array, least: Array, pairs: NDArray[np.intp]
     ) -> Look:
-        """Where pairs are nearest inside their brackets.
-
-        All brackets are narrowed together: two steps go to the minimum of a parabola, every third halves the longer side.
-
-        Args:
-            path: the path.
-            bracket: low and high ends (k,) in s.
-            middle: s (k,) between them.
-            least: distances (k,) at `middle` [m].
-            pairs: (k,) indices.
-        """
-        low, high, middle, least = bracket[0].copy(), bracket[1].copy(), middle.copy(), least.copy()
-        left, right = (self._at(path, side, pairs) for side in bracket)
-        for step in range(BOTTOM_STEPS):
-            # how far below its middle a dip may still fall, about: it matters little where the violation is much larger
-            rise = np.maximum(left, right) - least
-            k = np.flatnonzero((high - low >= BOTTOM) & (rise > ROUGH * (self.target - DEEP - least)))
-            if not len(k):
-                break
-            a, b = middle[k] - low[k], high[k] - middle[k]
-            longer = np.where(a > b, -a / 2, b / 2)
-            with np.errstate(divide="ignore", invalid="ignore"):
-                falls, rises = (left[k] - least[k]) / a, (right[k] - least[k]) / b
-                parabola = (b * falls - a * rises) / (2 * (falls + rises))
-            usable = np.isfinite(parabola) & (parabola > -a) & (parabola < b) & (step % 3 < 2)
-            change = np.where(usable, parabola, longer)
-            gap = np.maximum(0.02 * (a + b), BOTTOM / 4)
-            change = np.where(np.abs(change) < gap, np.copysign(gap, longer), change)
-            new = np.clip(middle[k] + change, low[k], high[k])
-            value = self._at(path, new, pairs[k])
-            better, after = value < least[k], new > middle[k]
-            # the nearer of the two becomes the middle, the other an end of the bracket
-            end, end_value = np.where(better, middle[k], new), np.where(better, least[k], value)
-            is_low = better == after
-            low[k], left[k] = np.where(is_low, end, low[k]), np.where(is_low, end_value, left[k])
-            high[k], right[k] = np.where(is_low, high[k], end), np.where(is_low, right[k], end_value)
-            middle[k], least[k] = np.where(better, new, middle[k]), np.where(better, value, least[k])
-        return Look(distances=least, s=middle, pairs=pairs, is_bottom=np.ones(len(pairs), dtype=bool))
-
-    def _at(self, path: JointPath, s: Array, pairs: NDArray[np.intp]) -> Array:
-        """Distances [m] of pairs (k,) at s (k,), rounded, since the place of a minimum depends on the last bits."""
-        q = configurations(path, s)
-        return on_grid(self.model.pair_distances(q, pairs), FINE_DISTANCE)
+        """Where pairs (k,) are nearest inside brackets (k,) in s, around places with known distances [m]."""
+        at, distances = self._search.bottoms(path, bracket, middle, least, pairs, self.target)
+        return Look(distances=distances, s=at, pairs=pairs, is_bottom=np.ones(len(pairs), dtype=bool))
