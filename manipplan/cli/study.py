@@ -11,14 +11,15 @@ from manipplan.cli import terminal
 from manipplan.support.errors import MissingSourcesError, PlanningError
 from manipplan.support.files import place_for
 
-Paper = Literal["kth2012", "dufour2020", "guilamo2006"]
+Paper = Literal["kth2012", "dufour2020", "guilamo2006", "singularities"]
 
 
 def study(paper: Positional[Paper], /, quick: bool = False, out: Path | None = None) -> None:
-    """Reproduce all tables and figures of a paper, and collect them in report.html.
+    """Reproduce all tables and figures of a paper or of a study of our own, and collect them in report.html.
 
     Args:
-        paper: kth2012 (paths of a planar arm), dufour2020 (QP inverse kinematics) or guilamo2006 (search along a path).
+        paper: kth2012 (paths of a planar arm), dufour2020 (QP inverse kinematics), guilamo2006 (search along a path), or our
+            own study: singularities (g of paths that cross them).
         quick: Skip what takes long; the report says what is skipped.
         out: Folder for tables, figures and report. Default: study/PAPER.
     """
