@@ -22,7 +22,7 @@ DEEP, BOTTOM = 1e-3, 1e-6
 #: Maximum number of steps to the bottom of a dip.
 BOTTOM_STEPS = 12
 #: Accuracy of the bottom of a dip deep below the target, as a share of the violation.
-ROUGH = 0.03
+ROUGH = 0.01
 #: As in bottoms.c.
 MOST_JOINTS = 64
 
