@@ -6,11 +6,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from manipplan.collision.bottoms import DipSearch
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.near_pairs import NearPairs
 from manipplan.cost.density import Density
 from manipplan.cost.integral import PathIntegral, gauss
-from manipplan.optimize.bottoms import DEEP, DipSearch
 from manipplan.optimize.clearance import ClearanceRow, Place, distance_profile
 from manipplan.paths.basis import Basis
 from manipplan.paths.joint import JointPath
@@ -176,6 +176,8 @@ INTERVALS, SPACING = 160, 4
 MARGIN = 5e-5
 #: Minimum distance above the target at which distances are cut off [m]; a wider band of rows raises it.
 FARTHEST = 0.05
+#: Distance above the target below which dips are located [m].
+DEEP = 1e-3
 #: Distance above the target below which every place of the grid gets a row [m].
 CLOSE = 2e-3
 #: Minimum distance in s between a place of the grid with a row and the bottom of a dip of the same pair.
@@ -327,5 +329,5 @@ class Surroundings:
         self, path: JointPath, bracket: tuple[Array, Array], middle: Array, least: Array, pairs: NDArray[np.intp]
     ) -> Look:
         """Where pairs (k,) are nearest inside brackets (k,) in s, around places with known distances [m]."""
-        at, distances = self._search.bottoms(path, bracket, middle, least, pairs, self.target)
+        at, distances = self._search.bottoms(path, bracket, middle, least, pairs)
         return Look(distances=distances, s=at, pairs=pairs, is_bottom=np.ones(len(pairs), dtype=bool))

@@ -12,7 +12,6 @@ typedef struct {
 } Bracket;
 
 typedef struct {
-    long n;                     /* number of joints, at most MOST_JOINTS */
     const void *curve;
     long (*curve_at)(const void *curve, const double *s, long m, double spacing, double *out);  /* manipplan_curve */
     double spacing;             /* of the grid of configurations [rad or m] */
@@ -21,12 +20,10 @@ typedef struct {
                      long *leaf);                                                               /* manipplan_pairs */
     double grid;                /* spacing of the grid of distances [m] */
     double enough;              /* width at which a bracket is narrow enough */
-    double deep;                /* far below this distance [m] a bottom is located only roughly: */
-    double rough;               /* to this share of what it is below it */
     long most_steps;
 } Dips;
 
-enum { MOST_JOINTS = 64 };
+enum { MOST_JOINTS = 64 };  /* the caller sees to it that there are no more */
 
 /* The distance at s, rounded to the grid; NaN where the kernel cannot tell. */
 static double distance_at(const Dips *d, double s, const long *bodies) {
@@ -38,8 +35,7 @@ static double distance_at(const Dips *d, double s, const long *bodies) {
 }
 
 static int is_done(const Dips *d, const Bracket *b) {
-    if (b->steps >= d->most_steps || !(b->high - b->low >= d->enough)) return 1;
-    return !(fmax(b->left, b->right) - b->least > d->rough * (d->deep - b->least));
+    return b->steps >= d->most_steps || !(b->high - b->low >= d->enough);
 }
 
 /* The place inside the bracket where the next distance is measured. */

@@ -17,12 +17,10 @@ from manipplan.paths.rounding import FINE, FINE_DISTANCE, configurations, on_gri
 from manipplan.support.checks import Array
 from manipplan.support.compiling.native import native_code
 
-#: Distance above the target below which dips are located [m], and the accuracy in s.
-DEEP, BOTTOM = 1e-3, 1e-6
+#: Accuracy of the place of a bottom in s.
+BOTTOM = 1e-6
 #: Maximum number of steps to the bottom of a dip.
 BOTTOM_STEPS = 12
-#: Accuracy of the bottom of a dip deep below the target, as a share of the violation.
-ROUGH = 0.01
 #: As in bottoms.c.
 MOST_JOINTS = 64
 
@@ -36,7 +34,6 @@ class _Dips(ctypes.Structure):
     """`Dips` of bottoms.c."""
 
     _fields_ = [
-        ("n", _N),
         ("curve", _P),
         ("curve_at", _P),
         ("spacing", _D),
@@ -44,8 +41,6 @@ class _Dips(ctypes.Structure):
         ("distance", _P),
         ("grid", _D),
         ("enough", _D),
-        ("deep", _D),
-        ("rough", _D),
         ("most_steps", _N),
     ]
 
@@ -76,7 +71,7 @@ class DipSearch:
         return on_grid(self.model.pair_distances(configurations(path, s), pairs), FINE_DISTANCE)
 
     def bottoms(
-        self, path: JointPath, bracket: tuple[Array, Array], middle: Array, least: Array, pairs: NDArray[np.intp], target: float
+        self, path: JointPath, bracket: tuple[Array, Array], middle: Array, least: Array, pairs: NDArray[np.intp]
     ) -> tuple[Array, Array]:
         """Where pairs are nearest inside their brackets, (k,), and the distances there [m], (k,).
 
@@ -86,17 +81,15 @@ class DipSearch:
             middle: s (k,) between them.
             least: distances (k,) at `middle` [m].
             pairs: (k,) indices.
-            target: the distance to keep [m]; far below it the accuracy is a share of the violation.
         """
         dips = np.zeros(len(pairs), dtype=_BRACKET)
         dips["low"], dips["high"], dips["middle"], dips["least"], dips["next"] = *bracket, middle, least, np.nan
         dips["left"], dips["right"] = (self.distances(path, side, pairs) for side in bracket)
         narrow, curves, kernel, curve = _narrow(), curve_code(), self._kernel, path.curve()
         if narrow is None or curves is None or kernel is None or not curve.address:
-            self._by_numpy(path, dips, pairs, target)
+            self._by_numpy(path, dips, pairs)
             return dips["middle"], dips["least"]
         search = _Dips(
-            n=self.model.robot.n,
             curve=curve.address,
             curve_at=curves.address("manipplan_curve"),
             spacing=FINE,
@@ -104,8 +97,6 @@ class DipSearch:
             distance=kernel.pairs_address,
             grid=FINE_DISTANCE,
             enough=BOTTOM,
-            deep=target - DEEP,
-            rough=ROUGH,
             most_steps=BOTTOM_STEPS,
         )
         bodies = kernel.bodies(pairs)
@@ -114,11 +105,10 @@ class DipSearch:
             dips["found"][asked] = self.distances(path, dips["next"][asked], pairs[asked])
         return dips["middle"], dips["least"]
 
-    def _by_numpy(self, path: JointPath, dips: NDArray[np.void], pairs: NDArray[np.intp], target: float) -> None:
+    def _by_numpy(self, path: JointPath, dips: NDArray[np.void], pairs: NDArray[np.intp]) -> None:
         """The same for all brackets together."""
         for step in range(BOTTOM_STEPS):
-            rise = np.maximum(dips["left"], dips["right"]) - dips["least"]
-            k = np.flatnonzero((dips["high"] - dips["low"] >= BOTTOM) & (rise > ROUGH * (target - DEEP - dips["least"])))
+            k = np.flatnonzero(dips["high"] - dips["low"] >= BOTTOM)
             if not len(k):
                 break
             low, middle, high, left, least, right = (
