@@ -1,8 +1,10 @@
 """The static bodies of an MJCF as obstacles: MuJoCo's own distances are the judge."""
 
+import os
 import sys
 
 import mujoco
+import numpy as np
 import pytest
 
 import manipplan as mp
@@ -74,6 +76,22 @@ def test_geoms_of_one_mesh_share_its_hull(cell):
     assert (first.name, second.name) == ("wedge", "other")
     assert first.shapes()[0] is second.shapes()[0]
     assert abs(second.pose.translation - first.pose.translation).max() > 0.5
+
+
+def test_a_mesh_file_changed_within_a_second_is_read_again(tmp_path):
+    """MuJoCo's cache of meshes compares the times of files to the second."""
+    for size in (1.0, 2.0):
+        corners = size * np.vstack([np.zeros(3), np.eye(3)])
+        lines = [f"v {x} {y} {z}" for x, y, z in corners] + ["f 1 3 2", "f 1 2 4", "f 1 4 3", "f 2 3 4"]
+        (tmp_path / "wedge.obj").write_text("\n".join(lines))
+        os.utime(tmp_path / "wedge.obj", (1e9, 1e9))
+        (tmp_path / "cell.xml").write_text(
+            '<mujoco><asset><mesh name="wedge" file="wedge.obj"/></asset>'
+            '<worldbody><geom name="wedge" type="mesh" mesh="wedge"/></worldbody></mujoco>'
+        )
+        (wedge,) = mp.Scene.from_mjcf(tmp_path / "cell.xml").obstacles
+        edges = wedge.triangles - np.roll(wedge.triangles, 1, axis=1)
+        assert np.linalg.norm(edges, axis=-1).max() == pytest.approx(size * 2**0.5)
 
 
 def test_names_are_in_utf_8(tmp_path):

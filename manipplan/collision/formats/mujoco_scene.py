@@ -27,6 +27,7 @@ def read_static_bodies(file: Path) -> list[Obstacle]:
         import mujoco
     except ImportError as error:
         raise MissingExtraError("mujoco", "mujoco") from error
+    mujoco.mj_clearCache(mujoco.mj_getCache())  # it keeps a mesh whose file is changed within one second
     try:
         model = mujoco.MjModel.from_xml_path(str(file))
     except ValueError as error:
