@@ -58,7 +58,9 @@ typedef struct {
 } Core;
 
 static const double EXACT = 1e-11;   /* gap between the bounds at which a distance is found [m] */
+static const double EXACTEST = 1e-15; /* the same where the direction counts, too [m] */
 static const double MEETING = 1e-10; /* cores nearer than this meet [m] */
+static const double APART = 1e-6;    /* the direction between cores nearer than this is not exact [m] */
 static const double TINY = 3e-7;     /* largest side, along each axis, of a triangle that counts as a point [m] */
 static const int MOST_STEPS = 300;   /* cylinders converge slowly; polytopes need about ten steps */
 
@@ -71,6 +73,12 @@ static void act(const double *frame, const double *p, double *out) {
 
 static void turn_back(const double *frame, const double *v, double *out) {
     for (int i = 0; i < 3; i++) out[i] = frame[i] * v[0] + frame[3 + i] * v[1] + frame[6 + i] * v[2];
+}
+
+/* A point of the world in the coordinates of a frame. */
+static void place_back(const double *frame, const double *p, double *out) {
+    double gap[3] = {p[0] - frame[9], p[1] - frame[10], p[2] - frame[11]};
+    turn_back(frame, gap, out);
 }
 
 static void compose(const double *a, const double *b, double *out) {
@@ -152,12 +160,16 @@ static void support(const Core *core, const double *v, double *out) {
     act(core->frame, p, out);
 }
 
-typedef struct { double point[4][3]; int count; double nearest[3]; } Simplex;
+/* Corners of the difference of two cores, the points of the first core that they come from, and the point of their hull that is
+   nearest to the origin. */
+typedef struct { double point[4][3], first[4][3]; int count; double nearest[3]; } Simplex;
 
-static void keep(Simplex *s, const int *chosen, int count) {
-    double kept[4][3];
-    for (int i = 0; i < count; i++) memcpy(kept[i], s->point[chosen[i]], sizeof kept[i]);
-    memcpy(s->point, kept, sizeof kept);
+static void keep(Simplex *s, const int *chosen, int count) { /* `chosen` ascends */
+    for (int i = 0; i < count; i++) {
+        if (chosen[i] == i) continue;
+        memcpy(s->point[i], s->point[chosen[i]], sizeof s->point[i]);
+        memcpy(s->first[i], s->first[chosen[i]], sizeof s->first[i]);
+    }
     s->count = count;
 }
 
@@ -229,17 +241,18 @@ static int reduce(Simplex *s) {
 /* A plane that has the first of two cores in front of it: normal · x >= level for all its points x. */
 typedef struct { double normal[3], level; } Plane;
 
-/* Bounds on the distance of two cores. Stops when the lower bound exceeds `enough`, or the upper one is at most `little`.
+/* Bounds on the distance of two cores. Stops when the lower bound exceeds `enough`, the upper one is at most `little`, or both
+   differ by at most `exact`.
    `towards` is a first guess of the direction from the second core to the first. `plane`, unless it is 0, becomes the one that
-   gave the lower bound. Returns 0 if the cores meet. */
-static int bounds(const Core *one, const Core *two, const double *towards, double enough, double little, double *low, double *high,
-                  Plane *plane) {
-    Simplex s;
+   gave the lower bound, `simplex`, unless it is 0, the one with the nearest point. Returns 0 if the cores meet. */
+static int bounds(const Core *one, const Core *two, const double *towards, double enough, double little, double exact,
+                  double *low, double *high, Plane *plane, Simplex *simplex) {
+    Simplex own, last, *s = simplex ? simplex : &own;
     double v[3], a[3], b[3], minus[3];
     double size = sqrt(dot(towards, towards));
     for (int i = 0; i < 3; i++) v[i] = size > 0 ? towards[i] / size : i == 0;
     *low = -INFINITY, *high = INFINITY;
-    s.count = 0;
+    s->count = 0;
     for (int step = 0; step < MOST_STEPS; step++) {
         for (int i = 0; i < 3; i++) minus[i] = -v[i];
         support(one, minus, a);
@@ -253,18 +266,22 @@ static int bounds(const Core *one, const Core *two, const double *towards, doubl
                 plane->level = dot(plane->normal, a);
             }
         }
-        if (*low > enough || *high - *low <= EXACT) return 1;
-        for (int i = 0; i < s.count; i++)
-            if (memcmp(s.point[i], corner, sizeof corner) == 0) return 1;
-        memcpy(s.point[s.count++], corner, sizeof corner);
-        if (reduce(&s)) return *low > MEETING;             /* rounding: a flat simplex may seem to contain the origin */
-        double apart = sqrt(dot(s.nearest, s.nearest));
+        if (*low > enough || *high - *low <= exact) return 1;
+        for (int i = 0; i < s->count; i++)
+            if (memcmp(s->point[i], corner, sizeof corner) == 0) return 1;
+        if (simplex) last = *s;
+        memcpy(s->point[s->count], corner, sizeof corner);
+        memcpy(s->first[s->count++], a, sizeof a);
+        int inside = reduce(s);
+        double apart = sqrt(dot(s->nearest, s->nearest));
+        if (simplex && step > 0 && (inside || apart >= *high)) *s = last;
+        if (inside) return *low > MEETING;                 /* rounding: a flat simplex may seem to contain the origin */
         if (apart >= *high && step > 0) return 1;          /* rounding: no progress */
         *high = apart;
         if (apart <= MEETING) return 0;
-        if (apart <= little || *high - *low <= EXACT) return 1;
-        memcpy(v, s.nearest, sizeof v);
-        if (s.count == 4) return 1;
+        if (apart <= little || *high - *low <= exact) return 1;
+        memcpy(v, s->nearest, sizeof v);
+        if (s->count == 4) return 1;
     }
     return 1;
 }
@@ -273,7 +290,7 @@ static int bounds(const Core *one, const Core *two, const double *towards, doubl
 static int shape_bounds(const World *w, long i, const Core *one, long j, const Core *two, const double *towards, double enough,
                         double little, double *low, double *high, Plane *plane) {
     double radii = w->radius[i] + w->radius[j];
-    int apart = bounds(one, two, towards, enough + radii, little + radii, low, high, plane);
+    int apart = bounds(one, two, towards, enough + radii, little + radii, EXACT, low, high, plane, 0);
     *low -= radii, *high -= radii;
     return apart;
 }
@@ -389,10 +406,21 @@ static double behind(const Plane *plane, const double *box) {
 
 /* Whether a ball is farther than `reach` from the box around a body. */
 static int is_beside(const World *w, const double *centre, double radius, long body, double reach) {
-    const double *frame = w->frames + 12 * w->joint[body];
-    double gap[3] = {centre[0] - frame[9], centre[1] - frame[10], centre[2] - frame[11]}, p[3];
-    turn_back(frame, gap, p);
+    double p[3];
+    place_back(w->frames + 12 * w->joint[body], centre, p);
     return square_from_box(p, w->local + 6 * body) > (reach + radius) * (reach + radius);
+}
+
+/* The core of a triangle or point with corners c (9); `axes` (9) holds them by axis. */
+static void leaf_core(const double *c, double *axes, Core *leaf) {
+    static const double still[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+    int point = 1;                                          /* points of clouds are tiny triangles */
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) axes[3 * i + k] = c[3 * k + i];
+        point &= fabs(c[3 + i] - c[i]) < TINY && fabs(c[6 + i] - c[i]) < TINY;
+    }
+    leaf->kind = POINTS, leaf->count = point ? 1 : 3, leaf->frame = still;
+    leaf->x = axes, leaf->y = axes + 3, leaf->z = axes + 6;
 }
 
 /* Look at the triangles or points below a node of a surface. `before`: a plane with the body in front of it. */
@@ -407,11 +435,9 @@ static void surface(Search *s, long obstacle, long node, const Plane *before) {
     double low, high;
     if (child[0] < 0) {
         const double *c = w->corners + 9 * child[1];
-        static const double still[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
-        double x[3] = {c[0], c[3], c[6]}, y[3] = {c[1], c[4], c[7]}, z[3] = {c[2], c[5], c[8]};
-        int point = 1;                                      /* points of clouds are tiny triangles */
-        for (int i = 0; i < 3; i++) point &= fabs(c[3 + i] - c[i]) < TINY && fabs(c[6 + i] - c[i]) < TINY;
-        Core leaf = {.kind = POINTS, .count = point ? 1 : 3, .x = x, .y = y, .z = z, .frame = still};
+        double axes[9];
+        Core leaf;
+        leaf_core(c, axes, &leaf);
         double little = s->out ? -INFINITY : reach, most = -INFINITY;
         for (int i = 0; i < 3; i++) most = fmax(most, dot(s->plane.normal, c + 3 * i));
         if (s->plane.level - most + minus_radii > reach) return;
@@ -428,7 +454,7 @@ static void surface(Search *s, long obstacle, long node, const Plane *before) {
     if (half[0] + half[1] + half[2] < 2 * w->ball[4 * s->body + 3]) { /* small beside the body: worth a look at the whole box */
         double towards[3];
         for (int i = 0; i < 3; i++) towards[i] = centre[i] - all.own[9 + i];
-        int apart = bounds(s->core, &all, towards, reach - minus_radii, reach - minus_radii, &low, &high, &plane);
+        int apart = bounds(s->core, &all, towards, reach - minus_radii, reach - minus_radii, EXACT, &low, &high, &plane, 0);
         if (apart && low + minus_radii > reach) return;
     }
     double first = behind(&plane, w->node_box + 6 * child[0]), second = behind(&plane, w->node_box + 6 * child[1]);
@@ -591,6 +617,103 @@ void manipplan_pairs(const World *w, const double *q, long m, const long *bodies
         Search s = {w, one, &core, 0, 0, reach[k], out + k, 0, FREE, -1, {{0}, 0}};
         look_at(&s, two, 0);
         leaf[k] = s.leaf;
+    }
+}
+
+/* The nearest points of two cores by the last simplex of `bounds`. Returns 0 if it does not tell them. */
+static int nearest_of(const Simplex *s, double *a, double *b) {
+    double share[3] = {1, 0, 0};
+    if (s->count < 1 || s->count > 3) return 0;
+    if (s->count > 1) {
+        double e[3], f[3] = {0}, p[3];
+        for (int i = 0; i < 3; i++) {
+            e[i] = s->point[1][i] - s->point[0][i], p[i] = s->nearest[i] - s->point[0][i];
+            if (s->count == 3) f[i] = s->point[2][i] - s->point[0][i];
+        }
+        double ee = dot(e, e), ef = dot(e, f), ff = s->count == 3 ? dot(f, f) : 1, area = ee * ff - ef * ef;
+        if (!(area > 0)) return 0;
+        share[1] = (ff * dot(p, e) - ef * dot(p, f)) / area;
+        share[2] = (ee * dot(p, f) - ef * dot(p, e)) / area;
+        share[0] = 1 - share[1] - share[2];
+    }
+    for (int i = 0; i < 3; i++) {
+        a[i] = 0;
+        for (int k = 0; k < s->count; k++) a[i] += share[k] * s->first[k][i];
+        b[i] = a[i] - s->nearest[i];
+    }
+    return 1;
+}
+
+/* The nearest points of the cores of two bodies in the world, the second of which may stand still, their signed distance, and the
+   unit vector from the second to the first. Returns 0 where the cores meet or nearly do, or this code cannot tell. */
+static int nearest_points(const World *w, long one, long two, double *a, double *b, double *distance, double *normal) {
+    if (w->kind[one] > CYLINDER || w->kind[two] == UNKNOWN) return 0;
+    Core core, other;
+    core_of(w, one, &core);
+    double towards[3], axes[9], low, high;
+    if (w->kind[two] == HALFSPACE) {
+        double frame[12], down[3];
+        compose(w->frames + 12 * w->joint[two], w->pose + 12 * two, frame);
+        for (int i = 0; i < 3; i++) normal[i] = frame[3 * i + 2], down[i] = -normal[i];
+        support(&core, down, a);
+        *distance = 0;
+        for (int i = 0; i < 3; i++) *distance += normal[i] * (a[i] - frame[9 + i]);
+        for (int i = 0; i < 3; i++) b[i] = a[i] - *distance * normal[i];
+        return 1;
+    }
+    if (w->kind[two] == SURFACE) {
+        double least = INFINITY;
+        Search s = {w, one, &core, 0, 0, INFINITY, &least, 0, FREE, -1, {{0}, 0}};
+        look_at(&s, two, 0);
+        if (isnan(least) || s.leaf < 0) return 0;
+        leaf_core(w->corners + 9 * s.leaf, axes, &other);
+        memcpy(towards, s.plane.normal, sizeof towards);
+    } else {
+        core_of(w, two, &other);
+        for (int i = 0; i < 3; i++) towards[i] = w->centres[3 * one + i] - w->centres[3 * two + i];
+    }
+    Simplex s;
+    if (!bounds(&core, &other, towards, INFINITY, -INFINITY, EXACTEST, &low, &high, 0, &s) || high - low > 1e3 * EXACT || high < APART ||
+        !nearest_of(&s, a, b))
+        return 0;
+    *distance = sqrt(dot(s.nearest, s.nearest));
+    for (int i = 0; i < 3; i++) normal[i] = s.nearest[i] / *distance;
+    return 1;
+}
+
+/* The nearest points of the cores of pairs bodies (m, 2) at q (m, n). out (m, 13 + n): signed distance of the bodies; unit vector
+   from the second to the first in the frame of the second's joint, and its opposite in that of the first's; the two points in the
+   frames of their joints; gradient of the distance by q. nan where only coal can tell. */
+void manipplan_witnesses(const World *w, const double *q, long m, const long *bodies, double *out) {
+    for (long k = 0; k < m; k++, q += w->n, out += 13 + w->n) {
+        long one = bodies[2 * k], two = bodies[2 * k + 1], first = w->joint[one], second = w->joint[two];
+        double a[3], b[3], distance, normal[3], back[3];
+        int finite = 1;
+        for (long j = 0; j < w->n; j++) finite &= isfinite(q[j]) != 0;
+        if (finite) place(w, q);
+        if (!finite || !nearest_points(w, one, two, a, b, &distance, normal)) {
+            for (long i = 0; i < 13 + w->n; i++) out[i] = NAN;
+            continue;
+        }
+        const double *here = w->frames + 12 * first, *there = w->frames + 12 * second;
+        for (int i = 0; i < 3; i++) back[i] = -normal[i];
+        out[0] = distance - w->radius[one] - w->radius[two];
+        turn_back(there, normal, out + 1), turn_back(here, back, out + 4);
+        place_back(here, a, out + 7), place_back(there, b, out + 10);
+        for (long j = 1; j <= w->n; j++) {
+            const double *frame = w->frames + 12 * j, *own = w->axes + 3 * (j - 1);
+            double slope = 0, axis[3];
+            for (int i = 0; i < 3; i++) axis[i] = dot(frame + 3 * i, own);
+            for (int side = 0; side < 2; side++) {
+                const double *p = side ? b : a;
+                if (j > (side ? second : first)) continue;
+                double lever[3] = {p[0] - frame[9], p[1] - frame[10], p[2] - frame[11]};
+                double moved[3] = {axis[1] * lever[2] - axis[2] * lever[1], axis[2] * lever[0] - axis[0] * lever[2],
+                                   axis[0] * lever[1] - axis[1] * lever[0]};
+                slope += (side ? -1 : 1) * dot(normal, w->slides[j - 1] ? axis : moved);
+            }
+            out[12 + j] = slope;
+        }
     }
 }
 

@@ -1,17 +1,17 @@
-; distances.c 1d3a73ddf1ae3945b9fd5f7081e14c64e8d3cb835a55bdcd679d729054ff0752: written by make kernel
+; distances.c 055f6c6eac4fe83e0a7a87667cc515af8c13880295ba2661d4dbb0839d9717fe: written by make kernel
 
 %struct.Core = type { i64, i64, ptr, ptr, ptr, ptr, ptr, [12 x double] }
 %struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane }
 %struct.Plane = type { [3 x double], double }
 %struct.World = type { i64, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
-%struct.Simplex = type { [4 x [3 x double]], i32, [3 x double] }
+%struct.Simplex = type { [4 x [3 x double]], [4 x [3 x double]], i32, [3 x double] }
 
 @place.still = internal constant [12 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
-@__const.look_at.v = private unnamed_addr constant [3 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
 @box_core.straight = internal unnamed_addr constant [9 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00], align 16
 @reduce.face = internal unnamed_addr constant [4 x [3 x i32]] [[3 x i32] [i32 0, i32 1, i32 2], [3 x i32] [i32 0, i32 1, i32 3], [3 x i32] [i32 0, i32 2, i32 3], [3 x i32] [i32 1, i32 2, i32 3]], align 16
 @__const.reduce.chosen = private unnamed_addr constant [3 x i32] [i32 0, i32 1, i32 2], align 4
 @within.ray = internal constant [3 x [3 x double]] [[3 x double] [double 6.123720e-01, double 3.535530e-01, double 7.071070e-01], [3 x double] [double -4.177900e-01, double 0x3FEA99C38B04AB60, double -3.670100e-01], [3 x double] [double 1.173100e-01, double -5.144900e-01, double -8.494300e-01]], align 16
+@__const.nearest_of.share = private unnamed_addr constant [3 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
 
 define dso_local i32 @manipplan_check_one(ptr noundef %0, ptr nocapture noundef readonly %1, double noundef %2) local_unnamed_addr #0 {
   %4 = tail call fastcc i32 @examine(ptr noundef %0, ptr noundef %1, double noundef %2, ptr noundef null)
@@ -54,7 +54,7 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %27 = phi i64 [ %34, %25 ], [ 0, %4 ]
   %28 = getelementptr inbounds double, ptr %1, i64 %27
   %29 = load double, ptr %28, align 8
-  %30 = tail call double @llvm.fabs.f64(double %29) #14
+  %30 = tail call double @llvm.fabs.f64(double %29) #13
   %31 = fcmp one double %30, 0x7FF0000000000000
   %32 = zext i1 %31 to i32
   %33 = and i32 %26, %32
@@ -129,7 +129,7 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %84 = load ptr, ptr %58, align 8
   %85 = shl nsw i64 %77, 2
   %86 = getelementptr inbounds double, ptr %84, i64 %85
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #14
   %87 = getelementptr inbounds double, ptr %86, i64 3
   %88 = load double, ptr %87, align 8
   %89 = load ptr, ptr %59, align 8
@@ -198,8 +198,8 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
 139:                                              ; preds = %131, %133
   %140 = phi i32 [ %150, %133 ], [ %76, %131 ]
   %141 = phi i64 [ %134, %133 ], [ %132, %131 ]
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %7) #15
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %6) #14
+  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %7) #14
   store ptr %0, ptr %7, align 8
   %142 = load ptr, ptr %61, align 8
   %143 = getelementptr inbounds i64, ptr %142, i64 %141
@@ -224,12 +224,12 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %150 = load i32, ptr %70, align 8
   %151 = icmp ne i32 %150, 1
   %152 = select i1 %73, i1 true, i1 %151
-  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %7) #14
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %6) #14
   br i1 %152, label %133, label %153
 
 153:                                              ; preds = %139
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #14
   br label %242
 
 154:                                              ; preds = %133
@@ -239,7 +239,7 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
 156:                                              ; preds = %154, %126, %121
   %157 = phi i64 [ %75, %121 ], [ %75, %126 ], [ %155, %154 ]
   %158 = phi i32 [ %76, %121 ], [ %76, %126 ], [ %150, %154 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #14
   %159 = add nuw nsw i64 %77, 1
   %160 = icmp slt i64 %159, %157
   br i1 %160, label %74, label %161
@@ -318,9 +318,9 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   br i1 %227, label %237, label %228
 
 228:                                              ; preds = %181
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %8) #14
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %188, ptr noundef nonnull %8)
-  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %9) #15
+  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %9) #14
   store ptr %0, ptr %9, align 8
   store i64 %188, ptr %170, align 8
   store ptr %8, ptr %171, align 8
@@ -339,8 +339,8 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %232 = load i32, ptr %177, align 8
   %233 = icmp eq i32 %232, 1
   %234 = select i1 %180, i1 %233, i1 false
-  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %9) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %9) #14
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %8) #14
   br i1 %234, label %242, label %235
 
 235:                                              ; preds = %228
@@ -401,7 +401,7 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
 13:                                               ; preds = %8, %36
   %14 = phi i64 [ 0, %8 ], [ %37, %36 ]
   %15 = phi ptr [ %4, %8 ], [ %38, %36 ]
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #14
   store i64 0, ptr %6, align 8
   %16 = load i64, ptr %0, align 8
   %17 = mul nsw i64 %16, %14
@@ -433,7 +433,7 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
   br i1 %35, label %24, label %30
 
 36:                                               ; preds = %40, %24
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #14
   %37 = add nuw nsw i64 %14, 1
   %38 = getelementptr inbounds double, ptr %15, i64 %22
   %39 = icmp eq i64 %37, %2
@@ -471,7 +471,7 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
 16:                                               ; preds = %10, %30
   %17 = phi i64 [ 0, %10 ], [ %31, %30 ]
   %18 = phi i64 [ 0, %10 ], [ %32, %30 ]
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #14
   store i64 0, ptr %8, align 8
   %19 = load i64, ptr %0, align 8
   %20 = mul nsw i64 %19, %18
@@ -490,7 +490,7 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
 
 30:                                               ; preds = %48, %16
   %31 = phi i64 [ %17, %16 ], [ %51, %48 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #14
   %32 = add nuw nsw i64 %18, 1
   %33 = icmp eq i64 %32, %2
   br i1 %33, label %14, label %16
@@ -578,7 +578,7 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   %42 = add nsw i64 %33, %40
   %43 = getelementptr inbounds double, ptr %1, i64 %42
   %44 = load double, ptr %43, align 8
-  %45 = call double @llvm.fabs.f64(double %44) #14
+  %45 = call double @llvm.fabs.f64(double %44) #13
   %46 = fcmp one double %45, 0x7FF0000000000000
   %47 = zext i1 %46 to i32
   %48 = and i32 %41, %47
@@ -593,13 +593,13 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   store double %53, ptr %54, align 8
   %55 = getelementptr inbounds i64, ptr %6, i64 %23
   store i64 -1, ptr %55, align 8
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %8) #14
   %56 = load i64, ptr %0, align 8
   %57 = mul nsw i64 %56, %23
   %58 = getelementptr inbounds double, ptr %1, i64 %57
   call fastcc void @place(ptr noundef nonnull %0, ptr noundef %58)
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %26, ptr noundef nonnull %8)
-  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %9) #15
+  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %9) #14
   store ptr %0, ptr %9, align 8
   store i64 %26, ptr %12, align 8
   store ptr %8, ptr %13, align 8
@@ -614,8 +614,8 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   call fastcc void @look_at(ptr noundef nonnull %9, i64 noundef %29, ptr noundef null)
   %60 = load i64, ptr %19, align 8
   store i64 %60, ptr %55, align 8
-  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %9) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %9) #14
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %8) #14
   br label %61
 
 61:                                               ; preds = %36, %51
@@ -673,7 +673,7 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   %37 = phi i64 [ 0, %9 ], [ %144, %193 ]
   %38 = mul nsw i64 %37, 3
   %39 = getelementptr inbounds double, ptr %11, i64 %38
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %3) #15
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %3) #14
   %40 = getelementptr inbounds i64, ptr %13, i64 %37
   %41 = load i64, ptr %40, align 8
   %42 = icmp eq i64 %41, 0
@@ -745,7 +745,7 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br label %90
 
 90:                                               ; preds = %46, %55
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %4) #15
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %4) #14
   %91 = mul nsw i64 %37, 12
   %92 = getelementptr inbounds double, ptr %6, i64 %91
   %93 = getelementptr inbounds double, ptr %26, i64 %91
@@ -869,8 +869,8 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %192, label %161, label %174
 
 193:                                              ; preds = %161
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %4) #15
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %3) #15
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %4) #14
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %3) #14
   %194 = icmp eq i64 %144, %7
   br i1 %194, label %27, label %36
 
@@ -1102,9 +1102,9 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %34 = load ptr, ptr %33, align 8
   %35 = getelementptr inbounds i64, ptr %34, i64 %1
   %36 = load i64, ptr %35, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %4) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %4) #14
   store double 0xFFF0000000000000, ptr %4, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #14
   store double 0x7FF0000000000000, ptr %5, align 8
   %37 = icmp eq i64 %36, 5
   br i1 %37, label %45, label %38
@@ -1212,9 +1212,9 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br label %257
 
 97:                                               ; preds = %79
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %6) #14
   %98 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %7) #15
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %7) #14
   %99 = getelementptr inbounds %struct.World, ptr %11, i64 0, i32 27
   %100 = load ptr, ptr %99, align 8
   %101 = getelementptr inbounds %struct.World, ptr %11, i64 0, i32 29
@@ -1225,7 +1225,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %106 = getelementptr inbounds double, ptr %100, i64 %105
   call fastcc void @facing(ptr nonnull sret(%struct.Plane) align 8 %7, ptr noundef nonnull %11, i64 noundef %40, ptr noundef %106)
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %98, ptr noundef nonnull align 8 dereferenceable(32) %7, i64 32, i1 false)
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %7) #15
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %7) #14
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %6, ptr noundef nonnull align 8 dereferenceable(32) %98, i64 32, i1 false)
   %107 = load ptr, ptr %101, align 8
   %108 = getelementptr inbounds i64, ptr %107, i64 %1
@@ -1262,10 +1262,10 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br i1 %131, label %139, label %132
 
 132:                                              ; preds = %119, %128
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #14
   %133 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
   %134 = load ptr, ptr %133, align 8
-  call fastcc void @support(ptr noundef %134, ptr noundef nonnull @__const.look_at.v, ptr noundef nonnull %8)
+  call fastcc void @support(ptr noundef %134, ptr noundef nonnull @__const.nearest_of.share, ptr noundef nonnull %8)
   %135 = call fastcc i32 @within(ptr noundef nonnull %11, i64 noundef %1, ptr noundef nonnull %8)
   %136 = icmp eq i32 %135, 0
   br i1 %136, label %138, label %137
@@ -1275,15 +1275,15 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br label %138
 
 138:                                              ; preds = %137, %132
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #14
   br label %139
 
 139:                                              ; preds = %119, %138, %128, %97
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %6) #14
   br label %257
 
 140:                                              ; preds = %79
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #14
   br i1 %23, label %147, label %141
 
 141:                                              ; preds = %140
@@ -1423,7 +1423,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br i1 %244, label %245, label %224
 
 245:                                              ; preds = %240, %222, %200
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #15
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #14
   call fastcc void @core_of(ptr noundef %11, i64 noundef %1, ptr noundef nonnull %10)
   %246 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
   %247 = load ptr, ptr %246, align 8
@@ -1440,21 +1440,945 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br label %255
 
 255:                                              ; preds = %245, %253
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #14
   br label %257
 
 256:                                              ; preds = %159, %194, %197
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #14
   br label %257
 
 257:                                              ; preds = %78, %74, %72, %70, %65, %46, %139, %93, %96, %255, %256
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %4) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %4) #14
   br label %258
 
 258:                                              ; preds = %24, %3, %28, %257
   ret void
+}
+
+define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef writeonly %4) local_unnamed_addr #0 {
+  %6 = alloca [3 x double], align 16
+  %7 = alloca [3 x double], align 16
+  %8 = alloca [3 x double], align 16
+  %9 = alloca [3 x double], align 16
+  %10 = alloca %struct.Core, align 8
+  %11 = alloca %struct.Core, align 8
+  %12 = alloca [3 x double], align 16
+  %13 = alloca [9 x double], align 16
+  %14 = alloca double, align 8
+  %15 = alloca double, align 8
+  %16 = alloca [12 x double], align 16
+  %17 = alloca [3 x double], align 16
+  %18 = alloca double, align 8
+  %19 = alloca %struct.Search, align 8
+  %20 = alloca %struct.Simplex, align 8
+  %21 = alloca [3 x double], align 16
+  %22 = alloca [3 x double], align 16
+  %23 = alloca [3 x double], align 16
+  %24 = alloca [3 x double], align 16
+  %25 = alloca [3 x double], align 16
+  %26 = icmp sgt i64 %2, 0
+  br i1 %26, label %27, label %76
+
+27:                                               ; preds = %5
+  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
+  %30 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 1
+  %31 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 2
+  %32 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 3
+  %33 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 5
+  %34 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 6
+  %35 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 7
+  %36 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 8
+  %37 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 9
+  %38 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 10
+  %39 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
+  %40 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 1
+  %41 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 5
+  %42 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 2
+  %43 = getelementptr inbounds double, ptr %13, i64 3
+  %44 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 3
+  %45 = getelementptr inbounds double, ptr %13, i64 6
+  %46 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 4
+  %47 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %49 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %50 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 2
+  %51 = getelementptr inbounds double, ptr %7, i64 1
+  %52 = getelementptr inbounds double, ptr %7, i64 2
+  %53 = getelementptr inbounds double, ptr %8, i64 1
+  %54 = getelementptr inbounds double, ptr %8, i64 2
+  %55 = getelementptr inbounds double, ptr %9, i64 1
+  %56 = getelementptr inbounds double, ptr %9, i64 2
+  %57 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
+  %58 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
+  %59 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3
+  %60 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 1
+  %61 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 2
+  %62 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %63 = getelementptr inbounds double, ptr %23, i64 1
+  %64 = getelementptr inbounds double, ptr %23, i64 2
+  %65 = getelementptr inbounds double, ptr %24, i64 1
+  %66 = getelementptr inbounds double, ptr %24, i64 2
+  %67 = getelementptr inbounds double, ptr %21, i64 1
+  %68 = getelementptr inbounds double, ptr %21, i64 2
+  %69 = getelementptr inbounds double, ptr %22, i64 1
+  %70 = getelementptr inbounds double, ptr %22, i64 2
+  %71 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %72 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 1
+  %73 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 2
+  %74 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
+  %75 = load i64, ptr %0, align 8
+  br label %77
+
+76:                                               ; preds = %652, %5
+  ret void
+
+77:                                               ; preds = %27, %652
+  %78 = phi i64 [ %75, %27 ], [ %653, %652 ]
+  %79 = phi ptr [ %1, %27 ], [ %655, %652 ]
+  %80 = phi ptr [ %4, %27 ], [ %657, %652 ]
+  %81 = phi i64 [ 0, %27 ], [ %654, %652 ]
+  %82 = shl nuw nsw i64 %81, 1
+  %83 = getelementptr inbounds i64, ptr %3, i64 %82
+  %84 = load i64, ptr %83, align 8
+  %85 = or i64 %82, 1
+  %86 = getelementptr inbounds i64, ptr %3, i64 %85
+  %87 = load i64, ptr %86, align 8
+  %88 = load ptr, ptr %28, align 8
+  %89 = getelementptr inbounds i64, ptr %88, i64 %84
+  %90 = load i64, ptr %89, align 8
+  %91 = getelementptr inbounds i64, ptr %88, i64 %87
+  %92 = load i64, ptr %91, align 8
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #14
+  %93 = icmp sgt i64 %78, 0
+  br i1 %93, label %96, label %107
+
+94:                                               ; preds = %96
+  %95 = icmp eq i32 %104, 0
+  br i1 %95, label %422, label %107
+
+96:                                               ; preds = %77, %96
+  %97 = phi i32 [ %104, %96 ], [ 1, %77 ]
+  %98 = phi i64 [ %105, %96 ], [ 0, %77 ]
+  %99 = getelementptr inbounds double, ptr %79, i64 %98
+  %100 = load double, ptr %99, align 8
+  %101 = call double @llvm.fabs.f64(double %100) #13
+  %102 = fcmp one double %101, 0x7FF0000000000000
+  %103 = zext i1 %102 to i32
+  %104 = and i32 %97, %103
+  %105 = add nuw nsw i64 %98, 1
+  %106 = icmp eq i64 %105, %78
+  br i1 %106, label %94, label %96
+
+107:                                              ; preds = %77, %94
+  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %79)
+  %108 = load ptr, ptr %29, align 8
+  %109 = getelementptr inbounds i64, ptr %108, i64 %84
+  %110 = load i64, ptr %109, align 8
+  %111 = icmp sgt i64 %110, 2
+  br i1 %111, label %422, label %112
+
+112:                                              ; preds = %107
+  %113 = getelementptr inbounds i64, ptr %108, i64 %87
+  %114 = load i64, ptr %113, align 8
+  %115 = icmp eq i64 %114, 5
+  br i1 %115, label %422, label %116
+
+116:                                              ; preds = %112
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #14
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #14
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %84, ptr noundef nonnull %10)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #14
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %13) #14
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %14) #14
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15) #14
+  %117 = load i64, ptr %113, align 8
+  switch i64 %117, label %265 [
+    i64 3, label %118
+    i64 4, label %216
+  ]
+
+118:                                              ; preds = %116
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %16) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #14
+  %119 = load ptr, ptr %47, align 8
+  %120 = load ptr, ptr %28, align 8
+  %121 = getelementptr inbounds i64, ptr %120, i64 %87
+  %122 = load i64, ptr %121, align 8
+  %123 = mul nsw i64 %122, 12
+  %124 = getelementptr inbounds double, ptr %119, i64 %123
+  %125 = load ptr, ptr %48, align 8
+  %126 = mul nsw i64 %87, 12
+  %127 = getelementptr inbounds double, ptr %125, i64 %126
+  %128 = getelementptr inbounds double, ptr %127, i64 9
+  %129 = getelementptr inbounds double, ptr %127, i64 10
+  %130 = getelementptr inbounds double, ptr %127, i64 11
+  %131 = load double, ptr %128, align 8
+  %132 = load double, ptr %129, align 8
+  %133 = load double, ptr %130, align 8
+  br label %134
+
+134:                                              ; preds = %145, %118
+  %135 = phi i64 [ 0, %118 ], [ %156, %145 ]
+  %136 = mul nuw nsw i64 %135, 3
+  %137 = getelementptr inbounds double, ptr %124, i64 %136
+  %138 = add nuw nsw i64 %136, 1
+  %139 = getelementptr inbounds double, ptr %124, i64 %138
+  %140 = add nuw nsw i64 %136, 2
+  %141 = getelementptr inbounds double, ptr %124, i64 %140
+  %142 = load double, ptr %137, align 8
+  %143 = load double, ptr %139, align 8
+  %144 = load double, ptr %141, align 8
+  br label %158
+
+145:                                              ; preds = %158
+  %146 = fmul double %131, %142
+  %147 = fmul double %132, %143
+  %148 = fadd double %146, %147
+  %149 = fmul double %133, %144
+  %150 = fadd double %148, %149
+  %151 = add nuw nsw i64 %135, 9
+  %152 = getelementptr inbounds double, ptr %124, i64 %151
+  %153 = load double, ptr %152, align 8
+  %154 = fadd double %150, %153
+  %155 = getelementptr inbounds double, ptr %16, i64 %151
+  store double %154, ptr %155, align 8
+  %156 = add nuw nsw i64 %135, 1
+  %157 = icmp eq i64 %156, 3
+  br i1 %157, label %178, label %134
+
+158:                                              ; preds = %158, %134
+  %159 = phi i64 [ 0, %134 ], [ %175, %158 ]
+  %160 = getelementptr inbounds double, ptr %127, i64 %159
+  %161 = load double, ptr %160, align 8
+  %162 = fmul double %142, %161
+  %163 = add nuw nsw i64 %159, 3
+  %164 = getelementptr inbounds double, ptr %127, i64 %163
+  %165 = load double, ptr %164, align 8
+  %166 = fmul double %143, %165
+  %167 = fadd double %162, %166
+  %168 = add nuw nsw i64 %159, 6
+  %169 = getelementptr inbounds double, ptr %127, i64 %168
+  %170 = load double, ptr %169, align 8
+  %171 = fmul double %144, %170
+  %172 = fadd double %167, %171
+  %173 = add nuw nsw i64 %159, %136
+  %174 = getelementptr inbounds double, ptr %16, i64 %173
+  store double %172, ptr %174, align 8
+  %175 = add nuw nsw i64 %159, 1
+  %176 = icmp eq i64 %175, 3
+  br i1 %176, label %145, label %158
+
+177:                                              ; preds = %178
+  call fastcc void @support(ptr noundef nonnull %10, ptr noundef nonnull %17, ptr noundef nonnull %21)
+  br label %189
+
+178:                                              ; preds = %145, %178
+  %179 = phi i64 [ %187, %178 ], [ 0, %145 ]
+  %180 = mul nuw nsw i64 %179, 3
+  %181 = add nuw nsw i64 %180, 2
+  %182 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %181
+  %183 = load double, ptr %182, align 8
+  %184 = getelementptr inbounds double, ptr %23, i64 %179
+  store double %183, ptr %184, align 8
+  %185 = fneg double %183
+  %186 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %179
+  store double %185, ptr %186, align 8
+  %187 = add nuw nsw i64 %179, 1
+  %188 = icmp eq i64 %187, 3
+  br i1 %188, label %177, label %178
+
+189:                                              ; preds = %189, %177
+  %190 = phi i64 [ 0, %177 ], [ %202, %189 ]
+  %191 = phi double [ 0.000000e+00, %177 ], [ %201, %189 ]
+  %192 = getelementptr inbounds double, ptr %23, i64 %190
+  %193 = load double, ptr %192, align 8
+  %194 = getelementptr inbounds double, ptr %21, i64 %190
+  %195 = load double, ptr %194, align 8
+  %196 = add nuw nsw i64 %190, 9
+  %197 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %196
+  %198 = load double, ptr %197, align 8
+  %199 = fsub double %195, %198
+  %200 = fmul double %193, %199
+  %201 = fadd double %191, %200
+  %202 = add nuw nsw i64 %190, 1
+  %203 = icmp eq i64 %202, 3
+  br i1 %203, label %205, label %189
+
+204:                                              ; preds = %205
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #14
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %16) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #14
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #14
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #14
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #14
+  br label %433
+
+205:                                              ; preds = %189, %205
+  %206 = phi i64 [ %214, %205 ], [ 0, %189 ]
+  %207 = getelementptr inbounds double, ptr %21, i64 %206
+  %208 = load double, ptr %207, align 8
+  %209 = getelementptr inbounds double, ptr %23, i64 %206
+  %210 = load double, ptr %209, align 8
+  %211 = fmul double %201, %210
+  %212 = fsub double %208, %211
+  %213 = getelementptr inbounds double, ptr %22, i64 %206
+  store double %212, ptr %213, align 8
+  %214 = add nuw nsw i64 %206, 1
+  %215 = icmp eq i64 %214, 3
+  br i1 %215, label %204, label %205
+
+216:                                              ; preds = %116
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #14
+  store double 0x7FF0000000000000, ptr %18, align 8
+  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %19) #14
+  store ptr %0, ptr %19, align 8
+  store i64 %84, ptr %30, align 8
+  store ptr %10, ptr %31, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %32, i8 0, i64 16, i1 false)
+  store double 0x7FF0000000000000, ptr %33, align 8
+  store ptr %18, ptr %34, align 8
+  store ptr null, ptr %35, align 8
+  store i32 0, ptr %36, align 8
+  store i64 -1, ptr %37, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %38, i8 0, i64 32, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %19, i64 noundef %87, ptr noundef null)
+  %217 = load double, ptr %18, align 8
+  %218 = fcmp ord double %217, 0.000000e+00
+  %219 = load i64, ptr %37, align 8
+  %220 = icmp sgt i64 %219, -1
+  %221 = select i1 %218, i1 %220, i1 false
+  br i1 %221, label %222, label %418
+
+222:                                              ; preds = %216
+  %223 = load ptr, ptr %39, align 8
+  %224 = mul nsw i64 %219, 9
+  %225 = getelementptr inbounds double, ptr %223, i64 %224
+  br label %226
+
+226:                                              ; preds = %256, %222
+  %227 = phi i64 [ 0, %222 ], [ %260, %256 ]
+  %228 = phi i32 [ 1, %222 ], [ %259, %256 ]
+  %229 = mul nuw nsw i64 %227, 3
+  br label %239
+
+230:                                              ; preds = %239
+  %231 = add nuw nsw i64 %227, 3
+  %232 = getelementptr inbounds double, ptr %225, i64 %231
+  %233 = load double, ptr %232, align 8
+  %234 = getelementptr inbounds double, ptr %225, i64 %227
+  %235 = load double, ptr %234, align 8
+  %236 = fsub double %233, %235
+  %237 = call double @llvm.fabs.f64(double %236)
+  %238 = fcmp olt double %237, 3.000000e-07
+  br i1 %238, label %249, label %256
+
+239:                                              ; preds = %239, %226
+  %240 = phi i64 [ 0, %226 ], [ %247, %239 ]
+  %241 = mul nuw nsw i64 %240, 3
+  %242 = add nuw nsw i64 %241, %227
+  %243 = getelementptr inbounds double, ptr %225, i64 %242
+  %244 = load double, ptr %243, align 8
+  %245 = add nuw nsw i64 %240, %229
+  %246 = getelementptr inbounds double, ptr %13, i64 %245
+  store double %244, ptr %246, align 8
+  %247 = add nuw nsw i64 %240, 1
+  %248 = icmp eq i64 %247, 3
+  br i1 %248, label %230, label %239
+
+249:                                              ; preds = %230
+  %250 = add nuw nsw i64 %227, 6
+  %251 = getelementptr inbounds double, ptr %225, i64 %250
+  %252 = load double, ptr %251, align 8
+  %253 = fsub double %252, %235
+  %254 = call double @llvm.fabs.f64(double %253)
+  %255 = fcmp olt double %254, 3.000000e-07
+  br label %256
+
+256:                                              ; preds = %249, %230
+  %257 = phi i1 [ false, %230 ], [ %255, %249 ]
+  %258 = zext i1 %257 to i32
+  %259 = and i32 %228, %258
+  %260 = add nuw nsw i64 %227, 1
+  %261 = icmp eq i64 %260, 3
+  br i1 %261, label %262, label %226
+
+262:                                              ; preds = %256
+  store i64 0, ptr %11, align 8
+  %263 = icmp eq i32 %259, 0
+  %264 = select i1 %263, i64 3, i64 1
+  store i64 %264, ptr %40, align 8
+  store ptr @place.still, ptr %41, align 8
+  store ptr %13, ptr %42, align 8
+  store ptr %43, ptr %44, align 8
+  store ptr %45, ptr %46, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %38, i64 24, i1 false)
+  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %19) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #14
+  br label %281
+
+265:                                              ; preds = %116
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %87, ptr noundef nonnull %11)
+  %266 = load ptr, ptr %49, align 8
+  %267 = mul nsw i64 %84, 3
+  %268 = mul nsw i64 %87, 3
+  br label %269
+
+269:                                              ; preds = %269, %265
+  %270 = phi i64 [ 0, %265 ], [ %279, %269 ]
+  %271 = add nsw i64 %270, %267
+  %272 = getelementptr inbounds double, ptr %266, i64 %271
+  %273 = load double, ptr %272, align 8
+  %274 = add nsw i64 %270, %268
+  %275 = getelementptr inbounds double, ptr %266, i64 %274
+  %276 = load double, ptr %275, align 8
+  %277 = fsub double %273, %276
+  %278 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %270
+  store double %277, ptr %278, align 8
+  %279 = add nuw nsw i64 %270, 1
+  %280 = icmp eq i64 %279, 3
+  br i1 %280, label %281, label %269
+
+281:                                              ; preds = %269, %262
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %20) #14
+  %282 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %14, ptr noundef nonnull %15, ptr noundef null, ptr noundef nonnull %20)
+  %283 = icmp eq i32 %282, 0
+  br i1 %283, label %419, label %284
+
+284:                                              ; preds = %281
+  %285 = load double, ptr %15, align 8
+  %286 = load double, ptr %14, align 8
+  %287 = fsub double %285, %286
+  %288 = fcmp ogt double %287, 1.000000e-08
+  %289 = fcmp olt double %285, 0x3EB0C6F7A0B5ED8D
+  %290 = or i1 %289, %288
+  br i1 %290, label %419, label %291
+
+291:                                              ; preds = %284
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #14
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %6, ptr noundef nonnull align 16 dereferenceable(24) @__const.nearest_of.share, i64 24, i1 false)
+  %292 = load i32, ptr %50, align 8
+  %293 = add i32 %292, -4
+  %294 = icmp ult i32 %293, -3
+  br i1 %294, label %399, label %295
+
+295:                                              ; preds = %291
+  %296 = icmp ugt i32 %292, 1
+  br i1 %296, label %297, label %372
+
+297:                                              ; preds = %295
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #14
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #14
+  %298 = icmp eq i32 %292, 3
+  br label %316
+
+299:                                              ; preds = %333
+  %300 = load double, ptr %7, align 16
+  %301 = fmul double %300, %300
+  %302 = load double, ptr %51, align 8
+  %303 = fmul double %302, %302
+  %304 = fadd double %301, %303
+  %305 = load double, ptr %52, align 16
+  %306 = fmul double %305, %305
+  %307 = fadd double %304, %306
+  %308 = load double, ptr %8, align 16
+  %309 = fmul double %300, %308
+  %310 = load double, ptr %53, align 8
+  %311 = fmul double %302, %310
+  %312 = fadd double %309, %311
+  %313 = load double, ptr %54, align 16
+  %314 = fmul double %305, %313
+  %315 = fadd double %312, %314
+  br i1 %298, label %336, label %342
+
+316:                                              ; preds = %333, %297
+  %317 = phi i64 [ 0, %297 ], [ %334, %333 ]
+  %318 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 1, i64 %317
+  %319 = load double, ptr %318, align 8
+  %320 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %317
+  %321 = load double, ptr %320, align 8
+  %322 = fsub double %319, %321
+  %323 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %317
+  store double %322, ptr %323, align 8
+  %324 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %317
+  %325 = load double, ptr %324, align 8
+  %326 = fsub double %325, %321
+  %327 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %317
+  store double %326, ptr %327, align 8
+  br i1 %298, label %328, label %333
+
+328:                                              ; preds = %316
+  %329 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 2, i64 %317
+  %330 = load double, ptr %329, align 8
+  %331 = fsub double %330, %321
+  %332 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %317
+  store double %331, ptr %332, align 8
+  br label %333
+
+333:                                              ; preds = %328, %316
+  %334 = add nuw nsw i64 %317, 1
+  %335 = icmp eq i64 %334, 3
+  br i1 %335, label %299, label %316
+
+336:                                              ; preds = %299
+  %337 = fmul double %308, %308
+  %338 = fmul double %310, %310
+  %339 = fadd double %337, %338
+  %340 = fmul double %313, %313
+  %341 = fadd double %339, %340
+  br label %342
+
+342:                                              ; preds = %336, %299
+  %343 = phi double [ %341, %336 ], [ 1.000000e+00, %299 ]
+  %344 = fmul double %307, %343
+  %345 = fmul double %315, %315
+  %346 = fsub double %344, %345
+  %347 = fcmp ogt double %346, 0.000000e+00
+  br i1 %347, label %348, label %398
+
+348:                                              ; preds = %342
+  %349 = load double, ptr %9, align 16
+  %350 = fmul double %300, %349
+  %351 = load double, ptr %55, align 8
+  %352 = fmul double %302, %351
+  %353 = fadd double %350, %352
+  %354 = load double, ptr %56, align 16
+  %355 = fmul double %305, %354
+  %356 = fadd double %353, %355
+  %357 = fmul double %343, %356
+  %358 = fmul double %308, %349
+  %359 = fmul double %310, %351
+  %360 = fadd double %358, %359
+  %361 = fmul double %313, %354
+  %362 = fadd double %360, %361
+  %363 = fmul double %315, %362
+  %364 = fsub double %357, %363
+  %365 = fdiv double %364, %346
+  store double %365, ptr %57, align 8
+  %366 = fmul double %307, %362
+  %367 = fmul double %315, %356
+  %368 = fsub double %366, %367
+  %369 = fdiv double %368, %346
+  store double %369, ptr %58, align 16
+  %370 = fsub double 1.000000e+00, %365
+  %371 = fsub double %370, %369
+  store double %371, ptr %6, align 16
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #14
+  br label %372
+
+372:                                              ; preds = %348, %295
+  %373 = icmp sgt i32 %292, 0
+  %374 = zext i32 %292 to i64
+  br label %375
+
+375:                                              ; preds = %379, %372
+  %376 = phi i64 [ 0, %372 ], [ %385, %379 ]
+  %377 = getelementptr inbounds double, ptr %21, i64 %376
+  store double 0.000000e+00, ptr %377, align 8
+  br i1 %373, label %387, label %379
+
+378:                                              ; preds = %387
+  store double %395, ptr %377, align 8
+  br label %379
+
+379:                                              ; preds = %378, %375
+  %380 = phi double [ 0.000000e+00, %375 ], [ %395, %378 ]
+  %381 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %376
+  %382 = load double, ptr %381, align 8
+  %383 = fsub double %380, %382
+  %384 = getelementptr inbounds double, ptr %22, i64 %376
+  store double %383, ptr %384, align 8
+  %385 = add nuw nsw i64 %376, 1
+  %386 = icmp eq i64 %385, 3
+  br i1 %386, label %400, label %375
+
+387:                                              ; preds = %375, %387
+  %388 = phi i64 [ %396, %387 ], [ 0, %375 ]
+  %389 = phi double [ %395, %387 ], [ 0.000000e+00, %375 ]
+  %390 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %388
+  %391 = load double, ptr %390, align 8
+  %392 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 1, i64 %388, i64 %376
+  %393 = load double, ptr %392, align 8
+  %394 = fmul double %391, %393
+  %395 = fadd double %389, %394
+  %396 = add nuw nsw i64 %388, 1
+  %397 = icmp eq i64 %396, %374
+  br i1 %397, label %378, label %387
+
+398:                                              ; preds = %342
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #14
+  br label %399
+
+399:                                              ; preds = %398, %291
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #14
+  br label %419
+
+400:                                              ; preds = %379
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #14
+  %401 = load double, ptr %59, align 8
+  %402 = fmul double %401, %401
+  %403 = load double, ptr %60, align 8
+  %404 = fmul double %403, %403
+  %405 = fadd double %402, %404
+  %406 = load double, ptr %61, align 8
+  %407 = fmul double %406, %406
+  %408 = fadd double %405, %407
+  %409 = call double @llvm.sqrt.f64(double %408)
+  br label %410
+
+410:                                              ; preds = %410, %400
+  %411 = phi i64 [ 0, %400 ], [ %416, %410 ]
+  %412 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %411
+  %413 = load double, ptr %412, align 8
+  %414 = fdiv double %413, %409
+  %415 = getelementptr inbounds double, ptr %23, i64 %411
+  store double %414, ptr %415, align 8
+  %416 = add nuw nsw i64 %411, 1
+  %417 = icmp eq i64 %416, 3
+  br i1 %417, label %420, label %410
+
+418:                                              ; preds = %216
+  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %19) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #14
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #14
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #14
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #14
+  br label %422
+
+419:                                              ; preds = %284, %281, %399
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #14
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #14
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #14
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #14
+  br label %422
+
+420:                                              ; preds = %410
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #14
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #14
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #14
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #14
+  %421 = load ptr, ptr %47, align 8
+  br label %433
+
+422:                                              ; preds = %107, %112, %419, %418, %94
+  %423 = load i64, ptr %0, align 8
+  %424 = icmp sgt i64 %423, -13
+  br i1 %424, label %425, label %652
+
+425:                                              ; preds = %422
+  %426 = add i64 %423, 12
+  %427 = call i64 @llvm.smax.i64(i64 %426, i64 0)
+  br label %428
+
+428:                                              ; preds = %425, %428
+  %429 = phi i64 [ %431, %428 ], [ 0, %425 ]
+  %430 = getelementptr inbounds double, ptr %80, i64 %429
+  store double 0x7FF8000000000000, ptr %430, align 8
+  %431 = add nuw i64 %429, 1
+  %432 = icmp eq i64 %429, %427
+  br i1 %432, label %652, label %428
+
+433:                                              ; preds = %420, %204
+  %434 = phi ptr [ %119, %204 ], [ %421, %420 ]
+  %435 = phi double [ %201, %204 ], [ %409, %420 ]
+  %436 = mul nsw i64 %90, 12
+  %437 = mul nsw i64 %92, 12
+  br label %562
+
+438:                                              ; preds = %562
+  %439 = getelementptr inbounds double, ptr %434, i64 %437
+  %440 = load ptr, ptr %62, align 8
+  %441 = getelementptr inbounds double, ptr %440, i64 %84
+  %442 = load double, ptr %441, align 8
+  %443 = fsub double %435, %442
+  %444 = getelementptr inbounds double, ptr %440, i64 %87
+  %445 = load double, ptr %444, align 8
+  %446 = fsub double %443, %445
+  store double %446, ptr %80, align 8
+  %447 = getelementptr inbounds double, ptr %80, i64 1
+  %448 = load double, ptr %23, align 16
+  %449 = load double, ptr %63, align 8
+  %450 = load double, ptr %64, align 16
+  br label %451
+
+451:                                              ; preds = %451, %438
+  %452 = phi i64 [ 0, %438 ], [ %467, %451 ]
+  %453 = getelementptr inbounds double, ptr %439, i64 %452
+  %454 = load double, ptr %453, align 8
+  %455 = fmul double %454, %448
+  %456 = add nuw nsw i64 %452, 3
+  %457 = getelementptr inbounds double, ptr %439, i64 %456
+  %458 = load double, ptr %457, align 8
+  %459 = fmul double %458, %449
+  %460 = fadd double %455, %459
+  %461 = add nuw nsw i64 %452, 6
+  %462 = getelementptr inbounds double, ptr %439, i64 %461
+  %463 = load double, ptr %462, align 8
+  %464 = fmul double %463, %450
+  %465 = fadd double %460, %464
+  %466 = getelementptr inbounds double, ptr %447, i64 %452
+  store double %465, ptr %466, align 8
+  %467 = add nuw nsw i64 %452, 1
+  %468 = icmp eq i64 %467, 3
+  br i1 %468, label %469, label %451
+
+469:                                              ; preds = %451
+  %470 = getelementptr inbounds double, ptr %434, i64 %436
+  %471 = getelementptr inbounds double, ptr %80, i64 4
+  %472 = load double, ptr %24, align 16
+  %473 = load double, ptr %65, align 8
+  %474 = load double, ptr %66, align 16
+  br label %475
+
+475:                                              ; preds = %475, %469
+  %476 = phi i64 [ 0, %469 ], [ %491, %475 ]
+  %477 = getelementptr inbounds double, ptr %470, i64 %476
+  %478 = load double, ptr %477, align 8
+  %479 = fmul double %478, %472
+  %480 = add nuw nsw i64 %476, 3
+  %481 = getelementptr inbounds double, ptr %470, i64 %480
+  %482 = load double, ptr %481, align 8
+  %483 = fmul double %482, %473
+  %484 = fadd double %479, %483
+  %485 = add nuw nsw i64 %476, 6
+  %486 = getelementptr inbounds double, ptr %470, i64 %485
+  %487 = load double, ptr %486, align 8
+  %488 = fmul double %487, %474
+  %489 = fadd double %484, %488
+  %490 = getelementptr inbounds double, ptr %471, i64 %476
+  store double %489, ptr %490, align 8
+  %491 = add nuw nsw i64 %476, 1
+  %492 = icmp eq i64 %491, 3
+  br i1 %492, label %493, label %475
+
+493:                                              ; preds = %475
+  %494 = getelementptr inbounds double, ptr %80, i64 7
+  %495 = load double, ptr %21, align 16
+  %496 = getelementptr inbounds double, ptr %470, i64 9
+  %497 = load double, ptr %496, align 8
+  %498 = fsub double %495, %497
+  %499 = load double, ptr %67, align 8
+  %500 = getelementptr inbounds double, ptr %470, i64 10
+  %501 = load double, ptr %500, align 8
+  %502 = fsub double %499, %501
+  %503 = load double, ptr %68, align 16
+  %504 = getelementptr inbounds double, ptr %470, i64 11
+  %505 = load double, ptr %504, align 8
+  %506 = fsub double %503, %505
+  br label %507
+
+507:                                              ; preds = %507, %493
+  %508 = phi i64 [ 0, %493 ], [ %523, %507 ]
+  %509 = getelementptr inbounds double, ptr %470, i64 %508
+  %510 = load double, ptr %509, align 8
+  %511 = fmul double %498, %510
+  %512 = add nuw nsw i64 %508, 3
+  %513 = getelementptr inbounds double, ptr %470, i64 %512
+  %514 = load double, ptr %513, align 8
+  %515 = fmul double %502, %514
+  %516 = fadd double %511, %515
+  %517 = add nuw nsw i64 %508, 6
+  %518 = getelementptr inbounds double, ptr %470, i64 %517
+  %519 = load double, ptr %518, align 8
+  %520 = fmul double %506, %519
+  %521 = fadd double %516, %520
+  %522 = getelementptr inbounds double, ptr %494, i64 %508
+  store double %521, ptr %522, align 8
+  %523 = add nuw nsw i64 %508, 1
+  %524 = icmp eq i64 %523, 3
+  br i1 %524, label %525, label %507
+
+525:                                              ; preds = %507
+  %526 = getelementptr inbounds double, ptr %80, i64 10
+  %527 = load double, ptr %22, align 16
+  %528 = getelementptr inbounds double, ptr %439, i64 9
+  %529 = load double, ptr %528, align 8
+  %530 = fsub double %527, %529
+  %531 = load double, ptr %69, align 8
+  %532 = getelementptr inbounds double, ptr %439, i64 10
+  %533 = load double, ptr %532, align 8
+  %534 = fsub double %531, %533
+  %535 = load double, ptr %70, align 16
+  %536 = getelementptr inbounds double, ptr %439, i64 11
+  %537 = load double, ptr %536, align 8
+  %538 = fsub double %535, %537
+  br label %539
+
+539:                                              ; preds = %539, %525
+  %540 = phi i64 [ 0, %525 ], [ %555, %539 ]
+  %541 = getelementptr inbounds double, ptr %439, i64 %540
+  %542 = load double, ptr %541, align 8
+  %543 = fmul double %530, %542
+  %544 = add nuw nsw i64 %540, 3
+  %545 = getelementptr inbounds double, ptr %439, i64 %544
+  %546 = load double, ptr %545, align 8
+  %547 = fmul double %534, %546
+  %548 = fadd double %543, %547
+  %549 = add nuw nsw i64 %540, 6
+  %550 = getelementptr inbounds double, ptr %439, i64 %549
+  %551 = load double, ptr %550, align 8
+  %552 = fmul double %538, %551
+  %553 = fadd double %548, %552
+  %554 = getelementptr inbounds double, ptr %526, i64 %540
+  store double %553, ptr %554, align 8
+  %555 = add nuw nsw i64 %540, 1
+  %556 = icmp eq i64 %555, 3
+  br i1 %556, label %557, label %539
+
+557:                                              ; preds = %539
+  %558 = load i64, ptr %0, align 8
+  %559 = icmp slt i64 %558, 1
+  br i1 %559, label %652, label %560
+
+560:                                              ; preds = %557
+  %561 = load ptr, ptr %71, align 8
+  br label %570
+
+562:                                              ; preds = %433, %562
+  %563 = phi i64 [ 0, %433 ], [ %568, %562 ]
+  %564 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %563
+  %565 = load double, ptr %564, align 8
+  %566 = fneg double %565
+  %567 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 %563
+  store double %566, ptr %567, align 8
+  %568 = add nuw nsw i64 %563, 1
+  %569 = icmp eq i64 %568, 3
+  br i1 %569, label %438, label %562
+
+570:                                              ; preds = %560, %606
+  %571 = phi i64 [ 1, %560 ], [ %609, %606 ]
+  %572 = mul nuw nsw i64 %571, 12
+  %573 = getelementptr inbounds double, ptr %434, i64 %572
+  %574 = add nsw i64 %571, -1
+  %575 = mul nuw nsw i64 %574, 3
+  %576 = getelementptr inbounds double, ptr %561, i64 %575
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #14
+  %577 = load double, ptr %576, align 8
+  %578 = getelementptr inbounds double, ptr %576, i64 1
+  %579 = load double, ptr %578, align 8
+  %580 = getelementptr inbounds double, ptr %576, i64 2
+  %581 = load double, ptr %580, align 8
+  br label %589
+
+582:                                              ; preds = %589
+  %583 = getelementptr inbounds double, ptr %573, i64 9
+  %584 = getelementptr inbounds double, ptr %573, i64 10
+  %585 = getelementptr inbounds double, ptr %573, i64 11
+  %586 = load double, ptr %72, align 8
+  %587 = load double, ptr %73, align 16
+  %588 = load double, ptr %25, align 16
+  br label %611
+
+589:                                              ; preds = %570, %589
+  %590 = phi i64 [ 0, %570 ], [ %604, %589 ]
+  %591 = mul nuw nsw i64 %590, 3
+  %592 = getelementptr inbounds double, ptr %573, i64 %591
+  %593 = load double, ptr %592, align 8
+  %594 = fmul double %593, %577
+  %595 = getelementptr inbounds double, ptr %592, i64 1
+  %596 = load double, ptr %595, align 8
+  %597 = fmul double %596, %579
+  %598 = fadd double %594, %597
+  %599 = getelementptr inbounds double, ptr %592, i64 2
+  %600 = load double, ptr %599, align 8
+  %601 = fmul double %600, %581
+  %602 = fadd double %598, %601
+  %603 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 %590
+  store double %602, ptr %603, align 8
+  %604 = add nuw nsw i64 %590, 1
+  %605 = icmp eq i64 %604, 3
+  br i1 %605, label %582, label %589
+
+606:                                              ; preds = %650
+  %607 = add nuw nsw i64 %571, 12
+  %608 = getelementptr inbounds double, ptr %80, i64 %607
+  store double %651, ptr %608, align 8
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #14
+  %609 = add nuw i64 %571, 1
+  %610 = icmp eq i64 %571, %558
+  br i1 %610, label %652, label %570
+
+611:                                              ; preds = %582, %650
+  %612 = phi i1 [ true, %582 ], [ false, %650 ]
+  %613 = phi double [ 0.000000e+00, %582 ], [ %651, %650 ]
+  %614 = select i1 %612, i64 %90, i64 %92
+  %615 = icmp sgt i64 %571, %614
+  br i1 %615, label %650, label %616
+
+616:                                              ; preds = %611
+  %617 = select i1 %612, double %495, double %527
+  %618 = load double, ptr %583, align 8
+  %619 = fsub double %617, %618
+  %620 = select i1 %612, double %499, double %531
+  %621 = load double, ptr %584, align 8
+  %622 = fsub double %620, %621
+  %623 = select i1 %612, double %503, double %535
+  %624 = load double, ptr %585, align 8
+  %625 = fsub double %623, %624
+  %626 = fmul double %586, %625
+  %627 = fmul double %622, %587
+  %628 = fsub double %626, %627
+  %629 = fmul double %619, %587
+  %630 = fmul double %625, %588
+  %631 = fsub double %629, %630
+  %632 = fmul double %622, %588
+  %633 = fmul double %619, %586
+  %634 = fsub double %632, %633
+  %635 = load ptr, ptr %74, align 8
+  %636 = getelementptr inbounds i64, ptr %635, i64 %574
+  %637 = load i64, ptr %636, align 8
+  %638 = icmp eq i64 %637, 0
+  %639 = select i1 %638, double %628, double %588
+  %640 = fmul double %448, %639
+  %641 = select i1 %638, double %631, double %586
+  %642 = fmul double %449, %641
+  %643 = fadd double %640, %642
+  %644 = select i1 %638, double %634, double %587
+  %645 = fmul double %450, %644
+  %646 = fadd double %643, %645
+  %647 = fneg double %646
+  %648 = select i1 %612, double %646, double %647
+  %649 = fadd double %613, %648
+  br label %650
+
+650:                                              ; preds = %611, %616
+  %651 = phi double [ %649, %616 ], [ %613, %611 ]
+  br i1 %612, label %611, label %606
+
+652:                                              ; preds = %606, %428, %557, %422
+  %653 = phi i64 [ %558, %557 ], [ %423, %422 ], [ %423, %428 ], [ %558, %606 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #14
+  %654 = add nuw nsw i64 %81, 1
+  %655 = getelementptr inbounds double, ptr %79, i64 %653
+  %656 = add nsw i64 %653, 13
+  %657 = getelementptr inbounds double, ptr %80, i64 %656
+  %658 = icmp eq i64 %654, %2
+  br i1 %658, label %76, label %77
 }
 
 define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3, i64 noundef %4, ptr noundef %5, ptr noundef %6) local_unnamed_addr #6 {
@@ -1922,9 +2846,9 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
   %5 = alloca [12 x double], align 16
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #14
   %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %9 = load ptr, ptr %8, align 8
   %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
@@ -2022,9 +2946,9 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
   %86 = getelementptr inbounds double, ptr %82, i64 %3
   %87 = load double, ptr %86, align 8
   %88 = fsub double %85, %87
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %5) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #14
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %5) #14
   ret double %88
 
 89:                                               ; preds = %69, %89
@@ -2138,602 +3062,517 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %5 = alloca [3 x double], align 16
   %6 = alloca double, align 8
   %7 = alloca double, align 8
-  %8 = alloca [3 x double], align 16
-  %9 = alloca [3 x double], align 16
-  %10 = alloca [3 x double], align 16
-  %11 = alloca %struct.Core, align 8
-  %12 = alloca %struct.Plane, align 8
-  %13 = alloca %struct.Plane, align 8
+  %8 = alloca [9 x double], align 16
+  %9 = alloca %struct.Core, align 8
+  %10 = alloca %struct.Plane, align 8
+  %11 = alloca %struct.Plane, align 8
+  %12 = alloca [3 x double], align 16
+  %13 = alloca %struct.Core, align 8
   %14 = alloca [3 x double], align 16
-  %15 = alloca %struct.Core, align 8
-  %16 = alloca [3 x double], align 16
-  %17 = load ptr, ptr %0, align 8
-  %18 = getelementptr inbounds %struct.World, ptr %17, i64 0, i32 27
-  %19 = load ptr, ptr %18, align 8
-  %20 = mul nsw i64 %2, 6
-  %21 = getelementptr inbounds double, ptr %19, i64 %20
-  %22 = getelementptr inbounds %struct.World, ptr %17, i64 0, i32 32
-  %23 = load ptr, ptr %22, align 8
-  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
-  %25 = load i64, ptr %24, align 8
-  %26 = mul nsw i64 %25, 3
-  %27 = getelementptr inbounds double, ptr %23, i64 %26
-  %28 = getelementptr inbounds %struct.World, ptr %17, i64 0, i32 9
-  %29 = load ptr, ptr %28, align 8
-  %30 = getelementptr inbounds double, ptr %29, i64 %1
-  %31 = load double, ptr %30, align 8
-  %32 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %33 = load ptr, ptr %32, align 8
-  %34 = icmp eq ptr %33, null
-  br i1 %34, label %48, label %35
+  %15 = load ptr, ptr %0, align 8
+  %16 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 27
+  %17 = load ptr, ptr %16, align 8
+  %18 = mul nsw i64 %2, 6
+  %19 = getelementptr inbounds double, ptr %17, i64 %18
+  %20 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 32
+  %21 = load ptr, ptr %20, align 8
+  %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %23 = load i64, ptr %22, align 8
+  %24 = mul nsw i64 %23, 3
+  %25 = getelementptr inbounds double, ptr %21, i64 %24
+  %26 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 9
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr inbounds double, ptr %27, i64 %1
+  %29 = load double, ptr %28, align 8
+  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %31 = load ptr, ptr %30, align 8
+  %32 = icmp eq ptr %31, null
+  br i1 %32, label %46, label %33
 
-35:                                               ; preds = %4
-  %36 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %37 = load ptr, ptr %36, align 8
-  %38 = icmp eq ptr %37, null
-  %39 = getelementptr inbounds i64, ptr %37, i64 %1
-  %40 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %41 = select i1 %38, ptr %40, ptr %39
-  %42 = load i64, ptr %41, align 8
-  %43 = getelementptr inbounds double, ptr %33, i64 %42
+33:                                               ; preds = %4
+  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %35 = load ptr, ptr %34, align 8
+  %36 = icmp eq ptr %35, null
+  %37 = getelementptr inbounds i64, ptr %35, i64 %1
+  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %39 = select i1 %36, ptr %38, ptr %37
+  %40 = load i64, ptr %39, align 8
+  %41 = getelementptr inbounds double, ptr %31, i64 %40
+  %42 = load double, ptr %41, align 8
+  %43 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
   %44 = load double, ptr %43, align 8
-  %45 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %46 = load double, ptr %45, align 8
-  %47 = tail call double @llvm.minnum.f64(double %44, double %46)
-  br label %51
+  %45 = tail call double @llvm.minnum.f64(double %42, double %44)
+  br label %49
 
-48:                                               ; preds = %4
-  %49 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %50 = load double, ptr %49, align 8
-  br label %51
+46:                                               ; preds = %4
+  %47 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %48 = load double, ptr %47, align 8
+  br label %49
 
-51:                                               ; preds = %35, %48
-  %52 = phi double [ 0xFFF0000000000000, %35 ], [ %50, %48 ]
-  %53 = phi double [ %47, %35 ], [ %50, %48 ]
-  %54 = getelementptr inbounds double, ptr %29, i64 %25
-  %55 = load double, ptr %54, align 8
-  br label %56
+49:                                               ; preds = %33, %46
+  %50 = phi double [ 0xFFF0000000000000, %33 ], [ %48, %46 ]
+  %51 = phi double [ %45, %33 ], [ %48, %46 ]
+  %52 = getelementptr inbounds double, ptr %27, i64 %23
+  %53 = load double, ptr %52, align 8
+  br label %54
 
-56:                                               ; preds = %56, %51
-  %57 = phi i64 [ 0, %51 ], [ %74, %56 ]
-  %58 = phi double [ 0.000000e+00, %51 ], [ %73, %56 ]
-  %59 = getelementptr inbounds double, ptr %21, i64 %57
+54:                                               ; preds = %54, %49
+  %55 = phi i64 [ 0, %49 ], [ %72, %54 ]
+  %56 = phi double [ 0.000000e+00, %49 ], [ %71, %54 ]
+  %57 = getelementptr inbounds double, ptr %19, i64 %55
+  %58 = load double, ptr %57, align 8
+  %59 = getelementptr inbounds double, ptr %25, i64 %55
   %60 = load double, ptr %59, align 8
-  %61 = getelementptr inbounds double, ptr %27, i64 %57
-  %62 = load double, ptr %61, align 8
-  %63 = fsub double %60, %62
-  %64 = add nuw nsw i64 %57, 3
-  %65 = getelementptr inbounds double, ptr %21, i64 %64
-  %66 = load double, ptr %65, align 8
-  %67 = fsub double %62, %66
-  %68 = fcmp ogt double %63, %67
-  %69 = select i1 %68, double %63, double %67
-  %70 = fcmp ogt double %69, 0.000000e+00
-  %71 = select i1 %70, double %69, double 0.000000e+00
-  %72 = fmul double %71, %71
-  %73 = fadd double %58, %72
-  %74 = add nuw nsw i64 %57, 1
-  %75 = icmp eq i64 %74, 3
-  br i1 %75, label %76, label %56
+  %61 = fsub double %58, %60
+  %62 = add nuw nsw i64 %55, 3
+  %63 = getelementptr inbounds double, ptr %19, i64 %62
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %60, %64
+  %66 = fcmp ogt double %61, %65
+  %67 = select i1 %66, double %61, double %65
+  %68 = fcmp ogt double %67, 0.000000e+00
+  %69 = select i1 %68, double %67, double 0.000000e+00
+  %70 = fmul double %69, %69
+  %71 = fadd double %56, %70
+  %72 = add nuw nsw i64 %55, 1
+  %73 = icmp eq i64 %72, 3
+  br i1 %73, label %74, label %54
 
-76:                                               ; preds = %56
-  %77 = fneg double %31
-  %78 = fsub double %77, %55
-  %79 = tail call double @llvm.sqrt.f64(double %73)
-  %80 = getelementptr inbounds %struct.World, ptr %17, i64 0, i32 12
-  %81 = load ptr, ptr %80, align 8
-  %82 = shl nsw i64 %25, 2
-  %83 = or i64 %82, 3
-  %84 = getelementptr inbounds double, ptr %81, i64 %83
-  %85 = load double, ptr %84, align 8
-  br i1 %34, label %97, label %86
+74:                                               ; preds = %54
+  %75 = fneg double %29
+  %76 = fsub double %75, %53
+  %77 = tail call double @llvm.sqrt.f64(double %71)
+  %78 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 12
+  %79 = load ptr, ptr %78, align 8
+  %80 = shl nsw i64 %23, 2
+  %81 = or i64 %80, 3
+  %82 = getelementptr inbounds double, ptr %79, i64 %81
+  %83 = load double, ptr %82, align 8
+  br i1 %32, label %95, label %84
 
-86:                                               ; preds = %76
-  %87 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %88 = load ptr, ptr %87, align 8
-  %89 = icmp eq ptr %88, null
-  %90 = getelementptr inbounds i64, ptr %88, i64 %1
-  %91 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %92 = select i1 %89, ptr %91, ptr %90
-  %93 = load i64, ptr %92, align 8
-  %94 = getelementptr inbounds double, ptr %33, i64 %93
-  %95 = load double, ptr %94, align 8
-  %96 = fcmp uno double %95, 0.000000e+00
-  br i1 %96, label %453, label %101
+84:                                               ; preds = %74
+  %85 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %86 = load ptr, ptr %85, align 8
+  %87 = icmp eq ptr %86, null
+  %88 = getelementptr inbounds i64, ptr %86, i64 %1
+  %89 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %90 = select i1 %87, ptr %89, ptr %88
+  %91 = load i64, ptr %90, align 8
+  %92 = getelementptr inbounds double, ptr %31, i64 %91
+  %93 = load double, ptr %92, align 8
+  %94 = fcmp uno double %93, 0.000000e+00
+  br i1 %94, label %395, label %99
 
-97:                                               ; preds = %76
-  %98 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %99 = load i32, ptr %98, align 8
-  %100 = icmp eq i32 %99, 1
-  br i1 %100, label %453, label %101
+95:                                               ; preds = %74
+  %96 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %97 = load i32, ptr %96, align 8
+  %98 = icmp eq i32 %97, 1
+  br i1 %98, label %395, label %99
 
-101:                                              ; preds = %86, %97
-  %102 = fsub double %79, %85
-  %103 = fsub double %102, %31
-  %104 = fcmp ogt double %103, %53
-  br i1 %104, label %453, label %105
+99:                                               ; preds = %84, %95
+  %100 = fsub double %77, %83
+  %101 = fsub double %100, %29
+  %102 = fcmp ogt double %101, %51
+  br i1 %102, label %395, label %103
 
-105:                                              ; preds = %101, %105
-  %106 = phi i64 [ %118, %105 ], [ 0, %101 ]
-  %107 = phi double [ %117, %105 ], [ 0.000000e+00, %101 ]
-  %108 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %106
-  %109 = load double, ptr %108, align 8
-  %110 = fcmp ogt double %109, 0.000000e+00
-  %111 = add nuw nsw i64 %106, 3
-  %112 = select i1 %110, i64 %111, i64 %106
-  %113 = and i64 %112, 4294967295
-  %114 = getelementptr inbounds double, ptr %21, i64 %113
-  %115 = load double, ptr %114, align 8
-  %116 = fmul double %109, %115
-  %117 = fadd double %107, %116
-  %118 = add nuw nsw i64 %106, 1
-  %119 = icmp eq i64 %118, 3
-  br i1 %119, label %120, label %105
+103:                                              ; preds = %99, %103
+  %104 = phi i64 [ %116, %103 ], [ 0, %99 ]
+  %105 = phi double [ %115, %103 ], [ 0.000000e+00, %99 ]
+  %106 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %104
+  %107 = load double, ptr %106, align 8
+  %108 = fcmp ogt double %107, 0.000000e+00
+  %109 = add nuw nsw i64 %104, 3
+  %110 = select i1 %108, i64 %109, i64 %104
+  %111 = and i64 %110, 4294967295
+  %112 = getelementptr inbounds double, ptr %19, i64 %111
+  %113 = load double, ptr %112, align 8
+  %114 = fmul double %107, %113
+  %115 = fadd double %105, %114
+  %116 = add nuw nsw i64 %104, 1
+  %117 = icmp eq i64 %116, 3
+  br i1 %117, label %118, label %103
 
-120:                                              ; preds = %105
-  %121 = getelementptr inbounds %struct.Plane, ptr %3, i64 0, i32 1
-  %122 = load double, ptr %121, align 8
-  %123 = fsub double %122, %117
-  %124 = fadd double %78, %123
-  %125 = fcmp ogt double %124, %53
-  br i1 %125, label %453, label %126
+118:                                              ; preds = %103
+  %119 = getelementptr inbounds %struct.Plane, ptr %3, i64 0, i32 1
+  %120 = load double, ptr %119, align 8
+  %121 = fsub double %120, %115
+  %122 = fadd double %76, %121
+  %123 = fcmp ogt double %122, %51
+  br i1 %123, label %395, label %124
 
-126:                                              ; preds = %120
-  %127 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
-  br label %128
+124:                                              ; preds = %118
+  %125 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  br label %126
 
-128:                                              ; preds = %128, %126
-  %129 = phi i64 [ 0, %126 ], [ %141, %128 ]
-  %130 = phi double [ 0.000000e+00, %126 ], [ %140, %128 ]
-  %131 = getelementptr inbounds [3 x double], ptr %127, i64 0, i64 %129
-  %132 = load double, ptr %131, align 8
-  %133 = fcmp ogt double %132, 0.000000e+00
-  %134 = add nuw nsw i64 %129, 3
-  %135 = select i1 %133, i64 %134, i64 %129
-  %136 = and i64 %135, 4294967295
-  %137 = getelementptr inbounds double, ptr %21, i64 %136
-  %138 = load double, ptr %137, align 8
-  %139 = fmul double %132, %138
-  %140 = fadd double %130, %139
-  %141 = add nuw nsw i64 %129, 1
-  %142 = icmp eq i64 %141, 3
-  br i1 %142, label %143, label %128
+126:                                              ; preds = %126, %124
+  %127 = phi i64 [ 0, %124 ], [ %139, %126 ]
+  %128 = phi double [ 0.000000e+00, %124 ], [ %138, %126 ]
+  %129 = getelementptr inbounds [3 x double], ptr %125, i64 0, i64 %127
+  %130 = load double, ptr %129, align 8
+  %131 = fcmp ogt double %130, 0.000000e+00
+  %132 = add nuw nsw i64 %127, 3
+  %133 = select i1 %131, i64 %132, i64 %127
+  %134 = and i64 %133, 4294967295
+  %135 = getelementptr inbounds double, ptr %19, i64 %134
+  %136 = load double, ptr %135, align 8
+  %137 = fmul double %130, %136
+  %138 = fadd double %128, %137
+  %139 = add nuw nsw i64 %127, 1
+  %140 = icmp eq i64 %139, 3
+  br i1 %140, label %141, label %126
 
-143:                                              ; preds = %128
-  %144 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 1
-  %145 = load double, ptr %144, align 8
-  %146 = fsub double %145, %140
-  %147 = fadd double %78, %146
-  %148 = fcmp ogt double %147, %53
-  br i1 %148, label %453, label %149
+141:                                              ; preds = %126
+  %142 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 1
+  %143 = load double, ptr %142, align 8
+  %144 = fsub double %143, %138
+  %145 = fadd double %76, %144
+  %146 = fcmp ogt double %145, %51
+  br i1 %146, label %395, label %147
 
-149:                                              ; preds = %143
-  %150 = getelementptr inbounds %struct.World, ptr %17, i64 0, i32 28
-  %151 = load ptr, ptr %150, align 8
-  %152 = shl nsw i64 %2, 1
-  %153 = getelementptr inbounds i64, ptr %151, i64 %152
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %7) #15
-  %154 = load i64, ptr %153, align 8
-  %155 = icmp slt i64 %154, 0
-  br i1 %155, label %156, label %260
+147:                                              ; preds = %141
+  %148 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 28
+  %149 = load ptr, ptr %148, align 8
+  %150 = shl nsw i64 %2, 1
+  %151 = getelementptr inbounds i64, ptr %149, i64 %150
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #14
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %7) #14
+  %152 = load i64, ptr %151, align 8
+  %153 = icmp slt i64 %152, 0
+  br i1 %153, label %154, label %202
 
-156:                                              ; preds = %149
-  %157 = getelementptr inbounds %struct.World, ptr %17, i64 0, i32 30
-  %158 = load ptr, ptr %157, align 8
-  %159 = getelementptr inbounds i64, ptr %153, i64 1
-  %160 = load i64, ptr %159, align 8
-  %161 = mul nsw i64 %160, 9
-  %162 = getelementptr inbounds double, ptr %158, i64 %161
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+154:                                              ; preds = %147
+  %155 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 30
+  %156 = load ptr, ptr %155, align 8
+  %157 = getelementptr inbounds i64, ptr %151, i64 1
+  %158 = load i64, ptr %157, align 8
+  %159 = mul nsw i64 %158, 9
+  %160 = getelementptr inbounds double, ptr %156, i64 %159
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %8) #14
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #14
+  call fastcc void @leaf_core(ptr noundef %160, ptr noundef nonnull %8, ptr noundef nonnull %9)
+  %161 = load double, ptr %125, align 8
+  %162 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 0, i64 1
   %163 = load double, ptr %162, align 8
-  store double %163, ptr %8, align 16
-  %164 = getelementptr inbounds double, ptr %8, i64 1
-  %165 = getelementptr inbounds double, ptr %162, i64 3
-  %166 = load double, ptr %165, align 8
-  store double %166, ptr %164, align 8
-  %167 = getelementptr inbounds double, ptr %8, i64 2
-  %168 = getelementptr inbounds double, ptr %162, i64 6
-  %169 = load double, ptr %168, align 8
-  store double %169, ptr %167, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
-  %170 = getelementptr inbounds double, ptr %162, i64 1
-  %171 = load double, ptr %170, align 8
-  store double %171, ptr %9, align 16
-  %172 = getelementptr inbounds double, ptr %9, i64 1
-  %173 = getelementptr inbounds double, ptr %162, i64 4
-  %174 = load double, ptr %173, align 8
-  store double %174, ptr %172, align 8
-  %175 = getelementptr inbounds double, ptr %9, i64 2
-  %176 = getelementptr inbounds double, ptr %162, i64 7
-  %177 = load double, ptr %176, align 8
-  store double %177, ptr %175, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #15
-  %178 = getelementptr inbounds double, ptr %162, i64 2
-  %179 = load double, ptr %178, align 8
-  store double %179, ptr %10, align 16
-  %180 = getelementptr inbounds double, ptr %10, i64 1
-  %181 = getelementptr inbounds double, ptr %162, i64 5
+  %164 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 0, i64 2
+  %165 = load double, ptr %164, align 8
+  br label %170
+
+166:                                              ; preds = %170
+  %167 = fsub double %143, %185
+  %168 = fadd double %76, %167
+  %169 = fcmp ogt double %168, %51
+  br i1 %169, label %201, label %188
+
+170:                                              ; preds = %154, %170
+  %171 = phi i64 [ 0, %154 ], [ %186, %170 ]
+  %172 = phi double [ 0xFFF0000000000000, %154 ], [ %185, %170 ]
+  %173 = mul nuw nsw i64 %171, 3
+  %174 = getelementptr inbounds double, ptr %160, i64 %173
+  %175 = load double, ptr %174, align 8
+  %176 = fmul double %161, %175
+  %177 = getelementptr inbounds double, ptr %174, i64 1
+  %178 = load double, ptr %177, align 8
+  %179 = fmul double %163, %178
+  %180 = fadd double %176, %179
+  %181 = getelementptr inbounds double, ptr %174, i64 2
   %182 = load double, ptr %181, align 8
-  store double %182, ptr %180, align 8
-  %183 = getelementptr inbounds double, ptr %10, i64 2
-  %184 = getelementptr inbounds double, ptr %162, i64 8
-  %185 = load double, ptr %184, align 8
-  store double %185, ptr %183, align 16
+  %183 = fmul double %165, %182
+  %184 = fadd double %180, %183
+  %185 = call double @llvm.maxnum.f64(double %172, double %184)
+  %186 = add nuw nsw i64 %171, 1
+  %187 = icmp eq i64 %186, 3
+  br i1 %187, label %166, label %170
+
+188:                                              ; preds = %166
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %10) #14
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %10, ptr noundef nonnull align 8 dereferenceable(32) %125, i64 32, i1 false)
+  %189 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %190 = load ptr, ptr %189, align 8
+  %191 = call fastcc i32 @shape_bounds(ptr noundef %15, i64 noundef %23, ptr noundef %190, i64 noundef %1, ptr noundef nonnull %9, ptr noundef nonnull %125, double noundef %51, double noundef %50, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %10)
+  %192 = icmp ne i32 %191, 0
+  %193 = load double, ptr %6, align 8
+  %194 = fcmp ugt double %193, %51
+  %195 = select i1 %192, i1 %194, i1 false
+  br i1 %195, label %200, label %196
+
+196:                                              ; preds = %188
+  %197 = load double, ptr %7, align 8
+  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %191, double noundef %193, double noundef %197)
+  %198 = load i64, ptr %157, align 8
+  %199 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  store i64 %198, ptr %199, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %125, ptr noundef nonnull align 8 dereferenceable(32) %10, i64 32, i1 false)
   br label %200
 
-186:                                              ; preds = %218
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #15
-  store i64 0, ptr %11, align 8
-  %187 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 1
-  %188 = icmp eq i32 %221, 0
-  %189 = select i1 %188, i64 3, i64 1
-  store i64 %189, ptr %187, align 8
-  %190 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 2
-  store ptr %8, ptr %190, align 8
-  %191 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 3
-  store ptr %9, ptr %191, align 8
-  %192 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 4
-  store ptr %10, ptr %192, align 8
-  %193 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 5
-  store ptr @place.still, ptr %193, align 8
-  %194 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 6
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(104) %194, i8 0, i64 104, i1 false)
-  %195 = load double, ptr %127, align 8
-  %196 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 0, i64 1
-  %197 = load double, ptr %196, align 8
-  %198 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 0, i64 2
-  %199 = load double, ptr %198, align 8
-  br label %228
+200:                                              ; preds = %188, %196
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %10) #14
+  br label %201
 
-200:                                              ; preds = %156, %218
-  %201 = phi i64 [ 0, %156 ], [ %222, %218 ]
-  %202 = phi i32 [ 1, %156 ], [ %221, %218 ]
-  %203 = add nuw nsw i64 %201, 3
-  %204 = getelementptr inbounds double, ptr %162, i64 %203
-  %205 = load double, ptr %204, align 8
-  %206 = getelementptr inbounds double, ptr %162, i64 %201
+201:                                              ; preds = %166, %200
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #14
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %8) #14
+  br label %394
+
+202:                                              ; preds = %147
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %11) #14
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %11, ptr noundef nonnull align 8 dereferenceable(32) %3, i64 32, i1 false)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #14
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %13) #14
+  %203 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 7
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %203, ptr noundef nonnull align 16 dereferenceable(72) @box_core.straight, i64 72, i1 false)
+  br label %204
+
+204:                                              ; preds = %204, %202
+  %205 = phi i64 [ 0, %202 ], [ %220, %204 ]
+  %206 = getelementptr inbounds double, ptr %19, i64 %205
   %207 = load double, ptr %206, align 8
-  %208 = fsub double %205, %207
-  %209 = tail call double @llvm.fabs.f64(double %208)
-  %210 = fcmp olt double %209, 3.000000e-07
-  br i1 %210, label %211, label %218
+  %208 = add nuw nsw i64 %205, 3
+  %209 = getelementptr inbounds double, ptr %19, i64 %208
+  %210 = load double, ptr %209, align 8
+  %211 = fadd double %207, %210
+  %212 = fmul double %211, 5.000000e-01
+  %213 = add nuw nsw i64 %205, 9
+  %214 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 7, i64 %213
+  store double %212, ptr %214, align 8
+  %215 = load double, ptr %209, align 8
+  %216 = load double, ptr %206, align 8
+  %217 = fsub double %215, %216
+  %218 = fmul double %217, 5.000000e-01
+  %219 = getelementptr inbounds double, ptr %12, i64 %205
+  store double %218, ptr %219, align 8
+  %220 = add nuw nsw i64 %205, 1
+  %221 = icmp eq i64 %220, 3
+  br i1 %221, label %222, label %204
 
-211:                                              ; preds = %200
-  %212 = add nuw nsw i64 %201, 6
-  %213 = getelementptr inbounds double, ptr %162, i64 %212
-  %214 = load double, ptr %213, align 8
-  %215 = fsub double %214, %207
-  %216 = tail call double @llvm.fabs.f64(double %215)
-  %217 = fcmp olt double %216, 3.000000e-07
-  br label %218
-
-218:                                              ; preds = %211, %200
-  %219 = phi i1 [ false, %200 ], [ %217, %211 ]
-  %220 = zext i1 %219 to i32
-  %221 = and i32 %202, %220
-  %222 = add nuw nsw i64 %201, 1
-  %223 = icmp eq i64 %222, 3
-  br i1 %223, label %186, label %200
-
-224:                                              ; preds = %228
-  %225 = fsub double %145, %243
-  %226 = fadd double %78, %225
-  %227 = fcmp ogt double %226, %53
-  br i1 %227, label %259, label %246
-
-228:                                              ; preds = %186, %228
-  %229 = phi i64 [ 0, %186 ], [ %244, %228 ]
-  %230 = phi double [ 0xFFF0000000000000, %186 ], [ %243, %228 ]
-  %231 = mul nuw nsw i64 %229, 3
-  %232 = getelementptr inbounds double, ptr %162, i64 %231
-  %233 = load double, ptr %232, align 8
-  %234 = fmul double %195, %233
-  %235 = getelementptr inbounds double, ptr %232, i64 1
-  %236 = load double, ptr %235, align 8
-  %237 = fmul double %197, %236
-  %238 = fadd double %234, %237
-  %239 = getelementptr inbounds double, ptr %232, i64 2
-  %240 = load double, ptr %239, align 8
-  %241 = fmul double %199, %240
-  %242 = fadd double %238, %241
-  %243 = call double @llvm.maxnum.f64(double %230, double %242)
-  %244 = add nuw nsw i64 %229, 1
-  %245 = icmp eq i64 %244, 3
-  br i1 %245, label %224, label %228
-
-246:                                              ; preds = %224
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %12) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %12, ptr noundef nonnull align 8 dereferenceable(32) %127, i64 32, i1 false)
-  %247 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %248 = load ptr, ptr %247, align 8
-  %249 = call fastcc i32 @shape_bounds(ptr noundef %17, i64 noundef %25, ptr noundef %248, i64 noundef %1, ptr noundef nonnull %11, ptr noundef nonnull %127, double noundef %53, double noundef %52, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %12)
-  %250 = icmp ne i32 %249, 0
-  %251 = load double, ptr %6, align 8
-  %252 = fcmp ugt double %251, %53
-  %253 = select i1 %250, i1 %252, i1 false
-  br i1 %253, label %258, label %254
-
-254:                                              ; preds = %246
-  %255 = load double, ptr %7, align 8
-  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %249, double noundef %251, double noundef %255)
-  %256 = load i64, ptr %159, align 8
-  %257 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
-  store i64 %256, ptr %257, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %127, ptr noundef nonnull align 8 dereferenceable(32) %12, i64 32, i1 false)
-  br label %258
-
-258:                                              ; preds = %246, %254
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %12) #15
+222:                                              ; preds = %204
+  store i64 1, ptr %13, align 8
+  %223 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 5
+  store ptr %203, ptr %223, align 8
+  %224 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 6
+  store ptr %12, ptr %224, align 8
+  %225 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 7, i64 9
+  %226 = load double, ptr %12, align 16
+  %227 = fmul double %226, %226
+  %228 = getelementptr inbounds double, ptr %12, i64 1
+  %229 = load double, ptr %228, align 8
+  %230 = fmul double %229, %229
+  %231 = fadd double %227, %230
+  %232 = getelementptr inbounds double, ptr %12, i64 2
+  %233 = load double, ptr %232, align 16
+  %234 = fmul double %233, %233
+  %235 = fadd double %231, %234
+  %236 = call double @llvm.sqrt.f64(double %235)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #14
+  %237 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 31
+  %238 = load ptr, ptr %237, align 8
+  %239 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 5
+  %240 = load ptr, ptr %239, align 8
+  %241 = getelementptr inbounds i64, ptr %240, i64 %23
+  %242 = load i64, ptr %241, align 8
+  %243 = mul nsw i64 %242, 12
+  %244 = getelementptr inbounds double, ptr %238, i64 %243
+  %245 = load double, ptr %225, align 8
+  %246 = getelementptr inbounds double, ptr %244, i64 9
+  %247 = load double, ptr %246, align 8
+  %248 = fsub double %245, %247
+  %249 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 7, i64 10
+  %250 = load double, ptr %249, align 8
+  %251 = getelementptr inbounds double, ptr %244, i64 10
+  %252 = load double, ptr %251, align 8
+  %253 = fsub double %250, %252
+  %254 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 7, i64 11
+  %255 = load double, ptr %254, align 8
+  %256 = getelementptr inbounds double, ptr %244, i64 11
+  %257 = load double, ptr %256, align 8
+  %258 = fsub double %255, %257
   br label %259
 
-259:                                              ; preds = %224, %258
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  br label %452
+259:                                              ; preds = %259, %222
+  %260 = phi i64 [ 0, %222 ], [ %275, %259 ]
+  %261 = getelementptr inbounds double, ptr %244, i64 %260
+  %262 = load double, ptr %261, align 8
+  %263 = fmul double %248, %262
+  %264 = add nuw nsw i64 %260, 3
+  %265 = getelementptr inbounds double, ptr %244, i64 %264
+  %266 = load double, ptr %265, align 8
+  %267 = fmul double %253, %266
+  %268 = fadd double %263, %267
+  %269 = add nuw nsw i64 %260, 6
+  %270 = getelementptr inbounds double, ptr %244, i64 %269
+  %271 = load double, ptr %270, align 8
+  %272 = fmul double %258, %271
+  %273 = fadd double %268, %272
+  %274 = getelementptr inbounds double, ptr %5, i64 %260
+  store double %273, ptr %274, align 8
+  %275 = add nuw nsw i64 %260, 1
+  %276 = icmp eq i64 %275, 3
+  br i1 %276, label %277, label %259
 
-260:                                              ; preds = %149
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %13) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %13, ptr noundef nonnull align 8 dereferenceable(32) %3, i64 32, i1 false)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #15
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %15) #15
-  %261 = getelementptr inbounds %struct.Core, ptr %15, i64 0, i32 7
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %261, ptr noundef nonnull align 16 dereferenceable(72) @box_core.straight, i64 72, i1 false)
-  br label %262
+277:                                              ; preds = %259
+  %278 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 13
+  %279 = load ptr, ptr %278, align 8
+  %280 = mul nsw i64 %23, 6
+  %281 = getelementptr inbounds double, ptr %279, i64 %280
+  br label %282
 
-262:                                              ; preds = %262, %260
-  %263 = phi i64 [ 0, %260 ], [ %278, %262 ]
-  %264 = getelementptr inbounds double, ptr %21, i64 %263
-  %265 = load double, ptr %264, align 8
-  %266 = add nuw nsw i64 %263, 3
-  %267 = getelementptr inbounds double, ptr %21, i64 %266
-  %268 = load double, ptr %267, align 8
-  %269 = fadd double %265, %268
-  %270 = fmul double %269, 5.000000e-01
-  %271 = add nuw nsw i64 %263, 9
-  %272 = getelementptr inbounds %struct.Core, ptr %15, i64 0, i32 7, i64 %271
-  store double %270, ptr %272, align 8
-  %273 = load double, ptr %267, align 8
-  %274 = load double, ptr %264, align 8
-  %275 = fsub double %273, %274
-  %276 = fmul double %275, 5.000000e-01
-  %277 = getelementptr inbounds double, ptr %14, i64 %263
-  store double %276, ptr %277, align 8
-  %278 = add nuw nsw i64 %263, 1
-  %279 = icmp eq i64 %278, 3
-  br i1 %279, label %280, label %262
+282:                                              ; preds = %282, %277
+  %283 = phi i64 [ 0, %277 ], [ %300, %282 ]
+  %284 = phi double [ 0.000000e+00, %277 ], [ %299, %282 ]
+  %285 = getelementptr inbounds double, ptr %281, i64 %283
+  %286 = load double, ptr %285, align 8
+  %287 = getelementptr inbounds double, ptr %5, i64 %283
+  %288 = load double, ptr %287, align 8
+  %289 = fsub double %286, %288
+  %290 = add nuw nsw i64 %283, 3
+  %291 = getelementptr inbounds double, ptr %281, i64 %290
+  %292 = load double, ptr %291, align 8
+  %293 = fsub double %288, %292
+  %294 = fcmp ogt double %289, %293
+  %295 = select i1 %294, double %289, double %293
+  %296 = fcmp ogt double %295, 0.000000e+00
+  %297 = select i1 %296, double %295, double 0.000000e+00
+  %298 = fmul double %297, %297
+  %299 = fadd double %284, %298
+  %300 = add nuw nsw i64 %283, 1
+  %301 = icmp eq i64 %300, 3
+  br i1 %301, label %302, label %282
 
-280:                                              ; preds = %262
-  store i64 1, ptr %15, align 8
-  %281 = getelementptr inbounds %struct.Core, ptr %15, i64 0, i32 5
-  store ptr %261, ptr %281, align 8
-  %282 = getelementptr inbounds %struct.Core, ptr %15, i64 0, i32 6
-  store ptr %14, ptr %282, align 8
-  %283 = getelementptr inbounds %struct.Core, ptr %15, i64 0, i32 7, i64 9
-  %284 = load double, ptr %14, align 16
-  %285 = fmul double %284, %284
-  %286 = getelementptr inbounds double, ptr %14, i64 1
-  %287 = load double, ptr %286, align 8
-  %288 = fmul double %287, %287
-  %289 = fadd double %285, %288
-  %290 = getelementptr inbounds double, ptr %14, i64 2
-  %291 = load double, ptr %290, align 16
-  %292 = fmul double %291, %291
-  %293 = fadd double %289, %292
-  %294 = call double @llvm.sqrt.f64(double %293)
-  %295 = getelementptr inbounds %struct.World, ptr %17, i64 0, i32 31
-  %296 = load ptr, ptr %295, align 8
-  %297 = getelementptr inbounds %struct.World, ptr %17, i64 0, i32 5
-  %298 = load ptr, ptr %297, align 8
-  %299 = getelementptr inbounds i64, ptr %298, i64 %25
-  %300 = load i64, ptr %299, align 8
-  %301 = mul nsw i64 %300, 12
-  %302 = getelementptr inbounds double, ptr %296, i64 %301
-  %303 = load double, ptr %283, align 8
-  %304 = getelementptr inbounds double, ptr %302, i64 9
-  %305 = load double, ptr %304, align 8
-  %306 = fsub double %303, %305
-  %307 = getelementptr inbounds %struct.Core, ptr %15, i64 0, i32 7, i64 10
-  %308 = load double, ptr %307, align 8
-  %309 = getelementptr inbounds double, ptr %302, i64 10
-  %310 = load double, ptr %309, align 8
-  %311 = fsub double %308, %310
-  %312 = getelementptr inbounds %struct.Core, ptr %15, i64 0, i32 7, i64 11
-  %313 = load double, ptr %312, align 8
-  %314 = getelementptr inbounds double, ptr %302, i64 11
-  %315 = load double, ptr %314, align 8
-  %316 = fsub double %313, %315
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
-  br label %317
+302:                                              ; preds = %282
+  %303 = fadd double %29, %51
+  %304 = fadd double %303, %236
+  %305 = fmul double %304, %304
+  %306 = fcmp ule double %299, %305
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #14
+  br i1 %306, label %307, label %393
 
-317:                                              ; preds = %317, %280
-  %318 = phi i64 [ 0, %280 ], [ %333, %317 ]
-  %319 = getelementptr inbounds double, ptr %302, i64 %318
-  %320 = load double, ptr %319, align 8
-  %321 = fmul double %306, %320
-  %322 = add nuw nsw i64 %318, 3
-  %323 = getelementptr inbounds double, ptr %302, i64 %322
-  %324 = load double, ptr %323, align 8
-  %325 = fmul double %311, %324
-  %326 = fadd double %321, %325
-  %327 = add nuw nsw i64 %318, 6
-  %328 = getelementptr inbounds double, ptr %302, i64 %327
-  %329 = load double, ptr %328, align 8
-  %330 = fmul double %316, %329
-  %331 = fadd double %326, %330
-  %332 = getelementptr inbounds double, ptr %5, i64 %318
-  store double %331, ptr %332, align 8
-  %333 = add nuw nsw i64 %318, 1
-  %334 = icmp eq i64 %333, 3
-  br i1 %334, label %335, label %317
+307:                                              ; preds = %302
+  %308 = fadd double %226, %229
+  %309 = fadd double %308, %233
+  %310 = load ptr, ptr %78, align 8
+  %311 = getelementptr inbounds double, ptr %310, i64 %81
+  %312 = load double, ptr %311, align 8
+  %313 = fmul double %312, 2.000000e+00
+  %314 = fcmp olt double %309, %313
+  br i1 %314, label %315, label %340
 
-335:                                              ; preds = %317
-  %336 = getelementptr inbounds %struct.World, ptr %17, i64 0, i32 13
-  %337 = load ptr, ptr %336, align 8
-  %338 = mul nsw i64 %25, 6
-  %339 = getelementptr inbounds double, ptr %337, i64 %338
+315:                                              ; preds = %307
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #14
+  br label %322
+
+316:                                              ; preds = %322
+  %317 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %318 = load ptr, ptr %317, align 8
+  %319 = fsub double %51, %76
+  %320 = call fastcc i32 @bounds(ptr noundef %318, ptr noundef nonnull %13, ptr noundef nonnull %14, double noundef %319, double noundef %319, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %11, ptr noundef null)
+  %321 = icmp eq i32 %320, 0
+  br i1 %321, label %337, label %333
+
+322:                                              ; preds = %315, %322
+  %323 = phi i64 [ 0, %315 ], [ %331, %322 ]
+  %324 = getelementptr inbounds double, ptr %25, i64 %323
+  %325 = load double, ptr %324, align 8
+  %326 = add nuw nsw i64 %323, 9
+  %327 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 7, i64 %326
+  %328 = load double, ptr %327, align 8
+  %329 = fsub double %325, %328
+  %330 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %323
+  store double %329, ptr %330, align 8
+  %331 = add nuw nsw i64 %323, 1
+  %332 = icmp eq i64 %331, 3
+  br i1 %332, label %316, label %322
+
+333:                                              ; preds = %316
+  %334 = load double, ptr %6, align 8
+  %335 = fadd double %76, %334
+  %336 = fcmp ogt double %335, %51
+  br i1 %336, label %339, label %337
+
+337:                                              ; preds = %333, %316
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #14
+  %338 = load ptr, ptr %16, align 8
   br label %340
 
-340:                                              ; preds = %340, %335
-  %341 = phi i64 [ 0, %335 ], [ %358, %340 ]
-  %342 = phi double [ 0.000000e+00, %335 ], [ %357, %340 ]
-  %343 = getelementptr inbounds double, ptr %339, i64 %341
-  %344 = load double, ptr %343, align 8
-  %345 = getelementptr inbounds double, ptr %5, i64 %341
-  %346 = load double, ptr %345, align 8
-  %347 = fsub double %344, %346
-  %348 = add nuw nsw i64 %341, 3
-  %349 = getelementptr inbounds double, ptr %339, i64 %348
-  %350 = load double, ptr %349, align 8
-  %351 = fsub double %346, %350
-  %352 = fcmp ogt double %347, %351
-  %353 = select i1 %352, double %347, double %351
-  %354 = fcmp ogt double %353, 0.000000e+00
-  %355 = select i1 %354, double %353, double 0.000000e+00
-  %356 = fmul double %355, %355
-  %357 = fadd double %342, %356
-  %358 = add nuw nsw i64 %341, 1
+339:                                              ; preds = %333
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #14
+  br label %393
+
+340:                                              ; preds = %337, %307
+  %341 = phi ptr [ %338, %337 ], [ %17, %307 ]
+  %342 = load i64, ptr %151, align 8
+  %343 = mul nsw i64 %342, 6
+  %344 = getelementptr inbounds double, ptr %341, i64 %343
+  br label %345
+
+345:                                              ; preds = %345, %340
+  %346 = phi i64 [ 0, %340 ], [ %358, %345 ]
+  %347 = phi double [ 0.000000e+00, %340 ], [ %357, %345 ]
+  %348 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %346
+  %349 = load double, ptr %348, align 8
+  %350 = fcmp ogt double %349, 0.000000e+00
+  %351 = add nuw nsw i64 %346, 3
+  %352 = select i1 %350, i64 %351, i64 %346
+  %353 = and i64 %352, 4294967295
+  %354 = getelementptr inbounds double, ptr %344, i64 %353
+  %355 = load double, ptr %354, align 8
+  %356 = fmul double %349, %355
+  %357 = fadd double %347, %356
+  %358 = add nuw nsw i64 %346, 1
   %359 = icmp eq i64 %358, 3
-  br i1 %359, label %360, label %340
+  br i1 %359, label %360, label %345
 
-360:                                              ; preds = %340
-  %361 = fadd double %31, %53
-  %362 = fadd double %361, %294
-  %363 = fmul double %362, %362
-  %364 = fcmp ule double %357, %363
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
-  br i1 %364, label %365, label %451
+360:                                              ; preds = %345
+  %361 = getelementptr inbounds %struct.Plane, ptr %11, i64 0, i32 1
+  %362 = load double, ptr %361, align 8
+  %363 = getelementptr inbounds i64, ptr %151, i64 1
+  %364 = load i64, ptr %363, align 8
+  %365 = mul nsw i64 %364, 6
+  %366 = getelementptr inbounds double, ptr %341, i64 %365
+  br label %367
 
-365:                                              ; preds = %360
-  %366 = fadd double %284, %287
-  %367 = fadd double %366, %291
-  %368 = load ptr, ptr %80, align 8
-  %369 = getelementptr inbounds double, ptr %368, i64 %83
-  %370 = load double, ptr %369, align 8
-  %371 = fmul double %370, 2.000000e+00
-  %372 = fcmp olt double %367, %371
-  br i1 %372, label %373, label %398
+367:                                              ; preds = %367, %360
+  %368 = phi i64 [ 0, %360 ], [ %380, %367 ]
+  %369 = phi double [ 0.000000e+00, %360 ], [ %379, %367 ]
+  %370 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %368
+  %371 = load double, ptr %370, align 8
+  %372 = fcmp ogt double %371, 0.000000e+00
+  %373 = add nuw nsw i64 %368, 3
+  %374 = select i1 %372, i64 %373, i64 %368
+  %375 = and i64 %374, 4294967295
+  %376 = getelementptr inbounds double, ptr %366, i64 %375
+  %377 = load double, ptr %376, align 8
+  %378 = fmul double %371, %377
+  %379 = fadd double %369, %378
+  %380 = add nuw nsw i64 %368, 1
+  %381 = icmp eq i64 %380, 3
+  br i1 %381, label %382, label %367
 
-373:                                              ; preds = %365
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #15
-  br label %380
+382:                                              ; preds = %367
+  %383 = fsub double %362, %357
+  %384 = fsub double %362, %379
+  %385 = fcmp olt double %384, %383
+  %386 = zext i1 %385 to i64
+  %387 = getelementptr inbounds i64, ptr %151, i64 %386
+  %388 = load i64, ptr %387, align 8
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %388, ptr noundef nonnull %11)
+  %389 = xor i1 %385, true
+  %390 = zext i1 %389 to i64
+  %391 = getelementptr inbounds i64, ptr %151, i64 %390
+  %392 = load i64, ptr %391, align 8
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %392, ptr noundef nonnull %11)
+  br label %393
 
-374:                                              ; preds = %380
-  %375 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %376 = load ptr, ptr %375, align 8
-  %377 = fsub double %53, %78
-  %378 = call fastcc i32 @bounds(ptr noundef %376, ptr noundef nonnull %15, ptr noundef nonnull %16, double noundef %377, double noundef %377, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %13)
-  %379 = icmp eq i32 %378, 0
-  br i1 %379, label %395, label %391
+393:                                              ; preds = %339, %302, %382
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %13) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #14
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %11) #14
+  br label %394
 
-380:                                              ; preds = %373, %380
-  %381 = phi i64 [ 0, %373 ], [ %389, %380 ]
-  %382 = getelementptr inbounds double, ptr %27, i64 %381
-  %383 = load double, ptr %382, align 8
-  %384 = add nuw nsw i64 %381, 9
-  %385 = getelementptr inbounds %struct.Core, ptr %15, i64 0, i32 7, i64 %384
-  %386 = load double, ptr %385, align 8
-  %387 = fsub double %383, %386
-  %388 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 %381
-  store double %387, ptr %388, align 8
-  %389 = add nuw nsw i64 %381, 1
-  %390 = icmp eq i64 %389, 3
-  br i1 %390, label %374, label %380
+394:                                              ; preds = %393, %201
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #14
+  br label %395
 
-391:                                              ; preds = %374
-  %392 = load double, ptr %6, align 8
-  %393 = fadd double %78, %392
-  %394 = fcmp ogt double %393, %53
-  br i1 %394, label %397, label %395
-
-395:                                              ; preds = %391, %374
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
-  %396 = load ptr, ptr %18, align 8
-  br label %398
-
-397:                                              ; preds = %391
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
-  br label %451
-
-398:                                              ; preds = %395, %365
-  %399 = phi ptr [ %396, %395 ], [ %19, %365 ]
-  %400 = load i64, ptr %153, align 8
-  %401 = mul nsw i64 %400, 6
-  %402 = getelementptr inbounds double, ptr %399, i64 %401
-  br label %403
-
-403:                                              ; preds = %403, %398
-  %404 = phi i64 [ 0, %398 ], [ %416, %403 ]
-  %405 = phi double [ 0.000000e+00, %398 ], [ %415, %403 ]
-  %406 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %404
-  %407 = load double, ptr %406, align 8
-  %408 = fcmp ogt double %407, 0.000000e+00
-  %409 = add nuw nsw i64 %404, 3
-  %410 = select i1 %408, i64 %409, i64 %404
-  %411 = and i64 %410, 4294967295
-  %412 = getelementptr inbounds double, ptr %402, i64 %411
-  %413 = load double, ptr %412, align 8
-  %414 = fmul double %407, %413
-  %415 = fadd double %405, %414
-  %416 = add nuw nsw i64 %404, 1
-  %417 = icmp eq i64 %416, 3
-  br i1 %417, label %418, label %403
-
-418:                                              ; preds = %403
-  %419 = getelementptr inbounds %struct.Plane, ptr %13, i64 0, i32 1
-  %420 = load double, ptr %419, align 8
-  %421 = getelementptr inbounds i64, ptr %153, i64 1
-  %422 = load i64, ptr %421, align 8
-  %423 = mul nsw i64 %422, 6
-  %424 = getelementptr inbounds double, ptr %399, i64 %423
-  br label %425
-
-425:                                              ; preds = %425, %418
-  %426 = phi i64 [ 0, %418 ], [ %438, %425 ]
-  %427 = phi double [ 0.000000e+00, %418 ], [ %437, %425 ]
-  %428 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %426
-  %429 = load double, ptr %428, align 8
-  %430 = fcmp ogt double %429, 0.000000e+00
-  %431 = add nuw nsw i64 %426, 3
-  %432 = select i1 %430, i64 %431, i64 %426
-  %433 = and i64 %432, 4294967295
-  %434 = getelementptr inbounds double, ptr %424, i64 %433
-  %435 = load double, ptr %434, align 8
-  %436 = fmul double %429, %435
-  %437 = fadd double %427, %436
-  %438 = add nuw nsw i64 %426, 1
-  %439 = icmp eq i64 %438, 3
-  br i1 %439, label %440, label %425
-
-440:                                              ; preds = %425
-  %441 = fsub double %420, %415
-  %442 = fsub double %420, %437
-  %443 = fcmp olt double %442, %441
-  %444 = zext i1 %443 to i64
-  %445 = getelementptr inbounds i64, ptr %153, i64 %444
-  %446 = load i64, ptr %445, align 8
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %446, ptr noundef nonnull %13)
-  %447 = xor i1 %443, true
-  %448 = zext i1 %447 to i64
-  %449 = getelementptr inbounds i64, ptr %153, i64 %448
-  %450 = load i64, ptr %449, align 8
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %450, ptr noundef nonnull %13)
-  br label %451
-
-451:                                              ; preds = %397, %360, %440
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %15) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %13) #15
-  br label %452
-
-452:                                              ; preds = %451, %259
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #15
-  br label %453
-
-453:                                              ; preds = %86, %120, %143, %97, %101, %452
+395:                                              ; preds = %84, %118, %141, %95, %99, %394
   ret void
 }
 
@@ -2741,8 +3580,8 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   %4 = alloca [64 x double], align 16
   %5 = alloca [3 x double], align 16
   %6 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #14
   %7 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 5
   %8 = load ptr, ptr %7, align 8
   %9 = getelementptr inbounds double, ptr %1, i64 1
@@ -2800,7 +3639,7 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   %49 = getelementptr inbounds double, ptr %5, i64 2
   %50 = load double, ptr %49, align 16
   %51 = load double, ptr %43, align 8
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #15
+  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #14
   %52 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 1
   %53 = load i64, ptr %52, align 8
   %54 = icmp sgt i64 %53, 1
@@ -2881,7 +3720,7 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   %112 = phi double [ %51, %37 ], [ %110, %104 ]
   %113 = phi double [ %48, %37 ], [ %108, %104 ]
   %114 = phi double [ %45, %37 ], [ %106, %104 ]
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #15
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #14
   br label %160
 
 115:                                              ; preds = %34, %115
@@ -2973,8 +3812,8 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   br i1 %186, label %187, label %164
 
 187:                                              ; preds = %164
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #14
   ret void
 }
 
@@ -3040,6 +3879,7 @@ define internal fastcc i32 @within(ptr noundef readonly %0, i64 noundef %1, ptr 
 
 define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, double noundef %2, i64 noundef %3, double noundef %4) unnamed_addr #8 {
   %6 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #14
   %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %8 = load ptr, ptr %7, align 8
   %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
@@ -3062,7 +3902,6 @@ define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr noc
   %26 = getelementptr inbounds double, ptr %14, i64 11
   %27 = load double, ptr %26, align 8
   %28 = fsub double %25, %27
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
   br label %29
 
 29:                                               ; preds = %29, %5
@@ -3120,11 +3959,11 @@ define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr noc
   %74 = fmul double %73, %73
   %75 = fcmp ogt double %69, %74
   %76 = zext i1 %75 to i32
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #14
   ret i32 %76
 }
 
-define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, double noundef %6, double noundef %7, ptr nocapture noundef %8, ptr nocapture noundef %9, ptr noundef %10) unnamed_addr #11 {
+define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, double noundef %6, double noundef %7, ptr nocapture noundef %8, ptr nocapture noundef %9, ptr noundef %10) unnamed_addr #0 {
   %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
   %13 = load ptr, ptr %12, align 8
   %14 = getelementptr inbounds double, ptr %13, i64 %1
@@ -3134,7 +3973,7 @@ define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 
   %18 = fadd double %15, %17
   %19 = fadd double %18, %6
   %20 = fadd double %18, %7
-  %21 = tail call fastcc i32 @bounds(ptr noundef %2, ptr noundef %4, ptr noundef %5, double noundef %19, double noundef %20, ptr noundef %8, ptr noundef %9, ptr noundef %10)
+  %21 = tail call fastcc i32 @bounds(ptr noundef %2, ptr noundef %4, ptr noundef %5, double noundef %19, double noundef %20, double noundef 0x3DA5FD7FE1796495, ptr noundef %8, ptr noundef %9, ptr noundef %10, ptr noundef null)
   %22 = load double, ptr %8, align 8
   %23 = fsub double %22, %18
   store double %23, ptr %8, align 8
@@ -3148,833 +3987,957 @@ declare double @llvm.minnum.f64(double, double) #2
 
 declare double @llvm.sqrt.f64(double) #2
 
+define internal fastcc void @leaf_core(ptr nocapture noundef readonly %0, ptr noundef %1, ptr nocapture noundef writeonly %2) unnamed_addr #6 {
+  br label %4
+
+4:                                                ; preds = %3, %44
+  %5 = phi i64 [ 0, %3 ], [ %48, %44 ]
+  %6 = phi i32 [ 1, %3 ], [ %47, %44 ]
+  %7 = mul nuw nsw i64 %5, 3
+  br label %27
+
+8:                                                ; preds = %44
+  store i64 0, ptr %2, align 8
+  %9 = icmp eq i32 %47, 0
+  %10 = select i1 %9, i64 3, i64 1
+  %11 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 1
+  store i64 %10, ptr %11, align 8
+  %12 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 5
+  store ptr @place.still, ptr %12, align 8
+  %13 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 2
+  store ptr %1, ptr %13, align 8
+  %14 = getelementptr inbounds double, ptr %1, i64 3
+  %15 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 3
+  store ptr %14, ptr %15, align 8
+  %16 = getelementptr inbounds double, ptr %1, i64 6
+  %17 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 4
+  store ptr %16, ptr %17, align 8
+  ret void
+
+18:                                               ; preds = %27
+  %19 = add nuw nsw i64 %5, 3
+  %20 = getelementptr inbounds double, ptr %0, i64 %19
+  %21 = load double, ptr %20, align 8
+  %22 = getelementptr inbounds double, ptr %0, i64 %5
+  %23 = load double, ptr %22, align 8
+  %24 = fsub double %21, %23
+  %25 = tail call double @llvm.fabs.f64(double %24)
+  %26 = fcmp olt double %25, 3.000000e-07
+  br i1 %26, label %37, label %44
+
+27:                                               ; preds = %4, %27
+  %28 = phi i64 [ 0, %4 ], [ %35, %27 ]
+  %29 = mul nuw nsw i64 %28, 3
+  %30 = add nuw nsw i64 %29, %5
+  %31 = getelementptr inbounds double, ptr %0, i64 %30
+  %32 = load double, ptr %31, align 8
+  %33 = add nuw nsw i64 %28, %7
+  %34 = getelementptr inbounds double, ptr %1, i64 %33
+  store double %32, ptr %34, align 8
+  %35 = add nuw nsw i64 %28, 1
+  %36 = icmp eq i64 %35, 3
+  br i1 %36, label %18, label %27
+
+37:                                               ; preds = %18
+  %38 = add nuw nsw i64 %5, 6
+  %39 = getelementptr inbounds double, ptr %0, i64 %38
+  %40 = load double, ptr %39, align 8
+  %41 = fsub double %40, %23
+  %42 = tail call double @llvm.fabs.f64(double %41)
+  %43 = fcmp olt double %42, 3.000000e-07
+  br label %44
+
+44:                                               ; preds = %37, %18
+  %45 = phi i1 [ false, %18 ], [ %43, %37 ]
+  %46 = zext i1 %45 to i32
+  %47 = and i32 %6, %46
+  %48 = add nuw nsw i64 %5, 1
+  %49 = icmp eq i64 %48, 3
+  br i1 %49, label %8, label %4
+}
+
 declare double @llvm.maxnum.f64(double, double) #2
 
-define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, double noundef %3, double noundef %4, ptr nocapture noundef %5, ptr nocapture noundef %6, ptr noundef %7) unnamed_addr #11 {
-  %9 = alloca [4 x [3 x double]], align 16
-  %10 = alloca [3 x double], align 16
+define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, double noundef %3, double noundef %4, double noundef %5, ptr nocapture noundef %6, ptr nocapture noundef %7, ptr noundef %8, ptr noundef %9) unnamed_addr #0 {
   %11 = alloca [3 x double], align 16
-  %12 = alloca [4 x [3 x double]], align 16
-  %13 = alloca [4 x [3 x double]], align 16
+  %12 = alloca [3 x double], align 16
+  %13 = alloca [3 x double], align 16
   %14 = alloca [3 x double], align 16
-  %15 = alloca [3 x double], align 16
-  %16 = alloca [3 x i32], align 4
+  %15 = alloca [3 x i32], align 4
+  %16 = alloca [3 x double], align 16
   %17 = alloca [3 x double], align 16
   %18 = alloca [3 x double], align 16
   %19 = alloca [3 x double], align 16
-  %20 = alloca [3 x double], align 16
-  %21 = alloca [3 x i32], align 4
+  %20 = alloca [3 x i32], align 4
+  %21 = alloca %struct.Simplex, align 8
   %22 = alloca %struct.Simplex, align 8
   %23 = alloca [3 x double], align 16
   %24 = alloca [3 x double], align 16
   %25 = alloca [3 x double], align 16
   %26 = alloca [3 x double], align 16
   %27 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 128, ptr nonnull %22) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #15
-  %28 = load double, ptr %2, align 8
-  %29 = fmul double %28, %28
-  %30 = getelementptr inbounds double, ptr %2, i64 1
-  %31 = load double, ptr %30, align 8
-  %32 = fmul double %31, %31
-  %33 = fadd double %29, %32
-  %34 = getelementptr inbounds double, ptr %2, i64 2
-  %35 = load double, ptr %34, align 8
-  %36 = fmul double %35, %35
-  %37 = fadd double %33, %36
-  %38 = tail call double @llvm.sqrt.f64(double %37)
-  %39 = fcmp ogt double %38, 0.000000e+00
-  br label %74
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %21) #14
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %22)
+  %28 = icmp ne ptr %9, null
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #14
+  %29 = load double, ptr %2, align 8
+  %30 = fmul double %29, %29
+  %31 = getelementptr inbounds double, ptr %2, i64 1
+  %32 = load double, ptr %31, align 8
+  %33 = fmul double %32, %32
+  %34 = fadd double %30, %33
+  %35 = getelementptr inbounds double, ptr %2, i64 2
+  %36 = load double, ptr %35, align 8
+  %37 = fmul double %36, %36
+  %38 = fadd double %34, %37
+  %39 = tail call double @llvm.sqrt.f64(double %38)
+  %40 = fcmp ogt double %39, 0.000000e+00
+  br label %94
 
-40:                                               ; preds = %83
-  store double 0xFFF0000000000000, ptr %5, align 8
-  store double 0x7FF0000000000000, ptr %6, align 8
-  %41 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 1
-  store i32 0, ptr %41, align 8
-  %42 = getelementptr inbounds double, ptr %27, i64 1
-  %43 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 1
-  %44 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 1
-  %45 = getelementptr inbounds double, ptr %27, i64 2
-  %46 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 2
-  %47 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 2
-  %48 = getelementptr inbounds double, ptr %23, i64 1
-  %49 = getelementptr inbounds double, ptr %23, i64 2
-  %50 = icmp eq ptr %7, null
-  %51 = getelementptr inbounds double, ptr %7, i64 1
-  %52 = getelementptr inbounds double, ptr %7, i64 2
-  %53 = getelementptr inbounds %struct.Plane, ptr %7, i64 0, i32 1
-  %54 = getelementptr inbounds double, ptr %14, i64 1
-  %55 = getelementptr inbounds double, ptr %14, i64 2
-  %56 = getelementptr inbounds double, ptr %22, i64 1
-  %57 = getelementptr inbounds double, ptr %22, i64 2
-  %58 = getelementptr inbounds [4 x [3 x double]], ptr %22, i64 0, i64 1
-  %59 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 2
-  %60 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 1
-  %61 = getelementptr inbounds [3 x double], ptr %18, i64 0, i64 2
-  %62 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 2
-  %63 = getelementptr inbounds [3 x double], ptr %18, i64 0, i64 1
-  %64 = getelementptr inbounds double, ptr %19, i64 1
-  %65 = getelementptr inbounds double, ptr %19, i64 2
-  %66 = getelementptr inbounds double, ptr %10, i64 1
-  %67 = getelementptr inbounds double, ptr %10, i64 2
-  %68 = getelementptr inbounds double, ptr %11, i64 1
-  %69 = getelementptr inbounds double, ptr %11, i64 2
-  %70 = getelementptr inbounds double, ptr %20, i64 1
-  %71 = getelementptr inbounds double, ptr %20, i64 2
-  %72 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 2, i64 1
-  %73 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 2, i64 2
-  br label %88
+41:                                               ; preds = %103
+  %42 = select i1 %28, ptr %9, ptr %21
+  store double 0xFFF0000000000000, ptr %6, align 8
+  store double 0x7FF0000000000000, ptr %7, align 8
+  %43 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 2
+  %44 = getelementptr inbounds %struct.Simplex, ptr %21, i64 0, i32 2
+  %45 = select i1 %28, ptr %43, ptr %44
+  store i32 0, ptr %45, align 8
+  %46 = getelementptr inbounds double, ptr %27, i64 1
+  %47 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 1
+  %48 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 1
+  %49 = getelementptr inbounds double, ptr %27, i64 2
+  %50 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 2
+  %51 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 2
+  %52 = getelementptr inbounds double, ptr %23, i64 1
+  %53 = getelementptr inbounds double, ptr %23, i64 2
+  %54 = icmp eq ptr %8, null
+  %55 = getelementptr inbounds double, ptr %8, i64 1
+  %56 = getelementptr inbounds double, ptr %8, i64 2
+  %57 = getelementptr inbounds %struct.Plane, ptr %8, i64 0, i32 1
+  %58 = getelementptr inbounds double, ptr %13, i64 1
+  %59 = getelementptr inbounds double, ptr %13, i64 2
+  %60 = select i1 %28, ptr %9, ptr %21
+  %61 = getelementptr inbounds double, ptr %60, i64 1
+  %62 = select i1 %28, ptr %9, ptr %21
+  %63 = getelementptr inbounds double, ptr %62, i64 2
+  %64 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 3
+  %65 = getelementptr inbounds %struct.Simplex, ptr %21, i64 0, i32 3
+  %66 = select i1 %28, ptr %64, ptr %65
+  %67 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 1, i64 1
+  %68 = getelementptr inbounds %struct.Simplex, ptr %21, i64 0, i32 1, i64 1
+  %69 = select i1 %28, ptr %67, ptr %68
+  %70 = getelementptr inbounds [4 x [3 x double]], ptr %9, i64 0, i64 1
+  %71 = getelementptr inbounds [4 x [3 x double]], ptr %21, i64 0, i64 1
+  %72 = select i1 %28, ptr %70, ptr %71
+  %73 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 1, i64 0
+  %74 = getelementptr inbounds %struct.Simplex, ptr %21, i64 0, i32 1, i64 0
+  %75 = select i1 %28, ptr %73, ptr %74
+  %76 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 1
+  %77 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 2
+  %78 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 2
+  %79 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 1
+  %80 = getelementptr inbounds double, ptr %18, i64 1
+  %81 = getelementptr inbounds double, ptr %18, i64 2
+  %82 = getelementptr inbounds double, ptr %11, i64 1
+  %83 = getelementptr inbounds double, ptr %11, i64 2
+  %84 = getelementptr inbounds double, ptr %12, i64 1
+  %85 = getelementptr inbounds double, ptr %12, i64 2
+  %86 = getelementptr inbounds double, ptr %19, i64 1
+  %87 = getelementptr inbounds double, ptr %19, i64 2
+  %88 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 3, i64 1
+  %89 = getelementptr inbounds %struct.Simplex, ptr %21, i64 0, i32 3, i64 1
+  %90 = select i1 %28, ptr %88, ptr %89
+  %91 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 3, i64 2
+  %92 = getelementptr inbounds %struct.Simplex, ptr %21, i64 0, i32 3, i64 2
+  %93 = select i1 %28, ptr %91, ptr %92
+  br label %108
 
-74:                                               ; preds = %8, %83
-  %75 = phi i64 [ 0, %8 ], [ %86, %83 ]
-  br i1 %39, label %76, label %80
+94:                                               ; preds = %10, %103
+  %95 = phi i64 [ 0, %10 ], [ %106, %103 ]
+  br i1 %40, label %96, label %100
 
-76:                                               ; preds = %74
-  %77 = getelementptr inbounds double, ptr %2, i64 %75
-  %78 = load double, ptr %77, align 8
-  %79 = fdiv double %78, %38
-  br label %83
+96:                                               ; preds = %94
+  %97 = getelementptr inbounds double, ptr %2, i64 %95
+  %98 = load double, ptr %97, align 8
+  %99 = fdiv double %98, %39
+  br label %103
 
-80:                                               ; preds = %74
-  %81 = icmp eq i64 %75, 0
-  %82 = uitofp i1 %81 to double
-  br label %83
+100:                                              ; preds = %94
+  %101 = icmp eq i64 %95, 0
+  %102 = uitofp i1 %101 to double
+  br label %103
 
-83:                                               ; preds = %80, %76
-  %84 = phi double [ %79, %76 ], [ %82, %80 ]
-  %85 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %75
-  store double %84, ptr %85, align 8
-  %86 = add nuw nsw i64 %75, 1
-  %87 = icmp eq i64 %86, 3
-  br i1 %87, label %40, label %74
+103:                                              ; preds = %100, %96
+  %104 = phi double [ %99, %96 ], [ %102, %100 ]
+  %105 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %95
+  store double %104, ptr %105, align 8
+  %106 = add nuw nsw i64 %95, 1
+  %107 = icmp eq i64 %106, 3
+  br i1 %107, label %41, label %94
 
-88:                                               ; preds = %40, %577
-  %89 = phi i32 [ 0, %40 ], [ %552, %577 ]
-  %90 = phi i32 [ 0, %40 ], [ %578, %577 ]
-  br label %118
+108:                                              ; preds = %41, %622
+  %109 = phi i32 [ 0, %41 ], [ %618, %622 ]
+  %110 = phi i32 [ 0, %41 ], [ %623, %622 ]
+  br label %138
 
-91:                                               ; preds = %118
+111:                                              ; preds = %138
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %26, ptr noundef nonnull %24)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %23, ptr noundef nonnull %25)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #15
-  %92 = load double, ptr %24, align 16
-  %93 = load double, ptr %25, align 16
-  %94 = fsub double %92, %93
-  store double %94, ptr %27, align 16
-  %95 = load double, ptr %43, align 8
-  %96 = load double, ptr %44, align 8
-  %97 = fsub double %95, %96
-  store double %97, ptr %42, align 8
-  %98 = load double, ptr %46, align 16
-  %99 = load double, ptr %47, align 16
-  %100 = fsub double %98, %99
-  store double %100, ptr %45, align 16
-  %101 = load double, ptr %23, align 16
-  %102 = fmul double %101, %101
-  %103 = load double, ptr %48, align 8
-  %104 = fmul double %103, %103
-  %105 = fadd double %102, %104
-  %106 = load double, ptr %49, align 16
-  %107 = fmul double %106, %106
-  %108 = fadd double %105, %107
-  %109 = tail call double @llvm.sqrt.f64(double %108)
-  %110 = fmul double %94, %101
-  %111 = fmul double %97, %103
-  %112 = fadd double %110, %111
-  %113 = fmul double %100, %106
-  %114 = fadd double %112, %113
-  %115 = fdiv double %114, %109
-  %116 = load double, ptr %5, align 8
-  %117 = fcmp ogt double %115, %116
-  br i1 %117, label %126, label %145
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #14
+  %112 = load double, ptr %24, align 16
+  %113 = load double, ptr %25, align 16
+  %114 = fsub double %112, %113
+  store double %114, ptr %27, align 16
+  %115 = load double, ptr %47, align 8
+  %116 = load double, ptr %48, align 8
+  %117 = fsub double %115, %116
+  store double %117, ptr %46, align 8
+  %118 = load double, ptr %50, align 16
+  %119 = load double, ptr %51, align 16
+  %120 = fsub double %118, %119
+  store double %120, ptr %49, align 16
+  %121 = load double, ptr %23, align 16
+  %122 = fmul double %121, %121
+  %123 = load double, ptr %52, align 8
+  %124 = fmul double %123, %123
+  %125 = fadd double %122, %124
+  %126 = load double, ptr %53, align 16
+  %127 = fmul double %126, %126
+  %128 = fadd double %125, %127
+  %129 = tail call double @llvm.sqrt.f64(double %128)
+  %130 = fmul double %114, %121
+  %131 = fmul double %117, %123
+  %132 = fadd double %130, %131
+  %133 = fmul double %120, %126
+  %134 = fadd double %132, %133
+  %135 = fdiv double %134, %129
+  %136 = load double, ptr %6, align 8
+  %137 = fcmp ogt double %135, %136
+  br i1 %137, label %146, label %165
 
-118:                                              ; preds = %88, %118
-  %119 = phi i64 [ 0, %88 ], [ %124, %118 ]
-  %120 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %119
-  %121 = load double, ptr %120, align 8
-  %122 = fneg double %121
-  %123 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 %119
-  store double %122, ptr %123, align 8
-  %124 = add nuw nsw i64 %119, 1
-  %125 = icmp eq i64 %124, 3
-  br i1 %125, label %91, label %118
+138:                                              ; preds = %108, %138
+  %139 = phi i64 [ 0, %108 ], [ %144, %138 ]
+  %140 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %139
+  %141 = load double, ptr %140, align 8
+  %142 = fneg double %141
+  %143 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 %139
+  store double %142, ptr %143, align 8
+  %144 = add nuw nsw i64 %139, 1
+  %145 = icmp eq i64 %144, 3
+  br i1 %145, label %111, label %138
 
-126:                                              ; preds = %91
-  store double %115, ptr %5, align 8
-  br i1 %50, label %145, label %137
+146:                                              ; preds = %111
+  store double %135, ptr %6, align 8
+  br i1 %54, label %165, label %157
 
-127:                                              ; preds = %137
-  %128 = load double, ptr %7, align 8
-  %129 = fmul double %92, %128
-  %130 = load double, ptr %51, align 8
-  %131 = fmul double %130, %95
-  %132 = fadd double %129, %131
-  %133 = load double, ptr %52, align 8
-  %134 = fmul double %133, %98
-  %135 = fadd double %132, %134
-  store double %135, ptr %53, align 8
-  %136 = load double, ptr %5, align 8
-  br label %145
+147:                                              ; preds = %157
+  %148 = load double, ptr %8, align 8
+  %149 = fmul double %112, %148
+  %150 = load double, ptr %55, align 8
+  %151 = fmul double %150, %115
+  %152 = fadd double %149, %151
+  %153 = load double, ptr %56, align 8
+  %154 = fmul double %153, %118
+  %155 = fadd double %152, %154
+  store double %155, ptr %57, align 8
+  %156 = load double, ptr %6, align 8
+  br label %165
 
-137:                                              ; preds = %126, %137
-  %138 = phi i64 [ %143, %137 ], [ 0, %126 ]
-  %139 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %138
-  %140 = load double, ptr %139, align 8
-  %141 = fdiv double %140, %109
-  %142 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %138
-  store double %141, ptr %142, align 8
-  %143 = add nuw nsw i64 %138, 1
-  %144 = icmp eq i64 %143, 3
-  br i1 %144, label %127, label %137
+157:                                              ; preds = %146, %157
+  %158 = phi i64 [ %163, %157 ], [ 0, %146 ]
+  %159 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %158
+  %160 = load double, ptr %159, align 8
+  %161 = fdiv double %160, %129
+  %162 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %158
+  store double %161, ptr %162, align 8
+  %163 = add nuw nsw i64 %158, 1
+  %164 = icmp eq i64 %163, 3
+  br i1 %164, label %147, label %157
 
-145:                                              ; preds = %126, %127, %91
-  %146 = phi double [ %115, %126 ], [ %136, %127 ], [ %116, %91 ]
-  %147 = fcmp ogt double %146, %3
-  br i1 %147, label %575, label %148
+165:                                              ; preds = %146, %147, %111
+  %166 = phi double [ %135, %146 ], [ %156, %147 ], [ %136, %111 ]
+  %167 = fcmp ogt double %166, %3
+  br i1 %167, label %620, label %168
 
-148:                                              ; preds = %145
-  %149 = load double, ptr %6, align 8
-  %150 = fsub double %149, %146
-  %151 = fcmp ugt double %150, 0x3DA5FD7FE1796495
-  br i1 %151, label %152, label %575
+168:                                              ; preds = %165
+  %169 = load double, ptr %7, align 8
+  %170 = fsub double %169, %166
+  %171 = fcmp ugt double %170, %5
+  br i1 %171, label %172, label %620
 
-152:                                              ; preds = %148
-  %153 = icmp sgt i32 %89, 0
-  br i1 %153, label %154, label %164
+172:                                              ; preds = %168
+  %173 = icmp sgt i32 %109, 0
+  br i1 %173, label %174, label %184
 
-154:                                              ; preds = %152
-  %155 = zext i32 %89 to i64
-  br label %159
+174:                                              ; preds = %172
+  %175 = zext i32 %109 to i64
+  br label %179
 
-156:                                              ; preds = %159
-  %157 = add nuw nsw i64 %160, 1
-  %158 = icmp eq i64 %157, %155
-  br i1 %158, label %164, label %159
+176:                                              ; preds = %179
+  %177 = add nuw nsw i64 %180, 1
+  %178 = icmp eq i64 %177, %175
+  br i1 %178, label %184, label %179
 
-159:                                              ; preds = %154, %156
-  %160 = phi i64 [ 0, %154 ], [ %157, %156 ]
-  %161 = getelementptr inbounds [4 x [3 x double]], ptr %22, i64 0, i64 %160
-  %162 = call i32 @bcmp(ptr noundef nonnull dereferenceable(24) %161, ptr noundef nonnull dereferenceable(24) %27, i64 24)
-  %163 = icmp eq i32 %162, 0
-  br i1 %163, label %575, label %156
+179:                                              ; preds = %174, %176
+  %180 = phi i64 [ 0, %174 ], [ %177, %176 ]
+  %181 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %180
+  %182 = call i32 @bcmp(ptr noundef nonnull dereferenceable(24) %181, ptr noundef nonnull dereferenceable(24) %27, i64 24)
+  %183 = icmp eq i32 %182, 0
+  br i1 %183, label %620, label %176
 
-164:                                              ; preds = %156, %152
-  %165 = add nsw i32 %89, 1
-  store i32 %165, ptr %41, align 8
-  %166 = sext i32 %89 to i64
-  %167 = getelementptr inbounds [4 x [3 x double]], ptr %22, i64 0, i64 %166
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %167, ptr noundef nonnull align 16 dereferenceable(24) %27, i64 24, i1 false)
-  %168 = load i32, ptr %41, align 8
-  switch i32 %168, label %222 [
-    i32 1, label %169
-    i32 2, label %170
+184:                                              ; preds = %176, %172
+  br i1 %28, label %185, label %186
+
+185:                                              ; preds = %184
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(224) %22, ptr noundef nonnull align 8 dereferenceable(224) %42, i64 224, i1 false)
+  br label %186
+
+186:                                              ; preds = %185, %184
+  %187 = sext i32 %109 to i64
+  %188 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %187
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %188, ptr noundef nonnull align 16 dereferenceable(24) %27, i64 24, i1 false)
+  %189 = load i32, ptr %45, align 8
+  %190 = add nsw i32 %189, 1
+  store i32 %190, ptr %45, align 8
+  %191 = sext i32 %189 to i64
+  %192 = getelementptr inbounds %struct.Simplex, ptr %42, i64 0, i32 1, i64 %191
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %192, ptr noundef nonnull align 16 dereferenceable(24) %24, i64 24, i1 false)
+  %193 = load i32, ptr %45, align 8
+  switch i32 %193, label %246 [
+    i32 1, label %194
+    i32 2, label %195
   ]
 
-169:                                              ; preds = %164
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %59, ptr noundef nonnull align 8 dereferenceable(24) %22, i64 24, i1 false)
-  br label %551
+194:                                              ; preds = %186
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %66, ptr noundef nonnull align 8 dereferenceable(24) %42, i64 24, i1 false)
+  br label %578
 
-170:                                              ; preds = %164
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #15
-  br label %181
+195:                                              ; preds = %186
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #14
+  br label %206
 
-171:                                              ; preds = %181
-  %172 = load double, ptr %14, align 16
-  %173 = fmul double %172, %172
-  %174 = load double, ptr %54, align 8
-  %175 = fmul double %174, %174
-  %176 = fadd double %173, %175
-  %177 = load double, ptr %55, align 16
-  %178 = fmul double %177, %177
-  %179 = fadd double %176, %178
-  %180 = fcmp ogt double %179, 0.000000e+00
-  br i1 %180, label %191, label %203
+196:                                              ; preds = %206
+  %197 = load double, ptr %13, align 16
+  %198 = fmul double %197, %197
+  %199 = load double, ptr %58, align 8
+  %200 = fmul double %199, %199
+  %201 = fadd double %198, %200
+  %202 = load double, ptr %59, align 16
+  %203 = fmul double %202, %202
+  %204 = fadd double %201, %203
+  %205 = fcmp ogt double %204, 0.000000e+00
+  br i1 %205, label %216, label %243
 
-181:                                              ; preds = %181, %170
-  %182 = phi i64 [ 0, %170 ], [ %189, %181 ]
-  %183 = getelementptr inbounds [4 x [3 x double]], ptr %22, i64 0, i64 1, i64 %182
-  %184 = load double, ptr %183, align 8
-  %185 = getelementptr inbounds [3 x double], ptr %22, i64 0, i64 %182
-  %186 = load double, ptr %185, align 8
-  %187 = fsub double %184, %186
-  %188 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %182
-  store double %187, ptr %188, align 8
-  %189 = add nuw nsw i64 %182, 1
-  %190 = icmp eq i64 %189, 3
-  br i1 %190, label %171, label %181
+206:                                              ; preds = %206, %195
+  %207 = phi i64 [ 0, %195 ], [ %214, %206 ]
+  %208 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 1, i64 %207
+  %209 = load double, ptr %208, align 8
+  %210 = getelementptr inbounds [3 x double], ptr %42, i64 0, i64 %207
+  %211 = load double, ptr %210, align 8
+  %212 = fsub double %209, %211
+  %213 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %207
+  store double %212, ptr %213, align 8
+  %214 = add nuw nsw i64 %207, 1
+  %215 = icmp eq i64 %214, 3
+  br i1 %215, label %196, label %206
 
-191:                                              ; preds = %171
-  %192 = load double, ptr %22, align 8
-  %193 = fmul double %172, %192
-  %194 = load double, ptr %56, align 8
-  %195 = fmul double %174, %194
-  %196 = fadd double %193, %195
-  %197 = load double, ptr %57, align 8
-  %198 = fmul double %177, %197
-  %199 = fadd double %196, %198
-  %200 = fneg double %199
-  %201 = fdiv double %200, %179
-  %202 = fcmp ugt double %201, 0.000000e+00
-  br i1 %202, label %204, label %203
+216:                                              ; preds = %196
+  %217 = load double, ptr %42, align 8
+  %218 = fmul double %197, %217
+  %219 = load double, ptr %61, align 8
+  %220 = fmul double %199, %219
+  %221 = fadd double %218, %220
+  %222 = load double, ptr %63, align 8
+  %223 = fmul double %202, %222
+  %224 = fadd double %221, %223
+  %225 = fneg double %224
+  %226 = fdiv double %225, %204
+  %227 = fcmp ugt double %226, 0.000000e+00
+  br i1 %227, label %228, label %243
 
-203:                                              ; preds = %191, %171
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %13)
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %13, ptr noundef nonnull align 8 dereferenceable(24) %22, i64 24, i1 false)
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(96) %22, ptr noundef nonnull align 16 dereferenceable(96) %13, i64 96, i1 false)
-  store i32 1, ptr %41, align 8
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %13)
-  br label %219
+228:                                              ; preds = %216
+  %229 = fcmp ult double %226, 1.000000e+00
+  br i1 %229, label %231, label %230
 
-204:                                              ; preds = %191
-  %205 = fcmp ult double %201, 1.000000e+00
-  br i1 %205, label %207, label %206
+230:                                              ; preds = %228
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %42, ptr noundef nonnull align 8 dereferenceable(24) %72, i64 24, i1 false)
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %75, ptr noundef nonnull align 8 dereferenceable(24) %69, i64 24, i1 false)
+  br label %243
 
-206:                                              ; preds = %204
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %12)
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %58, i64 24, i1 false)
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(96) %22, ptr noundef nonnull align 16 dereferenceable(96) %12, i64 96, i1 false)
-  store i32 1, ptr %41, align 8
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %12)
-  br label %219
+231:                                              ; preds = %228, %231
+  %232 = phi i64 [ %241, %231 ], [ 0, %228 ]
+  %233 = getelementptr inbounds double, ptr %42, i64 %232
+  %234 = load double, ptr %233, align 8
+  %235 = getelementptr inbounds double, ptr %72, i64 %232
+  %236 = load double, ptr %235, align 8
+  %237 = fsub double %236, %234
+  %238 = fmul double %226, %237
+  %239 = fadd double %234, %238
+  %240 = getelementptr inbounds double, ptr %66, i64 %232
+  store double %239, ptr %240, align 8
+  %241 = add nuw nsw i64 %232, 1
+  %242 = icmp eq i64 %241, 3
+  br i1 %242, label %245, label %231
 
-207:                                              ; preds = %204, %207
-  %208 = phi i64 [ %217, %207 ], [ 0, %204 ]
-  %209 = getelementptr inbounds double, ptr %22, i64 %208
-  %210 = load double, ptr %209, align 8
-  %211 = getelementptr inbounds double, ptr %58, i64 %208
-  %212 = load double, ptr %211, align 8
-  %213 = fsub double %212, %210
-  %214 = fmul double %201, %213
-  %215 = fadd double %210, %214
-  %216 = getelementptr inbounds double, ptr %59, i64 %208
-  store double %215, ptr %216, align 8
-  %217 = add nuw nsw i64 %208, 1
-  %218 = icmp eq i64 %217, 3
-  br i1 %218, label %220, label %207
+243:                                              ; preds = %196, %216, %230
+  %244 = phi ptr [ %72, %230 ], [ %42, %216 ], [ %42, %196 ]
+  store i32 1, ptr %45, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %66, ptr noundef nonnull align 8 dereferenceable(24) %244, i64 24, i1 false)
+  br label %245
 
-219:                                              ; preds = %206, %203
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %59, ptr noundef nonnull align 8 dereferenceable(24) %22, i64 24, i1 false)
-  br label %220
+245:                                              ; preds = %231, %243
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #14
+  br label %578
 
-220:                                              ; preds = %207, %219
-  %221 = phi i32 [ 1, %219 ], [ 2, %207 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #15
-  br label %551
+246:                                              ; preds = %186
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14)
+  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %15) #14
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 4 dereferenceable(12) %15, ptr noundef nonnull align 4 dereferenceable(12) @__const.reduce.chosen, i64 12, i1 false)
+  %247 = icmp eq i32 %193, 4
+  %248 = zext i1 %247 to i32
+  %249 = icmp ne i32 %193, 3
+  br label %253
 
-222:                                              ; preds = %164
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %15)
-  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %16) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 4 dereferenceable(12) %16, ptr noundef nonnull align 4 dereferenceable(12) @__const.reduce.chosen, i64 12, i1 false)
-  %223 = icmp eq i32 %168, 4
-  %224 = zext i1 %223 to i32
-  %225 = icmp ne i32 %168, 3
-  br label %229
+250:                                              ; preds = %529
+  %251 = icmp ne i32 %530, 0
+  %252 = select i1 %247, i1 %251, i1 false
+  br i1 %252, label %576, label %536
 
-226:                                              ; preds = %505
-  %227 = icmp ne i32 %506, 0
-  %228 = select i1 %223, i1 %227, i1 false
-  br i1 %228, label %548, label %512
+253:                                              ; preds = %529, %246
+  %254 = phi i64 [ 0, %246 ], [ %533, %529 ]
+  %255 = phi double [ 0x7FF0000000000000, %246 ], [ %532, %529 ]
+  %256 = phi i32 [ 7, %246 ], [ %531, %529 ]
+  %257 = phi i32 [ %248, %246 ], [ %530, %529 ]
+  %258 = getelementptr inbounds [4 x [3 x i32]], ptr @reduce.face, i64 0, i64 %254
+  %259 = load i32, ptr %258, align 4
+  %260 = sext i32 %259 to i64
+  %261 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %260
+  %262 = getelementptr inbounds [4 x [3 x i32]], ptr @reduce.face, i64 0, i64 %254, i64 1
+  %263 = load i32, ptr %262, align 4
+  %264 = sext i32 %263 to i64
+  %265 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %264
+  %266 = getelementptr inbounds [4 x [3 x i32]], ptr @reduce.face, i64 0, i64 %254, i64 2
+  %267 = load i32, ptr %266, align 4
+  %268 = sext i32 %267 to i64
+  %269 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %268
+  br i1 %247, label %270, label %335
 
-229:                                              ; preds = %505, %222
-  %230 = phi i64 [ 0, %222 ], [ %509, %505 ]
-  %231 = phi double [ 0x7FF0000000000000, %222 ], [ %508, %505 ]
-  %232 = phi i32 [ 7, %222 ], [ %507, %505 ]
-  %233 = phi i32 [ %224, %222 ], [ %506, %505 ]
-  %234 = getelementptr inbounds [4 x [3 x i32]], ptr @reduce.face, i64 0, i64 %230
-  %235 = load i32, ptr %234, align 4
-  %236 = sext i32 %235 to i64
-  %237 = getelementptr inbounds [4 x [3 x double]], ptr %22, i64 0, i64 %236
-  %238 = getelementptr inbounds [4 x [3 x i32]], ptr @reduce.face, i64 0, i64 %230, i64 1
-  %239 = load i32, ptr %238, align 4
-  %240 = sext i32 %239 to i64
-  %241 = getelementptr inbounds [4 x [3 x double]], ptr %22, i64 0, i64 %240
-  %242 = getelementptr inbounds [4 x [3 x i32]], ptr @reduce.face, i64 0, i64 %230, i64 2
-  %243 = load i32, ptr %242, align 4
-  %244 = sext i32 %243 to i64
-  %245 = getelementptr inbounds [4 x [3 x double]], ptr %22, i64 0, i64 %244
-  br i1 %223, label %246, label %311
+270:                                              ; preds = %253
+  %271 = add i32 %259, %263
+  %272 = add i32 %271, %267
+  %273 = sub i32 6, %272
+  %274 = sext i32 %273 to i64
+  %275 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %274
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #14
+  br label %301
 
-246:                                              ; preds = %229
-  %247 = add i32 %235, %239
-  %248 = add i32 %247, %243
-  %249 = sub i32 6, %248
-  %250 = sext i32 %249 to i64
-  %251 = getelementptr inbounds [4 x [3 x double]], ptr %22, i64 0, i64 %250
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #15
-  br label %277
+276:                                              ; preds = %301
+  %277 = load double, ptr %76, align 8
+  %278 = load double, ptr %77, align 16
+  %279 = fmul double %277, %278
+  %280 = load double, ptr %78, align 16
+  %281 = load double, ptr %79, align 8
+  %282 = fmul double %280, %281
+  %283 = fsub double %279, %282
+  %284 = load double, ptr %17, align 16
+  %285 = fmul double %280, %284
+  %286 = load double, ptr %16, align 16
+  %287 = fmul double %278, %286
+  %288 = fsub double %285, %287
+  %289 = fmul double %281, %286
+  %290 = fmul double %277, %284
+  %291 = fsub double %289, %290
+  %292 = load double, ptr %18, align 16
+  %293 = fmul double %283, %292
+  %294 = load double, ptr %80, align 8
+  %295 = fmul double %288, %294
+  %296 = fadd double %293, %295
+  %297 = load double, ptr %81, align 16
+  %298 = fmul double %291, %297
+  %299 = fadd double %296, %298
+  %300 = fcmp oeq double %299, 0.000000e+00
+  br i1 %300, label %333, label %319
 
-252:                                              ; preds = %277
-  %253 = load double, ptr %60, align 8
-  %254 = load double, ptr %61, align 16
-  %255 = fmul double %253, %254
-  %256 = load double, ptr %62, align 16
-  %257 = load double, ptr %63, align 8
-  %258 = fmul double %256, %257
-  %259 = fsub double %255, %258
-  %260 = load double, ptr %18, align 16
-  %261 = fmul double %256, %260
-  %262 = load double, ptr %17, align 16
-  %263 = fmul double %254, %262
-  %264 = fsub double %261, %263
-  %265 = fmul double %257, %262
-  %266 = fmul double %253, %260
-  %267 = fsub double %265, %266
-  %268 = load double, ptr %19, align 16
-  %269 = fmul double %259, %268
-  %270 = load double, ptr %64, align 8
-  %271 = fmul double %264, %270
-  %272 = fadd double %269, %271
-  %273 = load double, ptr %65, align 16
-  %274 = fmul double %267, %273
-  %275 = fadd double %272, %274
-  %276 = fcmp oeq double %275, 0.000000e+00
-  br i1 %276, label %309, label %295
+301:                                              ; preds = %301, %270
+  %302 = phi i64 [ 0, %270 ], [ %317, %301 ]
+  %303 = getelementptr inbounds double, ptr %265, i64 %302
+  %304 = load double, ptr %303, align 8
+  %305 = getelementptr inbounds double, ptr %261, i64 %302
+  %306 = load double, ptr %305, align 8
+  %307 = fsub double %304, %306
+  %308 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 %302
+  store double %307, ptr %308, align 8
+  %309 = getelementptr inbounds double, ptr %269, i64 %302
+  %310 = load double, ptr %309, align 8
+  %311 = fsub double %310, %306
+  %312 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %302
+  store double %311, ptr %312, align 8
+  %313 = getelementptr inbounds double, ptr %275, i64 %302
+  %314 = load double, ptr %313, align 8
+  %315 = fsub double %314, %306
+  %316 = getelementptr inbounds [3 x double], ptr %18, i64 0, i64 %302
+  store double %315, ptr %316, align 8
+  %317 = add nuw nsw i64 %302, 1
+  %318 = icmp eq i64 %317, 3
+  br i1 %318, label %276, label %301
 
-277:                                              ; preds = %277, %246
-  %278 = phi i64 [ 0, %246 ], [ %293, %277 ]
-  %279 = getelementptr inbounds double, ptr %241, i64 %278
-  %280 = load double, ptr %279, align 8
-  %281 = getelementptr inbounds double, ptr %237, i64 %278
-  %282 = load double, ptr %281, align 8
-  %283 = fsub double %280, %282
-  %284 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %278
-  store double %283, ptr %284, align 8
-  %285 = getelementptr inbounds double, ptr %245, i64 %278
-  %286 = load double, ptr %285, align 8
-  %287 = fsub double %286, %282
-  %288 = getelementptr inbounds [3 x double], ptr %18, i64 0, i64 %278
-  store double %287, ptr %288, align 8
-  %289 = getelementptr inbounds double, ptr %251, i64 %278
-  %290 = load double, ptr %289, align 8
-  %291 = fsub double %290, %282
-  %292 = getelementptr inbounds [3 x double], ptr %19, i64 0, i64 %278
-  store double %291, ptr %292, align 8
-  %293 = add nuw nsw i64 %278, 1
-  %294 = icmp eq i64 %293, 3
-  br i1 %294, label %252, label %277
+319:                                              ; preds = %276
+  %320 = load double, ptr %261, align 8
+  %321 = fmul double %283, %320
+  %322 = getelementptr inbounds double, ptr %261, i64 1
+  %323 = load double, ptr %322, align 8
+  %324 = fmul double %288, %323
+  %325 = fadd double %321, %324
+  %326 = getelementptr inbounds double, ptr %261, i64 2
+  %327 = load double, ptr %326, align 8
+  %328 = fmul double %291, %327
+  %329 = fadd double %325, %328
+  %330 = fneg double %329
+  %331 = fmul double %299, %330
+  %332 = fcmp ult double %331, 0.000000e+00
+  br i1 %332, label %333, label %334
 
-295:                                              ; preds = %252
-  %296 = load double, ptr %237, align 8
-  %297 = fmul double %259, %296
-  %298 = getelementptr inbounds double, ptr %237, i64 1
-  %299 = load double, ptr %298, align 8
-  %300 = fmul double %264, %299
-  %301 = fadd double %297, %300
-  %302 = getelementptr inbounds double, ptr %237, i64 2
-  %303 = load double, ptr %302, align 8
-  %304 = fmul double %267, %303
-  %305 = fadd double %301, %304
-  %306 = fneg double %305
-  %307 = fmul double %275, %306
-  %308 = fcmp ult double %307, 0.000000e+00
-  br i1 %308, label %309, label %310
+333:                                              ; preds = %319, %276
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #14
+  br label %335
 
-309:                                              ; preds = %295, %252
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  br label %311
+334:                                              ; preds = %319
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #14
+  br label %529
 
-310:                                              ; preds = %295
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  br label %505
+335:                                              ; preds = %333, %253
+  %336 = phi i32 [ %257, %253 ], [ 0, %333 ]
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #14
+  br label %394
 
-311:                                              ; preds = %309, %229
-  %312 = phi i32 [ %233, %229 ], [ 0, %309 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #15
-  br label %370
-
-313:                                              ; preds = %370
-  %314 = load double, ptr %10, align 16
-  %315 = load double, ptr %237, align 8
-  %316 = fmul double %314, %315
-  %317 = load double, ptr %66, align 8
-  %318 = getelementptr inbounds double, ptr %237, i64 1
-  %319 = load double, ptr %318, align 8
-  %320 = fmul double %317, %319
-  %321 = fadd double %316, %320
-  %322 = load double, ptr %67, align 16
-  %323 = getelementptr inbounds double, ptr %237, i64 2
-  %324 = load double, ptr %323, align 8
-  %325 = fmul double %322, %324
-  %326 = fadd double %321, %325
-  %327 = fneg double %326
-  %328 = load double, ptr %11, align 16
-  %329 = fmul double %315, %328
-  %330 = load double, ptr %68, align 8
-  %331 = fmul double %319, %330
-  %332 = fadd double %329, %331
-  %333 = load double, ptr %69, align 16
-  %334 = fmul double %324, %333
-  %335 = fadd double %332, %334
-  %336 = fneg double %335
-  %337 = load double, ptr %241, align 8
-  %338 = fmul double %314, %337
-  %339 = getelementptr inbounds double, ptr %241, i64 1
-  %340 = load double, ptr %339, align 8
-  %341 = fmul double %317, %340
-  %342 = fadd double %338, %341
-  %343 = getelementptr inbounds double, ptr %241, i64 2
-  %344 = load double, ptr %343, align 8
-  %345 = fmul double %322, %344
-  %346 = fadd double %342, %345
-  %347 = fmul double %328, %337
-  %348 = fmul double %330, %340
-  %349 = fadd double %347, %348
-  %350 = fmul double %333, %344
-  %351 = fadd double %349, %350
-  %352 = load double, ptr %245, align 8
-  %353 = fmul double %314, %352
-  %354 = getelementptr inbounds double, ptr %245, i64 1
-  %355 = load double, ptr %354, align 8
-  %356 = fmul double %317, %355
-  %357 = fadd double %353, %356
-  %358 = getelementptr inbounds double, ptr %245, i64 2
-  %359 = load double, ptr %358, align 8
-  %360 = fmul double %322, %359
-  %361 = fadd double %357, %360
-  %362 = fmul double %328, %352
-  %363 = fmul double %330, %355
-  %364 = fadd double %362, %363
-  %365 = fmul double %333, %359
-  %366 = fadd double %364, %365
-  %367 = fcmp oge double %326, 0.000000e+00
-  %368 = fcmp oge double %335, 0.000000e+00
-  %369 = select i1 %367, i1 %368, i1 false
-  br i1 %369, label %487, label %384
-
-370:                                              ; preds = %370, %311
-  %371 = phi i64 [ 0, %311 ], [ %382, %370 ]
-  %372 = getelementptr inbounds double, ptr %241, i64 %371
-  %373 = load double, ptr %372, align 8
-  %374 = getelementptr inbounds double, ptr %237, i64 %371
-  %375 = load double, ptr %374, align 8
-  %376 = fsub double %373, %375
-  %377 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %371
-  store double %376, ptr %377, align 8
-  %378 = getelementptr inbounds double, ptr %245, i64 %371
+337:                                              ; preds = %394
+  %338 = load double, ptr %11, align 16
+  %339 = load double, ptr %261, align 8
+  %340 = fmul double %338, %339
+  %341 = load double, ptr %82, align 8
+  %342 = getelementptr inbounds double, ptr %261, i64 1
+  %343 = load double, ptr %342, align 8
+  %344 = fmul double %341, %343
+  %345 = fadd double %340, %344
+  %346 = load double, ptr %83, align 16
+  %347 = getelementptr inbounds double, ptr %261, i64 2
+  %348 = load double, ptr %347, align 8
+  %349 = fmul double %346, %348
+  %350 = fadd double %345, %349
+  %351 = fneg double %350
+  %352 = load double, ptr %12, align 16
+  %353 = fmul double %339, %352
+  %354 = load double, ptr %84, align 8
+  %355 = fmul double %343, %354
+  %356 = fadd double %353, %355
+  %357 = load double, ptr %85, align 16
+  %358 = fmul double %348, %357
+  %359 = fadd double %356, %358
+  %360 = fneg double %359
+  %361 = load double, ptr %265, align 8
+  %362 = fmul double %338, %361
+  %363 = getelementptr inbounds double, ptr %265, i64 1
+  %364 = load double, ptr %363, align 8
+  %365 = fmul double %341, %364
+  %366 = fadd double %362, %365
+  %367 = getelementptr inbounds double, ptr %265, i64 2
+  %368 = load double, ptr %367, align 8
+  %369 = fmul double %346, %368
+  %370 = fadd double %366, %369
+  %371 = fmul double %352, %361
+  %372 = fmul double %354, %364
+  %373 = fadd double %371, %372
+  %374 = fmul double %357, %368
+  %375 = fadd double %373, %374
+  %376 = load double, ptr %269, align 8
+  %377 = fmul double %338, %376
+  %378 = getelementptr inbounds double, ptr %269, i64 1
   %379 = load double, ptr %378, align 8
-  %380 = fsub double %379, %375
-  %381 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %371
-  store double %380, ptr %381, align 8
-  %382 = add nuw nsw i64 %371, 1
-  %383 = icmp eq i64 %382, 3
-  br i1 %383, label %313, label %370
+  %380 = fmul double %341, %379
+  %381 = fadd double %377, %380
+  %382 = getelementptr inbounds double, ptr %269, i64 2
+  %383 = load double, ptr %382, align 8
+  %384 = fmul double %346, %383
+  %385 = fadd double %381, %384
+  %386 = fmul double %352, %376
+  %387 = fmul double %354, %379
+  %388 = fadd double %386, %387
+  %389 = fmul double %357, %383
+  %390 = fadd double %388, %389
+  %391 = fcmp oge double %350, 0.000000e+00
+  %392 = fcmp oge double %359, 0.000000e+00
+  %393 = select i1 %391, i1 %392, i1 false
+  br i1 %393, label %511, label %408
 
-384:                                              ; preds = %313
-  %385 = fcmp ugt double %346, 0.000000e+00
-  %386 = fcmp ult double %351, %346
-  %387 = select i1 %385, i1 true, i1 %386
-  br i1 %387, label %388, label %487
+394:                                              ; preds = %394, %335
+  %395 = phi i64 [ 0, %335 ], [ %406, %394 ]
+  %396 = getelementptr inbounds double, ptr %265, i64 %395
+  %397 = load double, ptr %396, align 8
+  %398 = getelementptr inbounds double, ptr %261, i64 %395
+  %399 = load double, ptr %398, align 8
+  %400 = fsub double %397, %399
+  %401 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %395
+  store double %400, ptr %401, align 8
+  %402 = getelementptr inbounds double, ptr %269, i64 %395
+  %403 = load double, ptr %402, align 8
+  %404 = fsub double %403, %399
+  %405 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %395
+  store double %404, ptr %405, align 8
+  %406 = add nuw nsw i64 %395, 1
+  %407 = icmp eq i64 %406, 3
+  br i1 %407, label %337, label %394
 
-388:                                              ; preds = %384
-  %389 = fcmp ugt double %366, 0.000000e+00
-  %390 = fcmp ult double %361, %366
-  %391 = select i1 %389, i1 true, i1 %390
-  br i1 %391, label %392, label %487
+408:                                              ; preds = %337
+  %409 = fcmp ugt double %370, 0.000000e+00
+  %410 = fcmp ult double %375, %370
+  %411 = select i1 %409, i1 true, i1 %410
+  br i1 %411, label %412, label %511
 
-392:                                              ; preds = %388
-  %393 = fmul double %326, %351
-  %394 = fmul double %335, %346
-  %395 = fsub double %393, %394
-  %396 = fcmp ole double %395, 0.000000e+00
-  %397 = fcmp ole double %326, 0.000000e+00
-  %398 = select i1 %396, i1 %397, i1 false
-  %399 = fcmp oge double %346, 0.000000e+00
-  %400 = select i1 %398, i1 %399, i1 false
-  br i1 %400, label %401, label %416
+412:                                              ; preds = %408
+  %413 = fcmp ugt double %390, 0.000000e+00
+  %414 = fcmp ult double %385, %390
+  %415 = select i1 %413, i1 true, i1 %414
+  br i1 %415, label %416, label %511
 
-401:                                              ; preds = %392
-  %402 = fsub double %346, %326
-  %403 = fdiv double %327, %402
-  br label %404
-
-404:                                              ; preds = %404, %401
-  %405 = phi i64 [ 0, %401 ], [ %414, %404 ]
-  %406 = getelementptr inbounds double, ptr %237, i64 %405
-  %407 = load double, ptr %406, align 8
-  %408 = getelementptr inbounds double, ptr %241, i64 %405
-  %409 = load double, ptr %408, align 8
-  %410 = fsub double %409, %407
-  %411 = fmul double %403, %410
-  %412 = fadd double %407, %411
-  %413 = getelementptr inbounds double, ptr %20, i64 %405
-  store double %412, ptr %413, align 8
-  %414 = add nuw nsw i64 %405, 1
-  %415 = icmp eq i64 %414, 3
-  br i1 %415, label %490, label %404
-
-416:                                              ; preds = %392
-  %417 = fmul double %335, %361
-  %418 = fmul double %326, %366
+416:                                              ; preds = %412
+  %417 = fmul double %350, %375
+  %418 = fmul double %359, %370
   %419 = fsub double %417, %418
   %420 = fcmp ole double %419, 0.000000e+00
-  %421 = fcmp ole double %335, 0.000000e+00
+  %421 = fcmp ole double %350, 0.000000e+00
   %422 = select i1 %420, i1 %421, i1 false
-  %423 = fcmp oge double %366, 0.000000e+00
+  %423 = fcmp oge double %370, 0.000000e+00
   %424 = select i1 %422, i1 %423, i1 false
   br i1 %424, label %425, label %440
 
 425:                                              ; preds = %416
-  %426 = fsub double %366, %335
-  %427 = fdiv double %336, %426
+  %426 = fsub double %370, %350
+  %427 = fdiv double %351, %426
   br label %428
 
 428:                                              ; preds = %428, %425
   %429 = phi i64 [ 0, %425 ], [ %438, %428 ]
-  %430 = getelementptr inbounds double, ptr %237, i64 %429
+  %430 = getelementptr inbounds double, ptr %261, i64 %429
   %431 = load double, ptr %430, align 8
-  %432 = getelementptr inbounds double, ptr %245, i64 %429
+  %432 = getelementptr inbounds double, ptr %265, i64 %429
   %433 = load double, ptr %432, align 8
   %434 = fsub double %433, %431
   %435 = fmul double %427, %434
   %436 = fadd double %431, %435
-  %437 = getelementptr inbounds double, ptr %20, i64 %429
+  %437 = getelementptr inbounds double, ptr %19, i64 %429
   store double %436, ptr %437, align 8
   %438 = add nuw nsw i64 %429, 1
   %439 = icmp eq i64 %438, 3
-  br i1 %439, label %490, label %428
+  br i1 %439, label %514, label %428
 
 440:                                              ; preds = %416
-  %441 = fmul double %346, %366
-  %442 = fmul double %351, %361
+  %441 = fmul double %359, %385
+  %442 = fmul double %350, %390
   %443 = fsub double %441, %442
-  %444 = fcmp ugt double %443, 0.000000e+00
-  br i1 %444, label %467, label %445
+  %444 = fcmp ole double %443, 0.000000e+00
+  %445 = fcmp ole double %359, 0.000000e+00
+  %446 = select i1 %444, i1 %445, i1 false
+  %447 = fcmp oge double %390, 0.000000e+00
+  %448 = select i1 %446, i1 %447, i1 false
+  br i1 %448, label %449, label %464
 
-445:                                              ; preds = %440
-  %446 = fsub double %346, %351
-  %447 = fcmp ult double %446, 0.000000e+00
-  %448 = fsub double %366, %361
-  %449 = fcmp ult double %448, 0.000000e+00
-  %450 = select i1 %447, i1 true, i1 %449
-  br i1 %450, label %467, label %451
+449:                                              ; preds = %440
+  %450 = fsub double %390, %359
+  %451 = fdiv double %360, %450
+  br label %452
 
-451:                                              ; preds = %445
-  %452 = fsub double %446, %361
-  %453 = fadd double %366, %452
-  %454 = fdiv double %446, %453
-  br label %455
+452:                                              ; preds = %452, %449
+  %453 = phi i64 [ 0, %449 ], [ %462, %452 ]
+  %454 = getelementptr inbounds double, ptr %261, i64 %453
+  %455 = load double, ptr %454, align 8
+  %456 = getelementptr inbounds double, ptr %269, i64 %453
+  %457 = load double, ptr %456, align 8
+  %458 = fsub double %457, %455
+  %459 = fmul double %451, %458
+  %460 = fadd double %455, %459
+  %461 = getelementptr inbounds double, ptr %19, i64 %453
+  store double %460, ptr %461, align 8
+  %462 = add nuw nsw i64 %453, 1
+  %463 = icmp eq i64 %462, 3
+  br i1 %463, label %514, label %452
 
-455:                                              ; preds = %455, %451
-  %456 = phi i64 [ 0, %451 ], [ %465, %455 ]
-  %457 = getelementptr inbounds double, ptr %241, i64 %456
-  %458 = load double, ptr %457, align 8
-  %459 = getelementptr inbounds double, ptr %245, i64 %456
-  %460 = load double, ptr %459, align 8
-  %461 = fsub double %460, %458
-  %462 = fmul double %454, %461
-  %463 = fadd double %458, %462
-  %464 = getelementptr inbounds double, ptr %20, i64 %456
-  store double %463, ptr %464, align 8
-  %465 = add nuw nsw i64 %456, 1
-  %466 = icmp eq i64 %465, 3
-  br i1 %466, label %490, label %455
+464:                                              ; preds = %440
+  %465 = fmul double %370, %390
+  %466 = fmul double %375, %385
+  %467 = fsub double %465, %466
+  %468 = fcmp ugt double %467, 0.000000e+00
+  br i1 %468, label %491, label %469
 
-467:                                              ; preds = %445, %440
-  %468 = fadd double %443, %419
-  %469 = fadd double %395, %468
-  %470 = fdiv double %419, %469
-  %471 = fdiv double %395, %469
-  br label %472
+469:                                              ; preds = %464
+  %470 = fsub double %370, %375
+  %471 = fcmp ult double %470, 0.000000e+00
+  %472 = fsub double %390, %385
+  %473 = fcmp ult double %472, 0.000000e+00
+  %474 = select i1 %471, i1 true, i1 %473
+  br i1 %474, label %491, label %475
 
-472:                                              ; preds = %472, %467
-  %473 = phi i64 [ 0, %467 ], [ %485, %472 ]
-  %474 = getelementptr inbounds double, ptr %237, i64 %473
-  %475 = load double, ptr %474, align 8
-  %476 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %473
-  %477 = load double, ptr %476, align 8
-  %478 = fmul double %470, %477
-  %479 = fadd double %475, %478
-  %480 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %473
-  %481 = load double, ptr %480, align 8
-  %482 = fmul double %471, %481
-  %483 = fadd double %479, %482
-  %484 = getelementptr inbounds double, ptr %20, i64 %473
-  store double %483, ptr %484, align 8
-  %485 = add nuw nsw i64 %473, 1
-  %486 = icmp eq i64 %485, 3
-  br i1 %486, label %490, label %472
+475:                                              ; preds = %469
+  %476 = fsub double %470, %385
+  %477 = fadd double %390, %476
+  %478 = fdiv double %470, %477
+  br label %479
 
-487:                                              ; preds = %388, %384, %313
-  %488 = phi ptr [ %237, %313 ], [ %241, %384 ], [ %245, %388 ]
-  %489 = phi i32 [ 1, %313 ], [ 2, %384 ], [ 4, %388 ]
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %20, ptr noundef nonnull align 8 dereferenceable(24) %488, i64 24, i1 false)
-  br label %490
+479:                                              ; preds = %479, %475
+  %480 = phi i64 [ 0, %475 ], [ %489, %479 ]
+  %481 = getelementptr inbounds double, ptr %265, i64 %480
+  %482 = load double, ptr %481, align 8
+  %483 = getelementptr inbounds double, ptr %269, i64 %480
+  %484 = load double, ptr %483, align 8
+  %485 = fsub double %484, %482
+  %486 = fmul double %478, %485
+  %487 = fadd double %482, %486
+  %488 = getelementptr inbounds double, ptr %19, i64 %480
+  store double %487, ptr %488, align 8
+  %489 = add nuw nsw i64 %480, 1
+  %490 = icmp eq i64 %489, 3
+  br i1 %490, label %514, label %479
 
-490:                                              ; preds = %455, %472, %428, %404, %487
-  %491 = phi i32 [ %489, %487 ], [ 3, %404 ], [ 5, %428 ], [ 7, %472 ], [ 6, %455 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #15
-  %492 = load double, ptr %20, align 16
-  %493 = fmul double %492, %492
-  %494 = load double, ptr %70, align 8
-  %495 = fmul double %494, %494
-  %496 = fadd double %493, %495
-  %497 = load double, ptr %71, align 16
-  %498 = fmul double %497, %497
-  %499 = fadd double %496, %498
-  %500 = fcmp olt double %499, %231
-  br i1 %500, label %501, label %502
+491:                                              ; preds = %469, %464
+  %492 = fadd double %467, %443
+  %493 = fadd double %419, %492
+  %494 = fdiv double %443, %493
+  %495 = fdiv double %419, %493
+  br label %496
 
-501:                                              ; preds = %490
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %15, ptr noundef nonnull align 16 dereferenceable(24) %20, i64 24, i1 false)
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 4 dereferenceable(12) %16, ptr noundef nonnull align 4 dereferenceable(12) %234, i64 12, i1 false)
-  br label %502
+496:                                              ; preds = %496, %491
+  %497 = phi i64 [ 0, %491 ], [ %509, %496 ]
+  %498 = getelementptr inbounds double, ptr %261, i64 %497
+  %499 = load double, ptr %498, align 8
+  %500 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %497
+  %501 = load double, ptr %500, align 8
+  %502 = fmul double %494, %501
+  %503 = fadd double %499, %502
+  %504 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %497
+  %505 = load double, ptr %504, align 8
+  %506 = fmul double %495, %505
+  %507 = fadd double %503, %506
+  %508 = getelementptr inbounds double, ptr %19, i64 %497
+  store double %507, ptr %508, align 8
+  %509 = add nuw nsw i64 %497, 1
+  %510 = icmp eq i64 %509, 3
+  br i1 %510, label %514, label %496
 
-502:                                              ; preds = %501, %490
-  %503 = phi i32 [ %491, %501 ], [ %232, %490 ]
-  %504 = phi double [ %499, %501 ], [ %231, %490 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
-  br label %505
+511:                                              ; preds = %412, %408, %337
+  %512 = phi ptr [ %261, %337 ], [ %265, %408 ], [ %269, %412 ]
+  %513 = phi i32 [ 1, %337 ], [ 2, %408 ], [ 4, %412 ]
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %19, ptr noundef nonnull align 8 dereferenceable(24) %512, i64 24, i1 false)
+  br label %514
 
-505:                                              ; preds = %502, %310
-  %506 = phi i32 [ %312, %502 ], [ %233, %310 ]
-  %507 = phi i32 [ %503, %502 ], [ %232, %310 ]
-  %508 = phi double [ %504, %502 ], [ %231, %310 ]
-  %509 = add nuw nsw i64 %230, 1
-  %510 = icmp ult i64 %230, 3
-  %511 = select i1 %225, i1 %510, i1 false
-  br i1 %511, label %229, label %226
+514:                                              ; preds = %479, %496, %452, %428, %511
+  %515 = phi i32 [ %513, %511 ], [ 3, %428 ], [ 5, %452 ], [ 7, %496 ], [ 6, %479 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #14
+  %516 = load double, ptr %19, align 16
+  %517 = fmul double %516, %516
+  %518 = load double, ptr %86, align 8
+  %519 = fmul double %518, %518
+  %520 = fadd double %517, %519
+  %521 = load double, ptr %87, align 16
+  %522 = fmul double %521, %521
+  %523 = fadd double %520, %522
+  %524 = fcmp olt double %523, %255
+  br i1 %524, label %525, label %526
 
-512:                                              ; preds = %226
-  %513 = fcmp oeq double %508, 0x7FF0000000000000
-  br i1 %513, label %546, label %514
+525:                                              ; preds = %514
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %14, ptr noundef nonnull align 16 dereferenceable(24) %19, i64 24, i1 false)
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 4 dereferenceable(12) %15, ptr noundef nonnull align 4 dereferenceable(12) %258, i64 12, i1 false)
+  br label %526
 
-514:                                              ; preds = %512
-  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %21) #15
+526:                                              ; preds = %525, %514
+  %527 = phi i32 [ %515, %525 ], [ %256, %514 ]
+  %528 = phi double [ %523, %525 ], [ %255, %514 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #14
   br label %529
 
-515:                                              ; preds = %542
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %9) #15
-  %516 = icmp sgt i32 %543, 0
-  br i1 %516, label %517, label %528
+529:                                              ; preds = %526, %334
+  %530 = phi i32 [ %336, %526 ], [ %257, %334 ]
+  %531 = phi i32 [ %527, %526 ], [ %256, %334 ]
+  %532 = phi double [ %528, %526 ], [ %255, %334 ]
+  %533 = add nuw nsw i64 %254, 1
+  %534 = icmp ult i64 %254, 3
+  %535 = select i1 %249, i1 %534, i1 false
+  br i1 %535, label %253, label %250
 
-517:                                              ; preds = %515
-  %518 = zext i32 %543 to i64
-  br label %519
+536:                                              ; preds = %250
+  %537 = fcmp oeq double %532, 0x7FF0000000000000
+  br i1 %537, label %576, label %538
 
-519:                                              ; preds = %519, %517
-  %520 = phi i64 [ 0, %517 ], [ %526, %519 ]
-  %521 = getelementptr inbounds [4 x [3 x double]], ptr %9, i64 0, i64 %520
-  %522 = getelementptr inbounds i32, ptr %21, i64 %520
-  %523 = load i32, ptr %522, align 4
-  %524 = sext i32 %523 to i64
-  %525 = getelementptr inbounds [4 x [3 x double]], ptr %22, i64 0, i64 %524
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %521, ptr noundef nonnull align 8 dereferenceable(24) %525, i64 24, i1 false)
-  %526 = add nuw nsw i64 %520, 1
-  %527 = icmp eq i64 %526, %518
-  br i1 %527, label %528, label %519
+538:                                              ; preds = %536
+  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %20) #14
+  br label %559
 
-528:                                              ; preds = %519, %515
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(96) %22, ptr noundef nonnull align 16 dereferenceable(96) %9, i64 96, i1 false)
-  store i32 %543, ptr %41, align 8
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %9) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %59, ptr noundef nonnull align 16 dereferenceable(24) %15, i64 24, i1 false)
-  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %21) #15
-  br label %546
+539:                                              ; preds = %572
+  %540 = icmp sgt i32 %573, 0
+  br i1 %540, label %541, label %558
 
-529:                                              ; preds = %542, %514
-  %530 = phi i64 [ 0, %514 ], [ %544, %542 ]
-  %531 = phi i32 [ 0, %514 ], [ %543, %542 ]
-  %532 = trunc i64 %530 to i32
-  %533 = shl nuw nsw i32 1, %532
-  %534 = and i32 %533, %507
-  %535 = icmp eq i32 %534, 0
-  br i1 %535, label %542, label %536
+541:                                              ; preds = %539
+  %542 = zext i32 %573 to i64
+  br label %543
 
-536:                                              ; preds = %529
-  %537 = getelementptr inbounds [3 x i32], ptr %16, i64 0, i64 %530
-  %538 = load i32, ptr %537, align 4
-  %539 = add nsw i32 %531, 1
-  %540 = sext i32 %531 to i64
-  %541 = getelementptr inbounds [3 x i32], ptr %21, i64 0, i64 %540
-  store i32 %538, ptr %541, align 4
-  br label %542
+543:                                              ; preds = %555, %541
+  %544 = phi i64 [ 0, %541 ], [ %556, %555 ]
+  %545 = getelementptr inbounds i32, ptr %20, i64 %544
+  %546 = load i32, ptr %545, align 4
+  %547 = zext i32 %546 to i64
+  %548 = icmp eq i64 %544, %547
+  br i1 %548, label %555, label %549
 
-542:                                              ; preds = %536, %529
-  %543 = phi i32 [ %539, %536 ], [ %531, %529 ]
-  %544 = add nuw nsw i64 %530, 1
-  %545 = icmp eq i64 %544, 3
-  br i1 %545, label %515, label %529
+549:                                              ; preds = %543
+  %550 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %544
+  %551 = sext i32 %546 to i64
+  %552 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %551
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %550, ptr noundef nonnull align 8 dereferenceable(24) %552, i64 24, i1 false)
+  %553 = getelementptr inbounds %struct.Simplex, ptr %42, i64 0, i32 1, i64 %544
+  %554 = getelementptr inbounds %struct.Simplex, ptr %42, i64 0, i32 1, i64 %551
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %553, ptr noundef nonnull align 8 dereferenceable(24) %554, i64 24, i1 false)
+  br label %555
 
-546:                                              ; preds = %528, %512
-  %547 = phi i32 [ %543, %528 ], [ %168, %512 ]
-  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %16) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15)
-  br label %551
+555:                                              ; preds = %549, %543
+  %556 = add nuw nsw i64 %544, 1
+  %557 = icmp eq i64 %556, %542
+  br i1 %557, label %558, label %543
 
-548:                                              ; preds = %226
-  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %16) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15)
-  %549 = fcmp ogt double %146, 1.000000e-10
-  %550 = zext i1 %549 to i32
-  br label %575
+558:                                              ; preds = %555, %539
+  store i32 %573, ptr %45, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %66, ptr noundef nonnull align 16 dereferenceable(24) %14, i64 24, i1 false)
+  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %20) #14
+  br label %576
 
-551:                                              ; preds = %220, %169, %546
-  %552 = phi i32 [ %221, %220 ], [ 1, %169 ], [ %547, %546 ]
-  %553 = load double, ptr %59, align 8
-  %554 = fmul double %553, %553
-  %555 = load double, ptr %72, align 8
-  %556 = fmul double %555, %555
-  %557 = fadd double %554, %556
-  %558 = load double, ptr %73, align 8
-  %559 = fmul double %558, %558
-  %560 = fadd double %557, %559
-  %561 = tail call double @llvm.sqrt.f64(double %560)
-  %562 = fcmp oge double %561, %149
-  %563 = icmp ne i32 %90, 0
-  %564 = select i1 %562, i1 %563, i1 false
-  br i1 %564, label %575, label %565
+559:                                              ; preds = %572, %538
+  %560 = phi i64 [ 0, %538 ], [ %574, %572 ]
+  %561 = phi i32 [ 0, %538 ], [ %573, %572 ]
+  %562 = trunc i64 %560 to i32
+  %563 = shl nuw nsw i32 1, %562
+  %564 = and i32 %563, %531
+  %565 = icmp eq i32 %564, 0
+  br i1 %565, label %572, label %566
 
-565:                                              ; preds = %551
-  store double %561, ptr %6, align 8
-  %566 = fcmp ugt double %561, 1.000000e-10
-  br i1 %566, label %567, label %575
+566:                                              ; preds = %559
+  %567 = getelementptr inbounds [3 x i32], ptr %15, i64 0, i64 %560
+  %568 = load i32, ptr %567, align 4
+  %569 = add nsw i32 %561, 1
+  %570 = sext i32 %561 to i64
+  %571 = getelementptr inbounds [3 x i32], ptr %20, i64 0, i64 %570
+  store i32 %568, ptr %571, align 4
+  br label %572
 
-567:                                              ; preds = %565
-  %568 = fcmp ugt double %561, %4
-  br i1 %568, label %569, label %575
+572:                                              ; preds = %566, %559
+  %573 = phi i32 [ %569, %566 ], [ %561, %559 ]
+  %574 = add nuw nsw i64 %560, 1
+  %575 = icmp eq i64 %574, 3
+  br i1 %575, label %539, label %559
 
-569:                                              ; preds = %567
-  %570 = load double, ptr %5, align 8
-  %571 = fsub double %561, %570
-  %572 = fcmp ugt double %571, 0x3DA5FD7FE1796495
-  br i1 %572, label %573, label %575
+576:                                              ; preds = %558, %536, %250
+  %577 = phi i32 [ 0, %558 ], [ 1, %250 ], [ 0, %536 ]
+  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %15) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14)
+  br label %578
 
-573:                                              ; preds = %569
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %23, ptr noundef nonnull align 8 dereferenceable(24) %59, i64 24, i1 false)
-  %574 = icmp eq i32 %552, 4
-  br i1 %574, label %575, label %577
+578:                                              ; preds = %194, %245, %576
+  %579 = phi i32 [ 0, %194 ], [ 0, %245 ], [ %577, %576 ]
+  %580 = load double, ptr %66, align 8
+  %581 = fmul double %580, %580
+  %582 = load double, ptr %90, align 8
+  %583 = fmul double %582, %582
+  %584 = fadd double %581, %583
+  %585 = load double, ptr %93, align 8
+  %586 = fmul double %585, %585
+  %587 = fadd double %584, %586
+  %588 = tail call double @llvm.sqrt.f64(double %587)
+  %589 = icmp ne i32 %110, 0
+  %590 = select i1 %28, i1 %589, i1 false
+  br i1 %590, label %591, label %597
 
-575:                                              ; preds = %148, %145, %551, %565, %569, %567, %573, %159, %548
-  %576 = phi i32 [ %550, %548 ], [ 1, %159 ], [ 1, %573 ], [ 1, %148 ], [ 1, %145 ], [ 1, %551 ], [ 0, %565 ], [ 1, %569 ], [ 1, %567 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #15
-  br label %580
+591:                                              ; preds = %578
+  %592 = icmp eq i32 %579, 0
+  br i1 %592, label %593, label %596
 
-577:                                              ; preds = %573
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #15
-  %578 = add nuw nsw i32 %90, 1
-  %579 = icmp eq i32 %578, 300
-  br i1 %579, label %580, label %88
+593:                                              ; preds = %591
+  %594 = load double, ptr %7, align 8
+  %595 = fcmp ult double %588, %594
+  br i1 %595, label %605, label %596
 
-580:                                              ; preds = %577, %575
-  %581 = phi i32 [ %576, %575 ], [ 1, %577 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #15
-  call void @llvm.lifetime.end.p0(i64 128, ptr nonnull %22) #15
-  ret i32 %581
+596:                                              ; preds = %593, %591
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(224) %42, ptr noundef nonnull align 8 dereferenceable(224) %22, i64 224, i1 false)
+  br label %597
+
+597:                                              ; preds = %596, %578
+  %598 = icmp eq i32 %579, 0
+  br i1 %598, label %599, label %601
+
+599:                                              ; preds = %597
+  %600 = load double, ptr %7, align 8
+  br label %605
+
+601:                                              ; preds = %597
+  %602 = load double, ptr %6, align 8
+  %603 = fcmp ogt double %602, 1.000000e-10
+  %604 = zext i1 %603 to i32
+  br label %620
+
+605:                                              ; preds = %599, %593
+  %606 = phi double [ %600, %599 ], [ %594, %593 ]
+  %607 = fcmp oge double %588, %606
+  %608 = select i1 %607, i1 %589, i1 false
+  br i1 %608, label %620, label %609
+
+609:                                              ; preds = %605
+  store double %588, ptr %7, align 8
+  %610 = fcmp ugt double %588, 1.000000e-10
+  br i1 %610, label %611, label %620
+
+611:                                              ; preds = %609
+  %612 = fcmp ugt double %588, %4
+  br i1 %612, label %613, label %620
+
+613:                                              ; preds = %611
+  %614 = load double, ptr %6, align 8
+  %615 = fsub double %588, %614
+  %616 = fcmp ugt double %615, %5
+  br i1 %616, label %617, label %620
+
+617:                                              ; preds = %613
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %23, ptr noundef nonnull align 8 dereferenceable(24) %66, i64 24, i1 false)
+  %618 = load i32, ptr %45, align 8
+  %619 = icmp eq i32 %618, 4
+  br i1 %619, label %620, label %622
+
+620:                                              ; preds = %168, %165, %605, %609, %613, %611, %617, %179, %601
+  %621 = phi i32 [ %604, %601 ], [ 1, %179 ], [ 1, %617 ], [ 1, %168 ], [ 1, %165 ], [ 1, %605 ], [ 0, %609 ], [ 1, %613 ], [ 1, %611 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #14
+  br label %625
+
+622:                                              ; preds = %617
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #14
+  %623 = add nuw nsw i32 %110, 1
+  %624 = icmp eq i32 %623, 300
+  br i1 %624, label %625, label %108
+
+625:                                              ; preds = %622, %620
+  %626 = phi i32 [ %621, %620 ], [ 1, %622 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #14
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %22)
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %21) #14
+  ret i32 %626
 }
 
 define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %2, ptr noundef %3) unnamed_addr #8 {
@@ -4047,9 +5010,9 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   %59 = load i64, ptr %58, align 8
   %60 = mul nsw i64 %59, 9
   %61 = getelementptr inbounds double, ptr %57, i64 %60
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #14
   br label %93
 
 62:                                               ; preds = %93
@@ -4166,9 +5129,9 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
 
 159:                                              ; preds = %156, %148, %128, %113, %62
   %160 = phi i32 [ 0, %62 ], [ 0, %113 ], [ %158, %156 ], [ 0, %148 ], [ 0, %128 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #14
   br label %161
 
 161:                                              ; preds = %16, %159
@@ -4177,11 +5140,11 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   ret i32 %163
 }
 
-declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #12
+declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #11
 
-declare i64 @llvm.smin.i64(i64, i64) #13
+declare i64 @llvm.smin.i64(i64, i64) #12
 
-declare i64 @llvm.smax.i64(i64, i64) #13
+declare i64 @llvm.smax.i64(i64, i64) #12
 
 attributes #0 = { nofree nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #1 = { mustprogress nocallback nofree nosync nounwind willreturn memory(argmem: readwrite) }
@@ -4194,10 +5157,9 @@ attributes #7 = { mustprogress nocallback nofree nounwind willreturn memory(argm
 attributes #8 = { nofree nosync nounwind memory(read, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #9 = { mustprogress nofree nosync nounwind willreturn memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #10 = { nofree nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #11 = { nofree nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #12 = { nofree nounwind willreturn memory(argmem: read) }
-attributes #13 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #14 = { memory(none) }
-attributes #15 = { nounwind }
+attributes #11 = { nofree nounwind willreturn memory(argmem: read) }
+attributes #12 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
+attributes #13 = { memory(none) }
+attributes #14 = { nounwind }
 
 

@@ -52,6 +52,7 @@ SIGNATURES: dict[str, tuple[Any, ...]] = {
     "check": (None, _P, _P, _N, ctypes.c_double, _P),
     "distances": (None, _P, _P, _N, _P, _P),
     "pairs": (None, _P, _P, _N, _P, _P, _P, _P),
+    "witnesses": (None, _P, _P, _N, _P, _P),
     "near": (_N, _P, _P, _N, _P, _N, _P, _P),
     "tree": (_N, _P, _P, _N, _P, _N, _P, _P),
 }
@@ -197,6 +198,14 @@ class DistanceKernel:
         nan where this kernel cannot tell.
         """
         return self._pairs(np.ascontiguousarray(q, dtype=float), self.bodies(pairs), reach)[0]
+
+    def witnesses(self, q: Array, pairs: Numbers) -> Array:
+        """For pairs (m,) at q (m, n), (m, 13 + n): as `manipplan_witnesses` says; nan where this kernel cannot tell."""
+        q, bodies = np.ascontiguousarray(q, dtype=float), self.bodies(pairs)
+        found = np.empty((len(q), 13 + self._n))
+        with self._lock:
+            self._call["witnesses"](self._at, q.ctypes.data, len(q), bodies.ctypes.data, found.ctypes.data)
+        return found
 
     def nearest_triangle(self, q: Array, pair: int) -> Array | None:
         """Corners (3, 3) of the triangle of a pair's second body nearest to the first at q (n,); None if it has none."""

@@ -9,12 +9,12 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.collision.contact import Contact, Witness
 from manipplan.collision.kernel import TOUCHING, UNDECIDED, DistanceKernel, find_kernel
 from manipplan.collision.near_pairs import NearPairs
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.collision.surfaces.meshes import triangle_tree
 from manipplan.collision.surfaces.shells import winding_number
+from manipplan.collision.witnesses import Witnesses
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -71,6 +71,11 @@ class CollisionModel:
             request.gjk_tolerance = GJK_TOLERANCE
         pairs = [(p.first, p.second) for p in geometry.collisionPairs]
         self._radii = np.array([radii.get(i, 0.0) + radii.get(j, 0.0) for i, j in pairs])
+        carriers = np.array([item.parentJoint for item in objects], dtype=np.int64)
+        self._bodies = np.array([(j, i) if carriers[i] == 0 else (i, j) for i, j in pairs], dtype=np.int64).reshape(-1, 2)
+        self._carriers = carriers[self._bodies]
+        around = np.array([_radius(item.geometry) + radii.get(k, 0.0) for k, item in enumerate(objects)])
+        self._around = around[self._bodies]
         self._solid_pairs = {k: pair for k, pair in enumerate(pairs) if pair[1] in solids}
         self._margin = np.nan  # coal's, set when it is first asked
         self._cores: dict[int, tuple[Array, float]] = {}
@@ -177,81 +182,54 @@ class CollisionModel:
         row, pair = divmod(int(rows.argmin()), rows.shape[1])
         return float(rows[row, pair]), row, pair
 
-    def distance_gradient(self, q: Array, pair: int) -> Array:
-        """Gradient (n,) of the distance of a pair at q (n,) [m per rad or m]."""
+    def witnesses(self, q: Array, pairs: ArrayLike) -> Witnesses:
+        """The nearest points of one pair at each configuration: of pairs (m,) at q (m, n)."""
+        chosen = np.asarray(pairs, dtype=np.int64)
+        found = np.full((len(q), 13 + self.robot.n), np.nan) if self._kernel is None else self._kernel.witnesses(q, chosen)
+        for k in np.flatnonzero(np.isnan(found[:, 0])):
+            found[k] = self._witness(q[k], int(chosen[k]))
+        distances, normals, opposites, points, others, gradients = np.split(found, (1, 4, 7, 10, 13), axis=1)
+        return Witnesses(
+            distances=distances[:, 0],
+            joints=self._carriers[chosen],
+            normals=normals,
+            opposites=opposites,
+            points=points,
+            others=others,
+            radii=self._around[chosen],
+            gradients=gradients,
+        )
+
+    def _witness(self, q: Array, pair: int) -> Array:
+        """The same numbers as those of `DistanceKernel.witnesses` (13 + n,) by coal."""
         model, data = self.robot.model, self._data
         pin.computeJointJacobians(model, data, q)
         pin.updateGeometryPlacements(model, data, self.geometry, self._geometry_data)
         result = self._nearest(q, pair)
-        bodies, turn = self.geometry.collisionPairs[pair], self._sign(pair, result)
-        gradient = np.zeros(self.robot.n)
-        for body, point, side in (
-            (bodies.first, result.getNearestPoint1(), -turn),
-            (bodies.second, result.getNearestPoint2(), turn),
+        sign, straight = self._sign(pair, result), self.geometry.collisionPairs[pair].first == self._bodies[pair, 0]
+        between = np.array(result.normal) * (1 if straight else -1)  # from the first body to the second
+        ends = [np.array(result.getNearestPoint1()), np.array(result.getNearestPoint2())]
+        points, turns, gradient = [], [], np.zeros(self.robot.n)
+        for body, joint, end, outwards in zip(
+            self._bodies[pair].tolist(),
+            self._carriers[pair].tolist(),
+            ends if straight else ends[::-1],
+            (between, -between),
+            strict=True,
         ):
-            joint = self.geometry.geometryObjects[body].parentJoint
+            place = data.oMi[joint]
+            points.append(place.actInv(end - _radius(self.geometry.geometryObjects[body].geometry) * outwards))
+            turns.append(place.rotation.T @ (sign * outwards))
             if joint > 0:
                 jacobian = pin.getJointJacobian(model, data, joint, pin.LOCAL_WORLD_ALIGNED)
-                lever = np.asarray(point) - data.oMi[joint].translation
-                motion = jacobian[:3] - pin.skew(lever) @ jacobian[3:]
-                gradient += side * (np.asarray(result.normal) @ motion)  # coal's normal points from the first to the second
-        return gradient
-
-    def contact(self, q: Array, pair: int) -> Contact:
-        """Nearest points and separating plane of the pair with the given index at q (n,)."""
-        pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
-        result = self._nearest(q, pair)
-        bodies = self.geometry.collisionPairs[pair]
-        first, second = (self.geometry.geometryObjects[i].parentJoint for i in (bodies.first, bodies.second))
-        sign = self._sign(pair, result)
-        normal = -sign * np.array(result.normal)  # coal's points from the first to the second
-        place = self._data.oMi[second]
-        points, radius = self._core(bodies.first)
-        return Contact(
-            distance=float(sign * result.min_distance - self._radii[pair]),
-            first=first,
-            second=second,
-            normal=place.rotation.T @ normal,
-            offset=float(normal @ (result.getNearestPoint2() - place.translation)) + self.radii.get(bodies.second, 0.0),
-            points=points,
-            radius=radius + self.radii.get(bodies.first, 0.0),
-        )
-
-    def witness(self, q: Array, pair: int) -> tuple[Witness, Array]:
-        """The nearest points of the pair with the given index at q (n,), and the unit vector from the second to the first.
-
-        The vector (3,) is in the frame of the joint that carries the second body. It leads out of a solid that the first is in.
-        """
-        pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
-        result = self._nearest(q, pair)
-        bodies = self.geometry.collisionPairs[pair]
-        normal, sign = np.array(result.normal), self._sign(pair, result)  # coal's points from the first body to the second
-        carriers, points, radii = [], [], []
-        for body, nearest, outwards in (
-            (bodies.first, result.getNearestPoint1(), normal),
-            (bodies.second, result.getNearestPoint2(), -normal),
-        ):
-            item = self.geometry.geometryObjects[body]
-            radius = float(item.geometry.radius) if isinstance(item.geometry, coal.Sphere | coal.Capsule) else 0.0
-            carriers.append(int(item.parentJoint))
-            points.append(self._data.oMi[item.parentJoint].actInv(np.array(nearest) - radius * outwards))
-            radii.append(radius)
-        witness = Witness(
-            first=carriers[0], second=carriers[1], point=points[0], other=points[1], radius=sum(radii) + self._radii[pair]
-        )
-        return witness, -sign * (self._data.oMi[carriers[1]].rotation.T @ normal)
+                gradient -= sign * (outwards @ (jacobian[:3] - pin.skew(end - place.translation) @ jacobian[3:]))
+        distance = sign * result.min_distance - self._radii[pair]
+        return np.concatenate([[distance], turns[1], turns[0], *points, gradient])
 
     def turned(self, q: Array, vector: Array, joint: int, into: int) -> Array:
         """A vector given in the frame of joint `joint`, expressed in that of joint `into` (0: the world), at q (n,); (3,)."""
         pin.forwardKinematics(self.robot.model, self._data, q)
         return np.asarray(self._data.oMi[into].rotation.T @ (self._data.oMi[joint].rotation @ vector))
-
-    def nearest_points(self, q: Array, contact: Contact, count: int) -> Array:
-        """The `count` core points of the contact's first body that are nearest to its plane at q (n,)."""
-        pin.forwardKinematics(self.robot.model, self._data, q)
-        normal = self._data.oMi[contact.second].rotation @ contact.normal
-        height = contact.points @ (self._data.oMi[contact.first].rotation.T @ normal)
-        return contact.points[np.argsort(np.round(height, 9), kind="stable")[:count]]  # rounding errors do not change the order
 
     def free_configuration(self, argument: str, q: ArrayLike, clearance: float = 0.0) -> Array:
         """Check that q (n,) is inside the limits and collision-free.
@@ -277,6 +255,12 @@ class CollisionModel:
         s = path.fine_samples(step)
         q = path(s)[_coarse_to_fine(len(s))]
         return not any(self.in_collision_rows(q[k : k + BLOCK], clearance=clearance).any() for k in range(0, len(q), BLOCK))
+
+    def core(self, pair: int) -> tuple[Array, float]:
+        """Points (k, 3) of the first body of a pair in its joint's frame, and a radius: it lies in balls about them [m]."""
+        body = int(self._bodies[pair, 0])
+        points, radius = self._core(body)
+        return points, radius + self.radii.get(body, 0.0)
 
     def _core(self, body: int) -> tuple[Array, float]:
         """Core points (k, 3) of a geometry object in its joint's frame, and the radius around them [m]."""
@@ -349,6 +333,11 @@ class CollisionModel:
         for request, radius in zip(self._geometry_data.collisionRequests, self._radii, strict=True):
             request.security_margin = clearance + radius
         self._margin = clearance
+
+
+def _radius(shape: coal.CollisionGeometry) -> float:
+    """Radius of a sphere or capsule [m]; 0 for other shapes."""
+    return float(shape.radius) if isinstance(shape, coal.Sphere | coal.Capsule) else 0.0
 
 
 def _coarse_to_fine(count: int) -> list[int]:

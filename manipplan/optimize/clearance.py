@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import casadi as ca
 import numpy as np
+from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.near_pairs import NearPairs
@@ -44,11 +45,24 @@ class ClearanceRow:
 
     def column(self, n: int) -> Array:
         """The row as numbers (column_height(n),) for a robot of n joints: the argument of `row_functions`."""
-        column = np.zeros(column_height(n))
-        column[self.joint] = column[n + 1 + self.other] = 1.0
-        column[-8:-5], column[-5:-2] = self.point, self.normal
-        column[-2:] = self.offset, self.distance
-        return column
+        one = (np.array([each]) for each in (self.joint, self.point, self.other, self.normal, self.offset, self.distance))
+        return np.asarray(columns(n, *one)[0])
+
+
+def columns(
+    n: int,
+    joints: NDArray[np.int64],
+    points: Array,
+    others: NDArray[np.int64],
+    normals: Array,
+    offsets: Array,
+    distances: Array,
+) -> Array:
+    """Rows as numbers (m, column_height(n)) for a robot of n joints, from the attributes of `ClearanceRow` (m,) or (m, 3)."""
+    table, each = np.zeros((len(joints), column_height(n))), np.arange(len(joints))
+    table[each, joints] = table[each, n + 1 + others] = 1.0
+    table[:, -8:-5], table[:, -5:-2], table[:, -2], table[:, -1] = points, normals, offsets, distances
+    return table
 
 
 def column_height(n: int) -> int:
@@ -197,21 +211,32 @@ def rows_for(
 
     `safe` gives the configuration (n,) of a collision-free path at s.
     """
+    pairs = [pair for _, pair in places]
+    q = configurations(path, [s for s, _ in places])
+    found = model.witnesses(q, pairs)
+    normals, opposites, offsets = found.normals.copy(), found.opposites.copy(), found.offsets.copy()
+    overlaps = np.flatnonzero(found.distances <= 0).tolist()
+    if overlaps:
+        safe_q = np.array([on_grid(safe(places[k][0]), FINE) for k in overlaps])
+        free = model.witnesses(safe_q, [pairs[k] for k in overlaps])
+        normals[overlaps], offsets[overlaps] = free.normals, free.offsets
+        for k, normal in zip(overlaps, free.normals, strict=True):
+            first, second = found.joints[k]
+            opposites[k] = -model.turned(q[k], normal, int(second), int(first))
     rows = []
-    for (s, pair), q in zip(places, configurations(path, [s for s, _ in places]), strict=True):
-        contact = model.contact(q, pair)
-        if contact.distance <= 0:
-            contact = model.contact(on_grid(safe(s), FINE), pair)
-        for point in model.nearest_points(q, contact, POINTS):
+    for k, (s, pair) in enumerate(places):
+        core, radius = model.core(pair)
+        heights = np.round(core @ -opposites[k], 9)  # so that rounding errors do not change the order
+        for point in core[np.argsort(heights, kind="stable")[:POINTS]]:
             rows.append(
                 ClearanceRow(
                     s=s,
-                    joint=contact.first,
+                    joint=int(found.joints[k, 0]),
                     point=point,
-                    other=contact.second,
-                    normal=contact.normal,
-                    offset=contact.offset,
-                    distance=contact.radius + clearance + SPARE,
+                    other=int(found.joints[k, 1]),
+                    normal=normals[k],
+                    offset=float(offsets[k]),
+                    distance=radius + clearance + SPARE,
                 )
             )
     return rows

@@ -104,14 +104,11 @@ class ClearanceTable:
         cls, functions: RowFunctions, curves: Curves, surroundings: Surroundings | None, path: JointPath, look: Look
     ) -> "ClearanceTable":
         """The rows at the nearest places of a look at `path`."""
-        n = len(curves.start)
         places = () if surroundings is None else tuple(surroundings.places(look))
-        columns = np.empty((len(places), column_height(n)))
+        table = np.empty((0, column_height(len(curves.start))))
         if surroundings is not None and places:
-            at = configurations(path, [s for s, *_ in places])
-            for k, ((s, pair, _), q) in enumerate(zip(places, at, strict=True)):
-                columns[k] = surroundings.row(q, s, pair).column(n)
-        return cls(functions=functions, curves=curves, surroundings=surroundings, places=places, columns=columns)
+            table = surroundings.rows(configurations(path, [s for s, *_ in places]), [pair for _, pair, _ in places])
+        return cls(functions=functions, curves=curves, surroundings=surroundings, places=places, columns=table)
 
     @classmethod
     def of_rejected(
@@ -120,13 +117,9 @@ class ClearanceTable:
         """Two rows at each place where a rejected `path` violates the clearance: with the plane on either body."""
         near = np.flatnonzero(look.distances < surroundings.target)[:MOST_REJECTED]
         places = [(float(look.s[k]), int(look.pairs[k]), False) for k in near]
-        at = configurations(path, [s for s, *_ in places])
-        columns = [
-            row.column(len(curves.start))
-            for (s, pair, _), q in zip(places, at, strict=True)
-            for row in (surroundings.row(q, s, pair), surroundings.reverse_row(q, s, pair))
-        ]
-        table = np.array(columns).reshape(-1, column_height(len(curves.start)))
+        at, pairs = configurations(path, [s for s, *_ in places]), [pair for _, pair, _ in places]
+        both = np.stack([surroundings.rows(at, pairs), surroundings.reversed_rows(at, pairs)], axis=1)
+        table = both.reshape(-1, column_height(len(curves.start)))
         twice = tuple(place for place in places for _ in range(2))
         return cls(functions=functions, curves=curves, surroundings=surroundings, places=twice, columns=table)
 
@@ -179,12 +172,11 @@ class ClearanceTable:
         (values, slopes), (q, qs) = ([f(at, 0), f(at, 1)] for f in (self.curves.values, self.curves.line))
         q, qs = q + values @ z, qs + slopes @ z
         qss = self.curves.basis.values(at, 2) @ self.curves.coefficients(z).T
-        for i, k in enumerate(used):
-            _, pair, bottom = self.places[k]
-            gradient, hessian = self.surroundings.bend(on_grid(q[i], FINE), pair)
+        gradients, hessians = self.surroundings.bends(on_grid(q, FINE), [self.places[k][1] for k in used])
+        for i, (k, gradient, hessian) in enumerate(zip(used, gradients, hessians, strict=True)):
             total += multipliers[k] * np.einsum("a,c,bd->abcd", values[i], values[i], hessian)
             bend = qs[i] @ hessian @ qs[i] + gradient @ qss[i]
-            if bottom and bend > LEAST_BEND:
+            if self.places[k][2] and bend > LEAST_BEND:
                 change = np.outer(slopes[i], gradient) + np.outer(values[i], hessian @ qs[i])
                 total -= multipliers[k] / bend * np.einsum("ab,cd->abcd", change, change)
         return total.reshape(z.size, z.size)
@@ -200,14 +192,11 @@ class ClearanceTable:
         Returns:
             The gradients (k, f n) with k = r (2 n + 1), and for each the index of its row (k,).
         """
-        found, owner = [np.empty((0, z.size))], []
-        for k in rows.tolist():
-            assert self.surroundings is not None
-            pair = self.places[k][1]
-            line, change = self._at
-            value, q = change[k], on_grid(line[k] + change[k] @ z, FINE)
-            moves = step * np.concatenate([np.zeros((1, len(q))), np.eye(len(q)), -np.eye(len(q))])
-            gradients = np.array([self.surroundings.model.distance_gradient(q + move, pair) for move in moves])
-            found.append((value[None, :, None] * gradients[:, None, :]).reshape(len(moves), z.size))
-            owner += [k] * len(moves)
-        return np.concatenate(found), np.array(owner, dtype=np.intp)
+        assert self.surroundings is not None
+        line, change = self._at
+        q, n = on_grid(line[rows] + change[rows] @ z, FINE), line.shape[1]
+        moves = step * np.concatenate([np.zeros((1, n)), np.eye(n), -np.eye(n)])
+        owner = np.repeat(rows, len(moves))
+        moved = (q[:, None] + moves).reshape(-1, n)
+        gradients = self.surroundings.model.witnesses(moved, [self.places[k][1] for k in owner]).gradients
+        return (change[owner][:, :, None] * gradients[:, None, :]).reshape(len(owner), z.size), owner

@@ -222,7 +222,7 @@ class _Model:
 
 
 @interruptible()
-def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None) -> Descent:
+def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None, patient: bool = False) -> Descent:
     """Minimise g from z (f, n) to a local optimum of the true problem.
 
     Args:
@@ -230,6 +230,7 @@ def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None
         z: first unknowns (f, n).
         tolerance: the descent ends when the predicted decrease of the merit function is below this share of g; default
             TOLERANCE, or FREE_TOLERANCE without collision checks.
+        patient: the descent goes on where the violation hardly falls; a few come out of an obstacle only after many steps.
     """
     is_unchecked = program.surroundings is None
     steps, usual_tolerance = (FREE_STEPS, FREE_TOLERANCE) if is_unchecked else (STEPS, TOLERANCE)
@@ -281,7 +282,7 @@ def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None
             if decrease > 0.5 * predicted and size > 0.7 * radius:
                 radius = min(2 * radius, LARGEST_RADIUS)
         violations.append(here.violation)
-        if len(violations) > WINDOW and min(violations) > max(DEEP, (1 - LITTLE) * violations[0]):
+        if not patient and len(violations) > WINDOW and min(violations) > max(DEEP, (1 - LITTLE) * violations[0]):
             return ended(count + 1, "stuck in an obstacle")
         if decrease < 0.25 * predicted:  # as in algorithm 4.1 of nocedal2006
             radius = size / 4

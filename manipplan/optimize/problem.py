@@ -38,6 +38,9 @@ log = logging.getLogger("manipplan")
 BEGINNING, STRIDE = 6, 3
 #: A later local optimum is preferred to an earlier one when its g is lower by more than this share.
 TIE = 1e-5
+#: A confirmed optimum is returned instead of the first path if its g is not above that one's by more than this share, which
+#: covers where descents end; another path if it is not above by more than the accuracy of g.
+CONFIRMED_TIE = 1e-8
 #: Maximum number of further first paths without obstacles, where the best path crosses singularities more often than it must.
 MORE_PATHS = 3
 
@@ -126,8 +129,8 @@ def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPat
         best = _best(search.accepted)
     safe = model is None or best is not None
     fallback = problem.ends.met_by(first)
-    # a difference below the accuracy of g does not count
-    if best is not None and (best.cost.g <= first_cost.g * (1 + ACCURACY) or not fallback):
+    same = CONFIRMED_TIE if best is not None and best.optimality.reached else ACCURACY
+    if best is not None and (best.cost.g <= first_cost.g * (1 + same) or not fallback):
         path, cost = best.path, best.cost
         status = Status.OPTIMAL if best.optimality.reached else Status.STOPPED_EARLY
     else:
@@ -170,7 +173,8 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
 
     1. The straight line, with `straight` or where `first` is straight.
     2. The path `first`. For a given path, or with several pieces, the descent starts at the path itself. Otherwise, or if that
-       gives no collision-free path, it starts at a path of low energy near it.
+       gives no collision-free path, it starts at a path of low energy near it. Where nothing gave one, descents from the
+       straight line and from the fit to the path are repeated with more patience.
     3. The optimum of a lower degree.
     4. Without obstacles, while the best path crosses singularities more often than the lower bound: paths through random
        configurations.
@@ -180,8 +184,12 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
     is_line = len(first.control) == 1 and first.degree == 1
     found = search.from_straight_line() if straight or is_line else []
     if not (found and is_line):  # a straight first path would repeat the same solve
-        nearby = search.nearest_to(first) if problem.given or problem.shape.pieces > 1 else []
-        found += nearby or search.from_safe_path(first)
+        at_first = problem.given or problem.shape.pieces > 1
+        nearby = (search.nearest_to(first) if at_first else []) or search.from_safe_path(first)
+        found += nearby
+        if not found and not problem.given:
+            patient = replace(search, patient=True)
+            found = patient.from_straight_line() or patient.nearest_to(first)
     lower = problem.lower() if search.until is Until.SETTLED else None
     if lower is not None:
         result = solve_local(lower, search.start, search.goal, first, straight=straight)

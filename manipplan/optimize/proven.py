@@ -87,6 +87,7 @@ class ProvenDescents:
         ends: fixed derivatives at start and goal.
         accepted: every candidate is appended to it, so that an interrupt loses none.
         until: when the descents from one path end.
+        patient: descents go on where they hardly come out of an obstacle.
     """
 
     program: PathProgram
@@ -98,6 +99,7 @@ class ProvenDescents:
     ends: EndConditions = field(default_factory=EndConditions)
     accepted: list[Candidate] = field(default_factory=list)
     until: Until = Until.SETTLED
+    patient: bool = False
 
     def descend(
         self, name: str, coefficients: Array, *, kept: JointPath | None = None, softens: bool = True, below: float = np.inf
@@ -138,7 +140,7 @@ class ProvenDescents:
             if not np.isfinite(true.length.g0):
                 break
             preliminary = margin > final or floor > integral.floor
-            descent = descend(true, z, tolerance=ROUGH if preliminary else None)
+            descent = descend(true, z, tolerance=ROUGH if preliminary else None, patient=self.patient)
             steps += descent.steps
             coefficients = true.length.curves.coefficients(descent.z)
             if preliminary and surroundings is not None and descent.violation - margin > STUCK and not descent.exhausted:

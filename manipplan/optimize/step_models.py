@@ -1,5 +1,6 @@
 """Models for one step of a descent: a quadratic model of g, and linear rows for the distances around the path."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 
@@ -11,7 +12,7 @@ from manipplan.collision.model import CollisionModel
 from manipplan.collision.near_pairs import NearPairs
 from manipplan.cost.density import Density
 from manipplan.cost.integral import PathIntegral, gauss
-from manipplan.optimize.clearance import ClearanceRow, Place, distance_profile
+from manipplan.optimize.clearance import Place, columns, distance_profile
 from manipplan.paths.basis import Basis
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import configurations, product
@@ -281,38 +282,30 @@ class Surroundings:
                 chosen = np.append(chosen, k)
         return [(float(look.s[k]), int(look.pairs[k]), bool(look.is_bottom[k])) for k in chosen]
 
-    def row(self, q: Array, s: float, pair: int) -> ClearanceRow:
-        """The row of a pair at q (n,), where the path is at s: the plane through the nearest point of the second body."""
-        witness, normal = self.model.witness(q, pair)
-        return ClearanceRow(
-            s=s,
-            joint=witness.first,
-            point=witness.point,
-            other=witness.second,
-            normal=normal,
-            offset=float(normal @ witness.other),
-            distance=witness.radius + self.target,
-        )
+    def rows(self, q: Array, pairs: Sequence[int]) -> Array:
+        """The rows (m, column_height(n)) of pairs (m,) at q (m, n), each with the plane through the second body's point."""
+        found = self.model.witnesses(q, pairs)
+        first, second = found.joints.T
+        return columns(q.shape[1], first, found.points, second, found.normals, found.offsets, found.radii[:, 0] + self.target)
 
-    def reverse_row(self, q: Array, s: float, pair: int) -> ClearanceRow:
-        """As `row`, with the plane on the first body: better where a corner of the second faces a side of the first."""
-        witness, normal = self.model.witness(q, pair)
-        normal = -self.model.turned(q, normal, witness.second, witness.first)
-        return ClearanceRow(
-            s=s,
-            joint=witness.second,
-            point=witness.other,
-            other=witness.first,
-            normal=normal,
-            offset=float(normal @ witness.point),
-            distance=witness.radius + self.target,
-        )
+    def reversed_rows(self, q: Array, pairs: Sequence[int]) -> Array:
+        """As `rows`, with planes on the first bodies: better where a corner of the second faces a side of the first."""
+        found = self.model.witnesses(q, pairs)
+        first, second = found.joints.T
+        offsets = (found.opposites * found.points).sum(axis=1) + found.radii[:, 0]
+        return columns(q.shape[1], second, found.others, first, found.opposites, offsets, found.radii[:, 1] + self.target)
 
-    def bend(self, q: Array, pair: int) -> tuple[Array, Array]:
-        """Gradient (n,) and Hessian (n, n) of a pair's distance at q (n,), the Hessian by differences of the gradient."""
-        gradient = self.model.distance_gradient(q, pair)
-        hessian = np.array([self.model.distance_gradient(q + JOINT_STEP * each, pair) - gradient for each in np.eye(len(q))])
-        return gradient, (hessian + hessian.T) / (2 * JOINT_STEP)
+    def bends(self, q: Array, pairs: Sequence[int]) -> tuple[Array, Array]:
+        """Gradients (m, n) and Hessians (m, n, n) of the distances of pairs (m,) at q (m, n).
+
+        The Hessians are differences of gradients.
+        """
+        m, n = q.shape
+        moved = np.concatenate([q[:, None], q[:, None] + JOINT_STEP * np.eye(n)], axis=1)
+        found = self.model.witnesses(moved.reshape(-1, n), np.repeat(pairs, n + 1))
+        gradients = found.gradients.reshape(m, n + 1, n)
+        hessians = (gradients[:, 1:] - gradients[:, :1]) / JOINT_STEP
+        return gradients[:, 0], (hessians + hessians.transpose(0, 2, 1)) / 2
 
     def _dips(self, path: JointPath, s: Array, profile: NearPairs, most: float) -> Look:
         """The bottom of every dip of a profile, cut off at `most` [m], that may be near the target."""

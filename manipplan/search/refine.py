@@ -244,7 +244,7 @@ class _Refiner:
         for k, (each, distances) in enumerate(zip(q, self.model.distance_rows(q, beyond=self.clearance + NEAR), strict=True)):
             for row, pair in enumerate(np.argsort(distances)[:ROWS]):
                 if distances[pair] < self.clearance + NEAR:
-                    slopes[k, row] = self.model.distance_gradient(each, int(pair))
+                    slopes[k, row] = self.model.witnesses(each[None], [pair]).gradients[0]
                     slack[k, row] = max(distances[pair] - self.clearance - 0.05 * trust * NEAR, 0.0)
         return slopes, slack
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import coal
 import numpy as np
+import pinocchio as pin
 import pytest
 from examples import examples
 from hypothesis import given
@@ -212,12 +213,44 @@ def test_the_nearest_points_of_a_mesh_and_a_cloud(panda, rng):
     for q in panda.random_configuration(rng, size=20):
         distances = model.distances(q)
         for pair in [k for k, d in enumerate(distances) if 1e-3 < d < 0.3 and model.pair_names[k][1] in ("ring", "cloud")]:
-            (one, normal), (other, expected) = model.witness(q, pair), slow.witness(q, pair)
-            np.testing.assert_allclose(normal, expected, atol=1e-4)
-            assert one.radius == pytest.approx(other.radius)
-            assert model.contact(q, pair).distance == pytest.approx(distances[pair], abs=3e-7)
+            one, other = model.witnesses(q[None], [pair]), slow.witnesses(q[None], [pair])
+            np.testing.assert_allclose(one.normals, other.normals, atol=1e-4)
+            np.testing.assert_array_equal(one.radii, other.radii)
+            assert one.distances[0] == pytest.approx(distances[pair], abs=1e-9)
             compared += 1
     assert compared > 50
+
+
+def test_nearest_points_and_directions_agree_with_each_other_and_with_coal(arm, rng):
+    """In the world the two points are as far apart as the pair plus both radii, along the direction between them."""
+    scene = mp.Scene(
+        [
+            mp.Box(size=(0.2, 0.1, 0.3), position=(0.4, 0.2, 0.5), rotation=(0.3, 0.1, 0.7), name="box"),
+            mp.Capsule(radius=0.05, length=0.3, position=(-0.3, 0.4, 0.6), rotation=(0.4, 0.8, 0), name="bar"),
+            mp.Cylinder(radius=0.1, length=0.3, position=(0.0, -0.5, 0.4), rotation=(0.2, 0, 0), name="drum"),
+            mp.Plane(rotation=(0.1, 0, 0), position=(0, 0, -1.5), name="floor"),
+        ]
+    )
+    model, data, compared = scene.collision_model(arm), arm.model.createData(), 0
+    slow = by_coal(model)
+    for q in arm.random_configuration(rng, size=15):
+        distances, pairs = model.distances(q), np.arange(len(model.pair_names))
+        found, expected = (each.witnesses(np.tile(q, (len(pairs), 1)), pairs) for each in (model, slow))
+        np.testing.assert_allclose(found.distances, distances, atol=1e-9)
+        np.testing.assert_array_equal(found.joints, expected.joints)
+        pin.forwardKinematics(arm.model, data, q)
+        for k in pairs:
+            first, second = (data.oMi[int(joint)] for joint in found.joints[k])
+            point, other = first.act(found.points[k]), second.act(found.others[k])
+            direction = second.rotation @ found.normals[k]
+            np.testing.assert_allclose(first.rotation @ found.opposites[k], -direction, atol=1e-12)
+            if found.distances[k] + found.radii[k].sum() > 1e-6:  # the bodies' cores are apart
+                np.testing.assert_allclose(point - other, (distances[k] + found.radii[k].sum()) * direction, atol=1e-9)
+            if found.distances[k] > 1e-3:
+                np.testing.assert_allclose(found.normals[k], expected.normals[k], atol=2e-3)
+                np.testing.assert_allclose(found.gradients[k], expected.gradients[k], atol=4e-3)
+                compared += 1
+    assert compared > 100
 
 
 def test_threads_that_share_a_model_do_not_disturb_each_other(panda, rng):
@@ -302,7 +335,7 @@ def test_the_gradient_of_each_distance_by_finite_differences(arm, wedge, rng):
         central = np.array([(a - b) / (2 * step) for a, b in sides])
         smooth = (np.array([np.abs(a + b - 2 * at) for a, b in sides]) < 4e-6).all(axis=0) & (at > 0.01)
         for pair in np.flatnonzero(smooth):
-            np.testing.assert_allclose(model.distance_gradient(q, int(pair)), central[:, pair], atol=4e-3)
+            np.testing.assert_allclose(model.witnesses(q[None], [pair]).gradients[0], central[:, pair], atol=4e-3)
             compared += 1
         assert np.abs(central[:, smooth]).max() > 0.01
     assert compared > 6
@@ -317,7 +350,7 @@ def test_a_gradient_also_where_bodies_overlap(planar):
     pair = int(distances.argmin())
     assert distances[pair] < 0
     numbers = [(model.distances(q + 1e-6 * e)[pair] - model.distances(q - 1e-6 * e)[pair]) / 2e-6 for e in np.eye(3)]
-    np.testing.assert_allclose(model.distance_gradient(q, pair), numbers, atol=1e-3)
+    np.testing.assert_allclose(model.witnesses(q[None], [pair]).gradients[0], numbers, atol=1e-3)
 
 
 def test_a_copy_answers_alike_and_for_itself(panda, rng):
@@ -341,10 +374,10 @@ def test_inside_a_solid_the_way_leads_out(tmp_path, shape):
         q = np.array([x])
         [distance] = model.distances(q)
         assert (distance < 0) == (0.6 < x < 1.4)
-        assert sign * model.distance_gradient(q, 0)[0] > 0.9, "further out is better"
-        contact, (_, normal) = model.contact(q, 0), model.witness(q, 0)
-        assert contact.distance == pytest.approx(distance, abs=1e-9)
-        assert sign * contact.normal[0] > 0.9 and sign * normal[0] > 0.9
+        found = model.witnesses(q[None], [0])
+        assert sign * found.gradients[0, 0] > 0.9, "further out is better"
+        assert found.distances[0] == pytest.approx(distance, abs=1e-9)
+        assert sign * found.normals[0, 0] > 0.9 and sign * found.opposites[0, 0] < -0.9
 
 
 def test_parts_of_own_obstacles_are_checked(panda):

@@ -547,8 +547,8 @@ def test_clearance_rows_have_exact_derivatives(name, rng):
 
 
 @pytest.mark.slow
-def test_a_row_is_the_distance_that_coal_measures(demo_problem, rng):
-    """Where coal finds a distance d, the nearest core point lies d + radius beyond the plane."""
+def test_a_row_is_the_distance_of_its_pair(demo_problem, rng):
+    """Where two bodies are d apart, the nearest core point of the first lies d + radius beyond the plane."""
     robot = demo_problem.robot
     model = demo_problem.scene.collision_model(robot)
     data = robot.model.createData()
@@ -557,13 +557,14 @@ def test_a_row_is_the_distance_that_coal_measures(demo_problem, rng):
     for q in robot.random_configuration(rng, size=10):
         pin.forwardKinematics(robot.model, data, q)
         for pair in rng.choice(len(model.pair_names), 15, replace=False):
-            contact = model.contact(q, int(pair))
-            plane, carrier = data.oMi[contact.second], data.oMi[contact.first]
-            points = model.nearest_points(q, contact, 1)
-            world = carrier.rotation @ points[0] + carrier.translation - plane.translation
-            beyond = (plane.rotation @ contact.normal) @ world - contact.offset - contact.radius
-            if contact.distance > 1e-3:
-                assert beyond == pytest.approx(contact.distance, abs=2e-5)
+            found, (points, radius) = model.witnesses(q[None], [pair]), model.core(int(pair))
+            first, second = found.joints[0].tolist()
+            plane, carrier = data.oMi[second], data.oMi[first]
+            point = points[np.argmax(points @ found.opposites[0])]
+            world = carrier.rotation @ point + carrier.translation - plane.translation
+            beyond = (plane.rotation @ found.normals[0]) @ world - found.offsets[0] - radius
+            if found.distances[0] > 1e-3:
+                assert beyond == pytest.approx(found.distances[0], abs=1e-9)
 
 
 def test_an_initial_path_is_used(planar):
