@@ -155,8 +155,8 @@ class Certificate:
         g: ∫ ‖q'‖_W / (m² + floor²)^(power/2) ds, to ten digits; to four where a power below 1 and no floor let a path cross a
             singularity.
         unconstrained_g: g of the local optimum that is reached from this path when limits and obstacles are taken away, in the
-            same basis and with the same end conditions. nan when g is infinite, and for a path that does not come from
-            the path optimiser. `gap` compares the two.
+            same basis and with the same end conditions. nan unless `optimize_path(compare=True)` was asked for it, and when g
+            is infinite. `gap` compares the two.
         power, floor, measure, unit: exponent, floor, name of the measure m, and its unit.
         min_manipulability, min_at: the minimum manipulability, and the s where it occurs.
         clearance, clearance_at, nearest_pair: the smallest measured distance [m], the s where it occurs, and the two bodies.

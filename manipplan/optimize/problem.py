@@ -58,6 +58,7 @@ class PathProblem:
         compiled: as in `Robot.kinematics`.
         given: the caller gave the first path, so the search also descends from it as it is.
         climbs: also start from the optimum of a lower degree.
+        compares: also find g of the nearby optimum without limits and obstacles.
     """
 
     robot: Robot
@@ -69,6 +70,7 @@ class PathProblem:
     compiled: bool | str = "auto"
     given: bool = False
     climbs: bool = True
+    compares: bool = False
 
     def integral(self) -> PathIntegral:
         """The objective as an integral along paths of this process's robot."""
@@ -99,7 +101,7 @@ class PathProblem:
         if not self.climbs or not self.ends.possible(named_basis("legendre", degree)):
             return None
         basis = self.shape.basis if self.shape.pieces == 1 else "legendre"
-        return replace(self, shape=replace(self.shape, basis=basis, degree=degree, pieces=1))
+        return replace(self, shape=replace(self.shape, basis=basis, degree=degree, pieces=1), compares=False)
 
 
 def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPath, *, straight: bool = True) -> PathResult:
@@ -140,7 +142,7 @@ def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPat
     if status is not Status.ENDS_NOT_MET and (not np.isfinite(cost.g) or runs_along(path, integral, cost)):
         status = Status.SINGULAR
     unconstrained = np.nan
-    if np.isfinite(cost.g) and not interrupted:
+    if problem.compares and np.isfinite(cost.g) and not interrupted:
         try:
             with interruptible():
                 unconstrained = search.unconstrained_g(path)

@@ -444,7 +444,7 @@ def test_end_derivatives_among_obstacles_and_limits(planar):
 def test_a_certificate_is_measured_on_the_path(planar):
     start, goal, *_ = THESIS["6.12"]
     narrow = planar.with_limits(lower=[-3.0, -1.2, -1.7], upper=[3.0, 0.6, 2.0])
-    result = mp.optimize_path(narrow, start, goal, objective=mp.PathObjective(power=2))
+    result = mp.optimize_path(narrow, start, goal, objective=mp.PathObjective(power=2), compare=True)
     certificate = result.certificate
     assert certificate.status is result.status
     assert certificate.solver.startswith("no step lowers g after")
@@ -666,8 +666,11 @@ def test_where_the_straight_line_is_best_it_is_optimal(planar):
 def test_the_unconstrained_optimum_is_never_above_the_path(planar):
     """The path crosses a singularity, which a power below 1 forgives; the least energy nearby lies elsewhere."""
     arm = mp.planar_arm([1.0, 1.0])
-    result = mp.optimize_path(arm, [0.0, -2.0], [1.0, 2.0], shape=mp.PathShape(degree=4), objective=mp.PathObjective(power=0.5))
+    options = {"shape": mp.PathShape(degree=4), "objective": mp.PathObjective(power=0.5)}
+    result = mp.optimize_path(arm, [0.0, -2.0], [1.0, 2.0], compare=True, **options)
     assert result.certificate.gap >= -1e-9
+    alone = mp.optimize_path(arm, [0.0, -2.0], [1.0, 2.0], **options)
+    assert np.isnan(alone.certificate.gap) and alone.g == result.g
 
 
 def test_rivals_that_tie_keep_their_order(planar):

@@ -271,7 +271,7 @@ def test_an_interrupt_of_the_measurement_keeps_the_path(planar, monkeypatch, sig
     from manipplan.optimize.local import LocalSearch
 
     monkeypatch.setattr(LocalSearch, "unconstrained_g", lambda *_: signal.raise_signal(signal.SIGINT))
-    result = mp.optimize_path(planar, START, GOAL, objective=mp.PathObjective(power=2))
+    result = mp.optimize_path(planar, START, GOAL, objective=mp.PathObjective(power=2), compare=True)
     assert result.status is mp.Status.INTERRUPTED
     assert result.g < result.seed_cost.g
     assert np.isnan(result.certificate.unconstrained_g)

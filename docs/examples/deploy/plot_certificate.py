@@ -39,8 +39,7 @@ print("files:", ", ".join(file.name for file in plan.save(folder)))
 # %%
 # The **report** is measured on the finished trajectory. The **certificate** describes
 # the path: how it was found, whether the first-order conditions of a local optimum
-# hold, g and how far it is above the optimum without limits and obstacles (the gap),
-# the minimum distance that is *proven* for the whole curve, and the limits that the
+# hold, g, the minimum distance that is *proven* for the whole curve, and the limits that the
 # path comes closest to. An optimal path among obstacles runs at the clearance: here 10
 # mm, plus the 0.05 mm that the optimiser adds so that the proof succeeds.
 

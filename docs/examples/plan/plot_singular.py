@@ -72,9 +72,10 @@ plt.show()
 
 arm = mp.planar_arm([1.0, 1.0, 1.0])
 start, goal = [2.0, -2.6, 1.3], [-1.8, 2.0, 0.2]
-free = mp.optimize_path(arm, start, goal, objective=mp.PathObjective(power=2))
+options = {"objective": mp.PathObjective(power=2), "compare": True}
+free = mp.optimize_path(arm, start, goal, **options)
 stopped = arm.with_limits(lower=-3.1, upper=[3.1, 3.1, 1.4])
-held = mp.optimize_path(stopped, start, goal, objective=mp.PathObjective(power=2))
+held = mp.optimize_path(stopped, start, goal, **options)
 for name, result in (("no limits", free), ("joint 3 below 1.4 rad", held)):
     print(
         f"{name:22s} g {result.g:.3f}, gap {result.certificate.gap:7.2%}, joint 3 "
