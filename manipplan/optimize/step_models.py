@@ -274,13 +274,10 @@ class Surroundings:
     def places(self, look: Look) -> list[tuple[float, int, bool]]:
         """The places of a look that get rows, bottoms of dips first: s, pair, and whether it is such a bottom."""
         bottoms, others = np.flatnonzero(look.is_bottom), np.flatnonzero(~look.is_bottom)
-        chosen = bottoms[:MOST_PLACES]
-        for k in others:
-            if len(chosen) == MOST_PLACES:
-                break
-            if not ((look.pairs[bottoms] == look.pairs[k]) & (np.abs(look.s[bottoms] - look.s[k]) < APART)).any():
-                chosen = np.append(chosen, k)
-        return [(float(look.s[k]), int(look.pairs[k]), bool(look.is_bottom[k])) for k in chosen]
+        beside = np.abs(look.s[others, None] - look.s[bottoms]) < APART
+        alone = others[~((look.pairs[others, None] == look.pairs[bottoms]) & beside).any(axis=1)]
+        chosen = np.concatenate([bottoms, alone])[:MOST_PLACES]
+        return list(zip(look.s[chosen].tolist(), look.pairs[chosen].tolist(), look.is_bottom[chosen].tolist(), strict=True))
 
     def rows(self, q: Array, pairs: Sequence[int]) -> Array:
         """The rows (m, column_height(n)) of pairs (m,) at q (m, n), each with the plane through the second body's point."""
