@@ -2,7 +2,8 @@
 
    A shape is a convex core with a radius around it; the distance of two shapes is that of their cores minus both radii. The
    distance of two cores comes from the algorithm of Gilbert, Johnson and Keerthi (GJK): each step gives a point of the
-   difference of the two (an upper bound) and a separating direction (a lower bound), so that every answer is proven.
+   difference of the two (an upper bound) and a separating direction (a lower bound), so that every answer is proven. Where cores overlap, the expanding
+   polytope algorithm gives the depth, with the same two bounds.
 
    Obstacles are in a tree of axis-parallel boxes; each mesh and each point cloud has a tree of its triangles or points below its
    place there. All arrays belong to the caller. Vectors are in metres. */
@@ -61,10 +62,16 @@ static const double EXACT = 1e-11;   /* gap between the bounds at which a distan
 static const double EXACTEST = 1e-15; /* the same where the direction counts, too [m] */
 static const double MEETING = 1e-10; /* cores nearer than this meet [m] */
 static const double APART = 1e-6;    /* the direction between cores nearer than this is not exact [m] */
+static const double FLAT = 1e-13;    /* a polytope's corner this little in front of a face is on it [m] */
+static const double LEAST_AREA = 1e-16; /* smallest area of two of its faces [m²] */
 static const double TINY = 3e-7;     /* largest side, along each axis, of a triangle that counts as a point [m] */
 static const int MOST_STEPS = 300;   /* cylinders converge slowly; polytopes need about ten steps */
 
 static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+static void cross(const double *a, const double *b, double *out) {
+    for (int i = 0; i < 3; i++) out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
 
 static void act(const double *frame, const double *p, double *out) {
     for (int i = 0; i < 3; i++)
@@ -244,7 +251,8 @@ typedef struct { double normal[3], level; } Plane;
 /* Bounds on the distance of two cores. Stops when the lower bound exceeds `enough`, the upper one is at most `little`, or both
    differ by at most `exact`.
    `towards` is a first guess of the direction from the second core to the first. `plane`, unless it is 0, becomes the one that
-   gave the lower bound, `simplex`, unless it is 0, the one with the nearest point. Returns 0 if the cores meet. */
+   gave the lower bound, `simplex`, unless it is 0, the one with the nearest point, or around the origin. Returns 0 if the cores
+   meet. */
 static int bounds(const Core *one, const Core *two, const double *towards, double enough, double little, double exact,
                   double *low, double *high, Plane *plane, Simplex *simplex) {
     Simplex own, last, *s = simplex ? simplex : &own;
@@ -274,8 +282,9 @@ static int bounds(const Core *one, const Core *two, const double *towards, doubl
         memcpy(s->first[s->count++], a, sizeof a);
         int inside = reduce(s);
         double apart = sqrt(dot(s->nearest, s->nearest));
+        if (inside && *low <= MEETING) return 0;
         if (simplex && step > 0 && (inside || apart >= *high)) *s = last;
-        if (inside) return *low > MEETING;                 /* rounding: a flat simplex may seem to contain the origin */
+        if (inside) return 1;                              /* rounding: a flat simplex may seem to contain the origin */
         if (apart >= *high && step > 0) return 1;          /* rounding: no progress */
         *high = apart;
         if (apart <= MEETING) return 0;
@@ -286,11 +295,153 @@ static int bounds(const Core *one, const Core *two, const double *towards, doubl
     return 1;
 }
 
-/* The same for two shapes: bounds on the signed distance minus both radii. Returns 0 if the cores meet. */
+/* A triangle on the surface of a polytope around the origin: outward normal and distance of its plane. */
+typedef struct { int corner[3]; double normal[3], distance; } Face;
+
+enum { MOST_CORNERS = 128 };
+
+/* Returns 0 where the corners are nearly on a line, or the origin is outside. */
+static int make_face(const double (*point)[3], int i, int j, int k, Face *face) {
+    double e[3], f[3], normal[3];
+    for (int x = 0; x < 3; x++) e[x] = point[j][x] - point[i][x], f[x] = point[k][x] - point[i][x];
+    cross(e, f, normal);
+    double size = sqrt(dot(normal, normal));
+    if (!(size > LEAST_AREA)) return 0;
+    for (int x = 0; x < 3; x++) face->normal[x] = normal[x] / size;
+    face->corner[0] = i, face->corner[1] = j, face->corner[2] = k;
+    face->distance = dot(face->normal, point[i]);
+    return face->distance > -FLAT;
+}
+
+/* Replace the faces that w, the last corner, is in front of by faces from it to their outline. Returns their new number, 0 where
+   rounding errors leave no closed outline. */
+static int grow(const double (*point)[3], int last, Face *face, int faces) {
+    int edge[3 * MOST_CORNERS][2], edges = 0, kept = 0;
+    for (int f = 0; f < faces; f++) {
+        if (dot(face[f].normal, point[last]) - face[f].distance <= FLAT) { face[kept++] = face[f]; continue; }
+        for (int k = 0; k < 3; k++) {
+            int from = face[f].corner[k], to = face[f].corner[(k + 1) % 3], known = 0;
+            for (; known < edges && (edge[known][0] != to || edge[known][1] != from); known++) {}
+            if (known < edges) edges--, edge[known][0] = edge[edges][0], edge[known][1] = edge[edges][1];
+            else if (edges == 3 * MOST_CORNERS) return 0;
+            else edge[edges][0] = from, edge[edges][1] = to, edges++;
+        }
+    }
+    if (edges < 3 || kept + edges > 2 * MOST_CORNERS) return 0;
+    for (int k = 0; k < edges; k++)
+        if (!make_face(point, edge[k][0], edge[k][1], last, face + kept++)) return 0;
+    return kept;
+}
+
+/* The smallest of the shares of a face's corners in its point nearest to the origin. */
+static double shares(const double (*point)[3], const Face *face, double *share) {
+    const double *o = point[face->corner[0]];
+    double e[3], f[3], p[3];
+    for (int i = 0; i < 3; i++) {
+        e[i] = point[face->corner[1]][i] - o[i], f[i] = point[face->corner[2]][i] - o[i];
+        p[i] = face->distance * face->normal[i] - o[i];
+    }
+    double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), area = ee * ff - ef * ef;
+    share[1] = (ff * dot(p, e) - ef * dot(p, f)) / area;
+    share[2] = (ee * dot(p, f) - ef * dot(p, e)) / area;
+    share[0] = 1 - share[1] - share[2];
+    return fmin(share[0], fmin(share[1], share[2]));
+}
+
+/* The point of the difference of two cores that is farthest along v, and the point of the first core that it comes from. */
+static void difference(const Core *one, const Core *two, const double *v, double *corner, double *first) {
+    double back[3] = {-v[0], -v[1], -v[2]}, other[3];
+    support(one, v, first), support(two, back, other);
+    for (int i = 0; i < 3; i++) corner[i] = first[i] - other[i];
+}
+
+/* A first polytope around the origin, from a simplex that contains it: the simplex itself, or where that is an edge or a triangle
+   the same with corners around or beside it. Returns the number of its faces; 0 where it is flat or not convex. */
+static int begin(const Core *one, const Core *two, const Simplex *s, double (*point)[3], double (*first)[3], int *count, Face *face) {
+    static const int solid[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    static const int beside[6][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}};
+    static const int around[6][3] = {{2, 3, 1}, {3, 4, 1}, {4, 2, 1}, {3, 2, 0}, {4, 3, 0}, {2, 4, 0}};
+    double e[3], f[3], across[3], v[3];
+    if (s->count < 2) return 0;
+    memcpy(point, s->point, sizeof s->point), memcpy(first, s->first, sizeof s->first);
+    for (int i = 0; i < 3; i++) e[i] = point[1][i] - point[0][i], f[i] = s->count > 2 ? point[2][i] - point[0][i] : 0;
+    *count = s->count == 4 ? 4 : 5;
+    if (s->count == 2) {
+        int least = 0;
+        for (int i = 1; i < 3; i++) if (fabs(e[i]) < fabs(e[least])) least = i;
+        f[least] = 1, cross(e, f, across), cross(e, across, v);
+        double share = sqrt(0.75 * dot(across, across) / dot(v, v));
+        for (int k = 0; k < 3; k++) {
+            double way[3];
+            for (int i = 0; i < 3; i++) way[i] = k == 0 ? across[i] : -0.5 * across[i] + (k == 1 ? share : -share) * v[i];
+            difference(one, two, way, point[2 + k], first[2 + k]);
+        }
+    } else if (s->count == 3) {
+        cross(e, f, across);
+        for (int i = 0; i < 3; i++) v[i] = -across[i];
+        difference(one, two, across, point[3], first[3]), difference(one, two, v, point[4], first[4]);
+    }
+    const int (*start)[3] = s->count == 4 ? solid : s->count == 3 ? beside : around;
+    int faces = s->count == 4 ? 4 : 6, turned = 0;
+    if (s->count == 4) {
+        double to[3];
+        for (int i = 0; i < 3; i++) to[i] = point[3][i] - point[0][i];
+        cross(e, f, across), turned = dot(across, to) < 0;
+    }
+    for (int k = 0; k < faces; k++) {
+        if (!make_face((const double (*)[3])point, start[k][0], start[k][turned ? 2 : 1], start[k][turned ? 1 : 2], face + k)) return 0;
+        for (int c = 0; c < *count; c++)
+            if (dot(face[k].normal, point[c]) - face[k].distance > FLAT) return 0;
+    }
+    return faces;
+}
+
+/* How deep two cores overlap: the expanding polytope algorithm, from a simplex of the difference of both around the origin.
+   `normal` is the unit vector from the second core to the first along which they come apart soonest, a and b the points that part
+   last; both may be 0. Returns 0 where it does not converge. */
+static int depth_of(const Core *one, const Core *two, const Simplex *s, double *depth, double *normal, double *a, double *b) {
+    double point[MOST_CORNERS][3], first[MOST_CORNERS][3];
+    Face face[2 * MOST_CORNERS];
+    int count = 0, faces = begin(one, two, s, point, first, &count, face);
+    if (!faces) return 0;
+    for (;;) {
+        int best = 0;
+        double corner[3], from[3];
+        for (int f = 1; f < faces; f++)
+            if (face[f].distance < face[best].distance) best = f;
+        const Face *near = face + best;
+        difference(one, two, near->normal, corner, from);
+        int known = 0;
+        for (int k = 0; k < count; k++) known |= memcmp(point[k], corner, sizeof corner) == 0;
+        if (!known && dot(near->normal, corner) - near->distance > EXACT) {
+            if (count == MOST_CORNERS) return 0;
+            memcpy(point[count], corner, sizeof corner), memcpy(first[count], from, sizeof from);
+            faces = grow((const double (*)[3])point, count++, face, faces);
+            if (!faces) return 0;
+            continue;
+        }
+        *depth = near->distance;
+        if (!normal) return 1;
+        double share[3], most = -INFINITY, other[3];
+        for (int f = 0; f < faces; f++) {                  /* of several parts of one side, that with the nearest point */
+            if (face[f].distance > *depth + FLAT || dot(face[f].normal, face[best].normal) < 1 - FLAT) continue;
+            double least = shares((const double (*)[3])point, face + f, other);
+            if (least > most) most = least, near = face + f, memcpy(share, other, sizeof share);
+        }
+        for (int i = 0; i < 3; i++) {
+            normal[i] = -face[best].normal[i], a[i] = 0;
+            for (int k = 0; k < 3; k++) a[i] += share[k] * first[near->corner[k]][i];
+            b[i] = a[i] + *depth * normal[i];
+        }
+        return 1;
+    }
+}
+
+/* `bounds` for two shapes: bounds on the signed distance minus both radii. Returns 0 if the cores meet. */
 static int shape_bounds(const World *w, long i, const Core *one, long j, const Core *two, const double *towards, double enough,
-                        double little, double *low, double *high, Plane *plane) {
+                        double little, double *low, double *high, Plane *plane, Simplex *simplex) {
     double radii = w->radius[i] + w->radius[j];
-    int apart = bounds(one, two, towards, enough + radii, little + radii, EXACT, low, high, plane, 0);
+    int apart = bounds(one, two, towards, enough + radii, little + radii, EXACT, low, high, plane, simplex);
     *low -= radii, *high -= radii;
     return apart;
 }
@@ -367,8 +518,8 @@ typedef struct {
     const long *pairs;    /* number of the pair with each body, -1 where it is not checked; 0: there is one pair alone */
     long pair;            /* its number then */
     double reach;         /* distances above it are not looked for */
-    double *out;          /* distances by pair, infinite where none was found; nan where only a depth would tell, or the bounds did
-                             not converge; 0: only look for touching */
+    double *out;          /* distances by pair, infinite where none was found; nan where the bounds did not converge, and for the
+                             depth in a surface; 0: only look for touching */
     long *count;          /* number of pairs in `found` of the world; 0: pairs are not listed */
     int verdict;
     long leaf;            /* nearest triangle or point of the last surface; -1 */
@@ -381,7 +532,7 @@ static double reach_of(const Search *s, long obstacle) {
     return s->out ? fmin(s->out[pair_with(s, obstacle)], s->reach) : s->reach;
 }
 
-/* Note bounds on a distance. `apart`: whether the cores do not meet; the depth of an overlap is not known here. */
+/* Note bounds on a distance. `apart`: whether the cores do not meet; where they do and the depth is not known, there are no bounds. */
 static void tell(Search *s, long obstacle, int apart, double low, double high) {
     if (s->out) {
         double *best = s->out + pair_with(s, obstacle);
@@ -442,7 +593,7 @@ static void surface(Search *s, long obstacle, long node, const Plane *before) {
         for (int i = 0; i < 3; i++) most = fmax(most, dot(s->plane.normal, c + 3 * i));
         if (s->plane.level - most + minus_radii > reach) return;
         Plane plane = s->plane;
-        int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, s->plane.normal, reach, little, &low, &high, &plane);
+        int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, s->plane.normal, reach, little, &low, &high, &plane, 0);
         if (!apart || low <= reach) tell(s, obstacle, apart, low, high), s->leaf = child[1], s->plane = plane;
         return;
     }
@@ -506,7 +657,11 @@ static void look_at(Search *s, long obstacle, const double *box) {
             for (int i = 0; i < 3; i++) towards[i] = a[i] < box[i] ? a[i] - box[i] : a[i] > box[3 + i] ? a[i] - box[3 + i] : 0;
         Core other;
         core_of(w, obstacle, &other);
-        int apart = shape_bounds(w, s->body, s->core, obstacle, &other, towards, reach, s->out ? -INFINITY : reach, &low, &high, 0);
+        Simplex simplex;
+        double little = s->out ? -INFINITY : reach, depth;
+        int apart = shape_bounds(w, s->body, s->core, obstacle, &other, towards, reach, little, &low, &high, 0, &simplex);
+        if (!apart && s->out && depth_of(s->core, &other, &simplex, &depth, 0, 0, 0))
+            apart = 1, low = high = -depth - w->radius[s->body] - w->radius[obstacle];
         if (!apart || low <= reach) tell(s, obstacle, apart, low, high);
     }
 }
@@ -575,8 +730,8 @@ void manipplan_check(const World *w, const double *q, long m, double clearance, 
     for (long k = 0; k < m; k++) verdicts[k] = (signed char)examine(w, q + k * w->n, clearance, 0);
 }
 
-/* Distances (m, pairs) at q (m, n), cut off at reach (m); nan where only coal can tell: where cores meet, or the bounds did not
-   converge. */
+/* Distances (m, pairs) at q (m, n), cut off at reach (m); nan where only coal can tell: in surfaces, and where the bounds did
+   not converge. */
 void manipplan_distances(const World *w, const double *q, long m, const double *reach, double *out) {
     for (long k = 0; k < m; k++, out += w->pairs) {
         long count = 0;
@@ -645,7 +800,7 @@ static int nearest_of(const Simplex *s, double *a, double *b) {
 }
 
 /* The nearest points of the cores of two bodies in the world, the second of which may stand still, their signed distance, and the
-   unit vector from the second to the first. Returns 0 where the cores meet or nearly do, or this code cannot tell. */
+   unit vector from the second to the first. Returns 0 where the cores nearly touch, or this code cannot tell. */
 static int nearest_points(const World *w, long one, long two, double *a, double *b, double *distance, double *normal) {
     if (w->kind[one] > CYLINDER || w->kind[two] == UNKNOWN) return 0;
     Core core, other;
@@ -673,9 +828,12 @@ static int nearest_points(const World *w, long one, long two, double *a, double 
         for (int i = 0; i < 3; i++) towards[i] = w->centres[3 * one + i] - w->centres[3 * two + i];
     }
     Simplex s;
-    if (!bounds(&core, &other, towards, INFINITY, -INFINITY, EXACTEST, &low, &high, 0, &s) || high - low > 1e3 * EXACT || high < APART ||
-        !nearest_of(&s, a, b))
-        return 0;
+    if (!bounds(&core, &other, towards, INFINITY, -INFINITY, EXACTEST, &low, &high, 0, &s)) {
+        if (w->kind[two] == SURFACE || !depth_of(&core, &other, &s, distance, normal, a, b)) return 0;
+        *distance = -*distance;
+        return 1;
+    }
+    if (high - low > 1e3 * EXACT || high < APART || !nearest_of(&s, a, b)) return 0;
     *distance = sqrt(dot(s.nearest, s.nearest));
     for (int i = 0; i < 3; i++) normal[i] = s.nearest[i] / *distance;
     return 1;
@@ -708,8 +866,8 @@ void manipplan_witnesses(const World *w, const double *q, long m, const long *bo
                 const double *p = side ? b : a;
                 if (j > (side ? second : first)) continue;
                 double lever[3] = {p[0] - frame[9], p[1] - frame[10], p[2] - frame[11]};
-                double moved[3] = {axis[1] * lever[2] - axis[2] * lever[1], axis[2] * lever[0] - axis[0] * lever[2],
-                                   axis[0] * lever[1] - axis[1] * lever[0]};
+                double moved[3];
+                cross(axis, lever, moved);
                 slope += (side ? -1 : 1) * dot(normal, w->slides[j - 1] ? axis : moved);
             }
             out[12 + j] = slope;

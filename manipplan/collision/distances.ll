@@ -1,16 +1,18 @@
-; distances.c 055f6c6eac4fe83e0a7a87667cc515af8c13880295ba2661d4dbb0839d9717fe: written by make kernel
+; distances.c daee904b7185b604065e7488ee0c6b9cbe8820e67386a250aa0c7a2436551a1a: written by make kernel
 
 %struct.Core = type { i64, i64, ptr, ptr, ptr, ptr, ptr, [12 x double] }
 %struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane }
 %struct.Plane = type { [3 x double], double }
 %struct.World = type { i64, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 %struct.Simplex = type { [4 x [3 x double]], [4 x [3 x double]], i32, [3 x double] }
+%struct.Face = type { [3 x i32], [3 x double], double }
 
 @place.still = internal constant [12 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
 @box_core.straight = internal unnamed_addr constant [9 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00], align 16
 @reduce.face = internal unnamed_addr constant [4 x [3 x i32]] [[3 x i32] [i32 0, i32 1, i32 2], [3 x i32] [i32 0, i32 1, i32 3], [3 x i32] [i32 0, i32 2, i32 3], [3 x i32] [i32 1, i32 2, i32 3]], align 16
 @__const.reduce.chosen = private unnamed_addr constant [3 x i32] [i32 0, i32 1, i32 2], align 4
 @within.ray = internal constant [3 x [3 x double]] [[3 x double] [double 6.123720e-01, double 3.535530e-01, double 7.071070e-01], [3 x double] [double -4.177900e-01, double 0x3FEA99C38B04AB60, double -3.670100e-01], [3 x double] [double 1.173100e-01, double -5.144900e-01, double -8.494300e-01]], align 16
+@depth_of.start = internal unnamed_addr constant [4 x [3 x i32]] [[3 x i32] [i32 0, i32 1, i32 2], [3 x i32] [i32 0, i32 3, i32 1], [3 x i32] [i32 0, i32 2, i32 3], [3 x i32] [i32 1, i32 3, i32 2]], align 16
 @__const.nearest_of.share = private unnamed_addr constant [3 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
 
 define dso_local i32 @manipplan_check_one(ptr noundef %0, ptr nocapture noundef readonly %1, double noundef %2) local_unnamed_addr #0 {
@@ -54,7 +56,7 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %27 = phi i64 [ %34, %25 ], [ 0, %4 ]
   %28 = getelementptr inbounds double, ptr %1, i64 %27
   %29 = load double, ptr %28, align 8
-  %30 = tail call double @llvm.fabs.f64(double %29) #13
+  %30 = tail call double @llvm.fabs.f64(double %29) #14
   %31 = fcmp one double %30, 0x7FF0000000000000
   %32 = zext i1 %31 to i32
   %33 = and i32 %26, %32
@@ -129,7 +131,7 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %84 = load ptr, ptr %58, align 8
   %85 = shl nsw i64 %77, 2
   %86 = getelementptr inbounds double, ptr %84, i64 %85
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
   %87 = getelementptr inbounds double, ptr %86, i64 3
   %88 = load double, ptr %87, align 8
   %89 = load ptr, ptr %59, align 8
@@ -198,8 +200,8 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
 139:                                              ; preds = %131, %133
   %140 = phi i32 [ %150, %133 ], [ %76, %131 ]
   %141 = phi i64 [ %134, %133 ], [ %132, %131 ]
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %6) #14
-  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %7) #14
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %7) #15
   store ptr %0, ptr %7, align 8
   %142 = load ptr, ptr %61, align 8
   %143 = getelementptr inbounds i64, ptr %142, i64 %141
@@ -224,12 +226,12 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %150 = load i32, ptr %70, align 8
   %151 = icmp ne i32 %150, 1
   %152 = select i1 %73, i1 true, i1 %151
-  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %7) #14
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %6) #14
+  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %7) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %6) #15
   br i1 %152, label %133, label %153
 
 153:                                              ; preds = %139
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
   br label %242
 
 154:                                              ; preds = %133
@@ -239,7 +241,7 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
 156:                                              ; preds = %154, %126, %121
   %157 = phi i64 [ %75, %121 ], [ %75, %126 ], [ %155, %154 ]
   %158 = phi i32 [ %76, %121 ], [ %76, %126 ], [ %150, %154 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
   %159 = add nuw nsw i64 %77, 1
   %160 = icmp slt i64 %159, %157
   br i1 %160, label %74, label %161
@@ -318,9 +320,9 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   br i1 %227, label %237, label %228
 
 228:                                              ; preds = %181
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %8) #14
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %8) #15
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %188, ptr noundef nonnull %8)
-  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %9) #14
+  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %9) #15
   store ptr %0, ptr %9, align 8
   store i64 %188, ptr %170, align 8
   store ptr %8, ptr %171, align 8
@@ -339,8 +341,8 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %232 = load i32, ptr %177, align 8
   %233 = icmp eq i32 %232, 1
   %234 = select i1 %180, i1 %233, i1 false
-  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %9) #14
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %8) #14
+  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %9) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %8) #15
   br i1 %234, label %242, label %235
 
 235:                                              ; preds = %228
@@ -401,7 +403,7 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
 13:                                               ; preds = %8, %36
   %14 = phi i64 [ 0, %8 ], [ %37, %36 ]
   %15 = phi ptr [ %4, %8 ], [ %38, %36 ]
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #14
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #15
   store i64 0, ptr %6, align 8
   %16 = load i64, ptr %0, align 8
   %17 = mul nsw i64 %16, %14
@@ -433,7 +435,7 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
   br i1 %35, label %24, label %30
 
 36:                                               ; preds = %40, %24
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #15
   %37 = add nuw nsw i64 %14, 1
   %38 = getelementptr inbounds double, ptr %15, i64 %22
   %39 = icmp eq i64 %37, %2
@@ -471,7 +473,7 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
 16:                                               ; preds = %10, %30
   %17 = phi i64 [ 0, %10 ], [ %31, %30 ]
   %18 = phi i64 [ 0, %10 ], [ %32, %30 ]
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #14
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #15
   store i64 0, ptr %8, align 8
   %19 = load i64, ptr %0, align 8
   %20 = mul nsw i64 %19, %18
@@ -490,7 +492,7 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
 
 30:                                               ; preds = %48, %16
   %31 = phi i64 [ %17, %16 ], [ %51, %48 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #15
   %32 = add nuw nsw i64 %18, 1
   %33 = icmp eq i64 %32, %2
   br i1 %33, label %14, label %16
@@ -578,7 +580,7 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   %42 = add nsw i64 %33, %40
   %43 = getelementptr inbounds double, ptr %1, i64 %42
   %44 = load double, ptr %43, align 8
-  %45 = call double @llvm.fabs.f64(double %44) #13
+  %45 = call double @llvm.fabs.f64(double %44) #14
   %46 = fcmp one double %45, 0x7FF0000000000000
   %47 = zext i1 %46 to i32
   %48 = and i32 %41, %47
@@ -593,13 +595,13 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   store double %53, ptr %54, align 8
   %55 = getelementptr inbounds i64, ptr %6, i64 %23
   store i64 -1, ptr %55, align 8
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %8) #14
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %8) #15
   %56 = load i64, ptr %0, align 8
   %57 = mul nsw i64 %56, %23
   %58 = getelementptr inbounds double, ptr %1, i64 %57
   call fastcc void @place(ptr noundef nonnull %0, ptr noundef %58)
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %26, ptr noundef nonnull %8)
-  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %9) #14
+  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %9) #15
   store ptr %0, ptr %9, align 8
   store i64 %26, ptr %12, align 8
   store ptr %8, ptr %13, align 8
@@ -614,8 +616,8 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   call fastcc void @look_at(ptr noundef nonnull %9, i64 noundef %29, ptr noundef null)
   %60 = load i64, ptr %19, align 8
   store i64 %60, ptr %55, align 8
-  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %9) #14
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %8) #14
+  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %9) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %8) #15
   br label %61
 
 61:                                               ; preds = %36, %51
@@ -673,7 +675,7 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   %37 = phi i64 [ 0, %9 ], [ %144, %193 ]
   %38 = mul nsw i64 %37, 3
   %39 = getelementptr inbounds double, ptr %11, i64 %38
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %3) #14
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %3) #15
   %40 = getelementptr inbounds i64, ptr %13, i64 %37
   %41 = load i64, ptr %40, align 8
   %42 = icmp eq i64 %41, 0
@@ -745,7 +747,7 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br label %90
 
 90:                                               ; preds = %46, %55
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %4) #14
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %4) #15
   %91 = mul nsw i64 %37, 12
   %92 = getelementptr inbounds double, ptr %6, i64 %91
   %93 = getelementptr inbounds double, ptr %26, i64 %91
@@ -869,8 +871,8 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %192, label %161, label %174
 
 193:                                              ; preds = %161
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %4) #14
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %3) #14
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %4) #15
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %3) #15
   %194 = icmp eq i64 %144, %7
   br i1 %194, label %27, label %36
 
@@ -1068,392 +1070,437 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %8 = alloca [3 x double], align 16
   %9 = alloca [3 x double], align 16
   %10 = alloca %struct.Core, align 8
-  %11 = load ptr, ptr %0, align 8
-  %12 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %13 = load ptr, ptr %12, align 8
-  %14 = icmp eq ptr %13, null
-  %15 = getelementptr inbounds i64, ptr %13, i64 %1
-  %16 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %17 = select i1 %14, ptr %16, ptr %15
-  %18 = load i64, ptr %17, align 8
-  %19 = icmp slt i64 %18, 0
-  br i1 %19, label %258, label %20
+  %11 = alloca %struct.Simplex, align 8
+  %12 = alloca double, align 8
+  %13 = load ptr, ptr %0, align 8
+  %14 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %15 = load ptr, ptr %14, align 8
+  %16 = icmp eq ptr %15, null
+  %17 = getelementptr inbounds i64, ptr %15, i64 %1
+  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %19 = select i1 %16, ptr %18, ptr %17
+  %20 = load i64, ptr %19, align 8
+  %21 = icmp slt i64 %20, 0
+  br i1 %21, label %286, label %22
 
-20:                                               ; preds = %3
-  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %22 = load ptr, ptr %21, align 8
-  %23 = icmp eq ptr %22, null
-  br i1 %23, label %28, label %24
+22:                                               ; preds = %3
+  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %24 = load ptr, ptr %23, align 8
+  %25 = icmp eq ptr %24, null
+  br i1 %25, label %30, label %26
 
-24:                                               ; preds = %20
-  %25 = getelementptr inbounds double, ptr %22, i64 %18
-  %26 = load double, ptr %25, align 8
-  %27 = fcmp uno double %26, 0.000000e+00
-  br i1 %27, label %258, label %32
+26:                                               ; preds = %22
+  %27 = getelementptr inbounds double, ptr %24, i64 %20
+  %28 = load double, ptr %27, align 8
+  %29 = fcmp uno double %28, 0.000000e+00
+  br i1 %29, label %286, label %34
 
-28:                                               ; preds = %20
-  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %30 = load i32, ptr %29, align 8
-  %31 = icmp eq i32 %30, 1
-  br i1 %31, label %258, label %32
+30:                                               ; preds = %22
+  %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %32 = load i32, ptr %31, align 8
+  %33 = icmp eq i32 %32, 1
+  br i1 %33, label %286, label %34
 
-32:                                               ; preds = %24, %28
-  %33 = getelementptr inbounds %struct.World, ptr %11, i64 0, i32 6
-  %34 = load ptr, ptr %33, align 8
-  %35 = getelementptr inbounds i64, ptr %34, i64 %1
-  %36 = load i64, ptr %35, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %4) #14
+34:                                               ; preds = %26, %30
+  %35 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 6
+  %36 = load ptr, ptr %35, align 8
+  %37 = getelementptr inbounds i64, ptr %36, i64 %1
+  %38 = load i64, ptr %37, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %4) #15
   store double 0xFFF0000000000000, ptr %4, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #14
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #15
   store double 0x7FF0000000000000, ptr %5, align 8
-  %37 = icmp eq i64 %36, 5
-  br i1 %37, label %45, label %38
+  %39 = icmp eq i64 %38, 5
+  br i1 %39, label %47, label %40
 
-38:                                               ; preds = %32
-  %39 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
-  %40 = load i64, ptr %39, align 8
-  %41 = getelementptr inbounds i64, ptr %34, i64 %40
+40:                                               ; preds = %34
+  %41 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
   %42 = load i64, ptr %41, align 8
-  %43 = add i64 %42, -3
-  %44 = icmp ult i64 %43, 3
-  br i1 %44, label %45, label %79
+  %43 = getelementptr inbounds i64, ptr %36, i64 %42
+  %44 = load i64, ptr %43, align 8
+  %45 = add i64 %44, -3
+  %46 = icmp ult i64 %45, 3
+  br i1 %46, label %47, label %81
 
-45:                                               ; preds = %38, %32
-  br i1 %23, label %66, label %46
+47:                                               ; preds = %40, %34
+  br i1 %25, label %68, label %48
 
-46:                                               ; preds = %45
-  %47 = getelementptr inbounds double, ptr %22, i64 %18
-  %48 = load double, ptr %47, align 8
-  %49 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+48:                                               ; preds = %47
+  %49 = getelementptr inbounds double, ptr %24, i64 %20
   %50 = load double, ptr %49, align 8
-  %51 = tail call double @llvm.minnum.f64(double %48, double %50)
-  %52 = fcmp ugt double %51, 0xFFF0000000000000
-  br i1 %52, label %53, label %257
+  %51 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %52 = load double, ptr %51, align 8
+  %53 = tail call double @llvm.minnum.f64(double %50, double %52)
+  %54 = fcmp ugt double %53, 0xFFF0000000000000
+  br i1 %54, label %55, label %285
 
-53:                                               ; preds = %46
-  %54 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  %55 = load ptr, ptr %54, align 8
-  %56 = icmp ne ptr %55, null
-  %57 = fcmp oeq double %48, 0x7FF0000000000000
-  %58 = select i1 %56, i1 %57, i1 false
-  br i1 %58, label %59, label %65
+55:                                               ; preds = %48
+  %56 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %57 = load ptr, ptr %56, align 8
+  %58 = icmp ne ptr %57, null
+  %59 = fcmp oeq double %50, 0x7FF0000000000000
+  %60 = select i1 %58, i1 %59, i1 false
+  br i1 %60, label %61, label %67
 
-59:                                               ; preds = %53
-  %60 = getelementptr inbounds %struct.World, ptr %11, i64 0, i32 34
-  %61 = load ptr, ptr %60, align 8
-  %62 = load i64, ptr %55, align 8
-  %63 = add nsw i64 %62, 1
-  store i64 %63, ptr %55, align 8
-  %64 = getelementptr inbounds i64, ptr %61, i64 %62
-  store i64 %18, ptr %64, align 8
-  br label %65
+61:                                               ; preds = %55
+  %62 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 34
+  %63 = load ptr, ptr %62, align 8
+  %64 = load i64, ptr %57, align 8
+  %65 = add nsw i64 %64, 1
+  store i64 %65, ptr %57, align 8
+  %66 = getelementptr inbounds i64, ptr %63, i64 %64
+  store i64 %20, ptr %66, align 8
+  br label %67
 
-65:                                               ; preds = %59, %53
-  store double 0x7FF8000000000000, ptr %47, align 8
-  br label %257
+67:                                               ; preds = %61, %55
+  store double 0x7FF8000000000000, ptr %49, align 8
+  br label %285
 
-66:                                               ; preds = %45
-  %67 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %68 = load double, ptr %67, align 8
-  %69 = fcmp ult double %68, 0x7FF0000000000000
-  br i1 %69, label %72, label %70
+68:                                               ; preds = %47
+  %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %70 = load double, ptr %69, align 8
+  %71 = fcmp ult double %70, 0x7FF0000000000000
+  br i1 %71, label %74, label %72
 
-70:                                               ; preds = %66
-  %71 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  store i32 1, ptr %71, align 8
-  br label %257
+72:                                               ; preds = %68
+  %73 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %73, align 8
+  br label %285
 
-72:                                               ; preds = %66
-  %73 = fcmp ult double %68, 0xFFF0000000000000
-  br i1 %73, label %257, label %74
+74:                                               ; preds = %68
+  %75 = fcmp ult double %70, 0xFFF0000000000000
+  br i1 %75, label %285, label %76
 
-74:                                               ; preds = %72
-  %75 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %76 = load i32, ptr %75, align 8
-  %77 = icmp eq i32 %76, 0
-  br i1 %77, label %78, label %257
+76:                                               ; preds = %74
+  %77 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %78 = load i32, ptr %77, align 8
+  %79 = icmp eq i32 %78, 0
+  br i1 %79, label %80, label %285
 
-78:                                               ; preds = %74
-  store i32 2, ptr %75, align 8
-  br label %257
+80:                                               ; preds = %76
+  store i32 2, ptr %77, align 8
+  br label %285
 
-79:                                               ; preds = %38
-  switch i64 %36, label %140 [
-    i64 3, label %80
-    i64 4, label %97
+81:                                               ; preds = %40
+  switch i64 %38, label %142 [
+    i64 3, label %82
+    i64 4, label %99
   ]
 
-80:                                               ; preds = %79
-  %81 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %82 = load ptr, ptr %81, align 8
-  %83 = tail call fastcc double @over_plane(ptr noundef nonnull %11, i64 noundef %40, ptr noundef %82, i64 noundef %1)
-  br i1 %23, label %90, label %84
+82:                                               ; preds = %81
+  %83 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %84 = load ptr, ptr %83, align 8
+  %85 = tail call fastcc double @over_plane(ptr noundef nonnull %13, i64 noundef %42, ptr noundef %84, i64 noundef %1)
+  br i1 %25, label %92, label %86
 
-84:                                               ; preds = %80
-  %85 = getelementptr inbounds double, ptr %22, i64 %18
-  %86 = load double, ptr %85, align 8
-  %87 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+86:                                               ; preds = %82
+  %87 = getelementptr inbounds double, ptr %24, i64 %20
   %88 = load double, ptr %87, align 8
-  %89 = tail call double @llvm.minnum.f64(double %86, double %88)
-  br label %93
+  %89 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %90 = load double, ptr %89, align 8
+  %91 = tail call double @llvm.minnum.f64(double %88, double %90)
+  br label %95
 
-90:                                               ; preds = %80
-  %91 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %92 = load double, ptr %91, align 8
-  br label %93
+92:                                               ; preds = %82
+  %93 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %94 = load double, ptr %93, align 8
+  br label %95
 
-93:                                               ; preds = %84, %90
-  %94 = phi double [ %89, %84 ], [ %92, %90 ]
-  %95 = fcmp ugt double %83, %94
-  br i1 %95, label %257, label %96
+95:                                               ; preds = %86, %92
+  %96 = phi double [ %91, %86 ], [ %94, %92 ]
+  %97 = fcmp ugt double %85, %96
+  br i1 %97, label %285, label %98
 
-96:                                               ; preds = %93
-  tail call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef 1, double noundef %83, double noundef %83)
-  br label %257
+98:                                               ; preds = %95
+  tail call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef 1, double noundef %85, double noundef %85)
+  br label %285
 
-97:                                               ; preds = %79
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %6) #14
-  %98 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %7) #14
-  %99 = getelementptr inbounds %struct.World, ptr %11, i64 0, i32 27
-  %100 = load ptr, ptr %99, align 8
-  %101 = getelementptr inbounds %struct.World, ptr %11, i64 0, i32 29
+99:                                               ; preds = %81
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %6) #15
+  %100 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %7) #15
+  %101 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 27
   %102 = load ptr, ptr %101, align 8
-  %103 = getelementptr inbounds i64, ptr %102, i64 %1
-  %104 = load i64, ptr %103, align 8
-  %105 = mul nsw i64 %104, 6
-  %106 = getelementptr inbounds double, ptr %100, i64 %105
-  call fastcc void @facing(ptr nonnull sret(%struct.Plane) align 8 %7, ptr noundef nonnull %11, i64 noundef %40, ptr noundef %106)
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %98, ptr noundef nonnull align 8 dereferenceable(32) %7, i64 32, i1 false)
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %7) #14
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %6, ptr noundef nonnull align 8 dereferenceable(32) %98, i64 32, i1 false)
-  %107 = load ptr, ptr %101, align 8
-  %108 = getelementptr inbounds i64, ptr %107, i64 %1
-  %109 = load i64, ptr %108, align 8
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %109, ptr noundef nonnull %6)
-  %110 = getelementptr inbounds %struct.World, ptr %11, i64 0, i32 11
-  %111 = load ptr, ptr %110, align 8
-  %112 = mul nsw i64 %1, 3
-  %113 = getelementptr inbounds double, ptr %111, i64 %112
-  %114 = load double, ptr %113, align 8
-  %115 = fcmp ogt double %114, 0.000000e+00
-  br i1 %115, label %116, label %139
+  %103 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 29
+  %104 = load ptr, ptr %103, align 8
+  %105 = getelementptr inbounds i64, ptr %104, i64 %1
+  %106 = load i64, ptr %105, align 8
+  %107 = mul nsw i64 %106, 6
+  %108 = getelementptr inbounds double, ptr %102, i64 %107
+  call fastcc void @facing(ptr nonnull sret(%struct.Plane) align 8 %7, ptr noundef nonnull %13, i64 noundef %42, ptr noundef %108)
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %100, ptr noundef nonnull align 8 dereferenceable(32) %7, i64 32, i1 false)
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %7) #15
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %6, ptr noundef nonnull align 8 dereferenceable(32) %100, i64 32, i1 false)
+  %109 = load ptr, ptr %103, align 8
+  %110 = getelementptr inbounds i64, ptr %109, i64 %1
+  %111 = load i64, ptr %110, align 8
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %111, ptr noundef nonnull %6)
+  %112 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 11
+  %113 = load ptr, ptr %112, align 8
+  %114 = mul nsw i64 %1, 3
+  %115 = getelementptr inbounds double, ptr %113, i64 %114
+  %116 = load double, ptr %115, align 8
+  %117 = fcmp ogt double %116, 0.000000e+00
+  br i1 %117, label %118, label %141
 
-116:                                              ; preds = %97
-  %117 = load ptr, ptr %21, align 8
-  %118 = icmp eq ptr %117, null
-  br i1 %118, label %128, label %119
+118:                                              ; preds = %99
+  %119 = load ptr, ptr %23, align 8
+  %120 = icmp eq ptr %119, null
+  br i1 %120, label %130, label %121
 
-119:                                              ; preds = %116
-  %120 = load ptr, ptr %12, align 8
-  %121 = icmp eq ptr %120, null
-  %122 = getelementptr inbounds i64, ptr %120, i64 %1
-  %123 = select i1 %121, ptr %16, ptr %122
-  %124 = load i64, ptr %123, align 8
-  %125 = getelementptr inbounds double, ptr %117, i64 %124
-  %126 = load double, ptr %125, align 8
-  %127 = fcmp uno double %126, 0.000000e+00
-  br i1 %127, label %139, label %132
+121:                                              ; preds = %118
+  %122 = load ptr, ptr %14, align 8
+  %123 = icmp eq ptr %122, null
+  %124 = getelementptr inbounds i64, ptr %122, i64 %1
+  %125 = select i1 %123, ptr %18, ptr %124
+  %126 = load i64, ptr %125, align 8
+  %127 = getelementptr inbounds double, ptr %119, i64 %126
+  %128 = load double, ptr %127, align 8
+  %129 = fcmp uno double %128, 0.000000e+00
+  br i1 %129, label %141, label %134
 
-128:                                              ; preds = %116
-  %129 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %130 = load i32, ptr %129, align 8
-  %131 = icmp eq i32 %130, 1
-  br i1 %131, label %139, label %132
+130:                                              ; preds = %118
+  %131 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %132 = load i32, ptr %131, align 8
+  %133 = icmp eq i32 %132, 1
+  br i1 %133, label %141, label %134
 
-132:                                              ; preds = %119, %128
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #14
-  %133 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %134 = load ptr, ptr %133, align 8
-  call fastcc void @support(ptr noundef %134, ptr noundef nonnull @__const.nearest_of.share, ptr noundef nonnull %8)
-  %135 = call fastcc i32 @within(ptr noundef nonnull %11, i64 noundef %1, ptr noundef nonnull %8)
-  %136 = icmp eq i32 %135, 0
-  br i1 %136, label %138, label %137
+134:                                              ; preds = %121, %130
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  %135 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %136 = load ptr, ptr %135, align 8
+  call fastcc void @support(ptr noundef %136, ptr noundef nonnull @__const.nearest_of.share, ptr noundef nonnull %8)
+  %137 = call fastcc i32 @within(ptr noundef nonnull %13, i64 noundef %1, ptr noundef nonnull %8)
+  %138 = icmp eq i32 %137, 0
+  br i1 %138, label %140, label %139
 
-137:                                              ; preds = %132
+139:                                              ; preds = %134
   call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef 0, double noundef 0xFFF0000000000000, double noundef 0x7FF0000000000000)
-  br label %138
+  br label %140
 
-138:                                              ; preds = %137, %132
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #14
-  br label %139
+140:                                              ; preds = %139, %134
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
+  br label %141
 
-139:                                              ; preds = %119, %138, %128, %97
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %6) #14
-  br label %257
+141:                                              ; preds = %121, %140, %130, %99
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %6) #15
+  br label %285
 
-140:                                              ; preds = %79
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #14
-  br i1 %23, label %147, label %141
+142:                                              ; preds = %81
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
+  br i1 %25, label %149, label %143
 
-141:                                              ; preds = %140
-  %142 = getelementptr inbounds double, ptr %22, i64 %18
-  %143 = load double, ptr %142, align 8
-  %144 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+143:                                              ; preds = %142
+  %144 = getelementptr inbounds double, ptr %24, i64 %20
   %145 = load double, ptr %144, align 8
-  %146 = tail call double @llvm.minnum.f64(double %143, double %145)
-  br label %150
+  %146 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %147 = load double, ptr %146, align 8
+  %148 = tail call double @llvm.minnum.f64(double %145, double %147)
+  br label %152
 
-147:                                              ; preds = %140
-  %148 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %149 = load double, ptr %148, align 8
-  br label %150
+149:                                              ; preds = %142
+  %150 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %151 = load double, ptr %150, align 8
+  br label %152
 
-150:                                              ; preds = %141, %147
-  %151 = phi double [ 0xFFF0000000000000, %141 ], [ %149, %147 ]
-  %152 = phi double [ %146, %141 ], [ %149, %147 ]
-  %153 = getelementptr inbounds %struct.World, ptr %11, i64 0, i32 32
-  %154 = load ptr, ptr %153, align 8
-  %155 = mul nsw i64 %40, 3
-  %156 = getelementptr inbounds double, ptr %154, i64 %155
-  %157 = mul nsw i64 %1, 3
-  %158 = getelementptr inbounds double, ptr %154, i64 %157
-  br label %184
+152:                                              ; preds = %143, %149
+  %153 = phi double [ 0xFFF0000000000000, %143 ], [ %151, %149 ]
+  %154 = phi double [ %148, %143 ], [ %151, %149 ]
+  %155 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 32
+  %156 = load ptr, ptr %155, align 8
+  %157 = mul nsw i64 %42, 3
+  %158 = getelementptr inbounds double, ptr %156, i64 %157
+  %159 = mul nsw i64 %1, 3
+  %160 = getelementptr inbounds double, ptr %156, i64 %159
+  br label %186
 
-159:                                              ; preds = %184
-  %160 = getelementptr inbounds %struct.World, ptr %11, i64 0, i32 12
-  %161 = load ptr, ptr %160, align 8
-  %162 = shl nsw i64 %40, 2
-  %163 = or i64 %162, 3
-  %164 = getelementptr inbounds double, ptr %161, i64 %163
-  %165 = load double, ptr %164, align 8
-  %166 = fadd double %152, %165
-  %167 = shl nsw i64 %1, 2
-  %168 = or i64 %167, 3
-  %169 = getelementptr inbounds double, ptr %161, i64 %168
-  %170 = load double, ptr %169, align 8
-  %171 = fadd double %166, %170
-  %172 = load double, ptr %9, align 16
-  %173 = fmul double %172, %172
-  %174 = getelementptr inbounds double, ptr %9, i64 1
-  %175 = load double, ptr %174, align 8
-  %176 = fmul double %175, %175
-  %177 = fadd double %173, %176
-  %178 = getelementptr inbounds double, ptr %9, i64 2
-  %179 = load double, ptr %178, align 16
-  %180 = fmul double %179, %179
-  %181 = fadd double %177, %180
-  %182 = fmul double %171, %171
-  %183 = fcmp ogt double %181, %182
-  br i1 %183, label %256, label %194
+161:                                              ; preds = %186
+  %162 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 12
+  %163 = load ptr, ptr %162, align 8
+  %164 = shl nsw i64 %42, 2
+  %165 = or i64 %164, 3
+  %166 = getelementptr inbounds double, ptr %163, i64 %165
+  %167 = load double, ptr %166, align 8
+  %168 = fadd double %154, %167
+  %169 = shl nsw i64 %1, 2
+  %170 = or i64 %169, 3
+  %171 = getelementptr inbounds double, ptr %163, i64 %170
+  %172 = load double, ptr %171, align 8
+  %173 = fadd double %168, %172
+  %174 = load double, ptr %9, align 16
+  %175 = fmul double %174, %174
+  %176 = getelementptr inbounds double, ptr %9, i64 1
+  %177 = load double, ptr %176, align 8
+  %178 = fmul double %177, %177
+  %179 = fadd double %175, %178
+  %180 = getelementptr inbounds double, ptr %9, i64 2
+  %181 = load double, ptr %180, align 16
+  %182 = fmul double %181, %181
+  %183 = fadd double %179, %182
+  %184 = fmul double %173, %173
+  %185 = fcmp ogt double %183, %184
+  br i1 %185, label %284, label %196
 
-184:                                              ; preds = %150, %184
-  %185 = phi i64 [ 0, %150 ], [ %192, %184 ]
-  %186 = getelementptr inbounds double, ptr %156, i64 %185
-  %187 = load double, ptr %186, align 8
-  %188 = getelementptr inbounds double, ptr %158, i64 %185
+186:                                              ; preds = %152, %186
+  %187 = phi i64 [ 0, %152 ], [ %194, %186 ]
+  %188 = getelementptr inbounds double, ptr %158, i64 %187
   %189 = load double, ptr %188, align 8
-  %190 = fsub double %187, %189
-  %191 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %185
-  store double %190, ptr %191, align 8
-  %192 = add nuw nsw i64 %185, 1
-  %193 = icmp eq i64 %192, 3
-  br i1 %193, label %159, label %184
+  %190 = getelementptr inbounds double, ptr %160, i64 %187
+  %191 = load double, ptr %190, align 8
+  %192 = fsub double %189, %191
+  %193 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %187
+  store double %192, ptr %193, align 8
+  %194 = add nuw nsw i64 %187, 1
+  %195 = icmp eq i64 %194, 3
+  br i1 %195, label %161, label %186
 
-194:                                              ; preds = %159
-  %195 = tail call fastcc i32 @is_beside(ptr noundef nonnull %11, ptr noundef nonnull %158, double noundef %170, i64 noundef %40, double noundef %152)
-  %196 = icmp eq i32 %195, 0
-  br i1 %196, label %197, label %256
+196:                                              ; preds = %161
+  %197 = tail call fastcc i32 @is_beside(ptr noundef nonnull %13, ptr noundef nonnull %160, double noundef %172, i64 noundef %42, double noundef %154)
+  %198 = icmp eq i32 %197, 0
+  br i1 %198, label %199, label %284
 
-197:                                              ; preds = %194
-  %198 = tail call fastcc i32 @is_beside(ptr noundef nonnull %11, ptr noundef nonnull %156, double noundef %165, i64 noundef %1, double noundef %152)
-  %199 = icmp eq i32 %198, 0
-  br i1 %199, label %200, label %256
+199:                                              ; preds = %196
+  %200 = tail call fastcc i32 @is_beside(ptr noundef nonnull %13, ptr noundef nonnull %158, double noundef %167, i64 noundef %1, double noundef %154)
+  %201 = icmp eq i32 %200, 0
+  br i1 %201, label %202, label %284
 
-200:                                              ; preds = %197
-  %201 = icmp eq ptr %2, null
-  br i1 %201, label %245, label %202
+202:                                              ; preds = %199
+  %203 = icmp eq ptr %2, null
+  br i1 %203, label %247, label %204
 
-202:                                              ; preds = %200, %202
-  %203 = phi i64 [ %220, %202 ], [ 0, %200 ]
-  %204 = phi double [ %219, %202 ], [ 0.000000e+00, %200 ]
-  %205 = getelementptr inbounds double, ptr %2, i64 %203
-  %206 = load double, ptr %205, align 8
-  %207 = getelementptr inbounds double, ptr %156, i64 %203
+204:                                              ; preds = %202, %204
+  %205 = phi i64 [ %222, %204 ], [ 0, %202 ]
+  %206 = phi double [ %221, %204 ], [ 0.000000e+00, %202 ]
+  %207 = getelementptr inbounds double, ptr %2, i64 %205
   %208 = load double, ptr %207, align 8
-  %209 = fsub double %206, %208
-  %210 = add nuw nsw i64 %203, 3
-  %211 = getelementptr inbounds double, ptr %2, i64 %210
-  %212 = load double, ptr %211, align 8
-  %213 = fsub double %208, %212
-  %214 = fcmp ogt double %209, %213
-  %215 = select i1 %214, double %209, double %213
-  %216 = fcmp ogt double %215, 0.000000e+00
-  %217 = select i1 %216, double %215, double 0.000000e+00
-  %218 = fmul double %217, %217
-  %219 = fadd double %204, %218
-  %220 = add nuw nsw i64 %203, 1
-  %221 = icmp eq i64 %220, 3
-  br i1 %221, label %222, label %202
+  %209 = getelementptr inbounds double, ptr %158, i64 %205
+  %210 = load double, ptr %209, align 8
+  %211 = fsub double %208, %210
+  %212 = add nuw nsw i64 %205, 3
+  %213 = getelementptr inbounds double, ptr %2, i64 %212
+  %214 = load double, ptr %213, align 8
+  %215 = fsub double %210, %214
+  %216 = fcmp ogt double %211, %215
+  %217 = select i1 %216, double %211, double %215
+  %218 = fcmp ogt double %217, 0.000000e+00
+  %219 = select i1 %218, double %217, double 0.000000e+00
+  %220 = fmul double %219, %219
+  %221 = fadd double %206, %220
+  %222 = add nuw nsw i64 %205, 1
+  %223 = icmp eq i64 %222, 3
+  br i1 %223, label %224, label %204
 
-222:                                              ; preds = %202
-  %223 = fcmp ogt double %219, 0.000000e+00
-  br i1 %223, label %224, label %245
+224:                                              ; preds = %204
+  %225 = fcmp ogt double %221, 0.000000e+00
+  br i1 %225, label %226, label %247
 
-224:                                              ; preds = %222, %240
-  %225 = phi i64 [ %243, %240 ], [ 0, %222 ]
-  %226 = getelementptr inbounds double, ptr %156, i64 %225
-  %227 = load double, ptr %226, align 8
-  %228 = getelementptr inbounds double, ptr %2, i64 %225
+226:                                              ; preds = %224, %242
+  %227 = phi i64 [ %245, %242 ], [ 0, %224 ]
+  %228 = getelementptr inbounds double, ptr %158, i64 %227
   %229 = load double, ptr %228, align 8
-  %230 = fcmp olt double %227, %229
-  br i1 %230, label %231, label %233
+  %230 = getelementptr inbounds double, ptr %2, i64 %227
+  %231 = load double, ptr %230, align 8
+  %232 = fcmp olt double %229, %231
+  br i1 %232, label %233, label %235
 
-231:                                              ; preds = %224
-  %232 = fsub double %227, %229
-  br label %240
+233:                                              ; preds = %226
+  %234 = fsub double %229, %231
+  br label %242
 
-233:                                              ; preds = %224
-  %234 = add nuw nsw i64 %225, 3
-  %235 = getelementptr inbounds double, ptr %2, i64 %234
-  %236 = load double, ptr %235, align 8
-  %237 = fcmp ogt double %227, %236
-  br i1 %237, label %238, label %240
+235:                                              ; preds = %226
+  %236 = add nuw nsw i64 %227, 3
+  %237 = getelementptr inbounds double, ptr %2, i64 %236
+  %238 = load double, ptr %237, align 8
+  %239 = fcmp ogt double %229, %238
+  br i1 %239, label %240, label %242
 
-238:                                              ; preds = %233
-  %239 = fsub double %227, %236
-  br label %240
+240:                                              ; preds = %235
+  %241 = fsub double %229, %238
+  br label %242
 
-240:                                              ; preds = %238, %233, %231
-  %241 = phi double [ %232, %231 ], [ %239, %238 ], [ 0.000000e+00, %233 ]
-  %242 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %225
-  store double %241, ptr %242, align 8
-  %243 = add nuw nsw i64 %225, 1
-  %244 = icmp eq i64 %243, 3
-  br i1 %244, label %245, label %224
+242:                                              ; preds = %240, %235, %233
+  %243 = phi double [ %234, %233 ], [ %241, %240 ], [ 0.000000e+00, %235 ]
+  %244 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %227
+  store double %243, ptr %244, align 8
+  %245 = add nuw nsw i64 %227, 1
+  %246 = icmp eq i64 %245, 3
+  br i1 %246, label %247, label %226
 
-245:                                              ; preds = %240, %222, %200
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #14
-  call fastcc void @core_of(ptr noundef %11, i64 noundef %1, ptr noundef nonnull %10)
-  %246 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %247 = load ptr, ptr %246, align 8
-  %248 = call fastcc i32 @shape_bounds(ptr noundef %11, i64 noundef %40, ptr noundef %247, i64 noundef %1, ptr noundef nonnull %10, ptr noundef nonnull %9, double noundef %152, double noundef %151, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef null)
-  %249 = icmp ne i32 %248, 0
-  %250 = load double, ptr %4, align 8
-  %251 = fcmp ugt double %250, %152
-  %252 = select i1 %249, i1 %251, i1 false
-  br i1 %252, label %255, label %253
+247:                                              ; preds = %242, %224, %202
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #15
+  call fastcc void @core_of(ptr noundef %13, i64 noundef %1, ptr noundef nonnull %10)
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %11) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %12) #15
+  %248 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %249 = load ptr, ptr %248, align 8
+  %250 = call fastcc i32 @shape_bounds(ptr noundef %13, i64 noundef %42, ptr noundef %249, i64 noundef %1, ptr noundef nonnull %10, ptr noundef nonnull %9, double noundef %154, double noundef %153, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef null, ptr noundef nonnull %11)
+  %251 = icmp eq i32 %250, 0
+  br i1 %251, label %254, label %252
 
-253:                                              ; preds = %245
-  %254 = load double, ptr %5, align 8
-  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %248, double noundef %250, double noundef %254)
-  br label %255
+252:                                              ; preds = %247
+  %253 = load double, ptr %4, align 8
+  br label %275
 
-255:                                              ; preds = %245, %253
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #14
-  br label %257
+254:                                              ; preds = %247
+  %255 = load ptr, ptr %23, align 8
+  %256 = icmp eq ptr %255, null
+  br i1 %256, label %273, label %257
 
-256:                                              ; preds = %159, %194, %197
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #14
-  br label %257
+257:                                              ; preds = %254
+  %258 = load ptr, ptr %248, align 8
+  %259 = call fastcc i32 @depth_of(ptr noundef %258, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, ptr noundef null, ptr noundef null, ptr noundef null)
+  %260 = icmp eq i32 %259, 0
+  br i1 %260, label %273, label %261
 
-257:                                              ; preds = %78, %74, %72, %70, %65, %46, %139, %93, %96, %255, %256
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #14
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %4) #14
-  br label %258
+261:                                              ; preds = %257
+  %262 = load double, ptr %12, align 8
+  %263 = fneg double %262
+  %264 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 9
+  %265 = load ptr, ptr %264, align 8
+  %266 = load i64, ptr %41, align 8
+  %267 = getelementptr inbounds double, ptr %265, i64 %266
+  %268 = load double, ptr %267, align 8
+  %269 = fsub double %263, %268
+  %270 = getelementptr inbounds double, ptr %265, i64 %1
+  %271 = load double, ptr %270, align 8
+  %272 = fsub double %269, %271
+  store double %272, ptr %5, align 8
+  br label %275
 
-258:                                              ; preds = %24, %3, %28, %257
+273:                                              ; preds = %257, %254
+  %274 = load double, ptr %4, align 8
+  br label %279
+
+275:                                              ; preds = %252, %261
+  %276 = phi double [ %253, %252 ], [ %272, %261 ]
+  %277 = phi i32 [ %250, %252 ], [ 1, %261 ]
+  %278 = fcmp ugt double %276, %154
+  br i1 %278, label %283, label %279
+
+279:                                              ; preds = %273, %275
+  %280 = phi double [ %274, %273 ], [ %276, %275 ]
+  %281 = phi i32 [ 0, %273 ], [ %277, %275 ]
+  %282 = load double, ptr %5, align 8
+  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %281, double noundef %280, double noundef %282)
+  br label %283
+
+283:                                              ; preds = %275, %279
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %12) #15
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %11) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
+  br label %285
+
+284:                                              ; preds = %161, %196, %199
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
+  br label %285
+
+285:                                              ; preds = %80, %76, %74, %72, %67, %48, %141, %95, %98, %283, %284
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %4) #15
+  br label %286
+
+286:                                              ; preds = %26, %3, %30, %285
   ret void
 }
 
@@ -1475,910 +1522,937 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %20 = alloca %struct.Simplex, align 8
   %21 = alloca [3 x double], align 16
   %22 = alloca [3 x double], align 16
-  %23 = alloca [3 x double], align 16
+  %23 = alloca double, align 8
   %24 = alloca [3 x double], align 16
   %25 = alloca [3 x double], align 16
-  %26 = icmp sgt i64 %2, 0
-  br i1 %26, label %27, label %76
+  %26 = alloca [3 x double], align 16
+  %27 = icmp sgt i64 %2, 0
+  br i1 %27, label %28, label %77
 
-27:                                               ; preds = %5
-  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
-  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
-  %30 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 1
-  %31 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 2
-  %32 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 3
-  %33 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 5
-  %34 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 6
-  %35 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 7
-  %36 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 8
-  %37 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 9
-  %38 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 10
-  %39 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
-  %40 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 1
-  %41 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 5
-  %42 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 2
-  %43 = getelementptr inbounds double, ptr %13, i64 3
-  %44 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 3
-  %45 = getelementptr inbounds double, ptr %13, i64 6
-  %46 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 4
-  %47 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
-  %49 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
-  %50 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 2
-  %51 = getelementptr inbounds double, ptr %7, i64 1
-  %52 = getelementptr inbounds double, ptr %7, i64 2
-  %53 = getelementptr inbounds double, ptr %8, i64 1
-  %54 = getelementptr inbounds double, ptr %8, i64 2
-  %55 = getelementptr inbounds double, ptr %9, i64 1
-  %56 = getelementptr inbounds double, ptr %9, i64 2
-  %57 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
-  %58 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
-  %59 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3
-  %60 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 1
-  %61 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 2
-  %62 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
-  %63 = getelementptr inbounds double, ptr %23, i64 1
-  %64 = getelementptr inbounds double, ptr %23, i64 2
-  %65 = getelementptr inbounds double, ptr %24, i64 1
-  %66 = getelementptr inbounds double, ptr %24, i64 2
-  %67 = getelementptr inbounds double, ptr %21, i64 1
-  %68 = getelementptr inbounds double, ptr %21, i64 2
-  %69 = getelementptr inbounds double, ptr %22, i64 1
-  %70 = getelementptr inbounds double, ptr %22, i64 2
-  %71 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
-  %72 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 1
-  %73 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 2
-  %74 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
-  %75 = load i64, ptr %0, align 8
-  br label %77
+28:                                               ; preds = %5
+  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
+  %31 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 1
+  %32 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 2
+  %33 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 3
+  %34 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 5
+  %35 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 6
+  %36 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 7
+  %37 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 8
+  %38 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 9
+  %39 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 10
+  %40 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
+  %41 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 1
+  %42 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 5
+  %43 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 2
+  %44 = getelementptr inbounds double, ptr %13, i64 3
+  %45 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 3
+  %46 = getelementptr inbounds double, ptr %13, i64 6
+  %47 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 4
+  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %49 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %51 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 2
+  %52 = getelementptr inbounds double, ptr %7, i64 1
+  %53 = getelementptr inbounds double, ptr %7, i64 2
+  %54 = getelementptr inbounds double, ptr %8, i64 1
+  %55 = getelementptr inbounds double, ptr %8, i64 2
+  %56 = getelementptr inbounds double, ptr %9, i64 1
+  %57 = getelementptr inbounds double, ptr %9, i64 2
+  %58 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
+  %59 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
+  %60 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3
+  %61 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 1
+  %62 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 2
+  %63 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %64 = getelementptr inbounds double, ptr %24, i64 1
+  %65 = getelementptr inbounds double, ptr %24, i64 2
+  %66 = getelementptr inbounds double, ptr %25, i64 1
+  %67 = getelementptr inbounds double, ptr %25, i64 2
+  %68 = getelementptr inbounds double, ptr %21, i64 1
+  %69 = getelementptr inbounds double, ptr %21, i64 2
+  %70 = getelementptr inbounds double, ptr %22, i64 1
+  %71 = getelementptr inbounds double, ptr %22, i64 2
+  %72 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %73 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 1
+  %74 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 2
+  %75 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
+  %76 = load i64, ptr %0, align 8
+  br label %78
 
-76:                                               ; preds = %652, %5
+77:                                               ; preds = %666, %5
   ret void
 
-77:                                               ; preds = %27, %652
-  %78 = phi i64 [ %75, %27 ], [ %653, %652 ]
-  %79 = phi ptr [ %1, %27 ], [ %655, %652 ]
-  %80 = phi ptr [ %4, %27 ], [ %657, %652 ]
-  %81 = phi i64 [ 0, %27 ], [ %654, %652 ]
-  %82 = shl nuw nsw i64 %81, 1
-  %83 = getelementptr inbounds i64, ptr %3, i64 %82
-  %84 = load i64, ptr %83, align 8
-  %85 = or i64 %82, 1
-  %86 = getelementptr inbounds i64, ptr %3, i64 %85
-  %87 = load i64, ptr %86, align 8
-  %88 = load ptr, ptr %28, align 8
-  %89 = getelementptr inbounds i64, ptr %88, i64 %84
-  %90 = load i64, ptr %89, align 8
-  %91 = getelementptr inbounds i64, ptr %88, i64 %87
-  %92 = load i64, ptr %91, align 8
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #14
-  %93 = icmp sgt i64 %78, 0
-  br i1 %93, label %96, label %107
+78:                                               ; preds = %28, %666
+  %79 = phi i64 [ %76, %28 ], [ %667, %666 ]
+  %80 = phi ptr [ %1, %28 ], [ %669, %666 ]
+  %81 = phi ptr [ %4, %28 ], [ %671, %666 ]
+  %82 = phi i64 [ 0, %28 ], [ %668, %666 ]
+  %83 = shl nuw nsw i64 %82, 1
+  %84 = getelementptr inbounds i64, ptr %3, i64 %83
+  %85 = load i64, ptr %84, align 8
+  %86 = or i64 %83, 1
+  %87 = getelementptr inbounds i64, ptr %3, i64 %86
+  %88 = load i64, ptr %87, align 8
+  %89 = load ptr, ptr %29, align 8
+  %90 = getelementptr inbounds i64, ptr %89, i64 %85
+  %91 = load i64, ptr %90, align 8
+  %92 = getelementptr inbounds i64, ptr %89, i64 %88
+  %93 = load i64, ptr %92, align 8
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %23) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #15
+  %94 = icmp sgt i64 %79, 0
+  br i1 %94, label %97, label %108
 
-94:                                               ; preds = %96
-  %95 = icmp eq i32 %104, 0
-  br i1 %95, label %422, label %107
+95:                                               ; preds = %97
+  %96 = icmp eq i32 %105, 0
+  br i1 %96, label %436, label %108
 
-96:                                               ; preds = %77, %96
-  %97 = phi i32 [ %104, %96 ], [ 1, %77 ]
-  %98 = phi i64 [ %105, %96 ], [ 0, %77 ]
-  %99 = getelementptr inbounds double, ptr %79, i64 %98
-  %100 = load double, ptr %99, align 8
-  %101 = call double @llvm.fabs.f64(double %100) #13
-  %102 = fcmp one double %101, 0x7FF0000000000000
-  %103 = zext i1 %102 to i32
-  %104 = and i32 %97, %103
-  %105 = add nuw nsw i64 %98, 1
-  %106 = icmp eq i64 %105, %78
-  br i1 %106, label %94, label %96
+97:                                               ; preds = %78, %97
+  %98 = phi i32 [ %105, %97 ], [ 1, %78 ]
+  %99 = phi i64 [ %106, %97 ], [ 0, %78 ]
+  %100 = getelementptr inbounds double, ptr %80, i64 %99
+  %101 = load double, ptr %100, align 8
+  %102 = call double @llvm.fabs.f64(double %101) #14
+  %103 = fcmp one double %102, 0x7FF0000000000000
+  %104 = zext i1 %103 to i32
+  %105 = and i32 %98, %104
+  %106 = add nuw nsw i64 %99, 1
+  %107 = icmp eq i64 %106, %79
+  br i1 %107, label %95, label %97
 
-107:                                              ; preds = %77, %94
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %79)
-  %108 = load ptr, ptr %29, align 8
-  %109 = getelementptr inbounds i64, ptr %108, i64 %84
-  %110 = load i64, ptr %109, align 8
-  %111 = icmp sgt i64 %110, 2
-  br i1 %111, label %422, label %112
+108:                                              ; preds = %78, %95
+  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %80)
+  %109 = load ptr, ptr %30, align 8
+  %110 = getelementptr inbounds i64, ptr %109, i64 %85
+  %111 = load i64, ptr %110, align 8
+  %112 = icmp sgt i64 %111, 2
+  br i1 %112, label %436, label %113
 
-112:                                              ; preds = %107
-  %113 = getelementptr inbounds i64, ptr %108, i64 %87
-  %114 = load i64, ptr %113, align 8
-  %115 = icmp eq i64 %114, 5
-  br i1 %115, label %422, label %116
+113:                                              ; preds = %108
+  %114 = getelementptr inbounds i64, ptr %109, i64 %88
+  %115 = load i64, ptr %114, align 8
+  %116 = icmp eq i64 %115, 5
+  br i1 %116, label %436, label %117
 
-116:                                              ; preds = %112
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #14
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #14
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %84, ptr noundef nonnull %10)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #14
-  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %13) #14
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %14) #14
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15) #14
-  %117 = load i64, ptr %113, align 8
-  switch i64 %117, label %265 [
-    i64 3, label %118
-    i64 4, label %216
+117:                                              ; preds = %113
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #15
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #15
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %85, ptr noundef nonnull %10)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %13) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %14) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15) #15
+  %118 = load i64, ptr %114, align 8
+  switch i64 %118, label %267 [
+    i64 3, label %119
+    i64 4, label %218
   ]
 
-118:                                              ; preds = %116
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %16) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #14
-  %119 = load ptr, ptr %47, align 8
-  %120 = load ptr, ptr %28, align 8
-  %121 = getelementptr inbounds i64, ptr %120, i64 %87
-  %122 = load i64, ptr %121, align 8
-  %123 = mul nsw i64 %122, 12
-  %124 = getelementptr inbounds double, ptr %119, i64 %123
-  %125 = load ptr, ptr %48, align 8
-  %126 = mul nsw i64 %87, 12
-  %127 = getelementptr inbounds double, ptr %125, i64 %126
-  %128 = getelementptr inbounds double, ptr %127, i64 9
-  %129 = getelementptr inbounds double, ptr %127, i64 10
-  %130 = getelementptr inbounds double, ptr %127, i64 11
-  %131 = load double, ptr %128, align 8
+119:                                              ; preds = %117
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %16) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
+  %120 = load ptr, ptr %48, align 8
+  %121 = load ptr, ptr %29, align 8
+  %122 = getelementptr inbounds i64, ptr %121, i64 %88
+  %123 = load i64, ptr %122, align 8
+  %124 = mul nsw i64 %123, 12
+  %125 = getelementptr inbounds double, ptr %120, i64 %124
+  %126 = load ptr, ptr %49, align 8
+  %127 = mul nsw i64 %88, 12
+  %128 = getelementptr inbounds double, ptr %126, i64 %127
+  %129 = getelementptr inbounds double, ptr %128, i64 9
+  %130 = getelementptr inbounds double, ptr %128, i64 10
+  %131 = getelementptr inbounds double, ptr %128, i64 11
   %132 = load double, ptr %129, align 8
   %133 = load double, ptr %130, align 8
-  br label %134
+  %134 = load double, ptr %131, align 8
+  br label %135
 
-134:                                              ; preds = %145, %118
-  %135 = phi i64 [ 0, %118 ], [ %156, %145 ]
-  %136 = mul nuw nsw i64 %135, 3
-  %137 = getelementptr inbounds double, ptr %124, i64 %136
-  %138 = add nuw nsw i64 %136, 1
-  %139 = getelementptr inbounds double, ptr %124, i64 %138
-  %140 = add nuw nsw i64 %136, 2
-  %141 = getelementptr inbounds double, ptr %124, i64 %140
-  %142 = load double, ptr %137, align 8
-  %143 = load double, ptr %139, align 8
-  %144 = load double, ptr %141, align 8
-  br label %158
+135:                                              ; preds = %146, %119
+  %136 = phi i64 [ 0, %119 ], [ %157, %146 ]
+  %137 = mul nuw nsw i64 %136, 3
+  %138 = getelementptr inbounds double, ptr %125, i64 %137
+  %139 = add nuw nsw i64 %137, 1
+  %140 = getelementptr inbounds double, ptr %125, i64 %139
+  %141 = add nuw nsw i64 %137, 2
+  %142 = getelementptr inbounds double, ptr %125, i64 %141
+  %143 = load double, ptr %138, align 8
+  %144 = load double, ptr %140, align 8
+  %145 = load double, ptr %142, align 8
+  br label %159
 
-145:                                              ; preds = %158
-  %146 = fmul double %131, %142
+146:                                              ; preds = %159
   %147 = fmul double %132, %143
-  %148 = fadd double %146, %147
-  %149 = fmul double %133, %144
-  %150 = fadd double %148, %149
-  %151 = add nuw nsw i64 %135, 9
-  %152 = getelementptr inbounds double, ptr %124, i64 %151
-  %153 = load double, ptr %152, align 8
-  %154 = fadd double %150, %153
-  %155 = getelementptr inbounds double, ptr %16, i64 %151
-  store double %154, ptr %155, align 8
-  %156 = add nuw nsw i64 %135, 1
-  %157 = icmp eq i64 %156, 3
-  br i1 %157, label %178, label %134
+  %148 = fmul double %133, %144
+  %149 = fadd double %147, %148
+  %150 = fmul double %134, %145
+  %151 = fadd double %149, %150
+  %152 = add nuw nsw i64 %136, 9
+  %153 = getelementptr inbounds double, ptr %125, i64 %152
+  %154 = load double, ptr %153, align 8
+  %155 = fadd double %151, %154
+  %156 = getelementptr inbounds double, ptr %16, i64 %152
+  store double %155, ptr %156, align 8
+  %157 = add nuw nsw i64 %136, 1
+  %158 = icmp eq i64 %157, 3
+  br i1 %158, label %179, label %135
 
-158:                                              ; preds = %158, %134
-  %159 = phi i64 [ 0, %134 ], [ %175, %158 ]
-  %160 = getelementptr inbounds double, ptr %127, i64 %159
-  %161 = load double, ptr %160, align 8
-  %162 = fmul double %142, %161
-  %163 = add nuw nsw i64 %159, 3
-  %164 = getelementptr inbounds double, ptr %127, i64 %163
-  %165 = load double, ptr %164, align 8
-  %166 = fmul double %143, %165
-  %167 = fadd double %162, %166
-  %168 = add nuw nsw i64 %159, 6
-  %169 = getelementptr inbounds double, ptr %127, i64 %168
-  %170 = load double, ptr %169, align 8
-  %171 = fmul double %144, %170
-  %172 = fadd double %167, %171
-  %173 = add nuw nsw i64 %159, %136
-  %174 = getelementptr inbounds double, ptr %16, i64 %173
-  store double %172, ptr %174, align 8
-  %175 = add nuw nsw i64 %159, 1
-  %176 = icmp eq i64 %175, 3
-  br i1 %176, label %145, label %158
+159:                                              ; preds = %159, %135
+  %160 = phi i64 [ 0, %135 ], [ %176, %159 ]
+  %161 = getelementptr inbounds double, ptr %128, i64 %160
+  %162 = load double, ptr %161, align 8
+  %163 = fmul double %143, %162
+  %164 = add nuw nsw i64 %160, 3
+  %165 = getelementptr inbounds double, ptr %128, i64 %164
+  %166 = load double, ptr %165, align 8
+  %167 = fmul double %144, %166
+  %168 = fadd double %163, %167
+  %169 = add nuw nsw i64 %160, 6
+  %170 = getelementptr inbounds double, ptr %128, i64 %169
+  %171 = load double, ptr %170, align 8
+  %172 = fmul double %145, %171
+  %173 = fadd double %168, %172
+  %174 = add nuw nsw i64 %160, %137
+  %175 = getelementptr inbounds double, ptr %16, i64 %174
+  store double %173, ptr %175, align 8
+  %176 = add nuw nsw i64 %160, 1
+  %177 = icmp eq i64 %176, 3
+  br i1 %177, label %146, label %159
 
-177:                                              ; preds = %178
+178:                                              ; preds = %179
   call fastcc void @support(ptr noundef nonnull %10, ptr noundef nonnull %17, ptr noundef nonnull %21)
-  br label %189
+  br label %190
 
-178:                                              ; preds = %145, %178
-  %179 = phi i64 [ %187, %178 ], [ 0, %145 ]
-  %180 = mul nuw nsw i64 %179, 3
-  %181 = add nuw nsw i64 %180, 2
-  %182 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %181
-  %183 = load double, ptr %182, align 8
-  %184 = getelementptr inbounds double, ptr %23, i64 %179
-  store double %183, ptr %184, align 8
-  %185 = fneg double %183
-  %186 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %179
-  store double %185, ptr %186, align 8
-  %187 = add nuw nsw i64 %179, 1
-  %188 = icmp eq i64 %187, 3
-  br i1 %188, label %177, label %178
+179:                                              ; preds = %146, %179
+  %180 = phi i64 [ %188, %179 ], [ 0, %146 ]
+  %181 = mul nuw nsw i64 %180, 3
+  %182 = add nuw nsw i64 %181, 2
+  %183 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %182
+  %184 = load double, ptr %183, align 8
+  %185 = getelementptr inbounds double, ptr %24, i64 %180
+  store double %184, ptr %185, align 8
+  %186 = fneg double %184
+  %187 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %180
+  store double %186, ptr %187, align 8
+  %188 = add nuw nsw i64 %180, 1
+  %189 = icmp eq i64 %188, 3
+  br i1 %189, label %178, label %179
 
-189:                                              ; preds = %189, %177
-  %190 = phi i64 [ 0, %177 ], [ %202, %189 ]
-  %191 = phi double [ 0.000000e+00, %177 ], [ %201, %189 ]
-  %192 = getelementptr inbounds double, ptr %23, i64 %190
-  %193 = load double, ptr %192, align 8
-  %194 = getelementptr inbounds double, ptr %21, i64 %190
-  %195 = load double, ptr %194, align 8
-  %196 = add nuw nsw i64 %190, 9
-  %197 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %196
-  %198 = load double, ptr %197, align 8
-  %199 = fsub double %195, %198
-  %200 = fmul double %193, %199
-  %201 = fadd double %191, %200
-  %202 = add nuw nsw i64 %190, 1
-  %203 = icmp eq i64 %202, 3
-  br i1 %203, label %205, label %189
+190:                                              ; preds = %190, %178
+  %191 = phi i64 [ 0, %178 ], [ %203, %190 ]
+  %192 = phi double [ 0.000000e+00, %178 ], [ %202, %190 ]
+  %193 = getelementptr inbounds double, ptr %24, i64 %191
+  %194 = load double, ptr %193, align 8
+  %195 = getelementptr inbounds double, ptr %21, i64 %191
+  %196 = load double, ptr %195, align 8
+  %197 = add nuw nsw i64 %191, 9
+  %198 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %197
+  %199 = load double, ptr %198, align 8
+  %200 = fsub double %196, %199
+  %201 = fmul double %194, %200
+  %202 = fadd double %192, %201
+  %203 = add nuw nsw i64 %191, 1
+  %204 = icmp eq i64 %203, 3
+  br i1 %204, label %205, label %190
 
-204:                                              ; preds = %205
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #14
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %16) #14
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #14
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #14
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #14
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #14
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #14
-  br label %433
+205:                                              ; preds = %190
+  store double %202, ptr %23, align 8
+  br label %207
 
-205:                                              ; preds = %189, %205
-  %206 = phi i64 [ %214, %205 ], [ 0, %189 ]
-  %207 = getelementptr inbounds double, ptr %21, i64 %206
-  %208 = load double, ptr %207, align 8
-  %209 = getelementptr inbounds double, ptr %23, i64 %206
+206:                                              ; preds = %207
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %16) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
+  br label %447
+
+207:                                              ; preds = %205, %207
+  %208 = phi i64 [ %216, %207 ], [ 0, %205 ]
+  %209 = getelementptr inbounds double, ptr %21, i64 %208
   %210 = load double, ptr %209, align 8
-  %211 = fmul double %201, %210
-  %212 = fsub double %208, %211
-  %213 = getelementptr inbounds double, ptr %22, i64 %206
-  store double %212, ptr %213, align 8
-  %214 = add nuw nsw i64 %206, 1
-  %215 = icmp eq i64 %214, 3
-  br i1 %215, label %204, label %205
+  %211 = getelementptr inbounds double, ptr %24, i64 %208
+  %212 = load double, ptr %211, align 8
+  %213 = fmul double %202, %212
+  %214 = fsub double %210, %213
+  %215 = getelementptr inbounds double, ptr %22, i64 %208
+  store double %214, ptr %215, align 8
+  %216 = add nuw nsw i64 %208, 1
+  %217 = icmp eq i64 %216, 3
+  br i1 %217, label %206, label %207
 
-216:                                              ; preds = %116
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #14
+218:                                              ; preds = %117
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #15
   store double 0x7FF0000000000000, ptr %18, align 8
-  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %19) #14
+  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %19) #15
   store ptr %0, ptr %19, align 8
-  store i64 %84, ptr %30, align 8
-  store ptr %10, ptr %31, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %32, i8 0, i64 16, i1 false)
-  store double 0x7FF0000000000000, ptr %33, align 8
-  store ptr %18, ptr %34, align 8
-  store ptr null, ptr %35, align 8
-  store i32 0, ptr %36, align 8
-  store i64 -1, ptr %37, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %38, i8 0, i64 32, i1 false)
-  call fastcc void @look_at(ptr noundef nonnull %19, i64 noundef %87, ptr noundef null)
-  %217 = load double, ptr %18, align 8
-  %218 = fcmp ord double %217, 0.000000e+00
-  %219 = load i64, ptr %37, align 8
-  %220 = icmp sgt i64 %219, -1
-  %221 = select i1 %218, i1 %220, i1 false
-  br i1 %221, label %222, label %418
+  store i64 %85, ptr %31, align 8
+  store ptr %10, ptr %32, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %33, i8 0, i64 16, i1 false)
+  store double 0x7FF0000000000000, ptr %34, align 8
+  store ptr %18, ptr %35, align 8
+  store ptr null, ptr %36, align 8
+  store i32 0, ptr %37, align 8
+  store i64 -1, ptr %38, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %39, i8 0, i64 32, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %19, i64 noundef %88, ptr noundef null)
+  %219 = load double, ptr %18, align 8
+  %220 = fcmp ord double %219, 0.000000e+00
+  %221 = load i64, ptr %38, align 8
+  %222 = icmp sgt i64 %221, -1
+  %223 = select i1 %220, i1 %222, i1 false
+  br i1 %223, label %224, label %431
 
-222:                                              ; preds = %216
-  %223 = load ptr, ptr %39, align 8
-  %224 = mul nsw i64 %219, 9
-  %225 = getelementptr inbounds double, ptr %223, i64 %224
-  br label %226
+224:                                              ; preds = %218
+  %225 = load ptr, ptr %40, align 8
+  %226 = mul nsw i64 %221, 9
+  %227 = getelementptr inbounds double, ptr %225, i64 %226
+  br label %228
 
-226:                                              ; preds = %256, %222
-  %227 = phi i64 [ 0, %222 ], [ %260, %256 ]
-  %228 = phi i32 [ 1, %222 ], [ %259, %256 ]
-  %229 = mul nuw nsw i64 %227, 3
-  br label %239
+228:                                              ; preds = %258, %224
+  %229 = phi i64 [ 0, %224 ], [ %262, %258 ]
+  %230 = phi i32 [ 1, %224 ], [ %261, %258 ]
+  %231 = mul nuw nsw i64 %229, 3
+  br label %241
 
-230:                                              ; preds = %239
-  %231 = add nuw nsw i64 %227, 3
-  %232 = getelementptr inbounds double, ptr %225, i64 %231
-  %233 = load double, ptr %232, align 8
-  %234 = getelementptr inbounds double, ptr %225, i64 %227
+232:                                              ; preds = %241
+  %233 = add nuw nsw i64 %229, 3
+  %234 = getelementptr inbounds double, ptr %227, i64 %233
   %235 = load double, ptr %234, align 8
-  %236 = fsub double %233, %235
-  %237 = call double @llvm.fabs.f64(double %236)
-  %238 = fcmp olt double %237, 3.000000e-07
-  br i1 %238, label %249, label %256
+  %236 = getelementptr inbounds double, ptr %227, i64 %229
+  %237 = load double, ptr %236, align 8
+  %238 = fsub double %235, %237
+  %239 = call double @llvm.fabs.f64(double %238)
+  %240 = fcmp olt double %239, 3.000000e-07
+  br i1 %240, label %251, label %258
 
-239:                                              ; preds = %239, %226
-  %240 = phi i64 [ 0, %226 ], [ %247, %239 ]
-  %241 = mul nuw nsw i64 %240, 3
-  %242 = add nuw nsw i64 %241, %227
-  %243 = getelementptr inbounds double, ptr %225, i64 %242
-  %244 = load double, ptr %243, align 8
-  %245 = add nuw nsw i64 %240, %229
-  %246 = getelementptr inbounds double, ptr %13, i64 %245
-  store double %244, ptr %246, align 8
-  %247 = add nuw nsw i64 %240, 1
-  %248 = icmp eq i64 %247, 3
-  br i1 %248, label %230, label %239
+241:                                              ; preds = %241, %228
+  %242 = phi i64 [ 0, %228 ], [ %249, %241 ]
+  %243 = mul nuw nsw i64 %242, 3
+  %244 = add nuw nsw i64 %243, %229
+  %245 = getelementptr inbounds double, ptr %227, i64 %244
+  %246 = load double, ptr %245, align 8
+  %247 = add nuw nsw i64 %242, %231
+  %248 = getelementptr inbounds double, ptr %13, i64 %247
+  store double %246, ptr %248, align 8
+  %249 = add nuw nsw i64 %242, 1
+  %250 = icmp eq i64 %249, 3
+  br i1 %250, label %232, label %241
 
-249:                                              ; preds = %230
-  %250 = add nuw nsw i64 %227, 6
-  %251 = getelementptr inbounds double, ptr %225, i64 %250
-  %252 = load double, ptr %251, align 8
-  %253 = fsub double %252, %235
-  %254 = call double @llvm.fabs.f64(double %253)
-  %255 = fcmp olt double %254, 3.000000e-07
-  br label %256
+251:                                              ; preds = %232
+  %252 = add nuw nsw i64 %229, 6
+  %253 = getelementptr inbounds double, ptr %227, i64 %252
+  %254 = load double, ptr %253, align 8
+  %255 = fsub double %254, %237
+  %256 = call double @llvm.fabs.f64(double %255)
+  %257 = fcmp olt double %256, 3.000000e-07
+  br label %258
 
-256:                                              ; preds = %249, %230
-  %257 = phi i1 [ false, %230 ], [ %255, %249 ]
-  %258 = zext i1 %257 to i32
-  %259 = and i32 %228, %258
-  %260 = add nuw nsw i64 %227, 1
-  %261 = icmp eq i64 %260, 3
-  br i1 %261, label %262, label %226
+258:                                              ; preds = %251, %232
+  %259 = phi i1 [ false, %232 ], [ %257, %251 ]
+  %260 = zext i1 %259 to i32
+  %261 = and i32 %230, %260
+  %262 = add nuw nsw i64 %229, 1
+  %263 = icmp eq i64 %262, 3
+  br i1 %263, label %264, label %228
 
-262:                                              ; preds = %256
+264:                                              ; preds = %258
   store i64 0, ptr %11, align 8
-  %263 = icmp eq i32 %259, 0
-  %264 = select i1 %263, i64 3, i64 1
-  store i64 %264, ptr %40, align 8
-  store ptr @place.still, ptr %41, align 8
-  store ptr %13, ptr %42, align 8
-  store ptr %43, ptr %44, align 8
-  store ptr %45, ptr %46, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %38, i64 24, i1 false)
-  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %19) #14
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #14
-  br label %281
+  %265 = icmp eq i32 %261, 0
+  %266 = select i1 %265, i64 3, i64 1
+  store i64 %266, ptr %41, align 8
+  store ptr @place.still, ptr %42, align 8
+  store ptr %13, ptr %43, align 8
+  store ptr %44, ptr %45, align 8
+  store ptr %46, ptr %47, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %39, i64 24, i1 false)
+  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %19) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
+  br label %283
 
-265:                                              ; preds = %116
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %87, ptr noundef nonnull %11)
-  %266 = load ptr, ptr %49, align 8
-  %267 = mul nsw i64 %84, 3
-  %268 = mul nsw i64 %87, 3
-  br label %269
+267:                                              ; preds = %117
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %88, ptr noundef nonnull %11)
+  %268 = load ptr, ptr %50, align 8
+  %269 = mul nsw i64 %85, 3
+  %270 = mul nsw i64 %88, 3
+  br label %271
 
-269:                                              ; preds = %269, %265
-  %270 = phi i64 [ 0, %265 ], [ %279, %269 ]
-  %271 = add nsw i64 %270, %267
-  %272 = getelementptr inbounds double, ptr %266, i64 %271
-  %273 = load double, ptr %272, align 8
-  %274 = add nsw i64 %270, %268
-  %275 = getelementptr inbounds double, ptr %266, i64 %274
-  %276 = load double, ptr %275, align 8
-  %277 = fsub double %273, %276
-  %278 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %270
-  store double %277, ptr %278, align 8
-  %279 = add nuw nsw i64 %270, 1
-  %280 = icmp eq i64 %279, 3
-  br i1 %280, label %281, label %269
+271:                                              ; preds = %271, %267
+  %272 = phi i64 [ 0, %267 ], [ %281, %271 ]
+  %273 = add nsw i64 %272, %269
+  %274 = getelementptr inbounds double, ptr %268, i64 %273
+  %275 = load double, ptr %274, align 8
+  %276 = add nsw i64 %272, %270
+  %277 = getelementptr inbounds double, ptr %268, i64 %276
+  %278 = load double, ptr %277, align 8
+  %279 = fsub double %275, %278
+  %280 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %272
+  store double %279, ptr %280, align 8
+  %281 = add nuw nsw i64 %272, 1
+  %282 = icmp eq i64 %281, 3
+  br i1 %282, label %283, label %271
 
-281:                                              ; preds = %269, %262
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %20) #14
-  %282 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %14, ptr noundef nonnull %15, ptr noundef null, ptr noundef nonnull %20)
-  %283 = icmp eq i32 %282, 0
-  br i1 %283, label %419, label %284
+283:                                              ; preds = %271, %264
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %20) #15
+  %284 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %14, ptr noundef nonnull %15, ptr noundef null, ptr noundef nonnull %20)
+  %285 = icmp eq i32 %284, 0
+  br i1 %285, label %286, label %297
 
-284:                                              ; preds = %281
-  %285 = load double, ptr %15, align 8
-  %286 = load double, ptr %14, align 8
-  %287 = fsub double %285, %286
-  %288 = fcmp ogt double %287, 1.000000e-08
-  %289 = fcmp olt double %285, 0x3EB0C6F7A0B5ED8D
-  %290 = or i1 %289, %288
-  br i1 %290, label %419, label %291
+286:                                              ; preds = %283
+  %287 = load ptr, ptr %30, align 8
+  %288 = getelementptr inbounds i64, ptr %287, i64 %88
+  %289 = load i64, ptr %288, align 8
+  %290 = icmp eq i64 %289, 4
+  br i1 %290, label %432, label %291
 
-291:                                              ; preds = %284
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #14
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %6, ptr noundef nonnull align 16 dereferenceable(24) @__const.nearest_of.share, i64 24, i1 false)
-  %292 = load i32, ptr %50, align 8
-  %293 = add i32 %292, -4
-  %294 = icmp ult i32 %293, -3
-  br i1 %294, label %399, label %295
+291:                                              ; preds = %286
+  %292 = call fastcc i32 @depth_of(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %20, ptr noundef nonnull %23, ptr noundef nonnull %24, ptr noundef nonnull %21, ptr noundef nonnull %22)
+  %293 = icmp eq i32 %292, 0
+  br i1 %293, label %432, label %294
 
-295:                                              ; preds = %291
-  %296 = icmp ugt i32 %292, 1
-  br i1 %296, label %297, label %372
-
-297:                                              ; preds = %295
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #14
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #14
-  %298 = icmp eq i32 %292, 3
-  br label %316
-
-299:                                              ; preds = %333
-  %300 = load double, ptr %7, align 16
-  %301 = fmul double %300, %300
-  %302 = load double, ptr %51, align 8
-  %303 = fmul double %302, %302
-  %304 = fadd double %301, %303
-  %305 = load double, ptr %52, align 16
-  %306 = fmul double %305, %305
-  %307 = fadd double %304, %306
-  %308 = load double, ptr %8, align 16
-  %309 = fmul double %300, %308
-  %310 = load double, ptr %53, align 8
-  %311 = fmul double %302, %310
-  %312 = fadd double %309, %311
-  %313 = load double, ptr %54, align 16
-  %314 = fmul double %305, %313
-  %315 = fadd double %312, %314
-  br i1 %298, label %336, label %342
-
-316:                                              ; preds = %333, %297
-  %317 = phi i64 [ 0, %297 ], [ %334, %333 ]
-  %318 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 1, i64 %317
-  %319 = load double, ptr %318, align 8
-  %320 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %317
-  %321 = load double, ptr %320, align 8
-  %322 = fsub double %319, %321
-  %323 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %317
-  store double %322, ptr %323, align 8
-  %324 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %317
-  %325 = load double, ptr %324, align 8
-  %326 = fsub double %325, %321
-  %327 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %317
-  store double %326, ptr %327, align 8
-  br i1 %298, label %328, label %333
-
-328:                                              ; preds = %316
-  %329 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 2, i64 %317
-  %330 = load double, ptr %329, align 8
-  %331 = fsub double %330, %321
-  %332 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %317
-  store double %331, ptr %332, align 8
-  br label %333
-
-333:                                              ; preds = %328, %316
-  %334 = add nuw nsw i64 %317, 1
-  %335 = icmp eq i64 %334, 3
-  br i1 %335, label %299, label %316
-
-336:                                              ; preds = %299
-  %337 = fmul double %308, %308
-  %338 = fmul double %310, %310
-  %339 = fadd double %337, %338
-  %340 = fmul double %313, %313
-  %341 = fadd double %339, %340
-  br label %342
-
-342:                                              ; preds = %336, %299
-  %343 = phi double [ %341, %336 ], [ 1.000000e+00, %299 ]
-  %344 = fmul double %307, %343
-  %345 = fmul double %315, %315
-  %346 = fsub double %344, %345
-  %347 = fcmp ogt double %346, 0.000000e+00
-  br i1 %347, label %348, label %398
-
-348:                                              ; preds = %342
-  %349 = load double, ptr %9, align 16
-  %350 = fmul double %300, %349
-  %351 = load double, ptr %55, align 8
-  %352 = fmul double %302, %351
-  %353 = fadd double %350, %352
-  %354 = load double, ptr %56, align 16
-  %355 = fmul double %305, %354
-  %356 = fadd double %353, %355
-  %357 = fmul double %343, %356
-  %358 = fmul double %308, %349
-  %359 = fmul double %310, %351
-  %360 = fadd double %358, %359
-  %361 = fmul double %313, %354
-  %362 = fadd double %360, %361
-  %363 = fmul double %315, %362
-  %364 = fsub double %357, %363
-  %365 = fdiv double %364, %346
-  store double %365, ptr %57, align 8
-  %366 = fmul double %307, %362
-  %367 = fmul double %315, %356
-  %368 = fsub double %366, %367
-  %369 = fdiv double %368, %346
-  store double %369, ptr %58, align 16
-  %370 = fsub double 1.000000e+00, %365
-  %371 = fsub double %370, %369
-  store double %371, ptr %6, align 16
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #14
-  br label %372
-
-372:                                              ; preds = %348, %295
-  %373 = icmp sgt i32 %292, 0
-  %374 = zext i32 %292 to i64
-  br label %375
-
-375:                                              ; preds = %379, %372
-  %376 = phi i64 [ 0, %372 ], [ %385, %379 ]
-  %377 = getelementptr inbounds double, ptr %21, i64 %376
-  store double 0.000000e+00, ptr %377, align 8
-  br i1 %373, label %387, label %379
-
-378:                                              ; preds = %387
-  store double %395, ptr %377, align 8
-  br label %379
-
-379:                                              ; preds = %378, %375
-  %380 = phi double [ 0.000000e+00, %375 ], [ %395, %378 ]
-  %381 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %376
-  %382 = load double, ptr %381, align 8
-  %383 = fsub double %380, %382
-  %384 = getelementptr inbounds double, ptr %22, i64 %376
-  store double %383, ptr %384, align 8
-  %385 = add nuw nsw i64 %376, 1
-  %386 = icmp eq i64 %385, 3
-  br i1 %386, label %400, label %375
-
-387:                                              ; preds = %375, %387
-  %388 = phi i64 [ %396, %387 ], [ 0, %375 ]
-  %389 = phi double [ %395, %387 ], [ 0.000000e+00, %375 ]
-  %390 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %388
-  %391 = load double, ptr %390, align 8
-  %392 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 1, i64 %388, i64 %376
-  %393 = load double, ptr %392, align 8
-  %394 = fmul double %391, %393
-  %395 = fadd double %389, %394
-  %396 = add nuw nsw i64 %388, 1
-  %397 = icmp eq i64 %396, %374
-  br i1 %397, label %378, label %387
-
-398:                                              ; preds = %342
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #14
-  br label %399
-
-399:                                              ; preds = %398, %291
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #14
-  br label %419
-
-400:                                              ; preds = %379
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #14
-  %401 = load double, ptr %59, align 8
-  %402 = fmul double %401, %401
-  %403 = load double, ptr %60, align 8
-  %404 = fmul double %403, %403
-  %405 = fadd double %402, %404
-  %406 = load double, ptr %61, align 8
-  %407 = fmul double %406, %406
-  %408 = fadd double %405, %407
-  %409 = call double @llvm.sqrt.f64(double %408)
-  br label %410
-
-410:                                              ; preds = %410, %400
-  %411 = phi i64 [ 0, %400 ], [ %416, %410 ]
-  %412 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %411
-  %413 = load double, ptr %412, align 8
-  %414 = fdiv double %413, %409
-  %415 = getelementptr inbounds double, ptr %23, i64 %411
-  store double %414, ptr %415, align 8
-  %416 = add nuw nsw i64 %411, 1
-  %417 = icmp eq i64 %416, 3
-  br i1 %417, label %420, label %410
-
-418:                                              ; preds = %216
-  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %19) #14
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #14
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #14
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #14
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #14
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #14
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #14
-  br label %422
-
-419:                                              ; preds = %284, %281, %399
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #14
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #14
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #14
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #14
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #14
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #14
-  br label %422
-
-420:                                              ; preds = %410
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #14
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #14
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #14
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #14
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #14
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #14
-  %421 = load ptr, ptr %47, align 8
+294:                                              ; preds = %291
+  %295 = load double, ptr %23, align 8
+  %296 = fneg double %295
+  store double %296, ptr %23, align 8
   br label %433
 
-422:                                              ; preds = %107, %112, %419, %418, %94
-  %423 = load i64, ptr %0, align 8
-  %424 = icmp sgt i64 %423, -13
-  br i1 %424, label %425, label %652
+297:                                              ; preds = %283
+  %298 = load double, ptr %15, align 8
+  %299 = load double, ptr %14, align 8
+  %300 = fsub double %298, %299
+  %301 = fcmp ogt double %300, 1.000000e-08
+  %302 = fcmp olt double %298, 0x3EB0C6F7A0B5ED8D
+  %303 = or i1 %302, %301
+  br i1 %303, label %432, label %304
 
-425:                                              ; preds = %422
-  %426 = add i64 %423, 12
-  %427 = call i64 @llvm.smax.i64(i64 %426, i64 0)
-  br label %428
+304:                                              ; preds = %297
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %6, ptr noundef nonnull align 16 dereferenceable(24) @__const.nearest_of.share, i64 24, i1 false)
+  %305 = load i32, ptr %51, align 8
+  %306 = add i32 %305, -4
+  %307 = icmp ult i32 %306, -3
+  br i1 %307, label %412, label %308
 
-428:                                              ; preds = %425, %428
-  %429 = phi i64 [ %431, %428 ], [ 0, %425 ]
-  %430 = getelementptr inbounds double, ptr %80, i64 %429
-  store double 0x7FF8000000000000, ptr %430, align 8
-  %431 = add nuw i64 %429, 1
-  %432 = icmp eq i64 %429, %427
-  br i1 %432, label %652, label %428
+308:                                              ; preds = %304
+  %309 = icmp ugt i32 %305, 1
+  br i1 %309, label %310, label %385
 
-433:                                              ; preds = %420, %204
-  %434 = phi ptr [ %119, %204 ], [ %421, %420 ]
-  %435 = phi double [ %201, %204 ], [ %409, %420 ]
-  %436 = mul nsw i64 %90, 12
-  %437 = mul nsw i64 %92, 12
-  br label %562
+310:                                              ; preds = %308
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
+  %311 = icmp eq i32 %305, 3
+  br label %329
 
-438:                                              ; preds = %562
-  %439 = getelementptr inbounds double, ptr %434, i64 %437
-  %440 = load ptr, ptr %62, align 8
-  %441 = getelementptr inbounds double, ptr %440, i64 %84
-  %442 = load double, ptr %441, align 8
-  %443 = fsub double %435, %442
-  %444 = getelementptr inbounds double, ptr %440, i64 %87
-  %445 = load double, ptr %444, align 8
-  %446 = fsub double %443, %445
-  store double %446, ptr %80, align 8
-  %447 = getelementptr inbounds double, ptr %80, i64 1
-  %448 = load double, ptr %23, align 16
-  %449 = load double, ptr %63, align 8
-  %450 = load double, ptr %64, align 16
-  br label %451
+312:                                              ; preds = %346
+  %313 = load double, ptr %7, align 16
+  %314 = fmul double %313, %313
+  %315 = load double, ptr %52, align 8
+  %316 = fmul double %315, %315
+  %317 = fadd double %314, %316
+  %318 = load double, ptr %53, align 16
+  %319 = fmul double %318, %318
+  %320 = fadd double %317, %319
+  %321 = load double, ptr %8, align 16
+  %322 = fmul double %313, %321
+  %323 = load double, ptr %54, align 8
+  %324 = fmul double %315, %323
+  %325 = fadd double %322, %324
+  %326 = load double, ptr %55, align 16
+  %327 = fmul double %318, %326
+  %328 = fadd double %325, %327
+  br i1 %311, label %349, label %355
 
-451:                                              ; preds = %451, %438
-  %452 = phi i64 [ 0, %438 ], [ %467, %451 ]
-  %453 = getelementptr inbounds double, ptr %439, i64 %452
-  %454 = load double, ptr %453, align 8
-  %455 = fmul double %454, %448
-  %456 = add nuw nsw i64 %452, 3
-  %457 = getelementptr inbounds double, ptr %439, i64 %456
-  %458 = load double, ptr %457, align 8
-  %459 = fmul double %458, %449
-  %460 = fadd double %455, %459
-  %461 = add nuw nsw i64 %452, 6
-  %462 = getelementptr inbounds double, ptr %439, i64 %461
-  %463 = load double, ptr %462, align 8
-  %464 = fmul double %463, %450
-  %465 = fadd double %460, %464
-  %466 = getelementptr inbounds double, ptr %447, i64 %452
-  store double %465, ptr %466, align 8
-  %467 = add nuw nsw i64 %452, 1
-  %468 = icmp eq i64 %467, 3
-  br i1 %468, label %469, label %451
+329:                                              ; preds = %346, %310
+  %330 = phi i64 [ 0, %310 ], [ %347, %346 ]
+  %331 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 1, i64 %330
+  %332 = load double, ptr %331, align 8
+  %333 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %330
+  %334 = load double, ptr %333, align 8
+  %335 = fsub double %332, %334
+  %336 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %330
+  store double %335, ptr %336, align 8
+  %337 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %330
+  %338 = load double, ptr %337, align 8
+  %339 = fsub double %338, %334
+  %340 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %330
+  store double %339, ptr %340, align 8
+  br i1 %311, label %341, label %346
 
-469:                                              ; preds = %451
-  %470 = getelementptr inbounds double, ptr %434, i64 %436
-  %471 = getelementptr inbounds double, ptr %80, i64 4
-  %472 = load double, ptr %24, align 16
-  %473 = load double, ptr %65, align 8
-  %474 = load double, ptr %66, align 16
-  br label %475
+341:                                              ; preds = %329
+  %342 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 2, i64 %330
+  %343 = load double, ptr %342, align 8
+  %344 = fsub double %343, %334
+  %345 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %330
+  store double %344, ptr %345, align 8
+  br label %346
 
-475:                                              ; preds = %475, %469
-  %476 = phi i64 [ 0, %469 ], [ %491, %475 ]
-  %477 = getelementptr inbounds double, ptr %470, i64 %476
-  %478 = load double, ptr %477, align 8
-  %479 = fmul double %478, %472
-  %480 = add nuw nsw i64 %476, 3
-  %481 = getelementptr inbounds double, ptr %470, i64 %480
-  %482 = load double, ptr %481, align 8
-  %483 = fmul double %482, %473
-  %484 = fadd double %479, %483
-  %485 = add nuw nsw i64 %476, 6
-  %486 = getelementptr inbounds double, ptr %470, i64 %485
-  %487 = load double, ptr %486, align 8
-  %488 = fmul double %487, %474
-  %489 = fadd double %484, %488
-  %490 = getelementptr inbounds double, ptr %471, i64 %476
-  store double %489, ptr %490, align 8
-  %491 = add nuw nsw i64 %476, 1
-  %492 = icmp eq i64 %491, 3
-  br i1 %492, label %493, label %475
+346:                                              ; preds = %341, %329
+  %347 = add nuw nsw i64 %330, 1
+  %348 = icmp eq i64 %347, 3
+  br i1 %348, label %312, label %329
 
-493:                                              ; preds = %475
-  %494 = getelementptr inbounds double, ptr %80, i64 7
-  %495 = load double, ptr %21, align 16
-  %496 = getelementptr inbounds double, ptr %470, i64 9
-  %497 = load double, ptr %496, align 8
-  %498 = fsub double %495, %497
-  %499 = load double, ptr %67, align 8
-  %500 = getelementptr inbounds double, ptr %470, i64 10
+349:                                              ; preds = %312
+  %350 = fmul double %321, %321
+  %351 = fmul double %323, %323
+  %352 = fadd double %350, %351
+  %353 = fmul double %326, %326
+  %354 = fadd double %352, %353
+  br label %355
+
+355:                                              ; preds = %349, %312
+  %356 = phi double [ %354, %349 ], [ 1.000000e+00, %312 ]
+  %357 = fmul double %320, %356
+  %358 = fmul double %328, %328
+  %359 = fsub double %357, %358
+  %360 = fcmp ogt double %359, 0.000000e+00
+  br i1 %360, label %361, label %411
+
+361:                                              ; preds = %355
+  %362 = load double, ptr %9, align 16
+  %363 = fmul double %313, %362
+  %364 = load double, ptr %56, align 8
+  %365 = fmul double %315, %364
+  %366 = fadd double %363, %365
+  %367 = load double, ptr %57, align 16
+  %368 = fmul double %318, %367
+  %369 = fadd double %366, %368
+  %370 = fmul double %356, %369
+  %371 = fmul double %321, %362
+  %372 = fmul double %323, %364
+  %373 = fadd double %371, %372
+  %374 = fmul double %326, %367
+  %375 = fadd double %373, %374
+  %376 = fmul double %328, %375
+  %377 = fsub double %370, %376
+  %378 = fdiv double %377, %359
+  store double %378, ptr %58, align 8
+  %379 = fmul double %320, %375
+  %380 = fmul double %328, %369
+  %381 = fsub double %379, %380
+  %382 = fdiv double %381, %359
+  store double %382, ptr %59, align 16
+  %383 = fsub double 1.000000e+00, %378
+  %384 = fsub double %383, %382
+  store double %384, ptr %6, align 16
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  br label %385
+
+385:                                              ; preds = %361, %308
+  %386 = icmp sgt i32 %305, 0
+  %387 = zext i32 %305 to i64
+  br label %388
+
+388:                                              ; preds = %392, %385
+  %389 = phi i64 [ 0, %385 ], [ %398, %392 ]
+  %390 = getelementptr inbounds double, ptr %21, i64 %389
+  store double 0.000000e+00, ptr %390, align 8
+  br i1 %386, label %400, label %392
+
+391:                                              ; preds = %400
+  store double %408, ptr %390, align 8
+  br label %392
+
+392:                                              ; preds = %391, %388
+  %393 = phi double [ 0.000000e+00, %388 ], [ %408, %391 ]
+  %394 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %389
+  %395 = load double, ptr %394, align 8
+  %396 = fsub double %393, %395
+  %397 = getelementptr inbounds double, ptr %22, i64 %389
+  store double %396, ptr %397, align 8
+  %398 = add nuw nsw i64 %389, 1
+  %399 = icmp eq i64 %398, 3
+  br i1 %399, label %413, label %388
+
+400:                                              ; preds = %388, %400
+  %401 = phi i64 [ %409, %400 ], [ 0, %388 ]
+  %402 = phi double [ %408, %400 ], [ 0.000000e+00, %388 ]
+  %403 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %401
+  %404 = load double, ptr %403, align 8
+  %405 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 1, i64 %401, i64 %389
+  %406 = load double, ptr %405, align 8
+  %407 = fmul double %404, %406
+  %408 = fadd double %402, %407
+  %409 = add nuw nsw i64 %401, 1
+  %410 = icmp eq i64 %409, %387
+  br i1 %410, label %391, label %400
+
+411:                                              ; preds = %355
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  br label %412
+
+412:                                              ; preds = %411, %304
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  br label %432
+
+413:                                              ; preds = %392
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  %414 = load double, ptr %60, align 8
+  %415 = fmul double %414, %414
+  %416 = load double, ptr %61, align 8
+  %417 = fmul double %416, %416
+  %418 = fadd double %415, %417
+  %419 = load double, ptr %62, align 8
+  %420 = fmul double %419, %419
+  %421 = fadd double %418, %420
+  %422 = call double @llvm.sqrt.f64(double %421)
+  store double %422, ptr %23, align 8
+  br label %423
+
+423:                                              ; preds = %423, %413
+  %424 = phi i64 [ 0, %413 ], [ %429, %423 ]
+  %425 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %424
+  %426 = load double, ptr %425, align 8
+  %427 = fdiv double %426, %422
+  %428 = getelementptr inbounds double, ptr %24, i64 %424
+  store double %427, ptr %428, align 8
+  %429 = add nuw nsw i64 %424, 1
+  %430 = icmp eq i64 %429, 3
+  br i1 %430, label %433, label %423
+
+431:                                              ; preds = %218
+  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %19) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
+  br label %436
+
+432:                                              ; preds = %291, %286, %297, %412
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
+  br label %436
+
+433:                                              ; preds = %423, %294
+  %434 = phi double [ %296, %294 ], [ %422, %423 ]
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
+  %435 = load ptr, ptr %48, align 8
+  br label %447
+
+436:                                              ; preds = %108, %113, %432, %431, %95
+  %437 = load i64, ptr %0, align 8
+  %438 = icmp sgt i64 %437, -13
+  br i1 %438, label %439, label %666
+
+439:                                              ; preds = %436
+  %440 = add i64 %437, 12
+  %441 = call i64 @llvm.smax.i64(i64 %440, i64 0)
+  br label %442
+
+442:                                              ; preds = %439, %442
+  %443 = phi i64 [ %445, %442 ], [ 0, %439 ]
+  %444 = getelementptr inbounds double, ptr %81, i64 %443
+  store double 0x7FF8000000000000, ptr %444, align 8
+  %445 = add nuw i64 %443, 1
+  %446 = icmp eq i64 %443, %441
+  br i1 %446, label %666, label %442
+
+447:                                              ; preds = %433, %206
+  %448 = phi double [ %434, %433 ], [ %202, %206 ]
+  %449 = phi ptr [ %435, %433 ], [ %120, %206 ]
+  %450 = mul nsw i64 %91, 12
+  %451 = mul nsw i64 %93, 12
+  br label %576
+
+452:                                              ; preds = %576
+  %453 = getelementptr inbounds double, ptr %449, i64 %451
+  %454 = load ptr, ptr %63, align 8
+  %455 = getelementptr inbounds double, ptr %454, i64 %85
+  %456 = load double, ptr %455, align 8
+  %457 = fsub double %448, %456
+  %458 = getelementptr inbounds double, ptr %454, i64 %88
+  %459 = load double, ptr %458, align 8
+  %460 = fsub double %457, %459
+  store double %460, ptr %81, align 8
+  %461 = getelementptr inbounds double, ptr %81, i64 1
+  %462 = load double, ptr %24, align 16
+  %463 = load double, ptr %64, align 8
+  %464 = load double, ptr %65, align 16
+  br label %465
+
+465:                                              ; preds = %465, %452
+  %466 = phi i64 [ 0, %452 ], [ %481, %465 ]
+  %467 = getelementptr inbounds double, ptr %453, i64 %466
+  %468 = load double, ptr %467, align 8
+  %469 = fmul double %468, %462
+  %470 = add nuw nsw i64 %466, 3
+  %471 = getelementptr inbounds double, ptr %453, i64 %470
+  %472 = load double, ptr %471, align 8
+  %473 = fmul double %472, %463
+  %474 = fadd double %469, %473
+  %475 = add nuw nsw i64 %466, 6
+  %476 = getelementptr inbounds double, ptr %453, i64 %475
+  %477 = load double, ptr %476, align 8
+  %478 = fmul double %477, %464
+  %479 = fadd double %474, %478
+  %480 = getelementptr inbounds double, ptr %461, i64 %466
+  store double %479, ptr %480, align 8
+  %481 = add nuw nsw i64 %466, 1
+  %482 = icmp eq i64 %481, 3
+  br i1 %482, label %483, label %465
+
+483:                                              ; preds = %465
+  %484 = getelementptr inbounds double, ptr %449, i64 %450
+  %485 = getelementptr inbounds double, ptr %81, i64 4
+  %486 = load double, ptr %25, align 16
+  %487 = load double, ptr %66, align 8
+  %488 = load double, ptr %67, align 16
+  br label %489
+
+489:                                              ; preds = %489, %483
+  %490 = phi i64 [ 0, %483 ], [ %505, %489 ]
+  %491 = getelementptr inbounds double, ptr %484, i64 %490
+  %492 = load double, ptr %491, align 8
+  %493 = fmul double %492, %486
+  %494 = add nuw nsw i64 %490, 3
+  %495 = getelementptr inbounds double, ptr %484, i64 %494
+  %496 = load double, ptr %495, align 8
+  %497 = fmul double %496, %487
+  %498 = fadd double %493, %497
+  %499 = add nuw nsw i64 %490, 6
+  %500 = getelementptr inbounds double, ptr %484, i64 %499
   %501 = load double, ptr %500, align 8
-  %502 = fsub double %499, %501
-  %503 = load double, ptr %68, align 16
-  %504 = getelementptr inbounds double, ptr %470, i64 11
-  %505 = load double, ptr %504, align 8
-  %506 = fsub double %503, %505
-  br label %507
+  %502 = fmul double %501, %488
+  %503 = fadd double %498, %502
+  %504 = getelementptr inbounds double, ptr %485, i64 %490
+  store double %503, ptr %504, align 8
+  %505 = add nuw nsw i64 %490, 1
+  %506 = icmp eq i64 %505, 3
+  br i1 %506, label %507, label %489
 
-507:                                              ; preds = %507, %493
-  %508 = phi i64 [ 0, %493 ], [ %523, %507 ]
-  %509 = getelementptr inbounds double, ptr %470, i64 %508
-  %510 = load double, ptr %509, align 8
-  %511 = fmul double %498, %510
-  %512 = add nuw nsw i64 %508, 3
-  %513 = getelementptr inbounds double, ptr %470, i64 %512
-  %514 = load double, ptr %513, align 8
-  %515 = fmul double %502, %514
-  %516 = fadd double %511, %515
-  %517 = add nuw nsw i64 %508, 6
-  %518 = getelementptr inbounds double, ptr %470, i64 %517
+507:                                              ; preds = %489
+  %508 = getelementptr inbounds double, ptr %81, i64 7
+  %509 = load double, ptr %21, align 16
+  %510 = getelementptr inbounds double, ptr %484, i64 9
+  %511 = load double, ptr %510, align 8
+  %512 = fsub double %509, %511
+  %513 = load double, ptr %68, align 8
+  %514 = getelementptr inbounds double, ptr %484, i64 10
+  %515 = load double, ptr %514, align 8
+  %516 = fsub double %513, %515
+  %517 = load double, ptr %69, align 16
+  %518 = getelementptr inbounds double, ptr %484, i64 11
   %519 = load double, ptr %518, align 8
-  %520 = fmul double %506, %519
-  %521 = fadd double %516, %520
-  %522 = getelementptr inbounds double, ptr %494, i64 %508
-  store double %521, ptr %522, align 8
-  %523 = add nuw nsw i64 %508, 1
-  %524 = icmp eq i64 %523, 3
-  br i1 %524, label %525, label %507
+  %520 = fsub double %517, %519
+  br label %521
 
-525:                                              ; preds = %507
-  %526 = getelementptr inbounds double, ptr %80, i64 10
-  %527 = load double, ptr %22, align 16
-  %528 = getelementptr inbounds double, ptr %439, i64 9
-  %529 = load double, ptr %528, align 8
-  %530 = fsub double %527, %529
-  %531 = load double, ptr %69, align 8
-  %532 = getelementptr inbounds double, ptr %439, i64 10
+521:                                              ; preds = %521, %507
+  %522 = phi i64 [ 0, %507 ], [ %537, %521 ]
+  %523 = getelementptr inbounds double, ptr %484, i64 %522
+  %524 = load double, ptr %523, align 8
+  %525 = fmul double %512, %524
+  %526 = add nuw nsw i64 %522, 3
+  %527 = getelementptr inbounds double, ptr %484, i64 %526
+  %528 = load double, ptr %527, align 8
+  %529 = fmul double %516, %528
+  %530 = fadd double %525, %529
+  %531 = add nuw nsw i64 %522, 6
+  %532 = getelementptr inbounds double, ptr %484, i64 %531
   %533 = load double, ptr %532, align 8
-  %534 = fsub double %531, %533
-  %535 = load double, ptr %70, align 16
-  %536 = getelementptr inbounds double, ptr %439, i64 11
-  %537 = load double, ptr %536, align 8
-  %538 = fsub double %535, %537
-  br label %539
+  %534 = fmul double %520, %533
+  %535 = fadd double %530, %534
+  %536 = getelementptr inbounds double, ptr %508, i64 %522
+  store double %535, ptr %536, align 8
+  %537 = add nuw nsw i64 %522, 1
+  %538 = icmp eq i64 %537, 3
+  br i1 %538, label %539, label %521
 
-539:                                              ; preds = %539, %525
-  %540 = phi i64 [ 0, %525 ], [ %555, %539 ]
-  %541 = getelementptr inbounds double, ptr %439, i64 %540
-  %542 = load double, ptr %541, align 8
-  %543 = fmul double %530, %542
-  %544 = add nuw nsw i64 %540, 3
-  %545 = getelementptr inbounds double, ptr %439, i64 %544
-  %546 = load double, ptr %545, align 8
-  %547 = fmul double %534, %546
-  %548 = fadd double %543, %547
-  %549 = add nuw nsw i64 %540, 6
-  %550 = getelementptr inbounds double, ptr %439, i64 %549
+539:                                              ; preds = %521
+  %540 = getelementptr inbounds double, ptr %81, i64 10
+  %541 = load double, ptr %22, align 16
+  %542 = getelementptr inbounds double, ptr %453, i64 9
+  %543 = load double, ptr %542, align 8
+  %544 = fsub double %541, %543
+  %545 = load double, ptr %70, align 8
+  %546 = getelementptr inbounds double, ptr %453, i64 10
+  %547 = load double, ptr %546, align 8
+  %548 = fsub double %545, %547
+  %549 = load double, ptr %71, align 16
+  %550 = getelementptr inbounds double, ptr %453, i64 11
   %551 = load double, ptr %550, align 8
-  %552 = fmul double %538, %551
-  %553 = fadd double %548, %552
-  %554 = getelementptr inbounds double, ptr %526, i64 %540
-  store double %553, ptr %554, align 8
-  %555 = add nuw nsw i64 %540, 1
-  %556 = icmp eq i64 %555, 3
-  br i1 %556, label %557, label %539
+  %552 = fsub double %549, %551
+  br label %553
 
-557:                                              ; preds = %539
-  %558 = load i64, ptr %0, align 8
-  %559 = icmp slt i64 %558, 1
-  br i1 %559, label %652, label %560
-
-560:                                              ; preds = %557
-  %561 = load ptr, ptr %71, align 8
-  br label %570
-
-562:                                              ; preds = %433, %562
-  %563 = phi i64 [ 0, %433 ], [ %568, %562 ]
-  %564 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %563
+553:                                              ; preds = %553, %539
+  %554 = phi i64 [ 0, %539 ], [ %569, %553 ]
+  %555 = getelementptr inbounds double, ptr %453, i64 %554
+  %556 = load double, ptr %555, align 8
+  %557 = fmul double %544, %556
+  %558 = add nuw nsw i64 %554, 3
+  %559 = getelementptr inbounds double, ptr %453, i64 %558
+  %560 = load double, ptr %559, align 8
+  %561 = fmul double %548, %560
+  %562 = fadd double %557, %561
+  %563 = add nuw nsw i64 %554, 6
+  %564 = getelementptr inbounds double, ptr %453, i64 %563
   %565 = load double, ptr %564, align 8
-  %566 = fneg double %565
-  %567 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 %563
-  store double %566, ptr %567, align 8
-  %568 = add nuw nsw i64 %563, 1
-  %569 = icmp eq i64 %568, 3
-  br i1 %569, label %438, label %562
+  %566 = fmul double %552, %565
+  %567 = fadd double %562, %566
+  %568 = getelementptr inbounds double, ptr %540, i64 %554
+  store double %567, ptr %568, align 8
+  %569 = add nuw nsw i64 %554, 1
+  %570 = icmp eq i64 %569, 3
+  br i1 %570, label %571, label %553
 
-570:                                              ; preds = %560, %606
-  %571 = phi i64 [ 1, %560 ], [ %609, %606 ]
-  %572 = mul nuw nsw i64 %571, 12
-  %573 = getelementptr inbounds double, ptr %434, i64 %572
-  %574 = add nsw i64 %571, -1
-  %575 = mul nuw nsw i64 %574, 3
-  %576 = getelementptr inbounds double, ptr %561, i64 %575
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #14
-  %577 = load double, ptr %576, align 8
-  %578 = getelementptr inbounds double, ptr %576, i64 1
+571:                                              ; preds = %553
+  %572 = load i64, ptr %0, align 8
+  %573 = icmp slt i64 %572, 1
+  br i1 %573, label %666, label %574
+
+574:                                              ; preds = %571
+  %575 = load ptr, ptr %72, align 8
+  br label %584
+
+576:                                              ; preds = %447, %576
+  %577 = phi i64 [ 0, %447 ], [ %582, %576 ]
+  %578 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 %577
   %579 = load double, ptr %578, align 8
-  %580 = getelementptr inbounds double, ptr %576, i64 2
-  %581 = load double, ptr %580, align 8
-  br label %589
+  %580 = fneg double %579
+  %581 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 %577
+  store double %580, ptr %581, align 8
+  %582 = add nuw nsw i64 %577, 1
+  %583 = icmp eq i64 %582, 3
+  br i1 %583, label %452, label %576
 
-582:                                              ; preds = %589
-  %583 = getelementptr inbounds double, ptr %573, i64 9
-  %584 = getelementptr inbounds double, ptr %573, i64 10
-  %585 = getelementptr inbounds double, ptr %573, i64 11
-  %586 = load double, ptr %72, align 8
-  %587 = load double, ptr %73, align 16
-  %588 = load double, ptr %25, align 16
-  br label %611
-
-589:                                              ; preds = %570, %589
-  %590 = phi i64 [ 0, %570 ], [ %604, %589 ]
-  %591 = mul nuw nsw i64 %590, 3
-  %592 = getelementptr inbounds double, ptr %573, i64 %591
+584:                                              ; preds = %574, %620
+  %585 = phi i64 [ 1, %574 ], [ %623, %620 ]
+  %586 = mul nuw nsw i64 %585, 12
+  %587 = getelementptr inbounds double, ptr %449, i64 %586
+  %588 = add nsw i64 %585, -1
+  %589 = mul nuw nsw i64 %588, 3
+  %590 = getelementptr inbounds double, ptr %575, i64 %589
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #15
+  %591 = load double, ptr %590, align 8
+  %592 = getelementptr inbounds double, ptr %590, i64 1
   %593 = load double, ptr %592, align 8
-  %594 = fmul double %593, %577
-  %595 = getelementptr inbounds double, ptr %592, i64 1
-  %596 = load double, ptr %595, align 8
-  %597 = fmul double %596, %579
-  %598 = fadd double %594, %597
-  %599 = getelementptr inbounds double, ptr %592, i64 2
-  %600 = load double, ptr %599, align 8
-  %601 = fmul double %600, %581
-  %602 = fadd double %598, %601
-  %603 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 %590
-  store double %602, ptr %603, align 8
-  %604 = add nuw nsw i64 %590, 1
-  %605 = icmp eq i64 %604, 3
-  br i1 %605, label %582, label %589
+  %594 = getelementptr inbounds double, ptr %590, i64 2
+  %595 = load double, ptr %594, align 8
+  br label %603
 
-606:                                              ; preds = %650
-  %607 = add nuw nsw i64 %571, 12
-  %608 = getelementptr inbounds double, ptr %80, i64 %607
-  store double %651, ptr %608, align 8
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #14
-  %609 = add nuw i64 %571, 1
-  %610 = icmp eq i64 %571, %558
-  br i1 %610, label %652, label %570
+596:                                              ; preds = %603
+  %597 = getelementptr inbounds double, ptr %587, i64 9
+  %598 = getelementptr inbounds double, ptr %587, i64 10
+  %599 = getelementptr inbounds double, ptr %587, i64 11
+  %600 = load double, ptr %73, align 8
+  %601 = load double, ptr %74, align 16
+  %602 = load double, ptr %26, align 16
+  br label %625
 
-611:                                              ; preds = %582, %650
-  %612 = phi i1 [ true, %582 ], [ false, %650 ]
-  %613 = phi double [ 0.000000e+00, %582 ], [ %651, %650 ]
-  %614 = select i1 %612, i64 %90, i64 %92
-  %615 = icmp sgt i64 %571, %614
-  br i1 %615, label %650, label %616
+603:                                              ; preds = %584, %603
+  %604 = phi i64 [ 0, %584 ], [ %618, %603 ]
+  %605 = mul nuw nsw i64 %604, 3
+  %606 = getelementptr inbounds double, ptr %587, i64 %605
+  %607 = load double, ptr %606, align 8
+  %608 = fmul double %607, %591
+  %609 = getelementptr inbounds double, ptr %606, i64 1
+  %610 = load double, ptr %609, align 8
+  %611 = fmul double %610, %593
+  %612 = fadd double %608, %611
+  %613 = getelementptr inbounds double, ptr %606, i64 2
+  %614 = load double, ptr %613, align 8
+  %615 = fmul double %614, %595
+  %616 = fadd double %612, %615
+  %617 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 %604
+  store double %616, ptr %617, align 8
+  %618 = add nuw nsw i64 %604, 1
+  %619 = icmp eq i64 %618, 3
+  br i1 %619, label %596, label %603
 
-616:                                              ; preds = %611
-  %617 = select i1 %612, double %495, double %527
-  %618 = load double, ptr %583, align 8
-  %619 = fsub double %617, %618
-  %620 = select i1 %612, double %499, double %531
-  %621 = load double, ptr %584, align 8
-  %622 = fsub double %620, %621
-  %623 = select i1 %612, double %503, double %535
-  %624 = load double, ptr %585, align 8
-  %625 = fsub double %623, %624
-  %626 = fmul double %586, %625
-  %627 = fmul double %622, %587
-  %628 = fsub double %626, %627
-  %629 = fmul double %619, %587
-  %630 = fmul double %625, %588
-  %631 = fsub double %629, %630
-  %632 = fmul double %622, %588
-  %633 = fmul double %619, %586
-  %634 = fsub double %632, %633
-  %635 = load ptr, ptr %74, align 8
-  %636 = getelementptr inbounds i64, ptr %635, i64 %574
-  %637 = load i64, ptr %636, align 8
-  %638 = icmp eq i64 %637, 0
-  %639 = select i1 %638, double %628, double %588
-  %640 = fmul double %448, %639
-  %641 = select i1 %638, double %631, double %586
-  %642 = fmul double %449, %641
-  %643 = fadd double %640, %642
-  %644 = select i1 %638, double %634, double %587
-  %645 = fmul double %450, %644
-  %646 = fadd double %643, %645
-  %647 = fneg double %646
-  %648 = select i1 %612, double %646, double %647
-  %649 = fadd double %613, %648
-  br label %650
+620:                                              ; preds = %664
+  %621 = add nuw nsw i64 %585, 12
+  %622 = getelementptr inbounds double, ptr %81, i64 %621
+  store double %665, ptr %622, align 8
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #15
+  %623 = add nuw i64 %585, 1
+  %624 = icmp eq i64 %585, %572
+  br i1 %624, label %666, label %584
 
-650:                                              ; preds = %611, %616
-  %651 = phi double [ %649, %616 ], [ %613, %611 ]
-  br i1 %612, label %611, label %606
+625:                                              ; preds = %596, %664
+  %626 = phi i1 [ true, %596 ], [ false, %664 ]
+  %627 = phi double [ 0.000000e+00, %596 ], [ %665, %664 ]
+  %628 = select i1 %626, i64 %91, i64 %93
+  %629 = icmp sgt i64 %585, %628
+  br i1 %629, label %664, label %630
 
-652:                                              ; preds = %606, %428, %557, %422
-  %653 = phi i64 [ %558, %557 ], [ %423, %422 ], [ %423, %428 ], [ %558, %606 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #14
-  %654 = add nuw nsw i64 %81, 1
-  %655 = getelementptr inbounds double, ptr %79, i64 %653
-  %656 = add nsw i64 %653, 13
-  %657 = getelementptr inbounds double, ptr %80, i64 %656
-  %658 = icmp eq i64 %654, %2
-  br i1 %658, label %76, label %77
+630:                                              ; preds = %625
+  %631 = select i1 %626, double %509, double %541
+  %632 = load double, ptr %597, align 8
+  %633 = fsub double %631, %632
+  %634 = select i1 %626, double %513, double %545
+  %635 = load double, ptr %598, align 8
+  %636 = fsub double %634, %635
+  %637 = select i1 %626, double %517, double %549
+  %638 = load double, ptr %599, align 8
+  %639 = fsub double %637, %638
+  %640 = fmul double %600, %639
+  %641 = fmul double %636, %601
+  %642 = fsub double %640, %641
+  %643 = fmul double %633, %601
+  %644 = fmul double %639, %602
+  %645 = fsub double %643, %644
+  %646 = fmul double %636, %602
+  %647 = fmul double %633, %600
+  %648 = fsub double %646, %647
+  %649 = load ptr, ptr %75, align 8
+  %650 = getelementptr inbounds i64, ptr %649, i64 %588
+  %651 = load i64, ptr %650, align 8
+  %652 = icmp eq i64 %651, 0
+  %653 = select i1 %652, double %642, double %602
+  %654 = fmul double %462, %653
+  %655 = select i1 %652, double %645, double %600
+  %656 = fmul double %463, %655
+  %657 = fadd double %654, %656
+  %658 = select i1 %652, double %648, double %601
+  %659 = fmul double %464, %658
+  %660 = fadd double %657, %659
+  %661 = fneg double %660
+  %662 = select i1 %626, double %660, double %661
+  %663 = fadd double %627, %662
+  br label %664
+
+664:                                              ; preds = %625, %630
+  %665 = phi double [ %663, %630 ], [ %627, %625 ]
+  br i1 %626, label %625, label %620
+
+666:                                              ; preds = %620, %442, %571, %436
+  %667 = phi i64 [ %572, %571 ], [ %437, %436 ], [ %437, %442 ], [ %572, %620 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %23) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
+  %668 = add nuw nsw i64 %82, 1
+  %669 = getelementptr inbounds double, ptr %80, i64 %667
+  %670 = add nsw i64 %667, 13
+  %671 = getelementptr inbounds double, ptr %81, i64 %670
+  %672 = icmp eq i64 %668, %2
+  br i1 %672, label %77, label %78
 }
 
 define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3, i64 noundef %4, ptr noundef %5, ptr noundef %6) local_unnamed_addr #6 {
@@ -2846,9 +2920,9 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
   %5 = alloca [12 x double], align 16
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #14
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
   %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %9 = load ptr, ptr %8, align 8
   %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
@@ -2946,9 +3020,9 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
   %86 = getelementptr inbounds double, ptr %82, i64 %3
   %87 = load double, ptr %86, align 8
   %88 = fsub double %85, %87
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #14
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %5) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %5) #15
   ret double %88
 
 89:                                               ; preds = %69, %89
@@ -3234,8 +3308,8 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %149 = load ptr, ptr %148, align 8
   %150 = shl nsw i64 %2, 1
   %151 = getelementptr inbounds i64, ptr %149, i64 %150
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #14
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %7) #14
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %7) #15
   %152 = load i64, ptr %151, align 8
   %153 = icmp slt i64 %152, 0
   br i1 %153, label %154, label %202
@@ -3247,8 +3321,8 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %158 = load i64, ptr %157, align 8
   %159 = mul nsw i64 %158, 9
   %160 = getelementptr inbounds double, ptr %156, i64 %159
-  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %8) #14
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #14
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #15
   call fastcc void @leaf_core(ptr noundef %160, ptr noundef nonnull %8, ptr noundef nonnull %9)
   %161 = load double, ptr %125, align 8
   %162 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 0, i64 1
@@ -3284,11 +3358,11 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   br i1 %187, label %166, label %170
 
 188:                                              ; preds = %166
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %10) #14
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %10) #15
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %10, ptr noundef nonnull align 8 dereferenceable(32) %125, i64 32, i1 false)
   %189 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
   %190 = load ptr, ptr %189, align 8
-  %191 = call fastcc i32 @shape_bounds(ptr noundef %15, i64 noundef %23, ptr noundef %190, i64 noundef %1, ptr noundef nonnull %9, ptr noundef nonnull %125, double noundef %51, double noundef %50, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %10)
+  %191 = call fastcc i32 @shape_bounds(ptr noundef %15, i64 noundef %23, ptr noundef %190, i64 noundef %1, ptr noundef nonnull %9, ptr noundef nonnull %125, double noundef %51, double noundef %50, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %10, ptr noundef null)
   %192 = icmp ne i32 %191, 0
   %193 = load double, ptr %6, align 8
   %194 = fcmp ugt double %193, %51
@@ -3305,19 +3379,19 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   br label %200
 
 200:                                              ; preds = %188, %196
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %10) #14
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %10) #15
   br label %201
 
 201:                                              ; preds = %166, %200
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #14
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %8) #14
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #15
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %8) #15
   br label %394
 
 202:                                              ; preds = %147
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %11) #14
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %11) #15
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %11, ptr noundef nonnull align 8 dereferenceable(32) %3, i64 32, i1 false)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #14
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %13) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %13) #15
   %203 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 7
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %203, ptr noundef nonnull align 16 dereferenceable(72) @box_core.straight, i64 72, i1 false)
   br label %204
@@ -3362,7 +3436,7 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %234 = fmul double %233, %233
   %235 = fadd double %231, %234
   %236 = call double @llvm.sqrt.f64(double %235)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
   %237 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 31
   %238 = load ptr, ptr %237, align 8
   %239 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 5
@@ -3442,7 +3516,7 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %304 = fadd double %303, %236
   %305 = fmul double %304, %304
   %306 = fcmp ule double %299, %305
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
   br i1 %306, label %307, label %393
 
 307:                                              ; preds = %302
@@ -3456,7 +3530,7 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   br i1 %314, label %315, label %340
 
 315:                                              ; preds = %307
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #15
   br label %322
 
 316:                                              ; preds = %322
@@ -3488,12 +3562,12 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   br i1 %336, label %339, label %337
 
 337:                                              ; preds = %333, %316
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #15
   %338 = load ptr, ptr %16, align 8
   br label %340
 
 339:                                              ; preds = %333
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #15
   br label %393
 
 340:                                              ; preds = %337, %307
@@ -3562,14 +3636,14 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   br label %393
 
 393:                                              ; preds = %339, %302, %382
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %13) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #14
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %11) #14
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %13) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %11) #15
   br label %394
 
 394:                                              ; preds = %393, %201
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #14
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #14
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #15
   br label %395
 
 395:                                              ; preds = %84, %118, %141, %95, %99, %394
@@ -3580,8 +3654,8 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   %4 = alloca [64 x double], align 16
   %5 = alloca [3 x double], align 16
   %6 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
   %7 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 5
   %8 = load ptr, ptr %7, align 8
   %9 = getelementptr inbounds double, ptr %1, i64 1
@@ -3639,7 +3713,7 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   %49 = getelementptr inbounds double, ptr %5, i64 2
   %50 = load double, ptr %49, align 16
   %51 = load double, ptr %43, align 8
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #14
+  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #15
   %52 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 1
   %53 = load i64, ptr %52, align 8
   %54 = icmp sgt i64 %53, 1
@@ -3720,7 +3794,7 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   %112 = phi double [ %51, %37 ], [ %110, %104 ]
   %113 = phi double [ %48, %37 ], [ %108, %104 ]
   %114 = phi double [ %45, %37 ], [ %106, %104 ]
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #14
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #15
   br label %160
 
 115:                                              ; preds = %34, %115
@@ -3812,8 +3886,8 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   br i1 %186, label %187, label %164
 
 187:                                              ; preds = %164
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
   ret void
 }
 
@@ -3879,7 +3953,7 @@ define internal fastcc i32 @within(ptr noundef readonly %0, i64 noundef %1, ptr 
 
 define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, double noundef %2, i64 noundef %3, double noundef %4) unnamed_addr #8 {
   %6 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
   %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %8 = load ptr, ptr %7, align 8
   %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
@@ -3959,28 +4033,672 @@ define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr noc
   %74 = fmul double %73, %73
   %75 = fcmp ogt double %69, %74
   %76 = zext i1 %75 to i32
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
   ret i32 %76
 }
 
-define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, double noundef %6, double noundef %7, ptr nocapture noundef %8, ptr nocapture noundef %9, ptr noundef %10) unnamed_addr #0 {
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
-  %13 = load ptr, ptr %12, align 8
-  %14 = getelementptr inbounds double, ptr %13, i64 %1
-  %15 = load double, ptr %14, align 8
-  %16 = getelementptr inbounds double, ptr %13, i64 %3
-  %17 = load double, ptr %16, align 8
-  %18 = fadd double %15, %17
-  %19 = fadd double %18, %6
-  %20 = fadd double %18, %7
-  %21 = tail call fastcc i32 @bounds(ptr noundef %2, ptr noundef %4, ptr noundef %5, double noundef %19, double noundef %20, double noundef 0x3DA5FD7FE1796495, ptr noundef %8, ptr noundef %9, ptr noundef %10, ptr noundef null)
-  %22 = load double, ptr %8, align 8
-  %23 = fsub double %22, %18
-  store double %23, ptr %8, align 8
-  %24 = load double, ptr %9, align 8
-  %25 = fsub double %24, %18
-  store double %25, ptr %9, align 8
-  ret i32 %21
+define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, double noundef %6, double noundef %7, ptr nocapture noundef %8, ptr nocapture noundef %9, ptr noundef %10, ptr noundef %11) unnamed_addr #0 {
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr inbounds double, ptr %14, i64 %1
+  %16 = load double, ptr %15, align 8
+  %17 = getelementptr inbounds double, ptr %14, i64 %3
+  %18 = load double, ptr %17, align 8
+  %19 = fadd double %16, %18
+  %20 = fadd double %19, %6
+  %21 = fadd double %19, %7
+  %22 = tail call fastcc i32 @bounds(ptr noundef %2, ptr noundef %4, ptr noundef %5, double noundef %20, double noundef %21, double noundef 0x3DA5FD7FE1796495, ptr noundef %8, ptr noundef %9, ptr noundef %10, ptr noundef %11)
+  %23 = load double, ptr %8, align 8
+  %24 = fsub double %23, %19
+  store double %24, ptr %8, align 8
+  %25 = load double, ptr %9, align 8
+  %26 = fsub double %25, %19
+  store double %26, ptr %9, align 8
+  ret i32 %22
+}
+
+define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr nocapture noundef %3, ptr noundef %4, ptr nocapture noundef %5, ptr nocapture noundef writeonly %6) unnamed_addr #11 {
+  %8 = alloca [3 x double], align 16
+  %9 = alloca [3 x double], align 16
+  %10 = alloca [3 x double], align 16
+  %11 = alloca [384 x [2 x i32]], align 16
+  %12 = alloca [128 x [3 x double]], align 16
+  %13 = alloca [128 x [3 x double]], align 16
+  %14 = alloca [256 x %struct.Face], align 16
+  %15 = alloca [3 x [3 x double]], align 16
+  %16 = alloca [3 x double], align 16
+  %17 = alloca [3 x double], align 16
+  %18 = alloca [3 x double], align 16
+  %19 = alloca [3 x double], align 16
+  %20 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %12) #15
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %13) #15
+  call void @llvm.lifetime.start.p0(i64 12288, ptr nonnull %14) #15
+  %21 = getelementptr inbounds %struct.Simplex, ptr %2, i64 0, i32 2
+  %22 = load i32, ptr %21, align 8
+  %23 = icmp eq i32 %22, 4
+  br i1 %23, label %24, label %465
+
+24:                                               ; preds = %7
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(96) %12, ptr noundef nonnull align 8 dereferenceable(96) %2, i64 96, i1 false)
+  %25 = getelementptr inbounds %struct.Simplex, ptr %2, i64 0, i32 1
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(96) %13, ptr noundef nonnull align 8 dereferenceable(96) %25, i64 96, i1 false)
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %15) #15
+  br label %26
+
+26:                                               ; preds = %24, %64
+  %27 = phi i64 [ 0, %24 ], [ %28, %64 ]
+  %28 = add nuw nsw i64 %27, 1
+  br label %66
+
+29:                                               ; preds = %64
+  %30 = load double, ptr %15, align 16
+  %31 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 1
+  %32 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 1, i64 1
+  %33 = load double, ptr %32, align 16
+  %34 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 2
+  %35 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 2, i64 2
+  %36 = load double, ptr %35, align 16
+  %37 = fmul double %33, %36
+  %38 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 1, i64 2
+  %39 = load double, ptr %38, align 8
+  %40 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 2, i64 1
+  %41 = load double, ptr %40, align 8
+  %42 = fmul double %39, %41
+  %43 = fsub double %37, %42
+  %44 = fmul double %30, %43
+  %45 = getelementptr inbounds [3 x double], ptr %15, i64 0, i64 1
+  %46 = load double, ptr %45, align 8
+  %47 = load double, ptr %31, align 8
+  %48 = fmul double %36, %47
+  %49 = load double, ptr %34, align 16
+  %50 = fmul double %39, %49
+  %51 = fsub double %48, %50
+  %52 = fmul double %46, %51
+  %53 = fsub double %44, %52
+  %54 = getelementptr inbounds [3 x double], ptr %15, i64 0, i64 2
+  %55 = load double, ptr %54, align 16
+  %56 = fmul double %41, %47
+  %57 = fmul double %33, %49
+  %58 = fsub double %56, %57
+  %59 = fmul double %55, %58
+  %60 = fadd double %59, %53
+  %61 = fcmp ogt double %60, 0.000000e+00
+  %62 = select i1 %61, i64 2, i64 1
+  %63 = select i1 %61, i64 1, i64 2
+  br label %86
+
+64:                                               ; preds = %66
+  %65 = icmp eq i64 %28, 3
+  br i1 %65, label %29, label %26
+
+66:                                               ; preds = %26, %66
+  %67 = phi i64 [ 0, %26 ], [ %74, %66 ]
+  %68 = getelementptr inbounds [128 x [3 x double]], ptr %12, i64 0, i64 %28, i64 %67
+  %69 = load double, ptr %68, align 8
+  %70 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %67
+  %71 = load double, ptr %70, align 8
+  %72 = fsub double %69, %71
+  %73 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 %27, i64 %67
+  store double %72, ptr %73, align 8
+  %74 = add nuw nsw i64 %67, 1
+  %75 = icmp eq i64 %74, 3
+  br i1 %75, label %64, label %66
+
+76:                                               ; preds = %86
+  %77 = add nuw nsw i64 %87, 1
+  %78 = icmp eq i64 %77, 4
+  br i1 %78, label %79, label %86
+
+79:                                               ; preds = %76
+  %80 = getelementptr inbounds double, ptr %19, i64 1
+  %81 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 1
+  %82 = getelementptr inbounds [3 x double], ptr %18, i64 0, i64 1
+  %83 = getelementptr inbounds double, ptr %19, i64 2
+  %84 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 2
+  %85 = getelementptr inbounds [3 x double], ptr %18, i64 0, i64 2
+  br label %97
+
+86:                                               ; preds = %29, %76
+  %87 = phi i64 [ 0, %29 ], [ %77, %76 ]
+  %88 = getelementptr inbounds [4 x [3 x i32]], ptr @depth_of.start, i64 0, i64 %87
+  %89 = load i32, ptr %88, align 4
+  %90 = getelementptr inbounds [4 x [3 x i32]], ptr @depth_of.start, i64 0, i64 %87, i64 %62
+  %91 = load i32, ptr %90, align 4
+  %92 = getelementptr inbounds [4 x [3 x i32]], ptr @depth_of.start, i64 0, i64 %87, i64 %63
+  %93 = load i32, ptr %92, align 4
+  %94 = getelementptr inbounds %struct.Face, ptr %14, i64 %87
+  %95 = call fastcc i32 @make_face(ptr noundef nonnull %12, i32 noundef %89, i32 noundef %91, i32 noundef %93, ptr noundef nonnull %94)
+  %96 = icmp eq i32 %95, 0
+  br i1 %96, label %463, label %76
+
+97:                                               ; preds = %79, %461
+  %98 = phi i64 [ 4, %79 ], [ %173, %461 ]
+  %99 = phi i32 [ 4, %79 ], [ %271, %461 ]
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
+  %100 = icmp sgt i32 %99, 1
+  br i1 %100, label %101, label %103
+
+101:                                              ; preds = %97
+  %102 = zext i32 %99 to i64
+  br label %106
+
+103:                                              ; preds = %106, %97
+  %104 = phi i32 [ 0, %97 ], [ %116, %106 ]
+  %105 = sext i32 %104 to i64
+  br label %130
+
+106:                                              ; preds = %101, %106
+  %107 = phi i64 [ 1, %101 ], [ %117, %106 ]
+  %108 = phi i32 [ 0, %101 ], [ %116, %106 ]
+  %109 = getelementptr inbounds [256 x %struct.Face], ptr %14, i64 0, i64 %107, i32 2
+  %110 = load double, ptr %109, align 8
+  %111 = sext i32 %108 to i64
+  %112 = getelementptr inbounds [256 x %struct.Face], ptr %14, i64 0, i64 %111, i32 2
+  %113 = load double, ptr %112, align 8
+  %114 = fcmp olt double %110, %113
+  %115 = trunc i64 %107 to i32
+  %116 = select i1 %114, i32 %115, i32 %108
+  %117 = add nuw nsw i64 %107, 1
+  %118 = icmp eq i64 %117, %102
+  br i1 %118, label %103, label %106
+
+119:                                              ; preds = %130
+  %120 = getelementptr inbounds %struct.Face, ptr %14, i64 %105, i32 1
+  call fastcc void @support(ptr noundef %0, ptr noundef nonnull %120, ptr noundef nonnull %17)
+  call fastcc void @support(ptr noundef %1, ptr noundef nonnull %16, ptr noundef nonnull %18)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #15
+  %121 = load double, ptr %17, align 16
+  %122 = load double, ptr %18, align 16
+  %123 = fsub double %121, %122
+  store double %123, ptr %19, align 16
+  %124 = load double, ptr %81, align 8
+  %125 = load double, ptr %82, align 8
+  %126 = fsub double %124, %125
+  store double %126, ptr %80, align 8
+  %127 = load double, ptr %84, align 16
+  %128 = load double, ptr %85, align 16
+  %129 = fsub double %127, %128
+  store double %129, ptr %83, align 16
+  br label %143
+
+130:                                              ; preds = %103, %130
+  %131 = phi i64 [ 0, %103 ], [ %136, %130 ]
+  %132 = getelementptr inbounds %struct.Face, ptr %14, i64 %105, i32 1, i64 %131
+  %133 = load double, ptr %132, align 8
+  %134 = fneg double %133
+  %135 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 %131
+  store double %134, ptr %135, align 8
+  %136 = add nuw nsw i64 %131, 1
+  %137 = icmp eq i64 %136, 3
+  br i1 %137, label %119, label %130
+
+138:                                              ; preds = %143
+  %139 = icmp eq i32 %150, 0
+  br i1 %139, label %153, label %140
+
+140:                                              ; preds = %138
+  %141 = getelementptr inbounds %struct.Face, ptr %14, i64 %105, i32 2
+  %142 = load double, ptr %141, align 8
+  br label %292
+
+143:                                              ; preds = %119, %143
+  %144 = phi i64 [ 0, %119 ], [ %151, %143 ]
+  %145 = phi i32 [ 0, %119 ], [ %150, %143 ]
+  %146 = getelementptr inbounds [128 x [3 x double]], ptr %12, i64 0, i64 %144
+  %147 = call i32 @bcmp(ptr noundef nonnull dereferenceable(24) %146, ptr noundef nonnull dereferenceable(24) %19, i64 24)
+  %148 = icmp eq i32 %147, 0
+  %149 = zext i1 %148 to i32
+  %150 = or i32 %145, %149
+  %151 = add nuw nsw i64 %144, 1
+  %152 = icmp eq i64 %151, %98
+  br i1 %152, label %138, label %143
+
+153:                                              ; preds = %138
+  %154 = load double, ptr %120, align 16
+  %155 = fmul double %123, %154
+  %156 = getelementptr inbounds double, ptr %120, i64 1
+  %157 = load double, ptr %156, align 8
+  %158 = fmul double %126, %157
+  %159 = fadd double %155, %158
+  %160 = getelementptr inbounds double, ptr %120, i64 2
+  %161 = load double, ptr %160, align 16
+  %162 = fmul double %129, %161
+  %163 = fadd double %159, %162
+  %164 = getelementptr inbounds %struct.Face, ptr %14, i64 %105, i32 2
+  %165 = load double, ptr %164, align 8
+  %166 = fsub double %163, %165
+  %167 = fcmp ogt double %166, 0x3DA5FD7FE1796495
+  br i1 %167, label %168, label %292
+
+168:                                              ; preds = %153
+  %169 = icmp eq i64 %98, 128
+  br i1 %169, label %458, label %170
+
+170:                                              ; preds = %168
+  %171 = getelementptr inbounds [128 x [3 x double]], ptr %12, i64 0, i64 %98
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %171, ptr noundef nonnull align 16 dereferenceable(24) %19, i64 24, i1 false)
+  %172 = getelementptr inbounds [128 x [3 x double]], ptr %13, i64 0, i64 %98
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %172, ptr noundef nonnull align 16 dereferenceable(24) %17, i64 24, i1 false)
+  %173 = add nuw nsw i64 %98, 1
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %11) #15
+  %174 = icmp sgt i32 %99, 0
+  br i1 %174, label %175, label %460
+
+175:                                              ; preds = %170
+  %176 = getelementptr inbounds double, ptr %171, i64 1
+  %177 = getelementptr inbounds double, ptr %171, i64 2
+  %178 = zext i32 %99 to i64
+  %179 = load double, ptr %171, align 8
+  %180 = load double, ptr %176, align 8
+  %181 = load double, ptr %177, align 8
+  br label %182
+
+182:                                              ; preds = %260, %175
+  %183 = phi i64 [ 0, %175 ], [ %263, %260 ]
+  %184 = phi i1 [ true, %175 ], [ %264, %260 ]
+  %185 = phi i32 [ 0, %175 ], [ %262, %260 ]
+  %186 = phi i32 [ 0, %175 ], [ %261, %260 ]
+  %187 = getelementptr inbounds %struct.Face, ptr %14, i64 %183
+  %188 = getelementptr inbounds %struct.Face, ptr %14, i64 %183, i32 1
+  %189 = load double, ptr %188, align 16
+  %190 = fmul double %189, %179
+  %191 = getelementptr inbounds double, ptr %188, i64 1
+  %192 = load double, ptr %191, align 8
+  %193 = fmul double %192, %180
+  %194 = fadd double %190, %193
+  %195 = getelementptr inbounds double, ptr %188, i64 2
+  %196 = load double, ptr %195, align 16
+  %197 = fmul double %196, %181
+  %198 = fadd double %194, %197
+  %199 = getelementptr inbounds %struct.Face, ptr %14, i64 %183, i32 2
+  %200 = load double, ptr %199, align 8
+  %201 = fsub double %198, %200
+  %202 = fcmp ugt double %201, 1.000000e-13
+  br i1 %202, label %207, label %203
+
+203:                                              ; preds = %182
+  %204 = add nsw i32 %186, 1
+  %205 = sext i32 %186 to i64
+  %206 = getelementptr inbounds %struct.Face, ptr %14, i64 %205
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(48) %206, ptr noundef nonnull align 16 dereferenceable(48) %187, i64 48, i1 false)
+  br label %260
+
+207:                                              ; preds = %182, %255
+  %208 = phi i64 [ %214, %255 ], [ 0, %182 ]
+  %209 = phi i1 [ %257, %255 ], [ false, %182 ]
+  %210 = phi i32 [ %256, %255 ], [ %185, %182 ]
+  %211 = phi i32 [ %215, %255 ], [ 0, %182 ]
+  %212 = getelementptr inbounds [3 x i32], ptr %187, i64 0, i64 %208
+  %213 = load i32, ptr %212, align 4
+  %214 = add nuw nsw i64 %208, 1
+  %215 = add nuw nsw i32 %211, 1
+  %216 = icmp ult i64 %208, 2
+  %217 = trunc i64 %208 to i32
+  %218 = add i32 %217, -2
+  %219 = select i1 %216, i32 %215, i32 %218
+  %220 = zext i32 %219 to i64
+  %221 = getelementptr inbounds [3 x i32], ptr %187, i64 0, i64 %220
+  %222 = load i32, ptr %221, align 4
+  %223 = icmp sgt i32 %210, 0
+  br i1 %223, label %224, label %250
+
+224:                                              ; preds = %207
+  %225 = zext i32 %210 to i64
+  br label %226
+
+226:                                              ; preds = %235, %224
+  %227 = phi i64 [ 0, %224 ], [ %236, %235 ]
+  %228 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %227
+  %229 = load i32, ptr %228, align 8
+  %230 = icmp eq i32 %229, %222
+  br i1 %230, label %231, label %235
+
+231:                                              ; preds = %226
+  %232 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %227, i64 1
+  %233 = load i32, ptr %232, align 4
+  %234 = icmp eq i32 %233, %213
+  br i1 %234, label %238, label %235
+
+235:                                              ; preds = %231, %226
+  %236 = add nuw nsw i64 %227, 1
+  %237 = icmp eq i64 %236, %225
+  br i1 %237, label %248, label %226
+
+238:                                              ; preds = %231
+  %239 = and i64 %227, 4294967295
+  %240 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %239
+  %241 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %239, i64 1
+  %242 = add nsw i32 %210, -1
+  %243 = sext i32 %242 to i64
+  %244 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %243
+  %245 = load i32, ptr %244, align 8
+  store i32 %245, ptr %240, align 8
+  %246 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %243, i64 1
+  %247 = load i32, ptr %246, align 4
+  store i32 %247, ptr %241, align 4
+  br label %255
+
+248:                                              ; preds = %235
+  %249 = icmp eq i32 %210, 384
+  br i1 %249, label %259, label %250
+
+250:                                              ; preds = %248, %207
+  %251 = sext i32 %210 to i64
+  %252 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %251
+  store i32 %213, ptr %252, align 8
+  %253 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %251, i64 1
+  store i32 %222, ptr %253, align 4
+  %254 = add nsw i32 %210, 1
+  br label %255
+
+255:                                              ; preds = %250, %238
+  %256 = phi i32 [ %242, %238 ], [ %254, %250 ]
+  %257 = icmp ugt i64 %208, 1
+  %258 = icmp eq i64 %214, 3
+  br i1 %258, label %260, label %207
+
+259:                                              ; preds = %248
+  br i1 %209, label %260, label %266
+
+260:                                              ; preds = %255, %259, %203
+  %261 = phi i32 [ %204, %203 ], [ %186, %259 ], [ %186, %255 ]
+  %262 = phi i32 [ %185, %203 ], [ 384, %259 ], [ %256, %255 ]
+  %263 = add nuw nsw i64 %183, 1
+  %264 = icmp ult i64 %263, %178
+  %265 = icmp eq i64 %263, %178
+  br i1 %265, label %267, label %182
+
+266:                                              ; preds = %259
+  br i1 %184, label %460, label %267
+
+267:                                              ; preds = %260, %266
+  %268 = phi i32 [ %186, %266 ], [ %261, %260 ]
+  %269 = phi i32 [ 384, %266 ], [ %262, %260 ]
+  %270 = icmp slt i32 %269, 3
+  %271 = add i32 %269, %268
+  %272 = icmp sgt i32 %271, 256
+  %273 = select i1 %270, i1 true, i1 %272
+  br i1 %273, label %460, label %274
+
+274:                                              ; preds = %267
+  %275 = sext i32 %268 to i64
+  %276 = zext i32 %269 to i64
+  %277 = trunc i64 %98 to i32
+  br label %278
+
+278:                                              ; preds = %288, %274
+  %279 = phi i64 [ %275, %274 ], [ %289, %288 ]
+  %280 = phi i64 [ 0, %274 ], [ %290, %288 ]
+  %281 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %280
+  %282 = load i32, ptr %281, align 8
+  %283 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %280, i64 1
+  %284 = load i32, ptr %283, align 4
+  %285 = getelementptr inbounds %struct.Face, ptr %14, i64 %279
+  %286 = call fastcc i32 @make_face(ptr noundef nonnull %12, i32 noundef %282, i32 noundef %284, i32 noundef %277, ptr noundef nonnull %285)
+  %287 = icmp eq i32 %286, 0
+  br i1 %287, label %460, label %288
+
+288:                                              ; preds = %278
+  %289 = add nsw i64 %279, 1
+  %290 = add nuw nsw i64 %280, 1
+  %291 = icmp eq i64 %290, %276
+  br i1 %291, label %461, label %278
+
+292:                                              ; preds = %153, %140
+  %293 = phi double [ %142, %140 ], [ %165, %153 ]
+  %294 = getelementptr inbounds %struct.Face, ptr %14, i64 %105
+  store double %293, ptr %3, align 8
+  %295 = icmp eq ptr %4, null
+  br i1 %295, label %458, label %296
+
+296:                                              ; preds = %292
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #15
+  %297 = icmp sgt i32 %99, 0
+  br i1 %297, label %298, label %315
+
+298:                                              ; preds = %296
+  %299 = fadd double %293, 1.000000e-13
+  %300 = load double, ptr %16, align 16
+  %301 = getelementptr inbounds double, ptr %16, i64 1
+  %302 = load double, ptr %301, align 8
+  %303 = getelementptr inbounds double, ptr %16, i64 2
+  %304 = load double, ptr %303, align 16
+  %305 = getelementptr inbounds double, ptr %8, i64 1
+  %306 = getelementptr inbounds double, ptr %8, i64 2
+  %307 = getelementptr inbounds double, ptr %9, i64 1
+  %308 = getelementptr inbounds double, ptr %9, i64 2
+  %309 = getelementptr inbounds double, ptr %10, i64 1
+  %310 = getelementptr inbounds double, ptr %10, i64 2
+  %311 = getelementptr inbounds i8, ptr %20, i64 8
+  %312 = getelementptr inbounds i8, ptr %20, i64 16
+  %313 = zext i32 %99 to i64
+  br label %318
+
+314:                                              ; preds = %423
+  store double %425, ptr %311, align 8
+  store double %424, ptr %312, align 16
+  br label %315
+
+315:                                              ; preds = %314, %296
+  %316 = phi double [ %426, %314 ], [ undef, %296 ]
+  %317 = phi ptr [ %427, %314 ], [ %294, %296 ]
+  store double %316, ptr %20, align 16
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %4, ptr noundef nonnull align 16 dereferenceable(24) %16, i64 24, i1 false)
+  br label %432
+
+318:                                              ; preds = %298, %423
+  %319 = phi i64 [ 0, %298 ], [ %429, %423 ]
+  %320 = phi double [ undef, %298 ], [ %424, %423 ]
+  %321 = phi double [ undef, %298 ], [ %425, %423 ]
+  %322 = phi double [ 0xFFF0000000000000, %298 ], [ %428, %423 ]
+  %323 = phi ptr [ %294, %298 ], [ %427, %423 ]
+  %324 = phi double [ undef, %298 ], [ %426, %423 ]
+  %325 = getelementptr inbounds [256 x %struct.Face], ptr %14, i64 0, i64 %319, i32 2
+  %326 = load double, ptr %325, align 8
+  %327 = fcmp ogt double %326, %299
+  br i1 %327, label %423, label %328
+
+328:                                              ; preds = %318
+  %329 = getelementptr inbounds [256 x %struct.Face], ptr %14, i64 0, i64 %319, i32 1
+  %330 = load double, ptr %329, align 16
+  %331 = fmul double %330, %300
+  %332 = getelementptr inbounds double, ptr %329, i64 1
+  %333 = load double, ptr %332, align 8
+  %334 = fmul double %333, %302
+  %335 = fadd double %331, %334
+  %336 = getelementptr inbounds double, ptr %329, i64 2
+  %337 = load double, ptr %336, align 16
+  %338 = fmul double %337, %304
+  %339 = fadd double %335, %338
+  %340 = fcmp ogt double %339, 0xBFEFFFFFFFFFFC7B
+  br i1 %340, label %423, label %341
+
+341:                                              ; preds = %328
+  %342 = getelementptr inbounds %struct.Face, ptr %14, i64 %319
+  %343 = load i32, ptr %342, align 16
+  %344 = sext i32 %343 to i64
+  %345 = getelementptr inbounds [3 x double], ptr %12, i64 %344
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #15
+  %346 = getelementptr inbounds [3 x i32], ptr %342, i64 0, i64 1
+  %347 = load i32, ptr %346, align 4
+  %348 = sext i32 %347 to i64
+  %349 = getelementptr inbounds [3 x i32], ptr %342, i64 0, i64 2
+  %350 = load i32, ptr %349, align 8
+  %351 = sext i32 %350 to i64
+  br label %352
+
+352:                                              ; preds = %352, %341
+  %353 = phi i64 [ 0, %341 ], [ %369, %352 ]
+  %354 = getelementptr inbounds [3 x double], ptr %12, i64 %348, i64 %353
+  %355 = load double, ptr %354, align 8
+  %356 = getelementptr inbounds double, ptr %345, i64 %353
+  %357 = load double, ptr %356, align 8
+  %358 = fsub double %355, %357
+  %359 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %353
+  store double %358, ptr %359, align 8
+  %360 = getelementptr inbounds [3 x double], ptr %12, i64 %351, i64 %353
+  %361 = load double, ptr %360, align 8
+  %362 = fsub double %361, %357
+  %363 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %353
+  store double %362, ptr %363, align 8
+  %364 = getelementptr inbounds %struct.Face, ptr %14, i64 %319, i32 1, i64 %353
+  %365 = load double, ptr %364, align 8
+  %366 = fmul double %326, %365
+  %367 = fsub double %366, %357
+  %368 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %353
+  store double %367, ptr %368, align 8
+  %369 = add nuw nsw i64 %353, 1
+  %370 = icmp eq i64 %369, 3
+  br i1 %370, label %371, label %352
+
+371:                                              ; preds = %352
+  %372 = load double, ptr %8, align 16
+  %373 = fmul double %372, %372
+  %374 = load double, ptr %305, align 8
+  %375 = fmul double %374, %374
+  %376 = fadd double %373, %375
+  %377 = load double, ptr %306, align 16
+  %378 = fmul double %377, %377
+  %379 = fadd double %376, %378
+  %380 = load double, ptr %9, align 16
+  %381 = fmul double %372, %380
+  %382 = load double, ptr %307, align 8
+  %383 = fmul double %374, %382
+  %384 = fadd double %381, %383
+  %385 = load double, ptr %308, align 16
+  %386 = fmul double %377, %385
+  %387 = fadd double %384, %386
+  %388 = fmul double %380, %380
+  %389 = fmul double %382, %382
+  %390 = fadd double %388, %389
+  %391 = fmul double %385, %385
+  %392 = fadd double %390, %391
+  %393 = fmul double %379, %392
+  %394 = fmul double %387, %387
+  %395 = fsub double %393, %394
+  %396 = load double, ptr %10, align 16
+  %397 = fmul double %372, %396
+  %398 = load double, ptr %309, align 8
+  %399 = fmul double %374, %398
+  %400 = fadd double %397, %399
+  %401 = load double, ptr %310, align 16
+  %402 = fmul double %377, %401
+  %403 = fadd double %400, %402
+  %404 = fmul double %392, %403
+  %405 = fmul double %380, %396
+  %406 = fmul double %382, %398
+  %407 = fadd double %405, %406
+  %408 = fmul double %385, %401
+  %409 = fadd double %407, %408
+  %410 = fmul double %387, %409
+  %411 = fsub double %404, %410
+  %412 = fdiv double %411, %395
+  %413 = fmul double %379, %409
+  %414 = fmul double %387, %403
+  %415 = fsub double %413, %414
+  %416 = fdiv double %415, %395
+  %417 = fsub double 1.000000e+00, %412
+  %418 = fsub double %417, %416
+  %419 = tail call double @llvm.minnum.f64(double %412, double %416)
+  %420 = tail call double @llvm.minnum.f64(double %418, double %419)
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
+  %421 = fcmp ogt double %420, %322
+  br i1 %421, label %422, label %423
+
+422:                                              ; preds = %371
+  br label %423
+
+423:                                              ; preds = %371, %422, %318, %328
+  %424 = phi double [ %320, %318 ], [ %320, %328 ], [ %416, %422 ], [ %320, %371 ]
+  %425 = phi double [ %321, %318 ], [ %321, %328 ], [ %412, %422 ], [ %321, %371 ]
+  %426 = phi double [ %324, %318 ], [ %324, %328 ], [ %418, %422 ], [ %324, %371 ]
+  %427 = phi ptr [ %323, %318 ], [ %323, %328 ], [ %342, %422 ], [ %323, %371 ]
+  %428 = phi double [ %322, %318 ], [ %322, %328 ], [ %420, %422 ], [ %322, %371 ]
+  %429 = add nuw nsw i64 %319, 1
+  %430 = icmp eq i64 %429, %313
+  br i1 %430, label %314, label %318
+
+431:                                              ; preds = %435
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
+  br label %458
+
+432:                                              ; preds = %315, %435
+  %433 = phi i64 [ 0, %315 ], [ %442, %435 ]
+  %434 = getelementptr inbounds double, ptr %5, i64 %433
+  br label %444
+
+435:                                              ; preds = %444
+  store double %455, ptr %434, align 8
+  %436 = load double, ptr %3, align 8
+  %437 = getelementptr inbounds double, ptr %4, i64 %433
+  %438 = load double, ptr %437, align 8
+  %439 = fmul double %436, %438
+  %440 = fadd double %455, %439
+  %441 = getelementptr inbounds double, ptr %6, i64 %433
+  store double %440, ptr %441, align 8
+  %442 = add nuw nsw i64 %433, 1
+  %443 = icmp eq i64 %442, 3
+  br i1 %443, label %431, label %432
+
+444:                                              ; preds = %432, %444
+  %445 = phi i64 [ 0, %432 ], [ %456, %444 ]
+  %446 = phi double [ 0.000000e+00, %432 ], [ %455, %444 ]
+  %447 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %445
+  %448 = load double, ptr %447, align 8
+  %449 = getelementptr inbounds [3 x i32], ptr %317, i64 0, i64 %445
+  %450 = load i32, ptr %449, align 4
+  %451 = sext i32 %450 to i64
+  %452 = getelementptr inbounds [128 x [3 x double]], ptr %13, i64 0, i64 %451, i64 %433
+  %453 = load double, ptr %452, align 8
+  %454 = fmul double %448, %453
+  %455 = fadd double %446, %454
+  %456 = add nuw nsw i64 %445, 1
+  %457 = icmp eq i64 %456, 3
+  br i1 %457, label %435, label %444
+
+458:                                              ; preds = %168, %431, %292
+  %459 = phi i32 [ 1, %292 ], [ 1, %431 ], [ 0, %168 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
+  br label %463
+
+460:                                              ; preds = %266, %267, %170, %278
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
+  br label %463
+
+461:                                              ; preds = %288
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #15
+  %462 = icmp eq i32 %271, 0
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
+  br i1 %462, label %463, label %97
+
+463:                                              ; preds = %86, %461, %460, %458
+  %464 = phi i32 [ %459, %458 ], [ 0, %460 ], [ 0, %461 ], [ 0, %86 ]
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %15) #15
+  br label %465
+
+465:                                              ; preds = %7, %463
+  %466 = phi i32 [ %464, %463 ], [ 0, %7 ]
+  call void @llvm.lifetime.end.p0(i64 12288, ptr nonnull %14) #15
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %13) #15
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %12) #15
+  ret i32 %466
 }
 
 declare double @llvm.minnum.f64(double, double) #2
@@ -4076,13 +4794,13 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   %25 = alloca [3 x double], align 16
   %26 = alloca [3 x double], align 16
   %27 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %21) #14
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %21) #15
   call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %22)
   %28 = icmp ne ptr %9, null
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #15
   %29 = load double, ptr %2, align 8
   %30 = fmul double %29, %29
   %31 = getelementptr inbounds double, ptr %2, i64 1
@@ -4186,7 +4904,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 111:                                              ; preds = %138
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %26, ptr noundef nonnull %24)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %23, ptr noundef nonnull %25)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #15
   %112 = load double, ptr %24, align 16
   %113 = load double, ptr %25, align 16
   %114 = fsub double %112, %113
@@ -4316,7 +5034,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   br label %578
 
 195:                                              ; preds = %186
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #15
   br label %206
 
 196:                                              ; preds = %206
@@ -4389,12 +5107,12 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   br label %245
 
 245:                                              ; preds = %231, %243
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #15
   br label %578
 
 246:                                              ; preds = %186
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14)
-  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %15) #14
+  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %15) #15
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 4 dereferenceable(12) %15, ptr noundef nonnull align 4 dereferenceable(12) @__const.reduce.chosen, i64 12, i1 false)
   %247 = icmp eq i32 %193, 4
   %248 = zext i1 %247 to i32
@@ -4431,9 +5149,9 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   %273 = sub i32 6, %272
   %274 = sext i32 %273 to i64
   %275 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %274
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
   br label %301
 
 276:                                              ; preds = %301
@@ -4503,22 +5221,22 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %332, label %333, label %334
 
 333:                                              ; preds = %319, %276
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
   br label %335
 
 334:                                              ; preds = %319
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
   br label %529
 
 335:                                              ; preds = %333, %253
   %336 = phi i32 [ %257, %253 ], [ 0, %333 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
   br label %394
 
 337:                                              ; preds = %394
@@ -4741,8 +5459,8 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 
 514:                                              ; preds = %479, %496, %452, %428, %511
   %515 = phi i32 [ %513, %511 ], [ 3, %428 ], [ 5, %452 ], [ 7, %496 ], [ 6, %479 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #15
   %516 = load double, ptr %19, align 16
   %517 = fmul double %516, %516
   %518 = load double, ptr %86, align 8
@@ -4762,7 +5480,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 526:                                              ; preds = %525, %514
   %527 = phi i32 [ %515, %525 ], [ %256, %514 ]
   %528 = phi double [ %523, %525 ], [ %255, %514 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
   br label %529
 
 529:                                              ; preds = %526, %334
@@ -4779,7 +5497,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %537, label %576, label %538
 
 538:                                              ; preds = %536
-  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %20) #14
+  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %20) #15
   br label %559
 
 539:                                              ; preds = %572
@@ -4816,7 +5534,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 558:                                              ; preds = %555, %539
   store i32 %573, ptr %45, align 8
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %66, ptr noundef nonnull align 16 dereferenceable(24) %14, i64 24, i1 false)
-  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %20) #14
+  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %20) #15
   br label %576
 
 559:                                              ; preds = %572, %538
@@ -4845,7 +5563,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 
 576:                                              ; preds = %558, %536, %250
   %577 = phi i32 [ 0, %558 ], [ 1, %250 ], [ 0, %536 ]
-  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %15) #14
+  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %15) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14)
   br label %578
 
@@ -4860,44 +5578,45 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   %586 = fmul double %585, %585
   %587 = fadd double %584, %586
   %588 = tail call double @llvm.sqrt.f64(double %587)
-  %589 = icmp ne i32 %110, 0
-  %590 = select i1 %28, i1 %589, i1 false
-  br i1 %590, label %591, label %597
+  %589 = icmp eq i32 %579, 0
+  br i1 %589, label %593, label %590
 
-591:                                              ; preds = %578
-  %592 = icmp eq i32 %579, 0
-  br i1 %592, label %593, label %596
+590:                                              ; preds = %578
+  %591 = load double, ptr %6, align 8
+  %592 = fcmp ugt double %591, 1.000000e-10
+  br i1 %592, label %596, label %620
 
-593:                                              ; preds = %591
-  %594 = load double, ptr %7, align 8
-  %595 = fcmp ult double %588, %594
-  br i1 %595, label %605, label %596
+593:                                              ; preds = %578
+  %594 = icmp ne i32 %110, 0
+  %595 = select i1 %28, i1 %594, i1 false
+  br i1 %595, label %599, label %604
 
-596:                                              ; preds = %593, %591
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(224) %42, ptr noundef nonnull align 8 dereferenceable(224) %22, i64 224, i1 false)
-  br label %597
+596:                                              ; preds = %590
+  %597 = icmp ne i32 %110, 0
+  %598 = select i1 %28, i1 %597, i1 false
+  br i1 %598, label %603, label %620
 
-597:                                              ; preds = %596, %578
-  %598 = icmp eq i32 %579, 0
-  br i1 %598, label %599, label %601
-
-599:                                              ; preds = %597
+599:                                              ; preds = %593
   %600 = load double, ptr %7, align 8
-  br label %605
+  %601 = fcmp ult double %588, %600
+  br i1 %601, label %604, label %602
 
-601:                                              ; preds = %597
-  %602 = load double, ptr %6, align 8
-  %603 = fcmp ogt double %602, 1.000000e-10
-  %604 = zext i1 %603 to i32
+602:                                              ; preds = %599
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(224) %42, ptr noundef nonnull align 8 dereferenceable(224) %22, i64 224, i1 false)
+  br label %604
+
+603:                                              ; preds = %596
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(224) %42, ptr noundef nonnull align 8 dereferenceable(224) %22, i64 224, i1 false)
   br label %620
 
-605:                                              ; preds = %599, %593
-  %606 = phi double [ %600, %599 ], [ %594, %593 ]
+604:                                              ; preds = %593, %599, %602
+  %605 = phi i1 [ true, %602 ], [ %594, %593 ], [ true, %599 ]
+  %606 = load double, ptr %7, align 8
   %607 = fcmp oge double %588, %606
-  %608 = select i1 %607, i1 %589, i1 false
+  %608 = select i1 %607, i1 %605, i1 false
   br i1 %608, label %620, label %609
 
-609:                                              ; preds = %605
+609:                                              ; preds = %604
   store double %588, ptr %7, align 8
   %610 = fcmp ugt double %588, 1.000000e-10
   br i1 %610, label %611, label %620
@@ -4918,25 +5637,25 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   %619 = icmp eq i32 %618, 4
   br i1 %619, label %620, label %622
 
-620:                                              ; preds = %168, %165, %605, %609, %613, %611, %617, %179, %601
-  %621 = phi i32 [ %604, %601 ], [ 1, %179 ], [ 1, %617 ], [ 1, %168 ], [ 1, %165 ], [ 1, %605 ], [ 0, %609 ], [ 1, %613 ], [ 1, %611 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #14
+620:                                              ; preds = %168, %165, %604, %609, %613, %611, %617, %179, %590, %596, %603
+  %621 = phi i32 [ 1, %603 ], [ 0, %590 ], [ 1, %596 ], [ 1, %179 ], [ 1, %617 ], [ 1, %168 ], [ 1, %165 ], [ 1, %604 ], [ 0, %609 ], [ 1, %613 ], [ 1, %611 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #15
   br label %625
 
 622:                                              ; preds = %617
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #15
   %623 = add nuw nsw i32 %110, 1
   %624 = icmp eq i32 %623, 300
   br i1 %624, label %625, label %108
 
 625:                                              ; preds = %622, %620
   %626 = phi i32 [ %621, %620 ], [ 1, %622 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #15
   call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %22)
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %21) #14
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %21) #15
   ret i32 %626
 }
 
@@ -5010,9 +5729,9 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   %59 = load i64, ptr %58, align 8
   %60 = mul nsw i64 %59, 9
   %61 = getelementptr inbounds double, ptr %57, i64 %60
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #14
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #14
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
   br label %93
 
 62:                                               ; preds = %93
@@ -5129,9 +5848,9 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
 
 159:                                              ; preds = %156, %148, %128, %113, %62
   %160 = phi i32 [ 0, %62 ], [ 0, %113 ], [ %158, %156 ], [ 0, %148 ], [ 0, %128 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #14
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #14
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
   br label %161
 
 161:                                              ; preds = %16, %159
@@ -5140,11 +5859,123 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   ret i32 %163
 }
 
-declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #11
+define internal fastcc i32 @make_face(ptr nocapture noundef readonly %0, i32 noundef %1, i32 noundef %2, i32 noundef %3, ptr nocapture noundef %4) unnamed_addr #6 {
+  %6 = alloca [3 x double], align 16
+  %7 = alloca [3 x double], align 16
+  %8 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
+  %9 = sext i32 %2 to i64
+  %10 = sext i32 %1 to i64
+  %11 = sext i32 %3 to i64
+  br label %41
 
-declare i64 @llvm.smin.i64(i64, i64) #12
+12:                                               ; preds = %41
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  %13 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
+  %14 = load double, ptr %13, align 8
+  %15 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 2
+  %16 = load double, ptr %15, align 16
+  %17 = fmul double %14, %16
+  %18 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
+  %19 = load double, ptr %18, align 16
+  %20 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 1
+  %21 = load double, ptr %20, align 8
+  %22 = fmul double %19, %21
+  %23 = fsub double %17, %22
+  store double %23, ptr %8, align 16
+  %24 = getelementptr inbounds double, ptr %8, i64 1
+  %25 = load double, ptr %7, align 16
+  %26 = fmul double %19, %25
+  %27 = load double, ptr %6, align 16
+  %28 = fmul double %16, %27
+  %29 = fsub double %26, %28
+  store double %29, ptr %24, align 8
+  %30 = getelementptr inbounds double, ptr %8, i64 2
+  %31 = fmul double %21, %27
+  %32 = fmul double %14, %25
+  %33 = fsub double %31, %32
+  store double %33, ptr %30, align 16
+  %34 = fmul double %23, %23
+  %35 = fmul double %29, %29
+  %36 = fadd double %34, %35
+  %37 = fmul double %33, %33
+  %38 = fadd double %37, %36
+  %39 = tail call double @llvm.sqrt.f64(double %38)
+  %40 = fcmp ogt double %39, 0x3C9CD2B297D889BC
+  br i1 %40, label %78, label %86
 
-declare i64 @llvm.smax.i64(i64, i64) #12
+41:                                               ; preds = %5, %41
+  %42 = phi i64 [ 0, %5 ], [ %53, %41 ]
+  %43 = getelementptr inbounds [3 x double], ptr %0, i64 %9, i64 %42
+  %44 = load double, ptr %43, align 8
+  %45 = getelementptr inbounds [3 x double], ptr %0, i64 %10, i64 %42
+  %46 = load double, ptr %45, align 8
+  %47 = fsub double %44, %46
+  %48 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %42
+  store double %47, ptr %48, align 8
+  %49 = getelementptr inbounds [3 x double], ptr %0, i64 %11, i64 %42
+  %50 = load double, ptr %49, align 8
+  %51 = fsub double %50, %46
+  %52 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %42
+  store double %51, ptr %52, align 8
+  %53 = add nuw nsw i64 %42, 1
+  %54 = icmp eq i64 %53, 3
+  br i1 %54, label %12, label %41
+
+55:                                               ; preds = %78
+  store i32 %1, ptr %4, align 8
+  %56 = getelementptr inbounds [3 x i32], ptr %4, i64 0, i64 1
+  store i32 %2, ptr %56, align 4
+  %57 = getelementptr inbounds [3 x i32], ptr %4, i64 0, i64 2
+  store i32 %3, ptr %57, align 8
+  %58 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 1
+  %59 = getelementptr inbounds [3 x double], ptr %0, i64 %10
+  %60 = load double, ptr %58, align 8
+  %61 = load double, ptr %59, align 8
+  %62 = fmul double %60, %61
+  %63 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 1, i64 1
+  %64 = load double, ptr %63, align 8
+  %65 = getelementptr inbounds double, ptr %59, i64 1
+  %66 = load double, ptr %65, align 8
+  %67 = fmul double %64, %66
+  %68 = fadd double %62, %67
+  %69 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 1, i64 2
+  %70 = load double, ptr %69, align 8
+  %71 = getelementptr inbounds double, ptr %59, i64 2
+  %72 = load double, ptr %71, align 8
+  %73 = fmul double %70, %72
+  %74 = fadd double %68, %73
+  %75 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 2
+  store double %74, ptr %75, align 8
+  %76 = fcmp ogt double %74, -1.000000e-13
+  %77 = zext i1 %76 to i32
+  br label %86
+
+78:                                               ; preds = %12, %78
+  %79 = phi i64 [ %84, %78 ], [ 0, %12 ]
+  %80 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %79
+  %81 = load double, ptr %80, align 8
+  %82 = fdiv double %81, %39
+  %83 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 1, i64 %79
+  store double %82, ptr %83, align 8
+  %84 = add nuw nsw i64 %79, 1
+  %85 = icmp eq i64 %84, 3
+  br i1 %85, label %55, label %78
+
+86:                                               ; preds = %12, %55
+  %87 = phi i32 [ %77, %55 ], [ 0, %12 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  ret i32 %87
+}
+
+declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #12
+
+declare i64 @llvm.smin.i64(i64, i64) #13
+
+declare i64 @llvm.smax.i64(i64, i64) #13
 
 attributes #0 = { nofree nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #1 = { mustprogress nocallback nofree nosync nounwind willreturn memory(argmem: readwrite) }
@@ -5157,9 +5988,10 @@ attributes #7 = { mustprogress nocallback nofree nounwind willreturn memory(argm
 attributes #8 = { nofree nosync nounwind memory(read, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #9 = { mustprogress nofree nosync nounwind willreturn memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #10 = { nofree nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #11 = { nofree nounwind willreturn memory(argmem: read) }
-attributes #12 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #13 = { memory(none) }
-attributes #14 = { nounwind }
+attributes #11 = { nofree nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #12 = { nofree nounwind willreturn memory(argmem: read) }
+attributes #13 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
+attributes #14 = { memory(none) }
+attributes #15 = { nounwind }
 
 

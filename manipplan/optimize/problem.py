@@ -57,7 +57,7 @@ class PathProblem:
         clearance: required distance [m].
         compiled: as in `Robot.kinematics`.
         given: the caller gave the first path, so the search also descends from it as it is.
-        climbs: also start from the optimum of a lower degree.
+        climbs: also start from the optimum of a lower degree, and where nothing is found search once more with more patience.
         compares: also find g of the nearby optimum without limits and obstacles.
     """
 
@@ -189,7 +189,7 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
         at_first = problem.given or problem.shape.pieces > 1
         nearby = (search.nearest_to(first) if at_first else []) or search.from_safe_path(first)
         found += nearby
-        if not found and not problem.given:
+        if not found and problem.climbs:
             patient = replace(search, patient=True)
             found = patient.from_straight_line() or patient.nearest_to(first)
     lower = problem.lower() if search.until is Until.SETTLED else None

@@ -479,10 +479,15 @@ def test_a_certificate_is_measured_on_the_path(planar):
 
 
 def test_without_constraints_that_bind_the_gap_is_zero(planar):
-    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2))
+    result = mp.optimize_path(planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2), compare=True)
     assert result.certificate.gap == pytest.approx(0, abs=1e-7)
     line = mp.optimize_path(
-        planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(power=2), shape=mp.PathShape(degree=1)
+        planar,
+        [0, 1.5, -2],
+        [np.pi, -2, 2],
+        objective=mp.PathObjective(power=2),
+        shape=mp.PathShape(degree=1),
+        compare=True,
     )
     assert line.certificate.gap == pytest.approx(0, abs=1e-9)
     assert line.certificate.solver == ""
@@ -498,7 +503,7 @@ def test_a_certificate_names_the_nearest_pair(planar):
     start, goal = [0, 1.5, -2], [np.pi, -2, 2]
     for degree in (6, 1):  # an optimised path, and the safe seed
         result = mp.optimize_path(
-            planar, start, goal, shape=mp.PathShape(degree=degree), objective=mp.PathObjective(power=2), scene=post
+            planar, start, goal, post, shape=mp.PathShape(degree=degree), objective=mp.PathObjective(power=2), compare=True
         )
         certificate, model = result.certificate, post.collision_model(planar)
         every = [model.distances(q).min() for q in result.path(np.linspace(0, 1, 4001))]
