@@ -60,10 +60,11 @@ typedef struct {
 
 static const double EXACT = 1e-11;   /* gap between the bounds at which a distance is found [m] */
 static const double EXACTEST = 1e-15; /* the same where the direction counts, too [m] */
+static const double EXACT_DEPTH = 1e-10; /* the same of depths; those of polytopes are exact [m] */
 static const double MEETING = 1e-10; /* cores nearer than this meet [m] */
 static const double APART = 1e-6;    /* the direction between cores nearer than this is not exact [m] */
 static const double FLAT = 1e-13;    /* a polytope's corner this little in front of a face is on it [m] */
-static const double LEAST_AREA = 1e-16; /* smallest area of two of its faces [m²] */
+static const double LEAST_AREA = 1e-18; /* smallest area of two of its faces [m²] */
 static const double TINY = 3e-7;     /* largest side, along each axis, of a triangle that counts as a point [m] */
 static const int MOST_STEPS = 300;   /* cylinders converge slowly; polytopes need about ten steps */
 
@@ -313,12 +314,12 @@ static int make_face(const double (*point)[3], int i, int j, int k, Face *face) 
     return face->distance > -FLAT;
 }
 
-/* Replace the faces that w, the last corner, is in front of by faces from it to their outline. Returns their new number, 0 where
+/* Replace the faces that w, the last corner, is in front of or level with by faces from it to their outline. Returns their new number, 0 where
    rounding errors leave no closed outline. */
 static int grow(const double (*point)[3], int last, Face *face, int faces) {
     int edge[3 * MOST_CORNERS][2], edges = 0, kept = 0;
     for (int f = 0; f < faces; f++) {
-        if (dot(face[f].normal, point[last]) - face[f].distance <= FLAT) { face[kept++] = face[f]; continue; }
+        if (dot(face[f].normal, point[last]) - face[f].distance < -FLAT) { face[kept++] = face[f]; continue; }
         for (int k = 0; k < 3; k++) {
             int from = face[f].corner[k], to = face[f].corner[(k + 1) % 3], known = 0;
             for (; known < edges && (edge[known][0] != to || edge[known][1] != from); known++) {}
@@ -396,7 +397,7 @@ static int begin(const Core *one, const Core *two, const Simplex *s, double (*po
     return faces;
 }
 
-/* How deep two cores overlap: the expanding polytope algorithm, from a simplex of the difference of both around the origin.
+/* How deep two cores overlap, by the expanding polytope algorithm from a simplex of the difference of both around the origin.
    `normal` is the unit vector from the second core to the first along which they come apart soonest, a and b the points that part
    last; both may be 0. Returns 0 where it does not converge. */
 static int depth_of(const Core *one, const Core *two, const Simplex *s, double *depth, double *normal, double *a, double *b) {
@@ -413,7 +414,7 @@ static int depth_of(const Core *one, const Core *two, const Simplex *s, double *
         difference(one, two, near->normal, corner, from);
         int known = 0;
         for (int k = 0; k < count; k++) known |= memcmp(point[k], corner, sizeof corner) == 0;
-        if (!known && dot(near->normal, corner) - near->distance > EXACT) {
+        if (!known && dot(near->normal, corner) - near->distance > EXACT_DEPTH) {
             if (count == MOST_CORNERS) return 0;
             memcpy(point[count], corner, sizeof corner), memcpy(first[count], from, sizeof from);
             faces = grow((const double (*)[3])point, count++, face, faces);

@@ -1,4 +1,4 @@
-; distances.c daee904b7185b604065e7488ee0c6b9cbe8820e67386a250aa0c7a2436551a1a: written by make kernel
+; distances.c fc2b3990bba6d7bc0babd62bef3460440cac53c073e00ce1314d302bf52a72b3: written by make kernel
 
 %struct.Core = type { i64, i64, ptr, ptr, ptr, ptr, ptr, [12 x double] }
 %struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane }
@@ -12,7 +12,9 @@
 @reduce.face = internal unnamed_addr constant [4 x [3 x i32]] [[3 x i32] [i32 0, i32 1, i32 2], [3 x i32] [i32 0, i32 1, i32 3], [3 x i32] [i32 0, i32 2, i32 3], [3 x i32] [i32 1, i32 2, i32 3]], align 16
 @__const.reduce.chosen = private unnamed_addr constant [3 x i32] [i32 0, i32 1, i32 2], align 4
 @within.ray = internal constant [3 x [3 x double]] [[3 x double] [double 6.123720e-01, double 3.535530e-01, double 7.071070e-01], [3 x double] [double -4.177900e-01, double 0x3FEA99C38B04AB60, double -3.670100e-01], [3 x double] [double 1.173100e-01, double -5.144900e-01, double -8.494300e-01]], align 16
-@depth_of.start = internal unnamed_addr constant [4 x [3 x i32]] [[3 x i32] [i32 0, i32 1, i32 2], [3 x i32] [i32 0, i32 3, i32 1], [3 x i32] [i32 0, i32 2, i32 3], [3 x i32] [i32 1, i32 3, i32 2]], align 16
+@begin.solid = internal unnamed_addr constant [4 x [3 x i32]] [[3 x i32] [i32 0, i32 2, i32 1], [3 x i32] [i32 0, i32 1, i32 3], [3 x i32] [i32 0, i32 3, i32 2], [3 x i32] [i32 1, i32 2, i32 3]], align 16
+@begin.beside = internal unnamed_addr constant [6 x [3 x i32]] [[3 x i32] [i32 0, i32 1, i32 3], [3 x i32] [i32 1, i32 2, i32 3], [3 x i32] [i32 2, i32 0, i32 3], [3 x i32] [i32 1, i32 0, i32 4], [3 x i32] [i32 2, i32 1, i32 4], [3 x i32] [i32 0, i32 2, i32 4]], align 16
+@begin.around = internal unnamed_addr constant [6 x [3 x i32]] [[3 x i32] [i32 2, i32 3, i32 1], [3 x i32] [i32 3, i32 4, i32 1], [3 x i32] [i32 4, i32 2, i32 1], [3 x i32] [i32 3, i32 2, i32 0], [3 x i32] [i32 4, i32 3, i32 0], [3 x i32] [i32 2, i32 4, i32 0]], align 16
 @__const.nearest_of.share = private unnamed_addr constant [3 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
 
 define dso_local i32 @manipplan_check_one(ptr noundef %0, ptr nocapture noundef readonly %1, double noundef %2) local_unnamed_addr #0 {
@@ -1526,244 +1528,246 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %24 = alloca [3 x double], align 16
   %25 = alloca [3 x double], align 16
   %26 = alloca [3 x double], align 16
-  %27 = icmp sgt i64 %2, 0
-  br i1 %27, label %28, label %77
+  %27 = alloca [3 x double], align 16
+  %28 = alloca [3 x double], align 16
+  %29 = icmp sgt i64 %2, 0
+  br i1 %29, label %30, label %79
 
-28:                                               ; preds = %5
-  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
-  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
-  %31 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 1
-  %32 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 2
-  %33 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 3
-  %34 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 5
-  %35 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 6
-  %36 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 7
-  %37 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 8
-  %38 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 9
-  %39 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 10
-  %40 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
-  %41 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 1
-  %42 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 5
-  %43 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 2
-  %44 = getelementptr inbounds double, ptr %13, i64 3
-  %45 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 3
-  %46 = getelementptr inbounds double, ptr %13, i64 6
-  %47 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 4
-  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %49 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
-  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
-  %51 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 2
-  %52 = getelementptr inbounds double, ptr %7, i64 1
-  %53 = getelementptr inbounds double, ptr %7, i64 2
-  %54 = getelementptr inbounds double, ptr %8, i64 1
-  %55 = getelementptr inbounds double, ptr %8, i64 2
-  %56 = getelementptr inbounds double, ptr %9, i64 1
-  %57 = getelementptr inbounds double, ptr %9, i64 2
-  %58 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
-  %59 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
-  %60 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3
-  %61 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 1
-  %62 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 2
-  %63 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
-  %64 = getelementptr inbounds double, ptr %24, i64 1
-  %65 = getelementptr inbounds double, ptr %24, i64 2
-  %66 = getelementptr inbounds double, ptr %25, i64 1
-  %67 = getelementptr inbounds double, ptr %25, i64 2
-  %68 = getelementptr inbounds double, ptr %21, i64 1
-  %69 = getelementptr inbounds double, ptr %21, i64 2
-  %70 = getelementptr inbounds double, ptr %22, i64 1
-  %71 = getelementptr inbounds double, ptr %22, i64 2
-  %72 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
-  %73 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 1
-  %74 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 2
-  %75 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
-  %76 = load i64, ptr %0, align 8
-  br label %78
+30:                                               ; preds = %5
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
+  %33 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 1
+  %34 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 2
+  %35 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 3
+  %36 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 5
+  %37 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 6
+  %38 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 7
+  %39 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 8
+  %40 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 9
+  %41 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 10
+  %42 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
+  %43 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 1
+  %44 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 5
+  %45 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 2
+  %46 = getelementptr inbounds double, ptr %13, i64 3
+  %47 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 3
+  %48 = getelementptr inbounds double, ptr %13, i64 6
+  %49 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 4
+  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %51 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %52 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %53 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 2
+  %54 = getelementptr inbounds double, ptr %7, i64 1
+  %55 = getelementptr inbounds double, ptr %7, i64 2
+  %56 = getelementptr inbounds double, ptr %8, i64 1
+  %57 = getelementptr inbounds double, ptr %8, i64 2
+  %58 = getelementptr inbounds double, ptr %9, i64 1
+  %59 = getelementptr inbounds double, ptr %9, i64 2
+  %60 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
+  %61 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
+  %62 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3
+  %63 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 1
+  %64 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 2
+  %65 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %66 = getelementptr inbounds double, ptr %24, i64 1
+  %67 = getelementptr inbounds double, ptr %24, i64 2
+  %68 = getelementptr inbounds double, ptr %25, i64 1
+  %69 = getelementptr inbounds double, ptr %25, i64 2
+  %70 = getelementptr inbounds double, ptr %21, i64 1
+  %71 = getelementptr inbounds double, ptr %21, i64 2
+  %72 = getelementptr inbounds double, ptr %22, i64 1
+  %73 = getelementptr inbounds double, ptr %22, i64 2
+  %74 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %75 = getelementptr inbounds double, ptr %27, i64 1
+  %76 = getelementptr inbounds double, ptr %27, i64 2
+  %77 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
+  %78 = load i64, ptr %0, align 8
+  br label %80
 
-77:                                               ; preds = %666, %5
+79:                                               ; preds = %687, %5
   ret void
 
-78:                                               ; preds = %28, %666
-  %79 = phi i64 [ %76, %28 ], [ %667, %666 ]
-  %80 = phi ptr [ %1, %28 ], [ %669, %666 ]
-  %81 = phi ptr [ %4, %28 ], [ %671, %666 ]
-  %82 = phi i64 [ 0, %28 ], [ %668, %666 ]
-  %83 = shl nuw nsw i64 %82, 1
-  %84 = getelementptr inbounds i64, ptr %3, i64 %83
-  %85 = load i64, ptr %84, align 8
-  %86 = or i64 %83, 1
-  %87 = getelementptr inbounds i64, ptr %3, i64 %86
-  %88 = load i64, ptr %87, align 8
-  %89 = load ptr, ptr %29, align 8
-  %90 = getelementptr inbounds i64, ptr %89, i64 %85
-  %91 = load i64, ptr %90, align 8
-  %92 = getelementptr inbounds i64, ptr %89, i64 %88
+80:                                               ; preds = %30, %687
+  %81 = phi i64 [ %78, %30 ], [ %688, %687 ]
+  %82 = phi ptr [ %1, %30 ], [ %690, %687 ]
+  %83 = phi ptr [ %4, %30 ], [ %692, %687 ]
+  %84 = phi i64 [ 0, %30 ], [ %689, %687 ]
+  %85 = shl nuw nsw i64 %84, 1
+  %86 = getelementptr inbounds i64, ptr %3, i64 %85
+  %87 = load i64, ptr %86, align 8
+  %88 = or i64 %85, 1
+  %89 = getelementptr inbounds i64, ptr %3, i64 %88
+  %90 = load i64, ptr %89, align 8
+  %91 = load ptr, ptr %31, align 8
+  %92 = getelementptr inbounds i64, ptr %91, i64 %87
   %93 = load i64, ptr %92, align 8
+  %94 = getelementptr inbounds i64, ptr %91, i64 %90
+  %95 = load i64, ptr %94, align 8
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %23) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #15
-  %94 = icmp sgt i64 %79, 0
-  br i1 %94, label %97, label %108
+  %96 = icmp sgt i64 %81, 0
+  br i1 %96, label %99, label %110
 
-95:                                               ; preds = %97
-  %96 = icmp eq i32 %105, 0
-  br i1 %96, label %436, label %108
+97:                                               ; preds = %99
+  %98 = icmp eq i32 %107, 0
+  br i1 %98, label %438, label %110
 
-97:                                               ; preds = %78, %97
-  %98 = phi i32 [ %105, %97 ], [ 1, %78 ]
-  %99 = phi i64 [ %106, %97 ], [ 0, %78 ]
-  %100 = getelementptr inbounds double, ptr %80, i64 %99
-  %101 = load double, ptr %100, align 8
-  %102 = call double @llvm.fabs.f64(double %101) #14
-  %103 = fcmp one double %102, 0x7FF0000000000000
-  %104 = zext i1 %103 to i32
-  %105 = and i32 %98, %104
-  %106 = add nuw nsw i64 %99, 1
-  %107 = icmp eq i64 %106, %79
-  br i1 %107, label %95, label %97
+99:                                               ; preds = %80, %99
+  %100 = phi i32 [ %107, %99 ], [ 1, %80 ]
+  %101 = phi i64 [ %108, %99 ], [ 0, %80 ]
+  %102 = getelementptr inbounds double, ptr %82, i64 %101
+  %103 = load double, ptr %102, align 8
+  %104 = call double @llvm.fabs.f64(double %103) #14
+  %105 = fcmp one double %104, 0x7FF0000000000000
+  %106 = zext i1 %105 to i32
+  %107 = and i32 %100, %106
+  %108 = add nuw nsw i64 %101, 1
+  %109 = icmp eq i64 %108, %81
+  br i1 %109, label %97, label %99
 
-108:                                              ; preds = %78, %95
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %80)
-  %109 = load ptr, ptr %30, align 8
-  %110 = getelementptr inbounds i64, ptr %109, i64 %85
-  %111 = load i64, ptr %110, align 8
-  %112 = icmp sgt i64 %111, 2
-  br i1 %112, label %436, label %113
+110:                                              ; preds = %80, %97
+  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %82)
+  %111 = load ptr, ptr %32, align 8
+  %112 = getelementptr inbounds i64, ptr %111, i64 %87
+  %113 = load i64, ptr %112, align 8
+  %114 = icmp sgt i64 %113, 2
+  br i1 %114, label %438, label %115
 
-113:                                              ; preds = %108
-  %114 = getelementptr inbounds i64, ptr %109, i64 %88
-  %115 = load i64, ptr %114, align 8
-  %116 = icmp eq i64 %115, 5
-  br i1 %116, label %436, label %117
+115:                                              ; preds = %110
+  %116 = getelementptr inbounds i64, ptr %111, i64 %90
+  %117 = load i64, ptr %116, align 8
+  %118 = icmp eq i64 %117, 5
+  br i1 %118, label %438, label %119
 
-117:                                              ; preds = %113
+119:                                              ; preds = %115
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #15
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #15
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %85, ptr noundef nonnull %10)
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %87, ptr noundef nonnull %10)
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %13) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %14) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15) #15
-  %118 = load i64, ptr %114, align 8
-  switch i64 %118, label %267 [
-    i64 3, label %119
-    i64 4, label %218
+  %120 = load i64, ptr %116, align 8
+  switch i64 %120, label %269 [
+    i64 3, label %121
+    i64 4, label %220
   ]
 
-119:                                              ; preds = %117
+121:                                              ; preds = %119
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %16) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
-  %120 = load ptr, ptr %48, align 8
-  %121 = load ptr, ptr %29, align 8
-  %122 = getelementptr inbounds i64, ptr %121, i64 %88
-  %123 = load i64, ptr %122, align 8
-  %124 = mul nsw i64 %123, 12
-  %125 = getelementptr inbounds double, ptr %120, i64 %124
-  %126 = load ptr, ptr %49, align 8
-  %127 = mul nsw i64 %88, 12
-  %128 = getelementptr inbounds double, ptr %126, i64 %127
-  %129 = getelementptr inbounds double, ptr %128, i64 9
-  %130 = getelementptr inbounds double, ptr %128, i64 10
-  %131 = getelementptr inbounds double, ptr %128, i64 11
-  %132 = load double, ptr %129, align 8
-  %133 = load double, ptr %130, align 8
+  %122 = load ptr, ptr %50, align 8
+  %123 = load ptr, ptr %31, align 8
+  %124 = getelementptr inbounds i64, ptr %123, i64 %90
+  %125 = load i64, ptr %124, align 8
+  %126 = mul nsw i64 %125, 12
+  %127 = getelementptr inbounds double, ptr %122, i64 %126
+  %128 = load ptr, ptr %51, align 8
+  %129 = mul nsw i64 %90, 12
+  %130 = getelementptr inbounds double, ptr %128, i64 %129
+  %131 = getelementptr inbounds double, ptr %130, i64 9
+  %132 = getelementptr inbounds double, ptr %130, i64 10
+  %133 = getelementptr inbounds double, ptr %130, i64 11
   %134 = load double, ptr %131, align 8
-  br label %135
+  %135 = load double, ptr %132, align 8
+  %136 = load double, ptr %133, align 8
+  br label %137
 
-135:                                              ; preds = %146, %119
-  %136 = phi i64 [ 0, %119 ], [ %157, %146 ]
-  %137 = mul nuw nsw i64 %136, 3
-  %138 = getelementptr inbounds double, ptr %125, i64 %137
-  %139 = add nuw nsw i64 %137, 1
-  %140 = getelementptr inbounds double, ptr %125, i64 %139
-  %141 = add nuw nsw i64 %137, 2
-  %142 = getelementptr inbounds double, ptr %125, i64 %141
-  %143 = load double, ptr %138, align 8
-  %144 = load double, ptr %140, align 8
-  %145 = load double, ptr %142, align 8
-  br label %159
+137:                                              ; preds = %148, %121
+  %138 = phi i64 [ 0, %121 ], [ %159, %148 ]
+  %139 = mul nuw nsw i64 %138, 3
+  %140 = getelementptr inbounds double, ptr %127, i64 %139
+  %141 = add nuw nsw i64 %139, 1
+  %142 = getelementptr inbounds double, ptr %127, i64 %141
+  %143 = add nuw nsw i64 %139, 2
+  %144 = getelementptr inbounds double, ptr %127, i64 %143
+  %145 = load double, ptr %140, align 8
+  %146 = load double, ptr %142, align 8
+  %147 = load double, ptr %144, align 8
+  br label %161
 
-146:                                              ; preds = %159
-  %147 = fmul double %132, %143
-  %148 = fmul double %133, %144
-  %149 = fadd double %147, %148
-  %150 = fmul double %134, %145
+148:                                              ; preds = %161
+  %149 = fmul double %134, %145
+  %150 = fmul double %135, %146
   %151 = fadd double %149, %150
-  %152 = add nuw nsw i64 %136, 9
-  %153 = getelementptr inbounds double, ptr %125, i64 %152
-  %154 = load double, ptr %153, align 8
-  %155 = fadd double %151, %154
-  %156 = getelementptr inbounds double, ptr %16, i64 %152
-  store double %155, ptr %156, align 8
-  %157 = add nuw nsw i64 %136, 1
-  %158 = icmp eq i64 %157, 3
-  br i1 %158, label %179, label %135
+  %152 = fmul double %136, %147
+  %153 = fadd double %151, %152
+  %154 = add nuw nsw i64 %138, 9
+  %155 = getelementptr inbounds double, ptr %127, i64 %154
+  %156 = load double, ptr %155, align 8
+  %157 = fadd double %153, %156
+  %158 = getelementptr inbounds double, ptr %16, i64 %154
+  store double %157, ptr %158, align 8
+  %159 = add nuw nsw i64 %138, 1
+  %160 = icmp eq i64 %159, 3
+  br i1 %160, label %181, label %137
 
-159:                                              ; preds = %159, %135
-  %160 = phi i64 [ 0, %135 ], [ %176, %159 ]
-  %161 = getelementptr inbounds double, ptr %128, i64 %160
-  %162 = load double, ptr %161, align 8
-  %163 = fmul double %143, %162
-  %164 = add nuw nsw i64 %160, 3
-  %165 = getelementptr inbounds double, ptr %128, i64 %164
-  %166 = load double, ptr %165, align 8
-  %167 = fmul double %144, %166
-  %168 = fadd double %163, %167
-  %169 = add nuw nsw i64 %160, 6
-  %170 = getelementptr inbounds double, ptr %128, i64 %169
-  %171 = load double, ptr %170, align 8
-  %172 = fmul double %145, %171
-  %173 = fadd double %168, %172
-  %174 = add nuw nsw i64 %160, %137
-  %175 = getelementptr inbounds double, ptr %16, i64 %174
-  store double %173, ptr %175, align 8
-  %176 = add nuw nsw i64 %160, 1
-  %177 = icmp eq i64 %176, 3
-  br i1 %177, label %146, label %159
+161:                                              ; preds = %161, %137
+  %162 = phi i64 [ 0, %137 ], [ %178, %161 ]
+  %163 = getelementptr inbounds double, ptr %130, i64 %162
+  %164 = load double, ptr %163, align 8
+  %165 = fmul double %145, %164
+  %166 = add nuw nsw i64 %162, 3
+  %167 = getelementptr inbounds double, ptr %130, i64 %166
+  %168 = load double, ptr %167, align 8
+  %169 = fmul double %146, %168
+  %170 = fadd double %165, %169
+  %171 = add nuw nsw i64 %162, 6
+  %172 = getelementptr inbounds double, ptr %130, i64 %171
+  %173 = load double, ptr %172, align 8
+  %174 = fmul double %147, %173
+  %175 = fadd double %170, %174
+  %176 = add nuw nsw i64 %162, %139
+  %177 = getelementptr inbounds double, ptr %16, i64 %176
+  store double %175, ptr %177, align 8
+  %178 = add nuw nsw i64 %162, 1
+  %179 = icmp eq i64 %178, 3
+  br i1 %179, label %148, label %161
 
-178:                                              ; preds = %179
+180:                                              ; preds = %181
   call fastcc void @support(ptr noundef nonnull %10, ptr noundef nonnull %17, ptr noundef nonnull %21)
-  br label %190
+  br label %192
 
-179:                                              ; preds = %146, %179
-  %180 = phi i64 [ %188, %179 ], [ 0, %146 ]
-  %181 = mul nuw nsw i64 %180, 3
-  %182 = add nuw nsw i64 %181, 2
-  %183 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %182
-  %184 = load double, ptr %183, align 8
-  %185 = getelementptr inbounds double, ptr %24, i64 %180
-  store double %184, ptr %185, align 8
-  %186 = fneg double %184
-  %187 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %180
+181:                                              ; preds = %148, %181
+  %182 = phi i64 [ %190, %181 ], [ 0, %148 ]
+  %183 = mul nuw nsw i64 %182, 3
+  %184 = add nuw nsw i64 %183, 2
+  %185 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %184
+  %186 = load double, ptr %185, align 8
+  %187 = getelementptr inbounds double, ptr %24, i64 %182
   store double %186, ptr %187, align 8
-  %188 = add nuw nsw i64 %180, 1
-  %189 = icmp eq i64 %188, 3
-  br i1 %189, label %178, label %179
+  %188 = fneg double %186
+  %189 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %182
+  store double %188, ptr %189, align 8
+  %190 = add nuw nsw i64 %182, 1
+  %191 = icmp eq i64 %190, 3
+  br i1 %191, label %180, label %181
 
-190:                                              ; preds = %190, %178
-  %191 = phi i64 [ 0, %178 ], [ %203, %190 ]
-  %192 = phi double [ 0.000000e+00, %178 ], [ %202, %190 ]
-  %193 = getelementptr inbounds double, ptr %24, i64 %191
-  %194 = load double, ptr %193, align 8
-  %195 = getelementptr inbounds double, ptr %21, i64 %191
+192:                                              ; preds = %192, %180
+  %193 = phi i64 [ 0, %180 ], [ %205, %192 ]
+  %194 = phi double [ 0.000000e+00, %180 ], [ %204, %192 ]
+  %195 = getelementptr inbounds double, ptr %24, i64 %193
   %196 = load double, ptr %195, align 8
-  %197 = add nuw nsw i64 %191, 9
-  %198 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %197
-  %199 = load double, ptr %198, align 8
-  %200 = fsub double %196, %199
-  %201 = fmul double %194, %200
-  %202 = fadd double %192, %201
-  %203 = add nuw nsw i64 %191, 1
-  %204 = icmp eq i64 %203, 3
-  br i1 %204, label %205, label %190
+  %197 = getelementptr inbounds double, ptr %21, i64 %193
+  %198 = load double, ptr %197, align 8
+  %199 = add nuw nsw i64 %193, 9
+  %200 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %199
+  %201 = load double, ptr %200, align 8
+  %202 = fsub double %198, %201
+  %203 = fmul double %196, %202
+  %204 = fadd double %194, %203
+  %205 = add nuw nsw i64 %193, 1
+  %206 = icmp eq i64 %205, 3
+  br i1 %206, label %207, label %192
 
-205:                                              ; preds = %190
-  store double %202, ptr %23, align 8
-  br label %207
+207:                                              ; preds = %192
+  store double %204, ptr %23, align 8
+  br label %209
 
-206:                                              ; preds = %207
+208:                                              ; preds = %209
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
   call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %16) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
@@ -1772,357 +1776,357 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %447
+  br label %449
 
-207:                                              ; preds = %205, %207
-  %208 = phi i64 [ %216, %207 ], [ 0, %205 ]
-  %209 = getelementptr inbounds double, ptr %21, i64 %208
-  %210 = load double, ptr %209, align 8
-  %211 = getelementptr inbounds double, ptr %24, i64 %208
+209:                                              ; preds = %207, %209
+  %210 = phi i64 [ %218, %209 ], [ 0, %207 ]
+  %211 = getelementptr inbounds double, ptr %21, i64 %210
   %212 = load double, ptr %211, align 8
-  %213 = fmul double %202, %212
-  %214 = fsub double %210, %213
-  %215 = getelementptr inbounds double, ptr %22, i64 %208
-  store double %214, ptr %215, align 8
-  %216 = add nuw nsw i64 %208, 1
-  %217 = icmp eq i64 %216, 3
-  br i1 %217, label %206, label %207
+  %213 = getelementptr inbounds double, ptr %24, i64 %210
+  %214 = load double, ptr %213, align 8
+  %215 = fmul double %204, %214
+  %216 = fsub double %212, %215
+  %217 = getelementptr inbounds double, ptr %22, i64 %210
+  store double %216, ptr %217, align 8
+  %218 = add nuw nsw i64 %210, 1
+  %219 = icmp eq i64 %218, 3
+  br i1 %219, label %208, label %209
 
-218:                                              ; preds = %117
+220:                                              ; preds = %119
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #15
   store double 0x7FF0000000000000, ptr %18, align 8
   call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %19) #15
   store ptr %0, ptr %19, align 8
-  store i64 %85, ptr %31, align 8
-  store ptr %10, ptr %32, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %33, i8 0, i64 16, i1 false)
-  store double 0x7FF0000000000000, ptr %34, align 8
-  store ptr %18, ptr %35, align 8
-  store ptr null, ptr %36, align 8
-  store i32 0, ptr %37, align 8
-  store i64 -1, ptr %38, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %39, i8 0, i64 32, i1 false)
-  call fastcc void @look_at(ptr noundef nonnull %19, i64 noundef %88, ptr noundef null)
-  %219 = load double, ptr %18, align 8
-  %220 = fcmp ord double %219, 0.000000e+00
-  %221 = load i64, ptr %38, align 8
-  %222 = icmp sgt i64 %221, -1
-  %223 = select i1 %220, i1 %222, i1 false
-  br i1 %223, label %224, label %431
+  store i64 %87, ptr %33, align 8
+  store ptr %10, ptr %34, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %35, i8 0, i64 16, i1 false)
+  store double 0x7FF0000000000000, ptr %36, align 8
+  store ptr %18, ptr %37, align 8
+  store ptr null, ptr %38, align 8
+  store i32 0, ptr %39, align 8
+  store i64 -1, ptr %40, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %41, i8 0, i64 32, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %19, i64 noundef %90, ptr noundef null)
+  %221 = load double, ptr %18, align 8
+  %222 = fcmp ord double %221, 0.000000e+00
+  %223 = load i64, ptr %40, align 8
+  %224 = icmp sgt i64 %223, -1
+  %225 = select i1 %222, i1 %224, i1 false
+  br i1 %225, label %226, label %433
 
-224:                                              ; preds = %218
-  %225 = load ptr, ptr %40, align 8
-  %226 = mul nsw i64 %221, 9
-  %227 = getelementptr inbounds double, ptr %225, i64 %226
-  br label %228
+226:                                              ; preds = %220
+  %227 = load ptr, ptr %42, align 8
+  %228 = mul nsw i64 %223, 9
+  %229 = getelementptr inbounds double, ptr %227, i64 %228
+  br label %230
 
-228:                                              ; preds = %258, %224
-  %229 = phi i64 [ 0, %224 ], [ %262, %258 ]
-  %230 = phi i32 [ 1, %224 ], [ %261, %258 ]
-  %231 = mul nuw nsw i64 %229, 3
-  br label %241
+230:                                              ; preds = %260, %226
+  %231 = phi i64 [ 0, %226 ], [ %264, %260 ]
+  %232 = phi i32 [ 1, %226 ], [ %263, %260 ]
+  %233 = mul nuw nsw i64 %231, 3
+  br label %243
 
-232:                                              ; preds = %241
-  %233 = add nuw nsw i64 %229, 3
-  %234 = getelementptr inbounds double, ptr %227, i64 %233
-  %235 = load double, ptr %234, align 8
-  %236 = getelementptr inbounds double, ptr %227, i64 %229
+234:                                              ; preds = %243
+  %235 = add nuw nsw i64 %231, 3
+  %236 = getelementptr inbounds double, ptr %229, i64 %235
   %237 = load double, ptr %236, align 8
-  %238 = fsub double %235, %237
-  %239 = call double @llvm.fabs.f64(double %238)
-  %240 = fcmp olt double %239, 3.000000e-07
-  br i1 %240, label %251, label %258
+  %238 = getelementptr inbounds double, ptr %229, i64 %231
+  %239 = load double, ptr %238, align 8
+  %240 = fsub double %237, %239
+  %241 = call double @llvm.fabs.f64(double %240)
+  %242 = fcmp olt double %241, 3.000000e-07
+  br i1 %242, label %253, label %260
 
-241:                                              ; preds = %241, %228
-  %242 = phi i64 [ 0, %228 ], [ %249, %241 ]
-  %243 = mul nuw nsw i64 %242, 3
-  %244 = add nuw nsw i64 %243, %229
-  %245 = getelementptr inbounds double, ptr %227, i64 %244
-  %246 = load double, ptr %245, align 8
-  %247 = add nuw nsw i64 %242, %231
-  %248 = getelementptr inbounds double, ptr %13, i64 %247
-  store double %246, ptr %248, align 8
-  %249 = add nuw nsw i64 %242, 1
-  %250 = icmp eq i64 %249, 3
-  br i1 %250, label %232, label %241
+243:                                              ; preds = %243, %230
+  %244 = phi i64 [ 0, %230 ], [ %251, %243 ]
+  %245 = mul nuw nsw i64 %244, 3
+  %246 = add nuw nsw i64 %245, %231
+  %247 = getelementptr inbounds double, ptr %229, i64 %246
+  %248 = load double, ptr %247, align 8
+  %249 = add nuw nsw i64 %244, %233
+  %250 = getelementptr inbounds double, ptr %13, i64 %249
+  store double %248, ptr %250, align 8
+  %251 = add nuw nsw i64 %244, 1
+  %252 = icmp eq i64 %251, 3
+  br i1 %252, label %234, label %243
 
-251:                                              ; preds = %232
-  %252 = add nuw nsw i64 %229, 6
-  %253 = getelementptr inbounds double, ptr %227, i64 %252
-  %254 = load double, ptr %253, align 8
-  %255 = fsub double %254, %237
-  %256 = call double @llvm.fabs.f64(double %255)
-  %257 = fcmp olt double %256, 3.000000e-07
-  br label %258
+253:                                              ; preds = %234
+  %254 = add nuw nsw i64 %231, 6
+  %255 = getelementptr inbounds double, ptr %229, i64 %254
+  %256 = load double, ptr %255, align 8
+  %257 = fsub double %256, %239
+  %258 = call double @llvm.fabs.f64(double %257)
+  %259 = fcmp olt double %258, 3.000000e-07
+  br label %260
 
-258:                                              ; preds = %251, %232
-  %259 = phi i1 [ false, %232 ], [ %257, %251 ]
-  %260 = zext i1 %259 to i32
-  %261 = and i32 %230, %260
-  %262 = add nuw nsw i64 %229, 1
-  %263 = icmp eq i64 %262, 3
-  br i1 %263, label %264, label %228
+260:                                              ; preds = %253, %234
+  %261 = phi i1 [ false, %234 ], [ %259, %253 ]
+  %262 = zext i1 %261 to i32
+  %263 = and i32 %232, %262
+  %264 = add nuw nsw i64 %231, 1
+  %265 = icmp eq i64 %264, 3
+  br i1 %265, label %266, label %230
 
-264:                                              ; preds = %258
+266:                                              ; preds = %260
   store i64 0, ptr %11, align 8
-  %265 = icmp eq i32 %261, 0
-  %266 = select i1 %265, i64 3, i64 1
-  store i64 %266, ptr %41, align 8
-  store ptr @place.still, ptr %42, align 8
-  store ptr %13, ptr %43, align 8
-  store ptr %44, ptr %45, align 8
+  %267 = icmp eq i32 %263, 0
+  %268 = select i1 %267, i64 3, i64 1
+  store i64 %268, ptr %43, align 8
+  store ptr @place.still, ptr %44, align 8
+  store ptr %13, ptr %45, align 8
   store ptr %46, ptr %47, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %39, i64 24, i1 false)
+  store ptr %48, ptr %49, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %41, i64 24, i1 false)
   call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %19) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
-  br label %283
+  br label %285
 
-267:                                              ; preds = %117
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %88, ptr noundef nonnull %11)
-  %268 = load ptr, ptr %50, align 8
-  %269 = mul nsw i64 %85, 3
-  %270 = mul nsw i64 %88, 3
-  br label %271
+269:                                              ; preds = %119
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %90, ptr noundef nonnull %11)
+  %270 = load ptr, ptr %52, align 8
+  %271 = mul nsw i64 %87, 3
+  %272 = mul nsw i64 %90, 3
+  br label %273
 
-271:                                              ; preds = %271, %267
-  %272 = phi i64 [ 0, %267 ], [ %281, %271 ]
-  %273 = add nsw i64 %272, %269
-  %274 = getelementptr inbounds double, ptr %268, i64 %273
-  %275 = load double, ptr %274, align 8
-  %276 = add nsw i64 %272, %270
-  %277 = getelementptr inbounds double, ptr %268, i64 %276
-  %278 = load double, ptr %277, align 8
-  %279 = fsub double %275, %278
-  %280 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %272
-  store double %279, ptr %280, align 8
-  %281 = add nuw nsw i64 %272, 1
-  %282 = icmp eq i64 %281, 3
-  br i1 %282, label %283, label %271
+273:                                              ; preds = %273, %269
+  %274 = phi i64 [ 0, %269 ], [ %283, %273 ]
+  %275 = add nsw i64 %274, %271
+  %276 = getelementptr inbounds double, ptr %270, i64 %275
+  %277 = load double, ptr %276, align 8
+  %278 = add nsw i64 %274, %272
+  %279 = getelementptr inbounds double, ptr %270, i64 %278
+  %280 = load double, ptr %279, align 8
+  %281 = fsub double %277, %280
+  %282 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %274
+  store double %281, ptr %282, align 8
+  %283 = add nuw nsw i64 %274, 1
+  %284 = icmp eq i64 %283, 3
+  br i1 %284, label %285, label %273
 
-283:                                              ; preds = %271, %264
+285:                                              ; preds = %273, %266
   call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %20) #15
-  %284 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %14, ptr noundef nonnull %15, ptr noundef null, ptr noundef nonnull %20)
-  %285 = icmp eq i32 %284, 0
-  br i1 %285, label %286, label %297
+  %286 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %14, ptr noundef nonnull %15, ptr noundef null, ptr noundef nonnull %20)
+  %287 = icmp eq i32 %286, 0
+  br i1 %287, label %288, label %299
 
-286:                                              ; preds = %283
-  %287 = load ptr, ptr %30, align 8
-  %288 = getelementptr inbounds i64, ptr %287, i64 %88
-  %289 = load i64, ptr %288, align 8
-  %290 = icmp eq i64 %289, 4
-  br i1 %290, label %432, label %291
+288:                                              ; preds = %285
+  %289 = load ptr, ptr %32, align 8
+  %290 = getelementptr inbounds i64, ptr %289, i64 %90
+  %291 = load i64, ptr %290, align 8
+  %292 = icmp eq i64 %291, 4
+  br i1 %292, label %434, label %293
 
-291:                                              ; preds = %286
-  %292 = call fastcc i32 @depth_of(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %20, ptr noundef nonnull %23, ptr noundef nonnull %24, ptr noundef nonnull %21, ptr noundef nonnull %22)
-  %293 = icmp eq i32 %292, 0
-  br i1 %293, label %432, label %294
+293:                                              ; preds = %288
+  %294 = call fastcc i32 @depth_of(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %20, ptr noundef nonnull %23, ptr noundef nonnull %24, ptr noundef nonnull %21, ptr noundef nonnull %22)
+  %295 = icmp eq i32 %294, 0
+  br i1 %295, label %434, label %296
 
-294:                                              ; preds = %291
-  %295 = load double, ptr %23, align 8
-  %296 = fneg double %295
-  store double %296, ptr %23, align 8
-  br label %433
+296:                                              ; preds = %293
+  %297 = load double, ptr %23, align 8
+  %298 = fneg double %297
+  store double %298, ptr %23, align 8
+  br label %435
 
-297:                                              ; preds = %283
-  %298 = load double, ptr %15, align 8
-  %299 = load double, ptr %14, align 8
-  %300 = fsub double %298, %299
-  %301 = fcmp ogt double %300, 1.000000e-08
-  %302 = fcmp olt double %298, 0x3EB0C6F7A0B5ED8D
-  %303 = or i1 %302, %301
-  br i1 %303, label %432, label %304
+299:                                              ; preds = %285
+  %300 = load double, ptr %15, align 8
+  %301 = load double, ptr %14, align 8
+  %302 = fsub double %300, %301
+  %303 = fcmp ogt double %302, 1.000000e-08
+  %304 = fcmp olt double %300, 0x3EB0C6F7A0B5ED8D
+  %305 = or i1 %304, %303
+  br i1 %305, label %434, label %306
 
-304:                                              ; preds = %297
+306:                                              ; preds = %299
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %6, ptr noundef nonnull align 16 dereferenceable(24) @__const.nearest_of.share, i64 24, i1 false)
-  %305 = load i32, ptr %51, align 8
-  %306 = add i32 %305, -4
-  %307 = icmp ult i32 %306, -3
-  br i1 %307, label %412, label %308
+  %307 = load i32, ptr %53, align 8
+  %308 = add i32 %307, -4
+  %309 = icmp ult i32 %308, -3
+  br i1 %309, label %414, label %310
 
-308:                                              ; preds = %304
-  %309 = icmp ugt i32 %305, 1
-  br i1 %309, label %310, label %385
+310:                                              ; preds = %306
+  %311 = icmp ugt i32 %307, 1
+  br i1 %311, label %312, label %387
 
-310:                                              ; preds = %308
+312:                                              ; preds = %310
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
-  %311 = icmp eq i32 %305, 3
-  br label %329
+  %313 = icmp eq i32 %307, 3
+  br label %331
 
-312:                                              ; preds = %346
-  %313 = load double, ptr %7, align 16
-  %314 = fmul double %313, %313
-  %315 = load double, ptr %52, align 8
+314:                                              ; preds = %348
+  %315 = load double, ptr %7, align 16
   %316 = fmul double %315, %315
-  %317 = fadd double %314, %316
-  %318 = load double, ptr %53, align 16
-  %319 = fmul double %318, %318
-  %320 = fadd double %317, %319
-  %321 = load double, ptr %8, align 16
-  %322 = fmul double %313, %321
-  %323 = load double, ptr %54, align 8
+  %317 = load double, ptr %54, align 8
+  %318 = fmul double %317, %317
+  %319 = fadd double %316, %318
+  %320 = load double, ptr %55, align 16
+  %321 = fmul double %320, %320
+  %322 = fadd double %319, %321
+  %323 = load double, ptr %8, align 16
   %324 = fmul double %315, %323
-  %325 = fadd double %322, %324
-  %326 = load double, ptr %55, align 16
-  %327 = fmul double %318, %326
-  %328 = fadd double %325, %327
-  br i1 %311, label %349, label %355
+  %325 = load double, ptr %56, align 8
+  %326 = fmul double %317, %325
+  %327 = fadd double %324, %326
+  %328 = load double, ptr %57, align 16
+  %329 = fmul double %320, %328
+  %330 = fadd double %327, %329
+  br i1 %313, label %351, label %357
 
-329:                                              ; preds = %346, %310
-  %330 = phi i64 [ 0, %310 ], [ %347, %346 ]
-  %331 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 1, i64 %330
-  %332 = load double, ptr %331, align 8
-  %333 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %330
+331:                                              ; preds = %348, %312
+  %332 = phi i64 [ 0, %312 ], [ %349, %348 ]
+  %333 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 1, i64 %332
   %334 = load double, ptr %333, align 8
-  %335 = fsub double %332, %334
-  %336 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %330
-  store double %335, ptr %336, align 8
-  %337 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %330
-  %338 = load double, ptr %337, align 8
-  %339 = fsub double %338, %334
-  %340 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %330
-  store double %339, ptr %340, align 8
-  br i1 %311, label %341, label %346
+  %335 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %332
+  %336 = load double, ptr %335, align 8
+  %337 = fsub double %334, %336
+  %338 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %332
+  store double %337, ptr %338, align 8
+  %339 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %332
+  %340 = load double, ptr %339, align 8
+  %341 = fsub double %340, %336
+  %342 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %332
+  store double %341, ptr %342, align 8
+  br i1 %313, label %343, label %348
 
-341:                                              ; preds = %329
-  %342 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 2, i64 %330
-  %343 = load double, ptr %342, align 8
-  %344 = fsub double %343, %334
-  %345 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %330
-  store double %344, ptr %345, align 8
-  br label %346
+343:                                              ; preds = %331
+  %344 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 2, i64 %332
+  %345 = load double, ptr %344, align 8
+  %346 = fsub double %345, %336
+  %347 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %332
+  store double %346, ptr %347, align 8
+  br label %348
 
-346:                                              ; preds = %341, %329
-  %347 = add nuw nsw i64 %330, 1
-  %348 = icmp eq i64 %347, 3
-  br i1 %348, label %312, label %329
+348:                                              ; preds = %343, %331
+  %349 = add nuw nsw i64 %332, 1
+  %350 = icmp eq i64 %349, 3
+  br i1 %350, label %314, label %331
 
-349:                                              ; preds = %312
-  %350 = fmul double %321, %321
-  %351 = fmul double %323, %323
-  %352 = fadd double %350, %351
-  %353 = fmul double %326, %326
+351:                                              ; preds = %314
+  %352 = fmul double %323, %323
+  %353 = fmul double %325, %325
   %354 = fadd double %352, %353
-  br label %355
+  %355 = fmul double %328, %328
+  %356 = fadd double %354, %355
+  br label %357
 
-355:                                              ; preds = %349, %312
-  %356 = phi double [ %354, %349 ], [ 1.000000e+00, %312 ]
-  %357 = fmul double %320, %356
-  %358 = fmul double %328, %328
-  %359 = fsub double %357, %358
-  %360 = fcmp ogt double %359, 0.000000e+00
-  br i1 %360, label %361, label %411
+357:                                              ; preds = %351, %314
+  %358 = phi double [ %356, %351 ], [ 1.000000e+00, %314 ]
+  %359 = fmul double %322, %358
+  %360 = fmul double %330, %330
+  %361 = fsub double %359, %360
+  %362 = fcmp ogt double %361, 0.000000e+00
+  br i1 %362, label %363, label %413
 
-361:                                              ; preds = %355
-  %362 = load double, ptr %9, align 16
-  %363 = fmul double %313, %362
-  %364 = load double, ptr %56, align 8
+363:                                              ; preds = %357
+  %364 = load double, ptr %9, align 16
   %365 = fmul double %315, %364
-  %366 = fadd double %363, %365
-  %367 = load double, ptr %57, align 16
-  %368 = fmul double %318, %367
-  %369 = fadd double %366, %368
-  %370 = fmul double %356, %369
-  %371 = fmul double %321, %362
-  %372 = fmul double %323, %364
-  %373 = fadd double %371, %372
-  %374 = fmul double %326, %367
+  %366 = load double, ptr %58, align 8
+  %367 = fmul double %317, %366
+  %368 = fadd double %365, %367
+  %369 = load double, ptr %59, align 16
+  %370 = fmul double %320, %369
+  %371 = fadd double %368, %370
+  %372 = fmul double %358, %371
+  %373 = fmul double %323, %364
+  %374 = fmul double %325, %366
   %375 = fadd double %373, %374
-  %376 = fmul double %328, %375
-  %377 = fsub double %370, %376
-  %378 = fdiv double %377, %359
-  store double %378, ptr %58, align 8
-  %379 = fmul double %320, %375
-  %380 = fmul double %328, %369
-  %381 = fsub double %379, %380
-  %382 = fdiv double %381, %359
-  store double %382, ptr %59, align 16
-  %383 = fsub double 1.000000e+00, %378
-  %384 = fsub double %383, %382
-  store double %384, ptr %6, align 16
+  %376 = fmul double %328, %369
+  %377 = fadd double %375, %376
+  %378 = fmul double %330, %377
+  %379 = fsub double %372, %378
+  %380 = fdiv double %379, %361
+  store double %380, ptr %60, align 8
+  %381 = fmul double %322, %377
+  %382 = fmul double %330, %371
+  %383 = fsub double %381, %382
+  %384 = fdiv double %383, %361
+  store double %384, ptr %61, align 16
+  %385 = fsub double 1.000000e+00, %380
+  %386 = fsub double %385, %384
+  store double %386, ptr %6, align 16
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  br label %385
+  br label %387
 
-385:                                              ; preds = %361, %308
-  %386 = icmp sgt i32 %305, 0
-  %387 = zext i32 %305 to i64
-  br label %388
+387:                                              ; preds = %363, %310
+  %388 = icmp sgt i32 %307, 0
+  %389 = zext i32 %307 to i64
+  br label %390
 
-388:                                              ; preds = %392, %385
-  %389 = phi i64 [ 0, %385 ], [ %398, %392 ]
-  %390 = getelementptr inbounds double, ptr %21, i64 %389
-  store double 0.000000e+00, ptr %390, align 8
-  br i1 %386, label %400, label %392
+390:                                              ; preds = %394, %387
+  %391 = phi i64 [ 0, %387 ], [ %400, %394 ]
+  %392 = getelementptr inbounds double, ptr %21, i64 %391
+  store double 0.000000e+00, ptr %392, align 8
+  br i1 %388, label %402, label %394
 
-391:                                              ; preds = %400
-  store double %408, ptr %390, align 8
-  br label %392
+393:                                              ; preds = %402
+  store double %410, ptr %392, align 8
+  br label %394
 
-392:                                              ; preds = %391, %388
-  %393 = phi double [ 0.000000e+00, %388 ], [ %408, %391 ]
-  %394 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %389
-  %395 = load double, ptr %394, align 8
-  %396 = fsub double %393, %395
-  %397 = getelementptr inbounds double, ptr %22, i64 %389
-  store double %396, ptr %397, align 8
-  %398 = add nuw nsw i64 %389, 1
-  %399 = icmp eq i64 %398, 3
-  br i1 %399, label %413, label %388
+394:                                              ; preds = %393, %390
+  %395 = phi double [ 0.000000e+00, %390 ], [ %410, %393 ]
+  %396 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %391
+  %397 = load double, ptr %396, align 8
+  %398 = fsub double %395, %397
+  %399 = getelementptr inbounds double, ptr %22, i64 %391
+  store double %398, ptr %399, align 8
+  %400 = add nuw nsw i64 %391, 1
+  %401 = icmp eq i64 %400, 3
+  br i1 %401, label %415, label %390
 
-400:                                              ; preds = %388, %400
-  %401 = phi i64 [ %409, %400 ], [ 0, %388 ]
-  %402 = phi double [ %408, %400 ], [ 0.000000e+00, %388 ]
-  %403 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %401
-  %404 = load double, ptr %403, align 8
-  %405 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 1, i64 %401, i64 %389
+402:                                              ; preds = %390, %402
+  %403 = phi i64 [ %411, %402 ], [ 0, %390 ]
+  %404 = phi double [ %410, %402 ], [ 0.000000e+00, %390 ]
+  %405 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %403
   %406 = load double, ptr %405, align 8
-  %407 = fmul double %404, %406
-  %408 = fadd double %402, %407
-  %409 = add nuw nsw i64 %401, 1
-  %410 = icmp eq i64 %409, %387
-  br i1 %410, label %391, label %400
+  %407 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 1, i64 %403, i64 %391
+  %408 = load double, ptr %407, align 8
+  %409 = fmul double %406, %408
+  %410 = fadd double %404, %409
+  %411 = add nuw nsw i64 %403, 1
+  %412 = icmp eq i64 %411, %389
+  br i1 %412, label %393, label %402
 
-411:                                              ; preds = %355
+413:                                              ; preds = %357
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  br label %412
+  br label %414
 
-412:                                              ; preds = %411, %304
+414:                                              ; preds = %413, %306
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  br label %432
+  br label %434
 
-413:                                              ; preds = %392
+415:                                              ; preds = %394
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  %414 = load double, ptr %60, align 8
-  %415 = fmul double %414, %414
-  %416 = load double, ptr %61, align 8
+  %416 = load double, ptr %62, align 8
   %417 = fmul double %416, %416
-  %418 = fadd double %415, %417
-  %419 = load double, ptr %62, align 8
-  %420 = fmul double %419, %419
-  %421 = fadd double %418, %420
-  %422 = call double @llvm.sqrt.f64(double %421)
-  store double %422, ptr %23, align 8
-  br label %423
+  %418 = load double, ptr %63, align 8
+  %419 = fmul double %418, %418
+  %420 = fadd double %417, %419
+  %421 = load double, ptr %64, align 8
+  %422 = fmul double %421, %421
+  %423 = fadd double %420, %422
+  %424 = call double @llvm.sqrt.f64(double %423)
+  store double %424, ptr %23, align 8
+  br label %425
 
-423:                                              ; preds = %423, %413
-  %424 = phi i64 [ 0, %413 ], [ %429, %423 ]
-  %425 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %424
-  %426 = load double, ptr %425, align 8
-  %427 = fdiv double %426, %422
-  %428 = getelementptr inbounds double, ptr %24, i64 %424
-  store double %427, ptr %428, align 8
-  %429 = add nuw nsw i64 %424, 1
-  %430 = icmp eq i64 %429, 3
-  br i1 %430, label %433, label %423
+425:                                              ; preds = %425, %415
+  %426 = phi i64 [ 0, %415 ], [ %431, %425 ]
+  %427 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %426
+  %428 = load double, ptr %427, align 8
+  %429 = fdiv double %428, %424
+  %430 = getelementptr inbounds double, ptr %24, i64 %426
+  store double %429, ptr %430, align 8
+  %431 = add nuw nsw i64 %426, 1
+  %432 = icmp eq i64 %431, 3
+  br i1 %432, label %435, label %425
 
-431:                                              ; preds = %218
+433:                                              ; preds = %220
   call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %19) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
@@ -2131,9 +2135,9 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %436
+  br label %438
 
-432:                                              ; preds = %291, %286, %297, %412
+434:                                              ; preds = %293, %288, %299, %414
   call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
@@ -2141,10 +2145,10 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %436
+  br label %438
 
-433:                                              ; preds = %423, %294
-  %434 = phi double [ %296, %294 ], [ %422, %423 ]
+435:                                              ; preds = %425, %296
+  %436 = phi double [ %298, %296 ], [ %424, %425 ]
   call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
@@ -2152,307 +2156,338 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  %435 = load ptr, ptr %48, align 8
-  br label %447
+  %437 = load ptr, ptr %50, align 8
+  br label %449
 
-436:                                              ; preds = %108, %113, %432, %431, %95
-  %437 = load i64, ptr %0, align 8
-  %438 = icmp sgt i64 %437, -13
-  br i1 %438, label %439, label %666
+438:                                              ; preds = %110, %115, %434, %433, %97
+  %439 = load i64, ptr %0, align 8
+  %440 = icmp sgt i64 %439, -13
+  br i1 %440, label %441, label %687
 
-439:                                              ; preds = %436
-  %440 = add i64 %437, 12
-  %441 = call i64 @llvm.smax.i64(i64 %440, i64 0)
-  br label %442
+441:                                              ; preds = %438
+  %442 = add i64 %439, 12
+  %443 = call i64 @llvm.smax.i64(i64 %442, i64 0)
+  br label %444
 
-442:                                              ; preds = %439, %442
-  %443 = phi i64 [ %445, %442 ], [ 0, %439 ]
-  %444 = getelementptr inbounds double, ptr %81, i64 %443
-  store double 0x7FF8000000000000, ptr %444, align 8
-  %445 = add nuw i64 %443, 1
-  %446 = icmp eq i64 %443, %441
-  br i1 %446, label %666, label %442
+444:                                              ; preds = %441, %444
+  %445 = phi i64 [ %447, %444 ], [ 0, %441 ]
+  %446 = getelementptr inbounds double, ptr %83, i64 %445
+  store double 0x7FF8000000000000, ptr %446, align 8
+  %447 = add nuw i64 %445, 1
+  %448 = icmp eq i64 %445, %443
+  br i1 %448, label %687, label %444
 
-447:                                              ; preds = %433, %206
-  %448 = phi double [ %434, %433 ], [ %202, %206 ]
-  %449 = phi ptr [ %435, %433 ], [ %120, %206 ]
-  %450 = mul nsw i64 %91, 12
-  %451 = mul nsw i64 %93, 12
-  br label %576
+449:                                              ; preds = %435, %208
+  %450 = phi double [ %436, %435 ], [ %204, %208 ]
+  %451 = phi ptr [ %437, %435 ], [ %122, %208 ]
+  %452 = mul nsw i64 %93, 12
+  %453 = mul nsw i64 %95, 12
+  br label %578
 
-452:                                              ; preds = %576
-  %453 = getelementptr inbounds double, ptr %449, i64 %451
-  %454 = load ptr, ptr %63, align 8
-  %455 = getelementptr inbounds double, ptr %454, i64 %85
-  %456 = load double, ptr %455, align 8
-  %457 = fsub double %448, %456
-  %458 = getelementptr inbounds double, ptr %454, i64 %88
-  %459 = load double, ptr %458, align 8
-  %460 = fsub double %457, %459
-  store double %460, ptr %81, align 8
-  %461 = getelementptr inbounds double, ptr %81, i64 1
-  %462 = load double, ptr %24, align 16
-  %463 = load double, ptr %64, align 8
-  %464 = load double, ptr %65, align 16
-  br label %465
+454:                                              ; preds = %578
+  %455 = getelementptr inbounds double, ptr %451, i64 %453
+  %456 = load ptr, ptr %65, align 8
+  %457 = getelementptr inbounds double, ptr %456, i64 %87
+  %458 = load double, ptr %457, align 8
+  %459 = fsub double %450, %458
+  %460 = getelementptr inbounds double, ptr %456, i64 %90
+  %461 = load double, ptr %460, align 8
+  %462 = fsub double %459, %461
+  store double %462, ptr %83, align 8
+  %463 = getelementptr inbounds double, ptr %83, i64 1
+  %464 = load double, ptr %24, align 16
+  %465 = load double, ptr %66, align 8
+  %466 = load double, ptr %67, align 16
+  br label %467
 
-465:                                              ; preds = %465, %452
-  %466 = phi i64 [ 0, %452 ], [ %481, %465 ]
-  %467 = getelementptr inbounds double, ptr %453, i64 %466
-  %468 = load double, ptr %467, align 8
-  %469 = fmul double %468, %462
-  %470 = add nuw nsw i64 %466, 3
-  %471 = getelementptr inbounds double, ptr %453, i64 %470
-  %472 = load double, ptr %471, align 8
-  %473 = fmul double %472, %463
-  %474 = fadd double %469, %473
-  %475 = add nuw nsw i64 %466, 6
-  %476 = getelementptr inbounds double, ptr %453, i64 %475
-  %477 = load double, ptr %476, align 8
-  %478 = fmul double %477, %464
-  %479 = fadd double %474, %478
-  %480 = getelementptr inbounds double, ptr %461, i64 %466
-  store double %479, ptr %480, align 8
-  %481 = add nuw nsw i64 %466, 1
-  %482 = icmp eq i64 %481, 3
-  br i1 %482, label %483, label %465
+467:                                              ; preds = %467, %454
+  %468 = phi i64 [ 0, %454 ], [ %483, %467 ]
+  %469 = getelementptr inbounds double, ptr %455, i64 %468
+  %470 = load double, ptr %469, align 8
+  %471 = fmul double %470, %464
+  %472 = add nuw nsw i64 %468, 3
+  %473 = getelementptr inbounds double, ptr %455, i64 %472
+  %474 = load double, ptr %473, align 8
+  %475 = fmul double %474, %465
+  %476 = fadd double %471, %475
+  %477 = add nuw nsw i64 %468, 6
+  %478 = getelementptr inbounds double, ptr %455, i64 %477
+  %479 = load double, ptr %478, align 8
+  %480 = fmul double %479, %466
+  %481 = fadd double %476, %480
+  %482 = getelementptr inbounds double, ptr %463, i64 %468
+  store double %481, ptr %482, align 8
+  %483 = add nuw nsw i64 %468, 1
+  %484 = icmp eq i64 %483, 3
+  br i1 %484, label %485, label %467
 
-483:                                              ; preds = %465
-  %484 = getelementptr inbounds double, ptr %449, i64 %450
-  %485 = getelementptr inbounds double, ptr %81, i64 4
-  %486 = load double, ptr %25, align 16
-  %487 = load double, ptr %66, align 8
-  %488 = load double, ptr %67, align 16
-  br label %489
+485:                                              ; preds = %467
+  %486 = getelementptr inbounds double, ptr %451, i64 %452
+  %487 = getelementptr inbounds double, ptr %83, i64 4
+  %488 = load double, ptr %25, align 16
+  %489 = load double, ptr %68, align 8
+  %490 = load double, ptr %69, align 16
+  br label %491
 
-489:                                              ; preds = %489, %483
-  %490 = phi i64 [ 0, %483 ], [ %505, %489 ]
-  %491 = getelementptr inbounds double, ptr %484, i64 %490
-  %492 = load double, ptr %491, align 8
-  %493 = fmul double %492, %486
-  %494 = add nuw nsw i64 %490, 3
-  %495 = getelementptr inbounds double, ptr %484, i64 %494
-  %496 = load double, ptr %495, align 8
-  %497 = fmul double %496, %487
-  %498 = fadd double %493, %497
-  %499 = add nuw nsw i64 %490, 6
-  %500 = getelementptr inbounds double, ptr %484, i64 %499
-  %501 = load double, ptr %500, align 8
-  %502 = fmul double %501, %488
-  %503 = fadd double %498, %502
-  %504 = getelementptr inbounds double, ptr %485, i64 %490
-  store double %503, ptr %504, align 8
-  %505 = add nuw nsw i64 %490, 1
-  %506 = icmp eq i64 %505, 3
-  br i1 %506, label %507, label %489
+491:                                              ; preds = %491, %485
+  %492 = phi i64 [ 0, %485 ], [ %507, %491 ]
+  %493 = getelementptr inbounds double, ptr %486, i64 %492
+  %494 = load double, ptr %493, align 8
+  %495 = fmul double %494, %488
+  %496 = add nuw nsw i64 %492, 3
+  %497 = getelementptr inbounds double, ptr %486, i64 %496
+  %498 = load double, ptr %497, align 8
+  %499 = fmul double %498, %489
+  %500 = fadd double %495, %499
+  %501 = add nuw nsw i64 %492, 6
+  %502 = getelementptr inbounds double, ptr %486, i64 %501
+  %503 = load double, ptr %502, align 8
+  %504 = fmul double %503, %490
+  %505 = fadd double %500, %504
+  %506 = getelementptr inbounds double, ptr %487, i64 %492
+  store double %505, ptr %506, align 8
+  %507 = add nuw nsw i64 %492, 1
+  %508 = icmp eq i64 %507, 3
+  br i1 %508, label %509, label %491
 
-507:                                              ; preds = %489
-  %508 = getelementptr inbounds double, ptr %81, i64 7
-  %509 = load double, ptr %21, align 16
-  %510 = getelementptr inbounds double, ptr %484, i64 9
-  %511 = load double, ptr %510, align 8
-  %512 = fsub double %509, %511
-  %513 = load double, ptr %68, align 8
-  %514 = getelementptr inbounds double, ptr %484, i64 10
-  %515 = load double, ptr %514, align 8
-  %516 = fsub double %513, %515
-  %517 = load double, ptr %69, align 16
-  %518 = getelementptr inbounds double, ptr %484, i64 11
-  %519 = load double, ptr %518, align 8
-  %520 = fsub double %517, %519
-  br label %521
+509:                                              ; preds = %491
+  %510 = getelementptr inbounds double, ptr %83, i64 7
+  %511 = load double, ptr %21, align 16
+  %512 = getelementptr inbounds double, ptr %486, i64 9
+  %513 = load double, ptr %512, align 8
+  %514 = fsub double %511, %513
+  %515 = load double, ptr %70, align 8
+  %516 = getelementptr inbounds double, ptr %486, i64 10
+  %517 = load double, ptr %516, align 8
+  %518 = fsub double %515, %517
+  %519 = load double, ptr %71, align 16
+  %520 = getelementptr inbounds double, ptr %486, i64 11
+  %521 = load double, ptr %520, align 8
+  %522 = fsub double %519, %521
+  br label %523
 
-521:                                              ; preds = %521, %507
-  %522 = phi i64 [ 0, %507 ], [ %537, %521 ]
-  %523 = getelementptr inbounds double, ptr %484, i64 %522
-  %524 = load double, ptr %523, align 8
-  %525 = fmul double %512, %524
-  %526 = add nuw nsw i64 %522, 3
-  %527 = getelementptr inbounds double, ptr %484, i64 %526
-  %528 = load double, ptr %527, align 8
-  %529 = fmul double %516, %528
-  %530 = fadd double %525, %529
-  %531 = add nuw nsw i64 %522, 6
-  %532 = getelementptr inbounds double, ptr %484, i64 %531
-  %533 = load double, ptr %532, align 8
-  %534 = fmul double %520, %533
-  %535 = fadd double %530, %534
-  %536 = getelementptr inbounds double, ptr %508, i64 %522
-  store double %535, ptr %536, align 8
-  %537 = add nuw nsw i64 %522, 1
-  %538 = icmp eq i64 %537, 3
-  br i1 %538, label %539, label %521
+523:                                              ; preds = %523, %509
+  %524 = phi i64 [ 0, %509 ], [ %539, %523 ]
+  %525 = getelementptr inbounds double, ptr %486, i64 %524
+  %526 = load double, ptr %525, align 8
+  %527 = fmul double %514, %526
+  %528 = add nuw nsw i64 %524, 3
+  %529 = getelementptr inbounds double, ptr %486, i64 %528
+  %530 = load double, ptr %529, align 8
+  %531 = fmul double %518, %530
+  %532 = fadd double %527, %531
+  %533 = add nuw nsw i64 %524, 6
+  %534 = getelementptr inbounds double, ptr %486, i64 %533
+  %535 = load double, ptr %534, align 8
+  %536 = fmul double %522, %535
+  %537 = fadd double %532, %536
+  %538 = getelementptr inbounds double, ptr %510, i64 %524
+  store double %537, ptr %538, align 8
+  %539 = add nuw nsw i64 %524, 1
+  %540 = icmp eq i64 %539, 3
+  br i1 %540, label %541, label %523
 
-539:                                              ; preds = %521
-  %540 = getelementptr inbounds double, ptr %81, i64 10
-  %541 = load double, ptr %22, align 16
-  %542 = getelementptr inbounds double, ptr %453, i64 9
-  %543 = load double, ptr %542, align 8
-  %544 = fsub double %541, %543
-  %545 = load double, ptr %70, align 8
-  %546 = getelementptr inbounds double, ptr %453, i64 10
-  %547 = load double, ptr %546, align 8
-  %548 = fsub double %545, %547
-  %549 = load double, ptr %71, align 16
-  %550 = getelementptr inbounds double, ptr %453, i64 11
-  %551 = load double, ptr %550, align 8
-  %552 = fsub double %549, %551
-  br label %553
+541:                                              ; preds = %523
+  %542 = getelementptr inbounds double, ptr %83, i64 10
+  %543 = load double, ptr %22, align 16
+  %544 = getelementptr inbounds double, ptr %455, i64 9
+  %545 = load double, ptr %544, align 8
+  %546 = fsub double %543, %545
+  %547 = load double, ptr %72, align 8
+  %548 = getelementptr inbounds double, ptr %455, i64 10
+  %549 = load double, ptr %548, align 8
+  %550 = fsub double %547, %549
+  %551 = load double, ptr %73, align 16
+  %552 = getelementptr inbounds double, ptr %455, i64 11
+  %553 = load double, ptr %552, align 8
+  %554 = fsub double %551, %553
+  br label %555
 
-553:                                              ; preds = %553, %539
-  %554 = phi i64 [ 0, %539 ], [ %569, %553 ]
-  %555 = getelementptr inbounds double, ptr %453, i64 %554
-  %556 = load double, ptr %555, align 8
-  %557 = fmul double %544, %556
-  %558 = add nuw nsw i64 %554, 3
-  %559 = getelementptr inbounds double, ptr %453, i64 %558
-  %560 = load double, ptr %559, align 8
-  %561 = fmul double %548, %560
-  %562 = fadd double %557, %561
-  %563 = add nuw nsw i64 %554, 6
-  %564 = getelementptr inbounds double, ptr %453, i64 %563
-  %565 = load double, ptr %564, align 8
-  %566 = fmul double %552, %565
-  %567 = fadd double %562, %566
-  %568 = getelementptr inbounds double, ptr %540, i64 %554
-  store double %567, ptr %568, align 8
-  %569 = add nuw nsw i64 %554, 1
-  %570 = icmp eq i64 %569, 3
-  br i1 %570, label %571, label %553
+555:                                              ; preds = %555, %541
+  %556 = phi i64 [ 0, %541 ], [ %571, %555 ]
+  %557 = getelementptr inbounds double, ptr %455, i64 %556
+  %558 = load double, ptr %557, align 8
+  %559 = fmul double %546, %558
+  %560 = add nuw nsw i64 %556, 3
+  %561 = getelementptr inbounds double, ptr %455, i64 %560
+  %562 = load double, ptr %561, align 8
+  %563 = fmul double %550, %562
+  %564 = fadd double %559, %563
+  %565 = add nuw nsw i64 %556, 6
+  %566 = getelementptr inbounds double, ptr %455, i64 %565
+  %567 = load double, ptr %566, align 8
+  %568 = fmul double %554, %567
+  %569 = fadd double %564, %568
+  %570 = getelementptr inbounds double, ptr %542, i64 %556
+  store double %569, ptr %570, align 8
+  %571 = add nuw nsw i64 %556, 1
+  %572 = icmp eq i64 %571, 3
+  br i1 %572, label %573, label %555
 
-571:                                              ; preds = %553
-  %572 = load i64, ptr %0, align 8
-  %573 = icmp slt i64 %572, 1
-  br i1 %573, label %666, label %574
+573:                                              ; preds = %555
+  %574 = load i64, ptr %0, align 8
+  %575 = icmp slt i64 %574, 1
+  br i1 %575, label %687, label %576
 
-574:                                              ; preds = %571
-  %575 = load ptr, ptr %72, align 8
-  br label %584
+576:                                              ; preds = %573
+  %577 = load ptr, ptr %74, align 8
+  br label %586
 
-576:                                              ; preds = %447, %576
-  %577 = phi i64 [ 0, %447 ], [ %582, %576 ]
-  %578 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 %577
-  %579 = load double, ptr %578, align 8
-  %580 = fneg double %579
-  %581 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 %577
-  store double %580, ptr %581, align 8
-  %582 = add nuw nsw i64 %577, 1
-  %583 = icmp eq i64 %582, 3
-  br i1 %583, label %452, label %576
+578:                                              ; preds = %449, %578
+  %579 = phi i64 [ 0, %449 ], [ %584, %578 ]
+  %580 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 %579
+  %581 = load double, ptr %580, align 8
+  %582 = fneg double %581
+  %583 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 %579
+  store double %582, ptr %583, align 8
+  %584 = add nuw nsw i64 %579, 1
+  %585 = icmp eq i64 %584, 3
+  br i1 %585, label %454, label %578
 
-584:                                              ; preds = %574, %620
-  %585 = phi i64 [ 1, %574 ], [ %623, %620 ]
-  %586 = mul nuw nsw i64 %585, 12
-  %587 = getelementptr inbounds double, ptr %449, i64 %586
-  %588 = add nsw i64 %585, -1
-  %589 = mul nuw nsw i64 %588, 3
-  %590 = getelementptr inbounds double, ptr %575, i64 %589
+586:                                              ; preds = %576, %620
+  %587 = phi i64 [ 1, %576 ], [ %623, %620 ]
+  %588 = mul nuw nsw i64 %587, 12
+  %589 = getelementptr inbounds double, ptr %451, i64 %588
+  %590 = add nsw i64 %587, -1
+  %591 = mul nuw nsw i64 %590, 3
+  %592 = getelementptr inbounds double, ptr %577, i64 %591
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #15
-  %591 = load double, ptr %590, align 8
-  %592 = getelementptr inbounds double, ptr %590, i64 1
   %593 = load double, ptr %592, align 8
-  %594 = getelementptr inbounds double, ptr %590, i64 2
+  %594 = getelementptr inbounds double, ptr %592, i64 1
   %595 = load double, ptr %594, align 8
+  %596 = getelementptr inbounds double, ptr %592, i64 2
+  %597 = load double, ptr %596, align 8
   br label %603
 
-596:                                              ; preds = %603
-  %597 = getelementptr inbounds double, ptr %587, i64 9
-  %598 = getelementptr inbounds double, ptr %587, i64 10
-  %599 = getelementptr inbounds double, ptr %587, i64 11
-  %600 = load double, ptr %73, align 8
-  %601 = load double, ptr %74, align 16
+598:                                              ; preds = %603
+  %599 = getelementptr inbounds double, ptr %589, i64 9
+  %600 = getelementptr inbounds double, ptr %589, i64 10
+  %601 = getelementptr inbounds double, ptr %589, i64 11
   %602 = load double, ptr %26, align 16
   br label %625
 
-603:                                              ; preds = %584, %603
-  %604 = phi i64 [ 0, %584 ], [ %618, %603 ]
+603:                                              ; preds = %586, %603
+  %604 = phi i64 [ 0, %586 ], [ %618, %603 ]
   %605 = mul nuw nsw i64 %604, 3
-  %606 = getelementptr inbounds double, ptr %587, i64 %605
+  %606 = getelementptr inbounds double, ptr %589, i64 %605
   %607 = load double, ptr %606, align 8
-  %608 = fmul double %607, %591
+  %608 = fmul double %607, %593
   %609 = getelementptr inbounds double, ptr %606, i64 1
   %610 = load double, ptr %609, align 8
-  %611 = fmul double %610, %593
+  %611 = fmul double %610, %595
   %612 = fadd double %608, %611
   %613 = getelementptr inbounds double, ptr %606, i64 2
   %614 = load double, ptr %613, align 8
-  %615 = fmul double %614, %595
+  %615 = fmul double %614, %597
   %616 = fadd double %612, %615
   %617 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 %604
   store double %616, ptr %617, align 8
   %618 = add nuw nsw i64 %604, 1
   %619 = icmp eq i64 %618, 3
-  br i1 %619, label %596, label %603
+  br i1 %619, label %598, label %603
 
-620:                                              ; preds = %664
-  %621 = add nuw nsw i64 %585, 12
-  %622 = getelementptr inbounds double, ptr %81, i64 %621
-  store double %665, ptr %622, align 8
+620:                                              ; preds = %685
+  %621 = add nuw nsw i64 %587, 12
+  %622 = getelementptr inbounds double, ptr %83, i64 %621
+  store double %686, ptr %622, align 8
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #15
-  %623 = add nuw i64 %585, 1
-  %624 = icmp eq i64 %585, %572
-  br i1 %624, label %666, label %584
+  %623 = add nuw i64 %587, 1
+  %624 = icmp eq i64 %587, %574
+  br i1 %624, label %687, label %586
 
-625:                                              ; preds = %596, %664
-  %626 = phi i1 [ true, %596 ], [ false, %664 ]
-  %627 = phi double [ 0.000000e+00, %596 ], [ %665, %664 ]
-  %628 = select i1 %626, i64 %91, i64 %93
-  %629 = icmp sgt i64 %585, %628
-  br i1 %629, label %664, label %630
+625:                                              ; preds = %598, %685
+  %626 = phi i1 [ true, %598 ], [ false, %685 ]
+  %627 = phi double [ 0.000000e+00, %598 ], [ %686, %685 ]
+  %628 = select i1 %626, i64 %93, i64 %95
+  %629 = icmp sgt i64 %587, %628
+  br i1 %629, label %685, label %630
 
 630:                                              ; preds = %625
-  %631 = select i1 %626, double %509, double %541
-  %632 = load double, ptr %597, align 8
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #15
+  %631 = select i1 %626, double %511, double %543
+  %632 = load double, ptr %599, align 8
   %633 = fsub double %631, %632
-  %634 = select i1 %626, double %513, double %545
-  %635 = load double, ptr %598, align 8
+  store double %633, ptr %27, align 16
+  %634 = select i1 %626, double %515, double %547
+  %635 = load double, ptr %600, align 8
   %636 = fsub double %634, %635
-  %637 = select i1 %626, double %517, double %549
-  %638 = load double, ptr %599, align 8
+  store double %636, ptr %75, align 8
+  %637 = select i1 %626, double %519, double %551
+  %638 = load double, ptr %601, align 8
   %639 = fsub double %637, %638
-  %640 = fmul double %600, %639
-  %641 = fmul double %636, %601
-  %642 = fsub double %640, %641
-  %643 = fmul double %633, %601
-  %644 = fmul double %639, %602
-  %645 = fsub double %643, %644
-  %646 = fmul double %636, %602
-  %647 = fmul double %633, %600
-  %648 = fsub double %646, %647
-  %649 = load ptr, ptr %75, align 8
-  %650 = getelementptr inbounds i64, ptr %649, i64 %588
-  %651 = load i64, ptr %650, align 8
-  %652 = icmp eq i64 %651, 0
-  %653 = select i1 %652, double %642, double %602
-  %654 = fmul double %462, %653
-  %655 = select i1 %652, double %645, double %600
-  %656 = fmul double %463, %655
-  %657 = fadd double %654, %656
-  %658 = select i1 %652, double %648, double %601
-  %659 = fmul double %464, %658
-  %660 = fadd double %657, %659
-  %661 = fneg double %660
-  %662 = select i1 %626, double %660, double %661
-  %663 = fadd double %627, %662
-  br label %664
+  store double %639, ptr %76, align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %28) #15
+  br label %640
 
-664:                                              ; preds = %625, %630
-  %665 = phi double [ %663, %630 ], [ %627, %625 ]
+640:                                              ; preds = %640, %630
+  %641 = phi i64 [ 0, %630 ], [ %642, %640 ]
+  %642 = add nuw nsw i64 %641, 1
+  %643 = icmp ult i64 %641, 2
+  %644 = add nuw nsw i64 %641, 4294967294
+  %645 = select i1 %643, i64 %642, i64 %644
+  %646 = and i64 %645, 4294967295
+  %647 = getelementptr inbounds double, ptr %26, i64 %646
+  %648 = load double, ptr %647, align 8
+  %649 = icmp eq i64 %641, 0
+  %650 = add nuw nsw i64 %641, 4294967295
+  %651 = and i64 %650, 4294967295
+  %652 = select i1 %649, i64 2, i64 %651
+  %653 = getelementptr inbounds double, ptr %27, i64 %652
+  %654 = load double, ptr %653, align 8
+  %655 = fmul double %648, %654
+  %656 = getelementptr inbounds double, ptr %26, i64 %652
+  %657 = load double, ptr %656, align 8
+  %658 = getelementptr inbounds double, ptr %27, i64 %646
+  %659 = load double, ptr %658, align 8
+  %660 = fmul double %657, %659
+  %661 = fsub double %655, %660
+  %662 = getelementptr inbounds double, ptr %28, i64 %641
+  store double %661, ptr %662, align 8
+  %663 = icmp eq i64 %642, 3
+  br i1 %663, label %664, label %640
+
+664:                                              ; preds = %640
+  %665 = load ptr, ptr %77, align 8
+  %666 = getelementptr inbounds i64, ptr %665, i64 %590
+  %667 = load i64, ptr %666, align 8
+  %668 = icmp eq i64 %667, 0
+  %669 = load double, ptr %28, align 16
+  %670 = select i1 %668, double %669, double %602
+  %671 = fmul double %464, %670
+  %672 = select i1 %668, ptr %28, ptr %26
+  %673 = getelementptr inbounds double, ptr %672, i64 1
+  %674 = load double, ptr %673, align 8
+  %675 = fmul double %465, %674
+  %676 = fadd double %671, %675
+  %677 = select i1 %668, ptr %28, ptr %26
+  %678 = getelementptr inbounds double, ptr %677, i64 2
+  %679 = load double, ptr %678, align 16
+  %680 = fmul double %466, %679
+  %681 = fadd double %676, %680
+  %682 = fneg double %681
+  %683 = select i1 %626, double %681, double %682
+  %684 = fadd double %627, %683
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %28) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #15
+  br label %685
+
+685:                                              ; preds = %625, %664
+  %686 = phi double [ %684, %664 ], [ %627, %625 ]
   br i1 %626, label %625, label %620
 
-666:                                              ; preds = %620, %442, %571, %436
-  %667 = phi i64 [ %572, %571 ], [ %437, %436 ], [ %437, %442 ], [ %572, %620 ]
+687:                                              ; preds = %620, %444, %573, %438
+  %688 = phi i64 [ %574, %573 ], [ %439, %438 ], [ %439, %444 ], [ %574, %620 ]
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %23) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
-  %668 = add nuw nsw i64 %82, 1
-  %669 = getelementptr inbounds double, ptr %80, i64 %667
-  %670 = add nsw i64 %667, 13
-  %671 = getelementptr inbounds double, ptr %81, i64 %670
-  %672 = icmp eq i64 %668, %2
-  br i1 %672, label %77, label %78
+  %689 = add nuw nsw i64 %84, 1
+  %690 = getelementptr inbounds double, ptr %82, i64 %688
+  %691 = add nsw i64 %688, 13
+  %692 = getelementptr inbounds double, ptr %83, i64 %691
+  %693 = icmp eq i64 %689, %2
+  br i1 %693, label %79, label %80
 }
 
 define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3, i64 noundef %4, ptr noundef %5, ptr noundef %6) local_unnamed_addr #6 {
@@ -4062,643 +4097,1036 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %9 = alloca [3 x double], align 16
   %10 = alloca [3 x double], align 16
   %11 = alloca [384 x [2 x i32]], align 16
-  %12 = alloca [128 x [3 x double]], align 16
-  %13 = alloca [128 x [3 x double]], align 16
-  %14 = alloca [256 x %struct.Face], align 16
-  %15 = alloca [3 x [3 x double]], align 16
+  %12 = alloca [3 x double], align 16
+  %13 = alloca [3 x double], align 16
+  %14 = alloca [3 x double], align 16
+  %15 = alloca [3 x double], align 16
   %16 = alloca [3 x double], align 16
   %17 = alloca [3 x double], align 16
   %18 = alloca [3 x double], align 16
   %19 = alloca [3 x double], align 16
   %20 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %12) #15
-  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %13) #15
-  call void @llvm.lifetime.start.p0(i64 12288, ptr nonnull %14) #15
-  %21 = getelementptr inbounds %struct.Simplex, ptr %2, i64 0, i32 2
-  %22 = load i32, ptr %21, align 8
-  %23 = icmp eq i32 %22, 4
-  br i1 %23, label %24, label %465
-
-24:                                               ; preds = %7
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(96) %12, ptr noundef nonnull align 8 dereferenceable(96) %2, i64 96, i1 false)
-  %25 = getelementptr inbounds %struct.Simplex, ptr %2, i64 0, i32 1
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(96) %13, ptr noundef nonnull align 8 dereferenceable(96) %25, i64 96, i1 false)
-  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %15) #15
-  br label %26
-
-26:                                               ; preds = %24, %64
-  %27 = phi i64 [ 0, %24 ], [ %28, %64 ]
-  %28 = add nuw nsw i64 %27, 1
-  br label %66
-
-29:                                               ; preds = %64
-  %30 = load double, ptr %15, align 16
-  %31 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 1
-  %32 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 1, i64 1
-  %33 = load double, ptr %32, align 16
-  %34 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 2
-  %35 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 2, i64 2
-  %36 = load double, ptr %35, align 16
-  %37 = fmul double %33, %36
-  %38 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 1, i64 2
-  %39 = load double, ptr %38, align 8
-  %40 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 2, i64 1
-  %41 = load double, ptr %40, align 8
-  %42 = fmul double %39, %41
-  %43 = fsub double %37, %42
-  %44 = fmul double %30, %43
-  %45 = getelementptr inbounds [3 x double], ptr %15, i64 0, i64 1
-  %46 = load double, ptr %45, align 8
-  %47 = load double, ptr %31, align 8
-  %48 = fmul double %36, %47
-  %49 = load double, ptr %34, align 16
-  %50 = fmul double %39, %49
-  %51 = fsub double %48, %50
-  %52 = fmul double %46, %51
-  %53 = fsub double %44, %52
-  %54 = getelementptr inbounds [3 x double], ptr %15, i64 0, i64 2
-  %55 = load double, ptr %54, align 16
-  %56 = fmul double %41, %47
-  %57 = fmul double %33, %49
-  %58 = fsub double %56, %57
-  %59 = fmul double %55, %58
-  %60 = fadd double %59, %53
-  %61 = fcmp ogt double %60, 0.000000e+00
-  %62 = select i1 %61, i64 2, i64 1
-  %63 = select i1 %61, i64 1, i64 2
-  br label %86
-
-64:                                               ; preds = %66
-  %65 = icmp eq i64 %28, 3
-  br i1 %65, label %29, label %26
-
-66:                                               ; preds = %26, %66
-  %67 = phi i64 [ 0, %26 ], [ %74, %66 ]
-  %68 = getelementptr inbounds [128 x [3 x double]], ptr %12, i64 0, i64 %28, i64 %67
-  %69 = load double, ptr %68, align 8
-  %70 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %67
-  %71 = load double, ptr %70, align 8
-  %72 = fsub double %69, %71
-  %73 = getelementptr inbounds [3 x [3 x double]], ptr %15, i64 0, i64 %27, i64 %67
-  store double %72, ptr %73, align 8
-  %74 = add nuw nsw i64 %67, 1
-  %75 = icmp eq i64 %74, 3
-  br i1 %75, label %64, label %66
-
-76:                                               ; preds = %86
-  %77 = add nuw nsw i64 %87, 1
-  %78 = icmp eq i64 %77, 4
-  br i1 %78, label %79, label %86
-
-79:                                               ; preds = %76
-  %80 = getelementptr inbounds double, ptr %19, i64 1
-  %81 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 1
-  %82 = getelementptr inbounds [3 x double], ptr %18, i64 0, i64 1
-  %83 = getelementptr inbounds double, ptr %19, i64 2
-  %84 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 2
-  %85 = getelementptr inbounds [3 x double], ptr %18, i64 0, i64 2
-  br label %97
-
-86:                                               ; preds = %29, %76
-  %87 = phi i64 [ 0, %29 ], [ %77, %76 ]
-  %88 = getelementptr inbounds [4 x [3 x i32]], ptr @depth_of.start, i64 0, i64 %87
-  %89 = load i32, ptr %88, align 4
-  %90 = getelementptr inbounds [4 x [3 x i32]], ptr @depth_of.start, i64 0, i64 %87, i64 %62
-  %91 = load i32, ptr %90, align 4
-  %92 = getelementptr inbounds [4 x [3 x i32]], ptr @depth_of.start, i64 0, i64 %87, i64 %63
-  %93 = load i32, ptr %92, align 4
-  %94 = getelementptr inbounds %struct.Face, ptr %14, i64 %87
-  %95 = call fastcc i32 @make_face(ptr noundef nonnull %12, i32 noundef %89, i32 noundef %91, i32 noundef %93, ptr noundef nonnull %94)
-  %96 = icmp eq i32 %95, 0
-  br i1 %96, label %463, label %76
-
-97:                                               ; preds = %79, %461
-  %98 = phi i64 [ 4, %79 ], [ %173, %461 ]
-  %99 = phi i32 [ 4, %79 ], [ %271, %461 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
-  %100 = icmp sgt i32 %99, 1
-  br i1 %100, label %101, label %103
-
-101:                                              ; preds = %97
-  %102 = zext i32 %99 to i64
-  br label %106
-
-103:                                              ; preds = %106, %97
-  %104 = phi i32 [ 0, %97 ], [ %116, %106 ]
-  %105 = sext i32 %104 to i64
-  br label %130
-
-106:                                              ; preds = %101, %106
-  %107 = phi i64 [ 1, %101 ], [ %117, %106 ]
-  %108 = phi i32 [ 0, %101 ], [ %116, %106 ]
-  %109 = getelementptr inbounds [256 x %struct.Face], ptr %14, i64 0, i64 %107, i32 2
-  %110 = load double, ptr %109, align 8
-  %111 = sext i32 %108 to i64
-  %112 = getelementptr inbounds [256 x %struct.Face], ptr %14, i64 0, i64 %111, i32 2
-  %113 = load double, ptr %112, align 8
-  %114 = fcmp olt double %110, %113
-  %115 = trunc i64 %107 to i32
-  %116 = select i1 %114, i32 %115, i32 %108
-  %117 = add nuw nsw i64 %107, 1
-  %118 = icmp eq i64 %117, %102
-  br i1 %118, label %103, label %106
-
-119:                                              ; preds = %130
-  %120 = getelementptr inbounds %struct.Face, ptr %14, i64 %105, i32 1
-  call fastcc void @support(ptr noundef %0, ptr noundef nonnull %120, ptr noundef nonnull %17)
-  call fastcc void @support(ptr noundef %1, ptr noundef nonnull %16, ptr noundef nonnull %18)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #15
-  %121 = load double, ptr %17, align 16
-  %122 = load double, ptr %18, align 16
-  %123 = fsub double %121, %122
-  store double %123, ptr %19, align 16
-  %124 = load double, ptr %81, align 8
-  %125 = load double, ptr %82, align 8
-  %126 = fsub double %124, %125
-  store double %126, ptr %80, align 8
-  %127 = load double, ptr %84, align 16
-  %128 = load double, ptr %85, align 16
-  %129 = fsub double %127, %128
-  store double %129, ptr %83, align 16
-  br label %143
-
-130:                                              ; preds = %103, %130
-  %131 = phi i64 [ 0, %103 ], [ %136, %130 ]
-  %132 = getelementptr inbounds %struct.Face, ptr %14, i64 %105, i32 1, i64 %131
-  %133 = load double, ptr %132, align 8
-  %134 = fneg double %133
-  %135 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 %131
-  store double %134, ptr %135, align 8
-  %136 = add nuw nsw i64 %131, 1
-  %137 = icmp eq i64 %136, 3
-  br i1 %137, label %119, label %130
-
-138:                                              ; preds = %143
-  %139 = icmp eq i32 %150, 0
-  br i1 %139, label %153, label %140
-
-140:                                              ; preds = %138
-  %141 = getelementptr inbounds %struct.Face, ptr %14, i64 %105, i32 2
-  %142 = load double, ptr %141, align 8
-  br label %292
-
-143:                                              ; preds = %119, %143
-  %144 = phi i64 [ 0, %119 ], [ %151, %143 ]
-  %145 = phi i32 [ 0, %119 ], [ %150, %143 ]
-  %146 = getelementptr inbounds [128 x [3 x double]], ptr %12, i64 0, i64 %144
-  %147 = call i32 @bcmp(ptr noundef nonnull dereferenceable(24) %146, ptr noundef nonnull dereferenceable(24) %19, i64 24)
-  %148 = icmp eq i32 %147, 0
-  %149 = zext i1 %148 to i32
-  %150 = or i32 %145, %149
-  %151 = add nuw nsw i64 %144, 1
-  %152 = icmp eq i64 %151, %98
-  br i1 %152, label %138, label %143
-
-153:                                              ; preds = %138
-  %154 = load double, ptr %120, align 16
-  %155 = fmul double %123, %154
-  %156 = getelementptr inbounds double, ptr %120, i64 1
-  %157 = load double, ptr %156, align 8
-  %158 = fmul double %126, %157
-  %159 = fadd double %155, %158
-  %160 = getelementptr inbounds double, ptr %120, i64 2
-  %161 = load double, ptr %160, align 16
-  %162 = fmul double %129, %161
-  %163 = fadd double %159, %162
-  %164 = getelementptr inbounds %struct.Face, ptr %14, i64 %105, i32 2
-  %165 = load double, ptr %164, align 8
-  %166 = fsub double %163, %165
-  %167 = fcmp ogt double %166, 0x3DA5FD7FE1796495
-  br i1 %167, label %168, label %292
-
-168:                                              ; preds = %153
-  %169 = icmp eq i64 %98, 128
-  br i1 %169, label %458, label %170
-
-170:                                              ; preds = %168
-  %171 = getelementptr inbounds [128 x [3 x double]], ptr %12, i64 0, i64 %98
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %171, ptr noundef nonnull align 16 dereferenceable(24) %19, i64 24, i1 false)
-  %172 = getelementptr inbounds [128 x [3 x double]], ptr %13, i64 0, i64 %98
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %172, ptr noundef nonnull align 16 dereferenceable(24) %17, i64 24, i1 false)
-  %173 = add nuw nsw i64 %98, 1
-  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %11) #15
-  %174 = icmp sgt i32 %99, 0
-  br i1 %174, label %175, label %460
-
-175:                                              ; preds = %170
-  %176 = getelementptr inbounds double, ptr %171, i64 1
-  %177 = getelementptr inbounds double, ptr %171, i64 2
-  %178 = zext i32 %99 to i64
-  %179 = load double, ptr %171, align 8
-  %180 = load double, ptr %176, align 8
-  %181 = load double, ptr %177, align 8
-  br label %182
-
-182:                                              ; preds = %260, %175
-  %183 = phi i64 [ 0, %175 ], [ %263, %260 ]
-  %184 = phi i1 [ true, %175 ], [ %264, %260 ]
-  %185 = phi i32 [ 0, %175 ], [ %262, %260 ]
-  %186 = phi i32 [ 0, %175 ], [ %261, %260 ]
-  %187 = getelementptr inbounds %struct.Face, ptr %14, i64 %183
-  %188 = getelementptr inbounds %struct.Face, ptr %14, i64 %183, i32 1
-  %189 = load double, ptr %188, align 16
-  %190 = fmul double %189, %179
-  %191 = getelementptr inbounds double, ptr %188, i64 1
-  %192 = load double, ptr %191, align 8
-  %193 = fmul double %192, %180
-  %194 = fadd double %190, %193
-  %195 = getelementptr inbounds double, ptr %188, i64 2
-  %196 = load double, ptr %195, align 16
-  %197 = fmul double %196, %181
-  %198 = fadd double %194, %197
-  %199 = getelementptr inbounds %struct.Face, ptr %14, i64 %183, i32 2
-  %200 = load double, ptr %199, align 8
-  %201 = fsub double %198, %200
-  %202 = fcmp ugt double %201, 1.000000e-13
-  br i1 %202, label %207, label %203
-
-203:                                              ; preds = %182
-  %204 = add nsw i32 %186, 1
-  %205 = sext i32 %186 to i64
-  %206 = getelementptr inbounds %struct.Face, ptr %14, i64 %205
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(48) %206, ptr noundef nonnull align 16 dereferenceable(48) %187, i64 48, i1 false)
-  br label %260
-
-207:                                              ; preds = %182, %255
-  %208 = phi i64 [ %214, %255 ], [ 0, %182 ]
-  %209 = phi i1 [ %257, %255 ], [ false, %182 ]
-  %210 = phi i32 [ %256, %255 ], [ %185, %182 ]
-  %211 = phi i32 [ %215, %255 ], [ 0, %182 ]
-  %212 = getelementptr inbounds [3 x i32], ptr %187, i64 0, i64 %208
-  %213 = load i32, ptr %212, align 4
-  %214 = add nuw nsw i64 %208, 1
-  %215 = add nuw nsw i32 %211, 1
-  %216 = icmp ult i64 %208, 2
-  %217 = trunc i64 %208 to i32
-  %218 = add i32 %217, -2
-  %219 = select i1 %216, i32 %215, i32 %218
-  %220 = zext i32 %219 to i64
-  %221 = getelementptr inbounds [3 x i32], ptr %187, i64 0, i64 %220
-  %222 = load i32, ptr %221, align 4
-  %223 = icmp sgt i32 %210, 0
-  br i1 %223, label %224, label %250
-
-224:                                              ; preds = %207
-  %225 = zext i32 %210 to i64
-  br label %226
-
-226:                                              ; preds = %235, %224
-  %227 = phi i64 [ 0, %224 ], [ %236, %235 ]
-  %228 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %227
-  %229 = load i32, ptr %228, align 8
-  %230 = icmp eq i32 %229, %222
-  br i1 %230, label %231, label %235
-
-231:                                              ; preds = %226
-  %232 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %227, i64 1
-  %233 = load i32, ptr %232, align 4
-  %234 = icmp eq i32 %233, %213
-  br i1 %234, label %238, label %235
-
-235:                                              ; preds = %231, %226
-  %236 = add nuw nsw i64 %227, 1
-  %237 = icmp eq i64 %236, %225
-  br i1 %237, label %248, label %226
-
-238:                                              ; preds = %231
-  %239 = and i64 %227, 4294967295
-  %240 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %239
-  %241 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %239, i64 1
-  %242 = add nsw i32 %210, -1
-  %243 = sext i32 %242 to i64
-  %244 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %243
-  %245 = load i32, ptr %244, align 8
-  store i32 %245, ptr %240, align 8
-  %246 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %243, i64 1
-  %247 = load i32, ptr %246, align 4
-  store i32 %247, ptr %241, align 4
-  br label %255
-
-248:                                              ; preds = %235
-  %249 = icmp eq i32 %210, 384
-  br i1 %249, label %259, label %250
-
-250:                                              ; preds = %248, %207
-  %251 = sext i32 %210 to i64
-  %252 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %251
-  store i32 %213, ptr %252, align 8
-  %253 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %251, i64 1
-  store i32 %222, ptr %253, align 4
-  %254 = add nsw i32 %210, 1
-  br label %255
-
-255:                                              ; preds = %250, %238
-  %256 = phi i32 [ %242, %238 ], [ %254, %250 ]
-  %257 = icmp ugt i64 %208, 1
-  %258 = icmp eq i64 %214, 3
-  br i1 %258, label %260, label %207
-
-259:                                              ; preds = %248
-  br i1 %209, label %260, label %266
-
-260:                                              ; preds = %255, %259, %203
-  %261 = phi i32 [ %204, %203 ], [ %186, %259 ], [ %186, %255 ]
-  %262 = phi i32 [ %185, %203 ], [ 384, %259 ], [ %256, %255 ]
-  %263 = add nuw nsw i64 %183, 1
-  %264 = icmp ult i64 %263, %178
-  %265 = icmp eq i64 %263, %178
-  br i1 %265, label %267, label %182
-
-266:                                              ; preds = %259
-  br i1 %184, label %460, label %267
-
-267:                                              ; preds = %260, %266
-  %268 = phi i32 [ %186, %266 ], [ %261, %260 ]
-  %269 = phi i32 [ 384, %266 ], [ %262, %260 ]
-  %270 = icmp slt i32 %269, 3
-  %271 = add i32 %269, %268
-  %272 = icmp sgt i32 %271, 256
-  %273 = select i1 %270, i1 true, i1 %272
-  br i1 %273, label %460, label %274
-
-274:                                              ; preds = %267
-  %275 = sext i32 %268 to i64
-  %276 = zext i32 %269 to i64
-  %277 = trunc i64 %98 to i32
-  br label %278
-
-278:                                              ; preds = %288, %274
-  %279 = phi i64 [ %275, %274 ], [ %289, %288 ]
-  %280 = phi i64 [ 0, %274 ], [ %290, %288 ]
-  %281 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %280
-  %282 = load i32, ptr %281, align 8
-  %283 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %280, i64 1
-  %284 = load i32, ptr %283, align 4
-  %285 = getelementptr inbounds %struct.Face, ptr %14, i64 %279
-  %286 = call fastcc i32 @make_face(ptr noundef nonnull %12, i32 noundef %282, i32 noundef %284, i32 noundef %277, ptr noundef nonnull %285)
-  %287 = icmp eq i32 %286, 0
-  br i1 %287, label %460, label %288
-
-288:                                              ; preds = %278
-  %289 = add nsw i64 %279, 1
-  %290 = add nuw nsw i64 %280, 1
-  %291 = icmp eq i64 %290, %276
-  br i1 %291, label %461, label %278
-
-292:                                              ; preds = %153, %140
-  %293 = phi double [ %142, %140 ], [ %165, %153 ]
-  %294 = getelementptr inbounds %struct.Face, ptr %14, i64 %105
-  store double %293, ptr %3, align 8
-  %295 = icmp eq ptr %4, null
-  br i1 %295, label %458, label %296
-
-296:                                              ; preds = %292
+  %21 = alloca [3 x double], align 16
+  %22 = alloca [3 x double], align 16
+  %23 = alloca [3 x double], align 16
+  %24 = alloca [3 x double], align 16
+  %25 = alloca [3 x double], align 16
+  %26 = alloca [128 x [3 x double]], align 16
+  %27 = alloca [128 x [3 x double]], align 16
+  %28 = alloca [256 x %struct.Face], align 16
+  %29 = alloca [3 x double], align 16
+  %30 = alloca [3 x double], align 16
+  %31 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %26) #15
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %27) #15
+  call void @llvm.lifetime.start.p0(i64 12288, ptr nonnull %28) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #15
-  %297 = icmp sgt i32 %99, 0
-  br i1 %297, label %298, label %315
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #15
+  %32 = getelementptr inbounds %struct.Simplex, ptr %2, i64 0, i32 2
+  %33 = load i32, ptr %32, align 8
+  %34 = icmp slt i32 %33, 2
+  br i1 %34, label %379, label %35
 
-298:                                              ; preds = %296
-  %299 = fadd double %293, 1.000000e-13
-  %300 = load double, ptr %16, align 16
-  %301 = getelementptr inbounds double, ptr %16, i64 1
-  %302 = load double, ptr %301, align 8
-  %303 = getelementptr inbounds double, ptr %16, i64 2
-  %304 = load double, ptr %303, align 16
-  %305 = getelementptr inbounds double, ptr %8, i64 1
-  %306 = getelementptr inbounds double, ptr %8, i64 2
-  %307 = getelementptr inbounds double, ptr %9, i64 1
-  %308 = getelementptr inbounds double, ptr %9, i64 2
-  %309 = getelementptr inbounds double, ptr %10, i64 1
-  %310 = getelementptr inbounds double, ptr %10, i64 2
-  %311 = getelementptr inbounds i8, ptr %20, i64 8
-  %312 = getelementptr inbounds i8, ptr %20, i64 16
-  %313 = zext i32 %99 to i64
-  br label %318
+35:                                               ; preds = %7
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(96) %26, ptr noundef nonnull align 8 dereferenceable(96) %2, i64 96, i1 false)
+  %36 = getelementptr inbounds %struct.Simplex, ptr %2, i64 0, i32 1
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(96) %27, ptr noundef nonnull align 8 dereferenceable(96) %36, i64 96, i1 false)
+  %37 = icmp eq i32 %33, 2
+  br label %41
 
-314:                                              ; preds = %423
-  store double %425, ptr %311, align 8
-  store double %424, ptr %312, align 16
-  br label %315
+38:                                               ; preds = %53
+  %39 = icmp eq i32 %33, 4
+  %40 = select i1 %39, i64 4, i64 5
+  switch i32 %33, label %275 [
+    i32 2, label %138
+    i32 3, label %196
+  ]
 
-315:                                              ; preds = %314, %296
-  %316 = phi double [ %426, %314 ], [ undef, %296 ]
-  %317 = phi ptr [ %427, %314 ], [ %294, %296 ]
-  store double %316, ptr %20, align 16
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %4, ptr noundef nonnull align 16 dereferenceable(24) %16, i64 24, i1 false)
+41:                                               ; preds = %53, %35
+  %42 = phi i64 [ 0, %35 ], [ %56, %53 ]
+  %43 = getelementptr inbounds [3 x double], ptr %26, i64 1, i64 %42
+  %44 = load double, ptr %43, align 8
+  %45 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 %42
+  %46 = load double, ptr %45, align 8
+  %47 = fsub double %44, %46
+  %48 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %42
+  store double %47, ptr %48, align 8
+  br i1 %37, label %53, label %49
+
+49:                                               ; preds = %41
+  %50 = getelementptr inbounds [3 x double], ptr %26, i64 2, i64 %42
+  %51 = load double, ptr %50, align 8
+  %52 = fsub double %51, %46
+  br label %53
+
+53:                                               ; preds = %49, %41
+  %54 = phi double [ %52, %49 ], [ 0.000000e+00, %41 ]
+  %55 = getelementptr inbounds [3 x double], ptr %21, i64 0, i64 %42
+  store double %54, ptr %55, align 8
+  %56 = add nuw nsw i64 %42, 1
+  %57 = icmp eq i64 %56, 3
+  br i1 %57, label %38, label %41
+
+58:                                               ; preds = %138
+  %59 = sext i32 %150 to i64
+  %60 = getelementptr inbounds [3 x double], ptr %21, i64 0, i64 %59
+  store double 1.000000e+00, ptr %60, align 8
+  br label %61
+
+61:                                               ; preds = %61, %58
+  %62 = phi i64 [ 0, %58 ], [ %63, %61 ]
+  %63 = add nuw nsw i64 %62, 1
+  %64 = icmp ult i64 %62, 2
+  %65 = add nuw nsw i64 %62, 4294967294
+  %66 = select i1 %64, i64 %63, i64 %65
+  %67 = and i64 %66, 4294967295
+  %68 = getelementptr inbounds double, ptr %20, i64 %67
+  %69 = load double, ptr %68, align 8
+  %70 = icmp eq i64 %62, 0
+  %71 = add nuw nsw i64 %62, 4294967295
+  %72 = and i64 %71, 4294967295
+  %73 = select i1 %70, i64 2, i64 %72
+  %74 = getelementptr inbounds double, ptr %21, i64 %73
+  %75 = load double, ptr %74, align 8
+  %76 = fmul double %69, %75
+  %77 = getelementptr inbounds double, ptr %20, i64 %73
+  %78 = load double, ptr %77, align 8
+  %79 = getelementptr inbounds double, ptr %21, i64 %67
+  %80 = load double, ptr %79, align 8
+  %81 = fmul double %78, %80
+  %82 = fsub double %76, %81
+  %83 = getelementptr inbounds double, ptr %22, i64 %62
+  store double %82, ptr %83, align 8
+  %84 = icmp eq i64 %63, 3
+  br i1 %84, label %85, label %61
+
+85:                                               ; preds = %61, %85
+  %86 = phi i64 [ %87, %85 ], [ 0, %61 ]
+  %87 = add nuw nsw i64 %86, 1
+  %88 = icmp ult i64 %86, 2
+  %89 = add nuw nsw i64 %86, 4294967294
+  %90 = select i1 %88, i64 %87, i64 %89
+  %91 = and i64 %90, 4294967295
+  %92 = getelementptr inbounds double, ptr %20, i64 %91
+  %93 = load double, ptr %92, align 8
+  %94 = icmp eq i64 %86, 0
+  %95 = add nuw nsw i64 %86, 4294967295
+  %96 = and i64 %95, 4294967295
+  %97 = select i1 %94, i64 2, i64 %96
+  %98 = getelementptr inbounds double, ptr %22, i64 %97
+  %99 = load double, ptr %98, align 8
+  %100 = fmul double %93, %99
+  %101 = getelementptr inbounds double, ptr %20, i64 %97
+  %102 = load double, ptr %101, align 8
+  %103 = getelementptr inbounds double, ptr %22, i64 %91
+  %104 = load double, ptr %103, align 8
+  %105 = fmul double %102, %104
+  %106 = fsub double %100, %105
+  %107 = getelementptr inbounds double, ptr %23, i64 %86
+  store double %106, ptr %107, align 8
+  %108 = icmp eq i64 %87, 3
+  br i1 %108, label %109, label %85
+
+109:                                              ; preds = %85
+  %110 = load double, ptr %22, align 16
+  %111 = fmul double %110, %110
+  %112 = getelementptr inbounds double, ptr %22, i64 1
+  %113 = load double, ptr %112, align 8
+  %114 = fmul double %113, %113
+  %115 = fadd double %111, %114
+  %116 = getelementptr inbounds double, ptr %22, i64 2
+  %117 = load double, ptr %116, align 16
+  %118 = fmul double %117, %117
+  %119 = fadd double %115, %118
+  %120 = fmul double %119, 7.500000e-01
+  %121 = load double, ptr %23, align 16
+  %122 = fmul double %121, %121
+  %123 = getelementptr inbounds double, ptr %23, i64 1
+  %124 = load double, ptr %123, align 8
+  %125 = fmul double %124, %124
+  %126 = fadd double %122, %125
+  %127 = getelementptr inbounds double, ptr %23, i64 2
+  %128 = load double, ptr %127, align 16
+  %129 = fmul double %128, %128
+  %130 = fadd double %126, %129
+  %131 = fdiv double %120, %130
+  %132 = tail call double @llvm.sqrt.f64(double %131)
+  %133 = fneg double %132
+  %134 = getelementptr inbounds double, ptr %18, i64 1
+  %135 = getelementptr inbounds double, ptr %24, i64 1
+  %136 = getelementptr inbounds double, ptr %18, i64 2
+  %137 = getelementptr inbounds double, ptr %24, i64 2
+  br label %153
+
+138:                                              ; preds = %38, %138
+  %139 = phi i64 [ %151, %138 ], [ 1, %38 ]
+  %140 = phi i32 [ %150, %138 ], [ 0, %38 ]
+  %141 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %139
+  %142 = load double, ptr %141, align 8
+  %143 = tail call double @llvm.fabs.f64(double %142)
+  %144 = sext i32 %140 to i64
+  %145 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %144
+  %146 = load double, ptr %145, align 8
+  %147 = tail call double @llvm.fabs.f64(double %146)
+  %148 = fcmp olt double %143, %147
+  %149 = trunc i64 %139 to i32
+  %150 = select i1 %148, i32 %149, i32 %140
+  %151 = add nuw nsw i64 %139, 1
+  %152 = icmp eq i64 %151, 3
+  br i1 %152, label %58, label %138
+
+153:                                              ; preds = %178, %109
+  %154 = phi i64 [ 0, %109 ], [ %179, %178 ]
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #15
+  %155 = icmp eq i64 %154, 0
+  %156 = icmp eq i64 %154, 1
+  %157 = select i1 %156, double %132, double %133
+  br label %181
+
+158:                                              ; preds = %191
+  %159 = add nuw nsw i64 %154, 2
+  %160 = getelementptr inbounds [3 x double], ptr %26, i64 %159
+  %161 = getelementptr inbounds [3 x double], ptr %27, i64 %159
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
+  %162 = load double, ptr %24, align 16
+  %163 = fneg double %162
+  store double %163, ptr %18, align 16
+  %164 = load double, ptr %135, align 8
+  %165 = fneg double %164
+  store double %165, ptr %134, align 8
+  %166 = load double, ptr %137, align 16
+  %167 = fneg double %166
+  store double %167, ptr %136, align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #15
+  call fastcc void @support(ptr noundef %0, ptr noundef nonnull %24, ptr noundef nonnull %161)
+  call fastcc void @support(ptr noundef %1, ptr noundef nonnull %18, ptr noundef nonnull %19)
+  br label %168
+
+168:                                              ; preds = %168, %158
+  %169 = phi i64 [ 0, %158 ], [ %176, %168 ]
+  %170 = getelementptr inbounds double, ptr %161, i64 %169
+  %171 = load double, ptr %170, align 8
+  %172 = getelementptr inbounds [3 x double], ptr %19, i64 0, i64 %169
+  %173 = load double, ptr %172, align 8
+  %174 = fsub double %171, %173
+  %175 = getelementptr inbounds double, ptr %160, i64 %169
+  store double %174, ptr %175, align 8
+  %176 = add nuw nsw i64 %169, 1
+  %177 = icmp eq i64 %176, 3
+  br i1 %177, label %178, label %168
+
+178:                                              ; preds = %168
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #15
+  %179 = add nuw nsw i64 %154, 1
+  %180 = icmp eq i64 %179, 3
+  br i1 %180, label %275, label %153
+
+181:                                              ; preds = %191, %153
+  %182 = phi i64 [ 0, %153 ], [ %194, %191 ]
+  %183 = getelementptr inbounds [3 x double], ptr %22, i64 0, i64 %182
+  %184 = load double, ptr %183, align 8
+  br i1 %155, label %191, label %185
+
+185:                                              ; preds = %181
+  %186 = fmul double %184, 5.000000e-01
+  %187 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %182
+  %188 = load double, ptr %187, align 8
+  %189 = fmul double %157, %188
+  %190 = fsub double %189, %186
+  br label %191
+
+191:                                              ; preds = %185, %181
+  %192 = phi double [ %190, %185 ], [ %184, %181 ]
+  %193 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 %182
+  store double %192, ptr %193, align 8
+  %194 = add nuw nsw i64 %182, 1
+  %195 = icmp eq i64 %194, 3
+  br i1 %195, label %158, label %181
+
+196:                                              ; preds = %38, %196
+  %197 = phi i64 [ %198, %196 ], [ 0, %38 ]
+  %198 = add nuw nsw i64 %197, 1
+  %199 = icmp ult i64 %197, 2
+  %200 = add nuw nsw i64 %197, 4294967294
+  %201 = select i1 %199, i64 %198, i64 %200
+  %202 = and i64 %201, 4294967295
+  %203 = getelementptr inbounds double, ptr %20, i64 %202
+  %204 = load double, ptr %203, align 8
+  %205 = icmp eq i64 %197, 0
+  %206 = add nuw nsw i64 %197, 4294967295
+  %207 = and i64 %206, 4294967295
+  %208 = select i1 %205, i64 2, i64 %207
+  %209 = getelementptr inbounds double, ptr %21, i64 %208
+  %210 = load double, ptr %209, align 8
+  %211 = fmul double %204, %210
+  %212 = getelementptr inbounds double, ptr %20, i64 %208
+  %213 = load double, ptr %212, align 8
+  %214 = getelementptr inbounds double, ptr %21, i64 %202
+  %215 = load double, ptr %214, align 8
+  %216 = fmul double %213, %215
+  %217 = fsub double %211, %216
+  %218 = getelementptr inbounds double, ptr %22, i64 %197
+  store double %217, ptr %218, align 8
+  %219 = icmp eq i64 %198, 3
+  br i1 %219, label %267, label %196
+
+220:                                              ; preds = %267
+  %221 = getelementptr inbounds [3 x double], ptr %26, i64 3
+  %222 = getelementptr inbounds [3 x double], ptr %27, i64 3
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #15
+  %223 = load double, ptr %22, align 16
+  %224 = fneg double %223
+  store double %224, ptr %16, align 16
+  %225 = getelementptr inbounds double, ptr %16, i64 1
+  %226 = getelementptr inbounds double, ptr %22, i64 1
+  %227 = load double, ptr %226, align 8
+  %228 = fneg double %227
+  store double %228, ptr %225, align 8
+  %229 = getelementptr inbounds double, ptr %16, i64 2
+  %230 = getelementptr inbounds double, ptr %22, i64 2
+  %231 = load double, ptr %230, align 16
+  %232 = fneg double %231
+  store double %232, ptr %229, align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
+  call fastcc void @support(ptr noundef %0, ptr noundef nonnull %22, ptr noundef nonnull %222)
+  call fastcc void @support(ptr noundef %1, ptr noundef nonnull %16, ptr noundef nonnull %17)
+  br label %233
+
+233:                                              ; preds = %233, %220
+  %234 = phi i64 [ 0, %220 ], [ %241, %233 ]
+  %235 = getelementptr inbounds double, ptr %222, i64 %234
+  %236 = load double, ptr %235, align 8
+  %237 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %234
+  %238 = load double, ptr %237, align 8
+  %239 = fsub double %236, %238
+  %240 = getelementptr inbounds double, ptr %221, i64 %234
+  store double %239, ptr %240, align 8
+  %241 = add nuw nsw i64 %234, 1
+  %242 = icmp eq i64 %241, 3
+  br i1 %242, label %243, label %233
+
+243:                                              ; preds = %233
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
+  %244 = getelementptr inbounds [3 x double], ptr %26, i64 4
+  %245 = getelementptr inbounds [3 x double], ptr %27, i64 4
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #15
+  %246 = load double, ptr %23, align 16
+  %247 = fneg double %246
+  store double %247, ptr %14, align 16
+  %248 = getelementptr inbounds double, ptr %14, i64 1
+  %249 = getelementptr inbounds double, ptr %23, i64 1
+  %250 = load double, ptr %249, align 8
+  %251 = fneg double %250
+  store double %251, ptr %248, align 8
+  %252 = getelementptr inbounds double, ptr %14, i64 2
+  %253 = getelementptr inbounds double, ptr %23, i64 2
+  %254 = load double, ptr %253, align 16
+  %255 = fneg double %254
+  store double %255, ptr %252, align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %15) #15
+  call fastcc void @support(ptr noundef %0, ptr noundef nonnull %23, ptr noundef nonnull %245)
+  call fastcc void @support(ptr noundef %1, ptr noundef nonnull %14, ptr noundef nonnull %15)
+  br label %256
+
+256:                                              ; preds = %256, %243
+  %257 = phi i64 [ 0, %243 ], [ %264, %256 ]
+  %258 = getelementptr inbounds double, ptr %245, i64 %257
+  %259 = load double, ptr %258, align 8
+  %260 = getelementptr inbounds [3 x double], ptr %15, i64 0, i64 %257
+  %261 = load double, ptr %260, align 8
+  %262 = fsub double %259, %261
+  %263 = getelementptr inbounds double, ptr %244, i64 %257
+  store double %262, ptr %263, align 8
+  %264 = add nuw nsw i64 %257, 1
+  %265 = icmp eq i64 %264, 3
+  br i1 %265, label %266, label %256
+
+266:                                              ; preds = %256
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #15
+  br label %275
+
+267:                                              ; preds = %196, %267
+  %268 = phi i64 [ %273, %267 ], [ 0, %196 ]
+  %269 = getelementptr inbounds [3 x double], ptr %22, i64 0, i64 %268
+  %270 = load double, ptr %269, align 8
+  %271 = fneg double %270
+  %272 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %268
+  store double %271, ptr %272, align 8
+  %273 = add nuw nsw i64 %268, 1
+  %274 = icmp eq i64 %273, 3
+  br i1 %274, label %220, label %267
+
+275:                                              ; preds = %178, %266, %38
+  %276 = icmp eq i32 %33, 3
+  %277 = select i1 %276, ptr @begin.beside, ptr @begin.around
+  %278 = select i1 %39, ptr @begin.solid, ptr %277
+  %279 = select i1 %39, i32 4, i32 6
+  br i1 %39, label %280, label %333
+
+280:                                              ; preds = %275
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #15
+  br label %305
+
+281:                                              ; preds = %305, %281
+  %282 = phi i64 [ %283, %281 ], [ 0, %305 ]
+  %283 = add nuw nsw i64 %282, 1
+  %284 = icmp ult i64 %282, 2
+  %285 = add nuw nsw i64 %282, 4294967294
+  %286 = select i1 %284, i64 %283, i64 %285
+  %287 = and i64 %286, 4294967295
+  %288 = getelementptr inbounds double, ptr %20, i64 %287
+  %289 = load double, ptr %288, align 8
+  %290 = icmp eq i64 %282, 0
+  %291 = add nuw nsw i64 %282, 4294967295
+  %292 = and i64 %291, 4294967295
+  %293 = select i1 %290, i64 2, i64 %292
+  %294 = getelementptr inbounds double, ptr %21, i64 %293
+  %295 = load double, ptr %294, align 8
+  %296 = fmul double %289, %295
+  %297 = getelementptr inbounds double, ptr %20, i64 %293
+  %298 = load double, ptr %297, align 8
+  %299 = getelementptr inbounds double, ptr %21, i64 %287
+  %300 = load double, ptr %299, align 8
+  %301 = fmul double %298, %300
+  %302 = fsub double %296, %301
+  %303 = getelementptr inbounds double, ptr %22, i64 %282
+  store double %302, ptr %303, align 8
+  %304 = icmp eq i64 %283, 3
+  br i1 %304, label %315, label %281
+
+305:                                              ; preds = %305, %280
+  %306 = phi i64 [ 0, %280 ], [ %313, %305 ]
+  %307 = getelementptr inbounds [3 x double], ptr %26, i64 3, i64 %306
+  %308 = load double, ptr %307, align 8
+  %309 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 %306
+  %310 = load double, ptr %309, align 8
+  %311 = fsub double %308, %310
+  %312 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 %306
+  store double %311, ptr %312, align 8
+  %313 = add nuw nsw i64 %306, 1
+  %314 = icmp eq i64 %313, 3
+  br i1 %314, label %281, label %305
+
+315:                                              ; preds = %281
+  %316 = load double, ptr %22, align 16
+  %317 = load double, ptr %25, align 16
+  %318 = fmul double %316, %317
+  %319 = getelementptr inbounds double, ptr %22, i64 1
+  %320 = load double, ptr %319, align 8
+  %321 = getelementptr inbounds double, ptr %25, i64 1
+  %322 = load double, ptr %321, align 8
+  %323 = fmul double %320, %322
+  %324 = fadd double %318, %323
+  %325 = getelementptr inbounds double, ptr %22, i64 2
+  %326 = load double, ptr %325, align 16
+  %327 = getelementptr inbounds double, ptr %25, i64 2
+  %328 = load double, ptr %327, align 16
+  %329 = fmul double %326, %328
+  %330 = fadd double %324, %329
+  %331 = freeze double %330
+  %332 = fcmp uge double %331, 0.000000e+00
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #15
+  br i1 %332, label %333, label %334
+
+333:                                              ; preds = %315, %275
+  br label %334
+
+334:                                              ; preds = %333, %315
+  %335 = phi i64 [ 2, %333 ], [ 1, %315 ]
+  %336 = phi i64 [ 1, %333 ], [ 2, %315 ]
+  %337 = zext i32 %279 to i64
+  br label %338
+
+338:                                              ; preds = %376, %334
+  %339 = phi i64 [ 0, %334 ], [ %377, %376 ]
+  %340 = getelementptr inbounds [3 x i32], ptr %278, i64 %339
+  %341 = load i32, ptr %340, align 4
+  %342 = getelementptr inbounds [3 x i32], ptr %278, i64 %339, i64 %336
+  %343 = load i32, ptr %342, align 4
+  %344 = getelementptr inbounds [3 x i32], ptr %278, i64 %339, i64 %335
+  %345 = load i32, ptr %344, align 4
+  %346 = getelementptr inbounds %struct.Face, ptr %28, i64 %339
+  %347 = call fastcc i32 @make_face(ptr noundef nonnull %26, i32 noundef %341, i32 noundef %343, i32 noundef %345, ptr noundef nonnull %346)
+  %348 = icmp eq i32 %347, 0
+  br i1 %348, label %379, label %349
+
+349:                                              ; preds = %338
+  %350 = getelementptr inbounds %struct.Face, ptr %28, i64 %339, i32 1
+  %351 = load double, ptr %350, align 16
+  %352 = getelementptr inbounds double, ptr %350, i64 1
+  %353 = load double, ptr %352, align 8
+  %354 = getelementptr inbounds double, ptr %350, i64 2
+  %355 = load double, ptr %354, align 16
+  %356 = getelementptr inbounds %struct.Face, ptr %28, i64 %339, i32 2
+  %357 = load double, ptr %356, align 8
+  br label %361
+
+358:                                              ; preds = %361
+  %359 = add nuw nsw i64 %362, 1
+  %360 = icmp eq i64 %359, %40
+  br i1 %360, label %376, label %361
+
+361:                                              ; preds = %358, %349
+  %362 = phi i64 [ 0, %349 ], [ %359, %358 ]
+  %363 = getelementptr inbounds [3 x double], ptr %26, i64 %362
+  %364 = load double, ptr %363, align 8
+  %365 = fmul double %351, %364
+  %366 = getelementptr inbounds double, ptr %363, i64 1
+  %367 = load double, ptr %366, align 8
+  %368 = fmul double %353, %367
+  %369 = fadd double %365, %368
+  %370 = getelementptr inbounds double, ptr %363, i64 2
+  %371 = load double, ptr %370, align 8
+  %372 = fmul double %355, %371
+  %373 = fadd double %369, %372
+  %374 = fsub double %373, %357
+  %375 = fcmp ogt double %374, 1.000000e-13
+  br i1 %375, label %379, label %358
+
+376:                                              ; preds = %358
+  %377 = add nuw nsw i64 %339, 1
+  %378 = icmp eq i64 %377, %337
+  br i1 %378, label %380, label %338
+
+379:                                              ; preds = %338, %361, %7
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
+  br label %748
+
+380:                                              ; preds = %376
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
+  %381 = getelementptr inbounds double, ptr %12, i64 1
+  %382 = getelementptr inbounds double, ptr %12, i64 2
+  %383 = getelementptr inbounds double, ptr %29, i64 1
+  %384 = getelementptr inbounds double, ptr %29, i64 2
+  br label %385
+
+385:                                              ; preds = %380, %746
+  %386 = phi i64 [ %40, %380 ], [ %460, %746 ]
+  %387 = phi i32 [ %279, %380 ], [ %558, %746 ]
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %29) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %30) #15
+  %388 = icmp sgt i32 %387, 1
+  br i1 %388, label %389, label %391
+
+389:                                              ; preds = %385
+  %390 = zext i32 %387 to i64
+  br label %414
+
+391:                                              ; preds = %414, %385
+  %392 = phi i32 [ 0, %385 ], [ %424, %414 ]
+  %393 = sext i32 %392 to i64
+  %394 = getelementptr inbounds %struct.Face, ptr %28, i64 %393, i32 1
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
+  %395 = load double, ptr %394, align 16
+  %396 = fneg double %395
+  store double %396, ptr %12, align 16
+  %397 = getelementptr inbounds double, ptr %394, i64 1
+  %398 = load double, ptr %397, align 8
+  %399 = fneg double %398
+  store double %399, ptr %381, align 8
+  %400 = getelementptr inbounds double, ptr %394, i64 2
+  %401 = load double, ptr %400, align 16
+  %402 = fneg double %401
+  store double %402, ptr %382, align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #15
+  call fastcc void @support(ptr noundef %0, ptr noundef nonnull %394, ptr noundef nonnull %30)
+  call fastcc void @support(ptr noundef %1, ptr noundef nonnull %12, ptr noundef nonnull %13)
+  br label %403
+
+403:                                              ; preds = %403, %391
+  %404 = phi i64 [ 0, %391 ], [ %411, %403 ]
+  %405 = getelementptr inbounds double, ptr %30, i64 %404
+  %406 = load double, ptr %405, align 8
+  %407 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %404
+  %408 = load double, ptr %407, align 8
+  %409 = fsub double %406, %408
+  %410 = getelementptr inbounds double, ptr %29, i64 %404
+  store double %409, ptr %410, align 8
+  %411 = add nuw nsw i64 %404, 1
+  %412 = icmp eq i64 %411, 3
+  br i1 %412, label %413, label %403
+
+413:                                              ; preds = %403
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
   br label %432
 
-318:                                              ; preds = %298, %423
-  %319 = phi i64 [ 0, %298 ], [ %429, %423 ]
-  %320 = phi double [ undef, %298 ], [ %424, %423 ]
-  %321 = phi double [ undef, %298 ], [ %425, %423 ]
-  %322 = phi double [ 0xFFF0000000000000, %298 ], [ %428, %423 ]
-  %323 = phi ptr [ %294, %298 ], [ %427, %423 ]
-  %324 = phi double [ undef, %298 ], [ %426, %423 ]
-  %325 = getelementptr inbounds [256 x %struct.Face], ptr %14, i64 0, i64 %319, i32 2
-  %326 = load double, ptr %325, align 8
-  %327 = fcmp ogt double %326, %299
-  br i1 %327, label %423, label %328
+414:                                              ; preds = %389, %414
+  %415 = phi i64 [ 1, %389 ], [ %425, %414 ]
+  %416 = phi i32 [ 0, %389 ], [ %424, %414 ]
+  %417 = getelementptr inbounds [256 x %struct.Face], ptr %28, i64 0, i64 %415, i32 2
+  %418 = load double, ptr %417, align 8
+  %419 = sext i32 %416 to i64
+  %420 = getelementptr inbounds [256 x %struct.Face], ptr %28, i64 0, i64 %419, i32 2
+  %421 = load double, ptr %420, align 8
+  %422 = fcmp olt double %418, %421
+  %423 = trunc i64 %415 to i32
+  %424 = select i1 %422, i32 %423, i32 %416
+  %425 = add nuw nsw i64 %415, 1
+  %426 = icmp eq i64 %425, %390
+  br i1 %426, label %391, label %414
 
-328:                                              ; preds = %318
-  %329 = getelementptr inbounds [256 x %struct.Face], ptr %14, i64 0, i64 %319, i32 1
-  %330 = load double, ptr %329, align 16
-  %331 = fmul double %330, %300
-  %332 = getelementptr inbounds double, ptr %329, i64 1
-  %333 = load double, ptr %332, align 8
-  %334 = fmul double %333, %302
-  %335 = fadd double %331, %334
-  %336 = getelementptr inbounds double, ptr %329, i64 2
-  %337 = load double, ptr %336, align 16
-  %338 = fmul double %337, %304
-  %339 = fadd double %335, %338
-  %340 = fcmp ogt double %339, 0xBFEFFFFFFFFFFC7B
-  br i1 %340, label %423, label %341
+427:                                              ; preds = %432
+  %428 = icmp eq i32 %439, 0
+  br i1 %428, label %442, label %429
 
-341:                                              ; preds = %328
-  %342 = getelementptr inbounds %struct.Face, ptr %14, i64 %319
-  %343 = load i32, ptr %342, align 16
-  %344 = sext i32 %343 to i64
-  %345 = getelementptr inbounds [3 x double], ptr %12, i64 %344
+429:                                              ; preds = %427
+  %430 = getelementptr inbounds %struct.Face, ptr %28, i64 %393, i32 2
+  %431 = load double, ptr %430, align 8
+  br label %579
+
+432:                                              ; preds = %413, %432
+  %433 = phi i64 [ 0, %413 ], [ %440, %432 ]
+  %434 = phi i32 [ 0, %413 ], [ %439, %432 ]
+  %435 = getelementptr inbounds [128 x [3 x double]], ptr %26, i64 0, i64 %433
+  %436 = call i32 @bcmp(ptr noundef nonnull dereferenceable(24) %435, ptr noundef nonnull dereferenceable(24) %29, i64 24)
+  %437 = icmp eq i32 %436, 0
+  %438 = zext i1 %437 to i32
+  %439 = or i32 %434, %438
+  %440 = add nuw nsw i64 %433, 1
+  %441 = icmp eq i64 %440, %386
+  br i1 %441, label %427, label %432
+
+442:                                              ; preds = %427
+  %443 = load double, ptr %29, align 16
+  %444 = fmul double %395, %443
+  %445 = load double, ptr %383, align 8
+  %446 = fmul double %398, %445
+  %447 = fadd double %444, %446
+  %448 = load double, ptr %384, align 16
+  %449 = fmul double %401, %448
+  %450 = fadd double %447, %449
+  %451 = getelementptr inbounds %struct.Face, ptr %28, i64 %393, i32 2
+  %452 = load double, ptr %451, align 8
+  %453 = fsub double %450, %452
+  %454 = fcmp ogt double %453, 1.000000e-10
+  br i1 %454, label %455, label %579
+
+455:                                              ; preds = %442
+  %456 = icmp eq i64 %386, 128
+  br i1 %456, label %743, label %457
+
+457:                                              ; preds = %455
+  %458 = getelementptr inbounds [128 x [3 x double]], ptr %26, i64 0, i64 %386
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %458, ptr noundef nonnull align 16 dereferenceable(24) %29, i64 24, i1 false)
+  %459 = getelementptr inbounds [128 x [3 x double]], ptr %27, i64 0, i64 %386
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %459, ptr noundef nonnull align 16 dereferenceable(24) %30, i64 24, i1 false)
+  %460 = add nuw nsw i64 %386, 1
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %11) #15
+  %461 = icmp sgt i32 %387, 0
+  br i1 %461, label %462, label %745
+
+462:                                              ; preds = %457
+  %463 = getelementptr inbounds double, ptr %458, i64 1
+  %464 = getelementptr inbounds double, ptr %458, i64 2
+  %465 = zext i32 %387 to i64
+  %466 = load double, ptr %458, align 8
+  %467 = load double, ptr %463, align 8
+  %468 = load double, ptr %464, align 8
+  br label %469
+
+469:                                              ; preds = %547, %462
+  %470 = phi i64 [ 0, %462 ], [ %550, %547 ]
+  %471 = phi i1 [ true, %462 ], [ %551, %547 ]
+  %472 = phi i32 [ 0, %462 ], [ %549, %547 ]
+  %473 = phi i32 [ 0, %462 ], [ %548, %547 ]
+  %474 = getelementptr inbounds %struct.Face, ptr %28, i64 %470
+  %475 = getelementptr inbounds %struct.Face, ptr %28, i64 %470, i32 1
+  %476 = load double, ptr %475, align 16
+  %477 = fmul double %476, %466
+  %478 = getelementptr inbounds double, ptr %475, i64 1
+  %479 = load double, ptr %478, align 8
+  %480 = fmul double %479, %467
+  %481 = fadd double %477, %480
+  %482 = getelementptr inbounds double, ptr %475, i64 2
+  %483 = load double, ptr %482, align 16
+  %484 = fmul double %483, %468
+  %485 = fadd double %481, %484
+  %486 = getelementptr inbounds %struct.Face, ptr %28, i64 %470, i32 2
+  %487 = load double, ptr %486, align 8
+  %488 = fsub double %485, %487
+  %489 = fcmp olt double %488, -1.000000e-13
+  br i1 %489, label %490, label %494
+
+490:                                              ; preds = %469
+  %491 = add nsw i32 %473, 1
+  %492 = sext i32 %473 to i64
+  %493 = getelementptr inbounds %struct.Face, ptr %28, i64 %492
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(48) %493, ptr noundef nonnull align 16 dereferenceable(48) %474, i64 48, i1 false)
+  br label %547
+
+494:                                              ; preds = %469, %542
+  %495 = phi i64 [ %501, %542 ], [ 0, %469 ]
+  %496 = phi i1 [ %544, %542 ], [ false, %469 ]
+  %497 = phi i32 [ %543, %542 ], [ %472, %469 ]
+  %498 = phi i32 [ %502, %542 ], [ 0, %469 ]
+  %499 = getelementptr inbounds [3 x i32], ptr %474, i64 0, i64 %495
+  %500 = load i32, ptr %499, align 4
+  %501 = add nuw nsw i64 %495, 1
+  %502 = add nuw nsw i32 %498, 1
+  %503 = icmp ult i64 %495, 2
+  %504 = trunc i64 %495 to i32
+  %505 = add i32 %504, -2
+  %506 = select i1 %503, i32 %502, i32 %505
+  %507 = zext i32 %506 to i64
+  %508 = getelementptr inbounds [3 x i32], ptr %474, i64 0, i64 %507
+  %509 = load i32, ptr %508, align 4
+  %510 = icmp sgt i32 %497, 0
+  br i1 %510, label %511, label %537
+
+511:                                              ; preds = %494
+  %512 = zext i32 %497 to i64
+  br label %513
+
+513:                                              ; preds = %522, %511
+  %514 = phi i64 [ 0, %511 ], [ %523, %522 ]
+  %515 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %514
+  %516 = load i32, ptr %515, align 8
+  %517 = icmp eq i32 %516, %509
+  br i1 %517, label %518, label %522
+
+518:                                              ; preds = %513
+  %519 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %514, i64 1
+  %520 = load i32, ptr %519, align 4
+  %521 = icmp eq i32 %520, %500
+  br i1 %521, label %525, label %522
+
+522:                                              ; preds = %518, %513
+  %523 = add nuw nsw i64 %514, 1
+  %524 = icmp eq i64 %523, %512
+  br i1 %524, label %535, label %513
+
+525:                                              ; preds = %518
+  %526 = and i64 %514, 4294967295
+  %527 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %526
+  %528 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %526, i64 1
+  %529 = add nsw i32 %497, -1
+  %530 = sext i32 %529 to i64
+  %531 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %530
+  %532 = load i32, ptr %531, align 8
+  store i32 %532, ptr %527, align 8
+  %533 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %530, i64 1
+  %534 = load i32, ptr %533, align 4
+  store i32 %534, ptr %528, align 4
+  br label %542
+
+535:                                              ; preds = %522
+  %536 = icmp eq i32 %497, 384
+  br i1 %536, label %546, label %537
+
+537:                                              ; preds = %535, %494
+  %538 = sext i32 %497 to i64
+  %539 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %538
+  store i32 %500, ptr %539, align 8
+  %540 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %538, i64 1
+  store i32 %509, ptr %540, align 4
+  %541 = add nsw i32 %497, 1
+  br label %542
+
+542:                                              ; preds = %537, %525
+  %543 = phi i32 [ %529, %525 ], [ %541, %537 ]
+  %544 = icmp ugt i64 %495, 1
+  %545 = icmp eq i64 %501, 3
+  br i1 %545, label %547, label %494
+
+546:                                              ; preds = %535
+  br i1 %496, label %547, label %553
+
+547:                                              ; preds = %542, %546, %490
+  %548 = phi i32 [ %491, %490 ], [ %473, %546 ], [ %473, %542 ]
+  %549 = phi i32 [ %472, %490 ], [ 384, %546 ], [ %543, %542 ]
+  %550 = add nuw nsw i64 %470, 1
+  %551 = icmp ult i64 %550, %465
+  %552 = icmp eq i64 %550, %465
+  br i1 %552, label %554, label %469
+
+553:                                              ; preds = %546
+  br i1 %471, label %745, label %554
+
+554:                                              ; preds = %547, %553
+  %555 = phi i32 [ %473, %553 ], [ %548, %547 ]
+  %556 = phi i32 [ 384, %553 ], [ %549, %547 ]
+  %557 = icmp slt i32 %556, 3
+  %558 = add i32 %556, %555
+  %559 = icmp sgt i32 %558, 256
+  %560 = select i1 %557, i1 true, i1 %559
+  br i1 %560, label %745, label %561
+
+561:                                              ; preds = %554
+  %562 = sext i32 %555 to i64
+  %563 = zext i32 %556 to i64
+  %564 = trunc i64 %386 to i32
+  br label %565
+
+565:                                              ; preds = %575, %561
+  %566 = phi i64 [ %562, %561 ], [ %576, %575 ]
+  %567 = phi i64 [ 0, %561 ], [ %577, %575 ]
+  %568 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %567
+  %569 = load i32, ptr %568, align 8
+  %570 = getelementptr inbounds [384 x [2 x i32]], ptr %11, i64 0, i64 %567, i64 1
+  %571 = load i32, ptr %570, align 4
+  %572 = getelementptr inbounds %struct.Face, ptr %28, i64 %566
+  %573 = call fastcc i32 @make_face(ptr noundef nonnull %26, i32 noundef %569, i32 noundef %571, i32 noundef %564, ptr noundef nonnull %572)
+  %574 = icmp eq i32 %573, 0
+  br i1 %574, label %745, label %575
+
+575:                                              ; preds = %565
+  %576 = add nsw i64 %566, 1
+  %577 = add nuw nsw i64 %567, 1
+  %578 = icmp eq i64 %577, %563
+  br i1 %578, label %746, label %565
+
+579:                                              ; preds = %442, %429
+  %580 = phi double [ %431, %429 ], [ %452, %442 ]
+  %581 = getelementptr inbounds %struct.Face, ptr %28, i64 %393
+  store double %580, ptr %3, align 8
+  %582 = icmp eq ptr %4, null
+  br i1 %582, label %743, label %583
+
+583:                                              ; preds = %579
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %31) #15
+  %584 = icmp sgt i32 %387, 0
+  br i1 %584, label %585, label %597
+
+585:                                              ; preds = %583
+  %586 = fadd double %580, 1.000000e-13
+  %587 = getelementptr inbounds double, ptr %8, i64 1
+  %588 = getelementptr inbounds double, ptr %8, i64 2
+  %589 = getelementptr inbounds double, ptr %9, i64 1
+  %590 = getelementptr inbounds double, ptr %9, i64 2
+  %591 = getelementptr inbounds double, ptr %10, i64 1
+  %592 = getelementptr inbounds double, ptr %10, i64 2
+  %593 = getelementptr inbounds i8, ptr %31, i64 8
+  %594 = getelementptr inbounds i8, ptr %31, i64 16
+  %595 = zext i32 %387 to i64
+  br label %600
+
+596:                                              ; preds = %705
+  store double %707, ptr %593, align 8
+  store double %706, ptr %594, align 16
+  br label %597
+
+597:                                              ; preds = %596, %583
+  %598 = phi double [ %708, %596 ], [ undef, %583 ]
+  %599 = phi ptr [ %709, %596 ], [ %581, %583 ]
+  store double %598, ptr %31, align 16
+  br label %714
+
+600:                                              ; preds = %585, %705
+  %601 = phi i64 [ 0, %585 ], [ %711, %705 ]
+  %602 = phi double [ undef, %585 ], [ %706, %705 ]
+  %603 = phi double [ undef, %585 ], [ %707, %705 ]
+  %604 = phi double [ 0xFFF0000000000000, %585 ], [ %710, %705 ]
+  %605 = phi ptr [ %581, %585 ], [ %709, %705 ]
+  %606 = phi double [ undef, %585 ], [ %708, %705 ]
+  %607 = getelementptr inbounds [256 x %struct.Face], ptr %28, i64 0, i64 %601, i32 2
+  %608 = load double, ptr %607, align 8
+  %609 = fcmp ogt double %608, %586
+  br i1 %609, label %705, label %610
+
+610:                                              ; preds = %600
+  %611 = getelementptr inbounds [256 x %struct.Face], ptr %28, i64 0, i64 %601, i32 1
+  %612 = load double, ptr %611, align 16
+  %613 = fmul double %612, %395
+  %614 = getelementptr inbounds double, ptr %611, i64 1
+  %615 = load double, ptr %614, align 8
+  %616 = fmul double %615, %398
+  %617 = fadd double %613, %616
+  %618 = getelementptr inbounds double, ptr %611, i64 2
+  %619 = load double, ptr %618, align 16
+  %620 = fmul double %619, %401
+  %621 = fadd double %617, %620
+  %622 = fcmp olt double %621, 0x3FEFFFFFFFFFFC7B
+  br i1 %622, label %705, label %623
+
+623:                                              ; preds = %610
+  %624 = getelementptr inbounds %struct.Face, ptr %28, i64 %601
+  %625 = load i32, ptr %624, align 16
+  %626 = sext i32 %625 to i64
+  %627 = getelementptr inbounds [3 x double], ptr %26, i64 %626
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #15
-  %346 = getelementptr inbounds [3 x i32], ptr %342, i64 0, i64 1
-  %347 = load i32, ptr %346, align 4
-  %348 = sext i32 %347 to i64
-  %349 = getelementptr inbounds [3 x i32], ptr %342, i64 0, i64 2
-  %350 = load i32, ptr %349, align 8
-  %351 = sext i32 %350 to i64
-  br label %352
+  %628 = getelementptr inbounds [3 x i32], ptr %624, i64 0, i64 1
+  %629 = load i32, ptr %628, align 4
+  %630 = sext i32 %629 to i64
+  %631 = getelementptr inbounds [3 x i32], ptr %624, i64 0, i64 2
+  %632 = load i32, ptr %631, align 8
+  %633 = sext i32 %632 to i64
+  br label %634
 
-352:                                              ; preds = %352, %341
-  %353 = phi i64 [ 0, %341 ], [ %369, %352 ]
-  %354 = getelementptr inbounds [3 x double], ptr %12, i64 %348, i64 %353
-  %355 = load double, ptr %354, align 8
-  %356 = getelementptr inbounds double, ptr %345, i64 %353
-  %357 = load double, ptr %356, align 8
-  %358 = fsub double %355, %357
-  %359 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %353
-  store double %358, ptr %359, align 8
-  %360 = getelementptr inbounds [3 x double], ptr %12, i64 %351, i64 %353
-  %361 = load double, ptr %360, align 8
-  %362 = fsub double %361, %357
-  %363 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %353
-  store double %362, ptr %363, align 8
-  %364 = getelementptr inbounds %struct.Face, ptr %14, i64 %319, i32 1, i64 %353
-  %365 = load double, ptr %364, align 8
-  %366 = fmul double %326, %365
-  %367 = fsub double %366, %357
-  %368 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %353
-  store double %367, ptr %368, align 8
-  %369 = add nuw nsw i64 %353, 1
-  %370 = icmp eq i64 %369, 3
-  br i1 %370, label %371, label %352
+634:                                              ; preds = %634, %623
+  %635 = phi i64 [ 0, %623 ], [ %651, %634 ]
+  %636 = getelementptr inbounds [3 x double], ptr %26, i64 %630, i64 %635
+  %637 = load double, ptr %636, align 8
+  %638 = getelementptr inbounds double, ptr %627, i64 %635
+  %639 = load double, ptr %638, align 8
+  %640 = fsub double %637, %639
+  %641 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %635
+  store double %640, ptr %641, align 8
+  %642 = getelementptr inbounds [3 x double], ptr %26, i64 %633, i64 %635
+  %643 = load double, ptr %642, align 8
+  %644 = fsub double %643, %639
+  %645 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %635
+  store double %644, ptr %645, align 8
+  %646 = getelementptr inbounds %struct.Face, ptr %28, i64 %601, i32 1, i64 %635
+  %647 = load double, ptr %646, align 8
+  %648 = fmul double %608, %647
+  %649 = fsub double %648, %639
+  %650 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %635
+  store double %649, ptr %650, align 8
+  %651 = add nuw nsw i64 %635, 1
+  %652 = icmp eq i64 %651, 3
+  br i1 %652, label %653, label %634
 
-371:                                              ; preds = %352
-  %372 = load double, ptr %8, align 16
-  %373 = fmul double %372, %372
-  %374 = load double, ptr %305, align 8
-  %375 = fmul double %374, %374
-  %376 = fadd double %373, %375
-  %377 = load double, ptr %306, align 16
-  %378 = fmul double %377, %377
-  %379 = fadd double %376, %378
-  %380 = load double, ptr %9, align 16
-  %381 = fmul double %372, %380
-  %382 = load double, ptr %307, align 8
-  %383 = fmul double %374, %382
-  %384 = fadd double %381, %383
-  %385 = load double, ptr %308, align 16
-  %386 = fmul double %377, %385
-  %387 = fadd double %384, %386
-  %388 = fmul double %380, %380
-  %389 = fmul double %382, %382
-  %390 = fadd double %388, %389
-  %391 = fmul double %385, %385
-  %392 = fadd double %390, %391
-  %393 = fmul double %379, %392
-  %394 = fmul double %387, %387
-  %395 = fsub double %393, %394
-  %396 = load double, ptr %10, align 16
-  %397 = fmul double %372, %396
-  %398 = load double, ptr %309, align 8
-  %399 = fmul double %374, %398
-  %400 = fadd double %397, %399
-  %401 = load double, ptr %310, align 16
-  %402 = fmul double %377, %401
-  %403 = fadd double %400, %402
-  %404 = fmul double %392, %403
-  %405 = fmul double %380, %396
-  %406 = fmul double %382, %398
-  %407 = fadd double %405, %406
-  %408 = fmul double %385, %401
-  %409 = fadd double %407, %408
-  %410 = fmul double %387, %409
-  %411 = fsub double %404, %410
-  %412 = fdiv double %411, %395
-  %413 = fmul double %379, %409
-  %414 = fmul double %387, %403
-  %415 = fsub double %413, %414
-  %416 = fdiv double %415, %395
-  %417 = fsub double 1.000000e+00, %412
-  %418 = fsub double %417, %416
-  %419 = tail call double @llvm.minnum.f64(double %412, double %416)
-  %420 = tail call double @llvm.minnum.f64(double %418, double %419)
+653:                                              ; preds = %634
+  %654 = load double, ptr %8, align 16
+  %655 = fmul double %654, %654
+  %656 = load double, ptr %587, align 8
+  %657 = fmul double %656, %656
+  %658 = fadd double %655, %657
+  %659 = load double, ptr %588, align 16
+  %660 = fmul double %659, %659
+  %661 = fadd double %658, %660
+  %662 = load double, ptr %9, align 16
+  %663 = fmul double %654, %662
+  %664 = load double, ptr %589, align 8
+  %665 = fmul double %656, %664
+  %666 = fadd double %663, %665
+  %667 = load double, ptr %590, align 16
+  %668 = fmul double %659, %667
+  %669 = fadd double %666, %668
+  %670 = fmul double %662, %662
+  %671 = fmul double %664, %664
+  %672 = fadd double %670, %671
+  %673 = fmul double %667, %667
+  %674 = fadd double %672, %673
+  %675 = fmul double %661, %674
+  %676 = fmul double %669, %669
+  %677 = fsub double %675, %676
+  %678 = load double, ptr %10, align 16
+  %679 = fmul double %654, %678
+  %680 = load double, ptr %591, align 8
+  %681 = fmul double %656, %680
+  %682 = fadd double %679, %681
+  %683 = load double, ptr %592, align 16
+  %684 = fmul double %659, %683
+  %685 = fadd double %682, %684
+  %686 = fmul double %674, %685
+  %687 = fmul double %662, %678
+  %688 = fmul double %664, %680
+  %689 = fadd double %687, %688
+  %690 = fmul double %667, %683
+  %691 = fadd double %689, %690
+  %692 = fmul double %669, %691
+  %693 = fsub double %686, %692
+  %694 = fdiv double %693, %677
+  %695 = fmul double %661, %691
+  %696 = fmul double %669, %685
+  %697 = fsub double %695, %696
+  %698 = fdiv double %697, %677
+  %699 = fsub double 1.000000e+00, %694
+  %700 = fsub double %699, %698
+  %701 = tail call double @llvm.minnum.f64(double %694, double %698)
+  %702 = tail call double @llvm.minnum.f64(double %700, double %701)
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  %421 = fcmp ogt double %420, %322
-  br i1 %421, label %422, label %423
+  %703 = fcmp ogt double %702, %604
+  br i1 %703, label %704, label %705
 
-422:                                              ; preds = %371
-  br label %423
+704:                                              ; preds = %653
+  br label %705
 
-423:                                              ; preds = %371, %422, %318, %328
-  %424 = phi double [ %320, %318 ], [ %320, %328 ], [ %416, %422 ], [ %320, %371 ]
-  %425 = phi double [ %321, %318 ], [ %321, %328 ], [ %412, %422 ], [ %321, %371 ]
-  %426 = phi double [ %324, %318 ], [ %324, %328 ], [ %418, %422 ], [ %324, %371 ]
-  %427 = phi ptr [ %323, %318 ], [ %323, %328 ], [ %342, %422 ], [ %323, %371 ]
-  %428 = phi double [ %322, %318 ], [ %322, %328 ], [ %420, %422 ], [ %322, %371 ]
-  %429 = add nuw nsw i64 %319, 1
-  %430 = icmp eq i64 %429, %313
-  br i1 %430, label %314, label %318
+705:                                              ; preds = %653, %704, %600, %610
+  %706 = phi double [ %602, %600 ], [ %602, %610 ], [ %698, %704 ], [ %602, %653 ]
+  %707 = phi double [ %603, %600 ], [ %603, %610 ], [ %694, %704 ], [ %603, %653 ]
+  %708 = phi double [ %606, %600 ], [ %606, %610 ], [ %700, %704 ], [ %606, %653 ]
+  %709 = phi ptr [ %605, %600 ], [ %605, %610 ], [ %624, %704 ], [ %605, %653 ]
+  %710 = phi double [ %604, %600 ], [ %604, %610 ], [ %702, %704 ], [ %604, %653 ]
+  %711 = add nuw nsw i64 %601, 1
+  %712 = icmp eq i64 %711, %595
+  br i1 %712, label %596, label %600
 
-431:                                              ; preds = %435
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
-  br label %458
+713:                                              ; preds = %721
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %31) #15
+  br label %743
 
-432:                                              ; preds = %315, %435
-  %433 = phi i64 [ 0, %315 ], [ %442, %435 ]
-  %434 = getelementptr inbounds double, ptr %5, i64 %433
-  br label %444
+714:                                              ; preds = %597, %721
+  %715 = phi i64 [ 0, %597 ], [ %727, %721 ]
+  %716 = getelementptr inbounds [256 x %struct.Face], ptr %28, i64 0, i64 %393, i32 1, i64 %715
+  %717 = load double, ptr %716, align 8
+  %718 = fneg double %717
+  %719 = getelementptr inbounds double, ptr %4, i64 %715
+  store double %718, ptr %719, align 8
+  %720 = getelementptr inbounds double, ptr %5, i64 %715
+  br label %729
 
-435:                                              ; preds = %444
-  store double %455, ptr %434, align 8
-  %436 = load double, ptr %3, align 8
-  %437 = getelementptr inbounds double, ptr %4, i64 %433
-  %438 = load double, ptr %437, align 8
-  %439 = fmul double %436, %438
-  %440 = fadd double %455, %439
-  %441 = getelementptr inbounds double, ptr %6, i64 %433
-  store double %440, ptr %441, align 8
-  %442 = add nuw nsw i64 %433, 1
-  %443 = icmp eq i64 %442, 3
-  br i1 %443, label %431, label %432
+721:                                              ; preds = %729
+  store double %740, ptr %720, align 8
+  %722 = load double, ptr %3, align 8
+  %723 = load double, ptr %719, align 8
+  %724 = fmul double %722, %723
+  %725 = fadd double %740, %724
+  %726 = getelementptr inbounds double, ptr %6, i64 %715
+  store double %725, ptr %726, align 8
+  %727 = add nuw nsw i64 %715, 1
+  %728 = icmp eq i64 %727, 3
+  br i1 %728, label %713, label %714
 
-444:                                              ; preds = %432, %444
-  %445 = phi i64 [ 0, %432 ], [ %456, %444 ]
-  %446 = phi double [ 0.000000e+00, %432 ], [ %455, %444 ]
-  %447 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %445
-  %448 = load double, ptr %447, align 8
-  %449 = getelementptr inbounds [3 x i32], ptr %317, i64 0, i64 %445
-  %450 = load i32, ptr %449, align 4
-  %451 = sext i32 %450 to i64
-  %452 = getelementptr inbounds [128 x [3 x double]], ptr %13, i64 0, i64 %451, i64 %433
-  %453 = load double, ptr %452, align 8
-  %454 = fmul double %448, %453
-  %455 = fadd double %446, %454
-  %456 = add nuw nsw i64 %445, 1
-  %457 = icmp eq i64 %456, 3
-  br i1 %457, label %435, label %444
+729:                                              ; preds = %714, %729
+  %730 = phi i64 [ 0, %714 ], [ %741, %729 ]
+  %731 = phi double [ 0.000000e+00, %714 ], [ %740, %729 ]
+  %732 = getelementptr inbounds [3 x double], ptr %31, i64 0, i64 %730
+  %733 = load double, ptr %732, align 8
+  %734 = getelementptr inbounds [3 x i32], ptr %599, i64 0, i64 %730
+  %735 = load i32, ptr %734, align 4
+  %736 = sext i32 %735 to i64
+  %737 = getelementptr inbounds [128 x [3 x double]], ptr %27, i64 0, i64 %736, i64 %715
+  %738 = load double, ptr %737, align 8
+  %739 = fmul double %733, %738
+  %740 = fadd double %731, %739
+  %741 = add nuw nsw i64 %730, 1
+  %742 = icmp eq i64 %741, 3
+  br i1 %742, label %721, label %729
 
-458:                                              ; preds = %168, %431, %292
-  %459 = phi i32 [ 1, %292 ], [ 1, %431 ], [ 0, %168 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
-  br label %463
+743:                                              ; preds = %455, %713, %579
+  %744 = phi i32 [ 1, %579 ], [ 1, %713 ], [ 0, %455 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #15
+  br label %748
 
-460:                                              ; preds = %266, %267, %170, %278
+745:                                              ; preds = %553, %554, %457, %565
   call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
-  br label %463
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #15
+  br label %748
 
-461:                                              ; preds = %288
+746:                                              ; preds = %575
   call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #15
-  %462 = icmp eq i32 %271, 0
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
-  br i1 %462, label %463, label %97
+  %747 = icmp eq i32 %558, 0
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #15
+  br i1 %747, label %748, label %385
 
-463:                                              ; preds = %86, %461, %460, %458
-  %464 = phi i32 [ %459, %458 ], [ 0, %460 ], [ 0, %461 ], [ 0, %86 ]
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %15) #15
-  br label %465
-
-465:                                              ; preds = %7, %463
-  %466 = phi i32 [ %464, %463 ], [ 0, %7 ]
-  call void @llvm.lifetime.end.p0(i64 12288, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %12) #15
-  ret i32 %466
+748:                                              ; preds = %746, %745, %743, %379
+  %749 = phi i32 [ 0, %379 ], [ %744, %743 ], [ 0, %745 ], [ 0, %746 ]
+  call void @llvm.lifetime.end.p0(i64 12288, ptr nonnull %28) #15
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %27) #15
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %26) #15
+  ret i32 %749
 }
 
 declare double @llvm.minnum.f64(double, double) #2
@@ -5865,110 +6293,118 @@ define internal fastcc i32 @make_face(ptr nocapture noundef readonly %0, i32 nou
   %8 = alloca [3 x double], align 16
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
   %9 = sext i32 %2 to i64
   %10 = sext i32 %1 to i64
   %11 = sext i32 %3 to i64
-  br label %41
+  br label %49
 
-12:                                               ; preds = %41
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
-  %13 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
-  %14 = load double, ptr %13, align 8
-  %15 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 2
-  %16 = load double, ptr %15, align 16
-  %17 = fmul double %14, %16
-  %18 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
-  %19 = load double, ptr %18, align 16
-  %20 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 1
-  %21 = load double, ptr %20, align 8
-  %22 = fmul double %19, %21
-  %23 = fsub double %17, %22
-  store double %23, ptr %8, align 16
-  %24 = getelementptr inbounds double, ptr %8, i64 1
-  %25 = load double, ptr %7, align 16
-  %26 = fmul double %19, %25
-  %27 = load double, ptr %6, align 16
-  %28 = fmul double %16, %27
-  %29 = fsub double %26, %28
-  store double %29, ptr %24, align 8
-  %30 = getelementptr inbounds double, ptr %8, i64 2
-  %31 = fmul double %21, %27
-  %32 = fmul double %14, %25
-  %33 = fsub double %31, %32
-  store double %33, ptr %30, align 16
-  %34 = fmul double %23, %23
-  %35 = fmul double %29, %29
-  %36 = fadd double %34, %35
-  %37 = fmul double %33, %33
-  %38 = fadd double %37, %36
-  %39 = tail call double @llvm.sqrt.f64(double %38)
-  %40 = fcmp ogt double %39, 0x3C9CD2B297D889BC
-  br i1 %40, label %78, label %86
+12:                                               ; preds = %49, %12
+  %13 = phi i64 [ %14, %12 ], [ 0, %49 ]
+  %14 = add nuw nsw i64 %13, 1
+  %15 = icmp ult i64 %13, 2
+  %16 = add nuw nsw i64 %13, 4294967294
+  %17 = select i1 %15, i64 %14, i64 %16
+  %18 = and i64 %17, 4294967295
+  %19 = getelementptr inbounds double, ptr %6, i64 %18
+  %20 = load double, ptr %19, align 8
+  %21 = icmp eq i64 %13, 0
+  %22 = add nuw nsw i64 %13, 4294967295
+  %23 = and i64 %22, 4294967295
+  %24 = select i1 %21, i64 2, i64 %23
+  %25 = getelementptr inbounds double, ptr %7, i64 %24
+  %26 = load double, ptr %25, align 8
+  %27 = fmul double %20, %26
+  %28 = getelementptr inbounds double, ptr %6, i64 %24
+  %29 = load double, ptr %28, align 8
+  %30 = getelementptr inbounds double, ptr %7, i64 %18
+  %31 = load double, ptr %30, align 8
+  %32 = fmul double %29, %31
+  %33 = fsub double %27, %32
+  %34 = getelementptr inbounds double, ptr %8, i64 %13
+  store double %33, ptr %34, align 8
+  %35 = icmp eq i64 %14, 3
+  br i1 %35, label %36, label %12
 
-41:                                               ; preds = %5, %41
-  %42 = phi i64 [ 0, %5 ], [ %53, %41 ]
-  %43 = getelementptr inbounds [3 x double], ptr %0, i64 %9, i64 %42
-  %44 = load double, ptr %43, align 8
-  %45 = getelementptr inbounds [3 x double], ptr %0, i64 %10, i64 %42
-  %46 = load double, ptr %45, align 8
-  %47 = fsub double %44, %46
-  %48 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %42
-  store double %47, ptr %48, align 8
-  %49 = getelementptr inbounds [3 x double], ptr %0, i64 %11, i64 %42
-  %50 = load double, ptr %49, align 8
-  %51 = fsub double %50, %46
-  %52 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %42
-  store double %51, ptr %52, align 8
-  %53 = add nuw nsw i64 %42, 1
-  %54 = icmp eq i64 %53, 3
-  br i1 %54, label %12, label %41
+36:                                               ; preds = %12
+  %37 = load double, ptr %8, align 16
+  %38 = fmul double %37, %37
+  %39 = getelementptr inbounds double, ptr %8, i64 1
+  %40 = load double, ptr %39, align 8
+  %41 = fmul double %40, %40
+  %42 = fadd double %38, %41
+  %43 = getelementptr inbounds double, ptr %8, i64 2
+  %44 = load double, ptr %43, align 16
+  %45 = fmul double %44, %44
+  %46 = fadd double %42, %45
+  %47 = tail call double @llvm.sqrt.f64(double %46)
+  %48 = fcmp ogt double %47, 1.000000e-18
+  br i1 %48, label %86, label %94
 
-55:                                               ; preds = %78
+49:                                               ; preds = %5, %49
+  %50 = phi i64 [ 0, %5 ], [ %61, %49 ]
+  %51 = getelementptr inbounds [3 x double], ptr %0, i64 %9, i64 %50
+  %52 = load double, ptr %51, align 8
+  %53 = getelementptr inbounds [3 x double], ptr %0, i64 %10, i64 %50
+  %54 = load double, ptr %53, align 8
+  %55 = fsub double %52, %54
+  %56 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %50
+  store double %55, ptr %56, align 8
+  %57 = getelementptr inbounds [3 x double], ptr %0, i64 %11, i64 %50
+  %58 = load double, ptr %57, align 8
+  %59 = fsub double %58, %54
+  %60 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %50
+  store double %59, ptr %60, align 8
+  %61 = add nuw nsw i64 %50, 1
+  %62 = icmp eq i64 %61, 3
+  br i1 %62, label %12, label %49
+
+63:                                               ; preds = %86
   store i32 %1, ptr %4, align 8
-  %56 = getelementptr inbounds [3 x i32], ptr %4, i64 0, i64 1
-  store i32 %2, ptr %56, align 4
-  %57 = getelementptr inbounds [3 x i32], ptr %4, i64 0, i64 2
-  store i32 %3, ptr %57, align 8
-  %58 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 1
-  %59 = getelementptr inbounds [3 x double], ptr %0, i64 %10
-  %60 = load double, ptr %58, align 8
-  %61 = load double, ptr %59, align 8
-  %62 = fmul double %60, %61
-  %63 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 1, i64 1
-  %64 = load double, ptr %63, align 8
-  %65 = getelementptr inbounds double, ptr %59, i64 1
-  %66 = load double, ptr %65, align 8
-  %67 = fmul double %64, %66
-  %68 = fadd double %62, %67
-  %69 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 1, i64 2
-  %70 = load double, ptr %69, align 8
-  %71 = getelementptr inbounds double, ptr %59, i64 2
+  %64 = getelementptr inbounds [3 x i32], ptr %4, i64 0, i64 1
+  store i32 %2, ptr %64, align 4
+  %65 = getelementptr inbounds [3 x i32], ptr %4, i64 0, i64 2
+  store i32 %3, ptr %65, align 8
+  %66 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 1
+  %67 = getelementptr inbounds [3 x double], ptr %0, i64 %10
+  %68 = load double, ptr %66, align 8
+  %69 = load double, ptr %67, align 8
+  %70 = fmul double %68, %69
+  %71 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 1, i64 1
   %72 = load double, ptr %71, align 8
-  %73 = fmul double %70, %72
-  %74 = fadd double %68, %73
-  %75 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 2
-  store double %74, ptr %75, align 8
-  %76 = fcmp ogt double %74, -1.000000e-13
-  %77 = zext i1 %76 to i32
-  br label %86
-
-78:                                               ; preds = %12, %78
-  %79 = phi i64 [ %84, %78 ], [ 0, %12 ]
-  %80 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %79
-  %81 = load double, ptr %80, align 8
-  %82 = fdiv double %81, %39
-  %83 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 1, i64 %79
+  %73 = getelementptr inbounds double, ptr %67, i64 1
+  %74 = load double, ptr %73, align 8
+  %75 = fmul double %72, %74
+  %76 = fadd double %70, %75
+  %77 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 1, i64 2
+  %78 = load double, ptr %77, align 8
+  %79 = getelementptr inbounds double, ptr %67, i64 2
+  %80 = load double, ptr %79, align 8
+  %81 = fmul double %78, %80
+  %82 = fadd double %76, %81
+  %83 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 2
   store double %82, ptr %83, align 8
-  %84 = add nuw nsw i64 %79, 1
-  %85 = icmp eq i64 %84, 3
-  br i1 %85, label %55, label %78
+  %84 = fcmp ogt double %82, -1.000000e-13
+  %85 = zext i1 %84 to i32
+  br label %94
 
-86:                                               ; preds = %12, %55
-  %87 = phi i32 [ %77, %55 ], [ 0, %12 ]
+86:                                               ; preds = %36, %86
+  %87 = phi i64 [ %92, %86 ], [ 0, %36 ]
+  %88 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %87
+  %89 = load double, ptr %88, align 8
+  %90 = fdiv double %89, %47
+  %91 = getelementptr inbounds %struct.Face, ptr %4, i64 0, i32 1, i64 %87
+  store double %90, ptr %91, align 8
+  %92 = add nuw nsw i64 %87, 1
+  %93 = icmp eq i64 %92, 3
+  br i1 %93, label %63, label %86
+
+94:                                               ; preds = %36, %63
+  %95 = phi i32 [ %85, %63 ], [ 0, %36 ]
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  ret i32 %87
+  ret i32 %95
 }
 
 declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #12

@@ -67,8 +67,10 @@ class CollisionModel:
         self.pair_names = tuple((objects[p.first].name, objects[p.second].name) for p in geometry.collisionPairs)
         self._data = robot.model.createData()
         self._geometry_data = pin.GeometryData(geometry)
-        for request in self._geometry_data.distanceRequests:
-            request.gjk_tolerance = GJK_TOLERANCE
+        for k in range(len(geometry.collisionPairs)):  # Pinocchio's requests start at the last answer, which changes the next
+            self._geometry_data.distanceRequests[k] = coal.DistanceRequest(True)
+            self._geometry_data.distanceRequests[k].gjk_tolerance = GJK_TOLERANCE
+            self._geometry_data.collisionRequests[k] = coal.CollisionRequest()
         pairs = [(p.first, p.second) for p in geometry.collisionPairs]
         self._radii = np.array([radii.get(i, 0.0) + radii.get(j, 0.0) for i, j in pairs])
         carriers = np.array([item.parentJoint for item in objects], dtype=np.int64)

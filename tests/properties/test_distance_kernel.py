@@ -221,6 +221,7 @@ def test_the_nearest_points_of_a_mesh_and_a_cloud(panda, rng):
     assert compared > 50
 
 
+@pytest.mark.parametrize("arm", ARMS, indirect=True)
 def test_nearest_points_and_directions_agree_with_each_other_and_with_coal(arm, rng):
     """In the world the two points are as far apart as the pair plus both radii, along the direction between them."""
     scene = mp.Scene(
@@ -251,6 +252,23 @@ def test_nearest_points_and_directions_agree_with_each_other_and_with_coal(arm, 
                 np.testing.assert_allclose(found.gradients[k], expected.gradients[k], atol=4e-3)
                 compared += 1
     assert compared > 100
+
+
+def test_coal_s_answers_do_not_depend_on_those_before(planar, rng):
+    """Pinocchio lets coal begin at its last answer; then depths differed by 1e-8 m and their directions by 1e-4."""
+    post = mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")
+    model = mp.Scene([post]).collision_model(planar)
+    q = planar.random_configuration(rng, size=2000)
+    distances = model.distance_rows(q)
+    touching = np.flatnonzero(distances.min(axis=1) < 0)
+    q, pairs = q[touching], distances[touching].argmin(axis=1)
+    used = by_coal(model)
+    several = used.witnesses(q, pairs)
+    for k in range(len(q)):
+        alone = by_coal(model).witnesses(q[k : k + 1], pairs[k : k + 1])
+        for name in ("distances", "normals", "points", "gradients"):
+            np.testing.assert_array_equal(getattr(alone, name)[0], getattr(several, name)[k])
+    assert len(q) > 10
 
 
 def test_threads_that_share_a_model_do_not_disturb_each_other(panda, rng):
