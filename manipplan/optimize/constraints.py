@@ -144,7 +144,7 @@ class ClearanceTable:
     def _at(self) -> tuple[Array, Array]:
         """The curve at z = 0 (r, n) and its change with z (r, f), at the places of the rows."""
         s = np.array([s for s, *_ in self.places])
-        return self.curves.line(s), self.curves.values(s)
+        return self.curves.at(s)
 
     def linear(self, z: Array, about: Array) -> LinearRows:
         """The rows linearised at z (f, n), as functions of a step from `about` (f, n)."""
@@ -169,7 +169,7 @@ class ClearanceTable:
             return total.reshape(z.size, z.size)
         assert self.surroundings is not None
         at = np.array([self.places[k][0] for k in used])
-        (values, slopes), (q, qs) = ([f(at, 0), f(at, 1)] for f in (self.curves.values, self.curves.line))
+        (q, values), (qs, slopes) = (self.curves.at(at, order) for order in (0, 1))
         q, qs = q + values @ z, qs + slopes @ z
         qss = self.curves.basis.values(at, 2) @ self.curves.coefficients(z).T
         gradients, hessians = self.surroundings.bends(on_grid(q, FINE), [self.places[k][1] for k in used])

@@ -45,14 +45,11 @@ class Curves:
         """Coefficients (n, size) of the curve at z."""
         return np.asarray(self.kept + product(self.directions, z).T)
 
-    def values(self, s: Array, order: int = 0) -> Array:
-        """Derivative by z of the curve, or of its derivative of an order, at s (m,): (m, f), the same for every joint."""
-        return product(self.basis.values(s, order), self.directions)
-
-    def line(self, s: Array, order: int = 0) -> Array:
-        """The curve at z = 0, or its derivative of order 1, at s (m,): (m, n)."""
+    def at(self, s: Array, order: int = 0) -> tuple[Array, Array]:
+        """At s (m,) the curve of z = 0 (m, n), or its derivative of order 1, and its change with z (m, f), alike for all joints."""
+        values = self.basis.values(s, order)
         straight = self.start + s[:, None] * (self.goal - self.start) if order == 0 else self.goal - self.start
-        return np.asarray(straight + product(self.basis.values(s, order), self.kept.T))
+        return straight + product(values, self.kept.T), product(values, self.directions)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -103,8 +100,8 @@ class LengthModel:
     @cached_property
     def _values(self) -> tuple[Array, Array, Array, Array]:
         """At the Gauss points: the curve at z = 0 and its slope (m, n), and their changes with z (m, f)."""
-        curves = self.curves
-        return (curves.line(self.s), curves.line(self.s, 1), curves.values(self.s), curves.values(self.s, 1))
+        (line, values), (slope, slopes) = (self.curves.at(self.s, order) for order in (0, 1))
+        return line, slope, values, slopes
 
     def _points(self, z: Array) -> tuple[Array, Array, Array]:
         """Arguments of the density at the Gauss points: q and q' (m, n), and the pace, p and ε (m, 3)."""
