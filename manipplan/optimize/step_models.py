@@ -46,7 +46,7 @@ class Curves:
         return np.asarray(self.kept + product(self.directions, z).T)
 
     def at(self, s: Array, order: int = 0) -> tuple[Array, Array]:
-        """At s (m,) the curve of z = 0 (m, n), or its derivative of order 1, and its change with z (m, f), alike for all joints."""
+        """At s (m,) the curve of z = 0 (m, n), or its derivative of order 1, and its change with z (m, f) for each joint."""
         values = self.basis.values(s, order)
         straight = self.start + s[:, None] * (self.goal - self.start) if order == 0 else self.goal - self.start
         return straight + product(values, self.kept.T), product(values, self.directions)
