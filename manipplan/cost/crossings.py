@@ -27,6 +27,9 @@ STEP = 5e-3
 COARSE_STEP = 0.05
 #: Number of times an interval in which det J changes its sign is cut, and number of parts.
 CUTS, PARTS = 10, 16
+#: Powers from which on crossings have no cost, since the rest of g has no limit, by the number of sides from which the path
+#: comes near the singularity: one at its ends, otherwise two.
+NO_COST = {1: 2.0, 2: 3.0}
 #: Half of the share of the path over which the steepness is measured.
 WIDTH = 1e-6
 #: J loses rank where its smallest singular value is below this share of its largest.
@@ -180,7 +183,7 @@ def _crossing(path: JointPath, integral: PathIntegral, s: float, kind: str) -> C
     steepness = change / float(speeds(moved[None], integral.metric)[0])
     sides = 1 if s in (0.0, 1.0) else 2
     cost = np.nan
-    if integral.power < 1 + sides and _is_linear(path, integral, s, steepness):
+    if integral.power < NO_COST[sides] and _is_linear(path, integral, s, steepness):
         cost = sides / steepness * _linear_cost(integral, typical_measure(kinematics))
     return replace(found, steepness=steepness, cost=cost)
 

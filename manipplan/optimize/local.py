@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from manipplan.collision.near_pairs import NearPairs
-from manipplan.cost.crossings import find_crossings, is_beside_singular_end, runs_along
+from manipplan.cost.crossings import NO_COST, find_crossings, is_beside_singular_end, runs_along
 from manipplan.optimize import clearance as near
 from manipplan.optimize.certificate import SINGLE, UNKNOWN
 from manipplan.optimize.clearance import ClearanceRow
@@ -34,8 +34,6 @@ PROMISING = 0.8
 #: Largest displacement of the paths from which descents begin beside an optimum that meets several singularities at once or
 #: runs along one [rad or m], and number of directions, each to both sides.
 ASIDE, DIRECTIONS = 0.5, 3
-#: From this power on no crossing between the ends has a finite cost.
-NO_COSTS = 3.0
 #: Maximum deviation of the fit to a path at which the basis counts as containing the path [rad or m].
 SAME = 1e-9
 #: The descent is repeated from the fit to the optimum at an even pace while that lowers g by more than this share.
@@ -177,7 +175,7 @@ class LocalSearch(ProvenDescents):
         end do not count: no path from there does without them.
         """
         along = runs_along(found.path, self.program.integral, found.cost)
-        if along or self.program.integral.power >= NO_COSTS:
+        if along or self.program.integral.power >= NO_COST[2]:
             return along
         kinematics = self.program.kinematics
         inner = [each for each in find_crossings(found.path, self.program.integral, found.cost) if not each.at_end]
@@ -306,9 +304,8 @@ class LocalSearch(ProvenDescents):
         return False, profile, failed_at
 
     def _energy_floor(self, path: JointPath) -> float:
-        """Floor of the energy near a path: a large one where the path nearly meets a singularity."""
-        floor = self.program.integral.floor
-        return SOFTER[0] * floor if self.nearly_singular(self.program.integral.cost(path)) else floor
+        """Floor of the energy near a path: a large one where the path nearly meets a singularity, otherwise none."""
+        return SOFTER[0] * self.program.integral.floor if self.nearly_singular(self.program.integral.cost(path)) else 0.0
 
     def _straight(self) -> Array:
         """Coefficients (n, size) of the path nearest to the straight line that meets the end conditions."""

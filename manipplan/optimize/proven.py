@@ -109,7 +109,8 @@ class ProvenDescents:
         Descents are repeated until the path is proven free, the quadrature panels resolve its g, and the descent has
         converged, or as `until` says. Each starts with the panels of the one before it, and also watches the place where the
         proof failed. Before the final margin only those are taken that the path `kept` has, if it is given.
-        With `softens` a path near a singularity is first moved with larger floors. None as well when g is not below `below`
+        With `softens` a path near a singularity is first moved with larger floors. Elsewhere a floor counts only with the final
+        margin, so that it changes the path little. None as well when g is not below `below`
         with a wider margin than the final one.
         """
         program, integral = self.program, self.program.integral
@@ -124,8 +125,9 @@ class ProvenDescents:
         failed_g, failures = np.nan, 0  # g of the last path that was not proven free, and number of such paths
         backed_off = False
         *wide, final = self.margins(kept)
-        waiting = [(margin, integral.floor) for margin in [*wide, *[final] * DESCENTS]]
         moving = self.nearly_singular(beginning)
+        usual = integral.floor if moving else 0.0
+        waiting = [*((margin, usual) for margin in wide), *[(final, integral.floor)] * DESCENTS]
         if moving and softens:
             waiting = [*((waiting[0][0], softer * integral.floor) for softer in SOFTER), *waiting]
         while waiting:

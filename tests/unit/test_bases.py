@@ -173,6 +173,7 @@ def test_more_pieces_come_to_the_optimum_of_high_degree(planar, name, degree, li
             GOAL,
             shape=mp.PathShape(degree=degree, basis=name, pieces=pieces),
             objective=mp.PathObjective(power=2),
+            compare=True,
         )
         assert result.status.ok
         excess.append(result.g / best - 1)
