@@ -107,7 +107,8 @@ class ClearanceTable:
         places = () if surroundings is None else tuple(surroundings.places(look))
         table = np.empty((0, column_height(len(curves.start))))
         if surroundings is not None and places:
-            table = surroundings.rows(configurations(path, [s for s, *_ in places]), [pair for _, pair, _ in places])
+            at = configurations(path, [s for s, *_ in places])
+            table = surroundings.rows(surroundings.model.witnesses(at, [pair for _, pair, _ in places]))
         return cls(functions=functions, curves=curves, surroundings=surroundings, places=places, columns=table)
 
     @classmethod
@@ -117,8 +118,9 @@ class ClearanceTable:
         """Two rows at each place where a rejected `path` violates the clearance: with the plane on either body."""
         near = np.flatnonzero(look.distances < surroundings.target)[:MOST_REJECTED]
         places = [(float(look.s[k]), int(look.pairs[k]), False) for k in near]
-        at, pairs = configurations(path, [s for s, *_ in places]), [pair for _, pair, _ in places]
-        both = np.stack([surroundings.rows(at, pairs), surroundings.reversed_rows(at, pairs)], axis=1)
+        at = configurations(path, [s for s, *_ in places])
+        found = surroundings.model.witnesses(at, [pair for _, pair, _ in places])
+        both = np.stack([surroundings.rows(found), surroundings.reversed_rows(found)], axis=1)
         table = both.reshape(-1, column_height(len(curves.start)))
         twice = tuple(place for place in places for _ in range(2))
         return cls(functions=functions, curves=curves, surroundings=surroundings, places=twice, columns=table)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from manipplan.collision.bottoms import DipSearch
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.near_pairs import NearPairs
+from manipplan.collision.witnesses import Witnesses
 from manipplan.cost.density import Density
 from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.optimize.clearance import Place, columns, distance_profile
@@ -276,18 +277,17 @@ class Surroundings:
         chosen = np.concatenate([bottoms, alone])[:MOST_PLACES]
         return list(zip(look.s[chosen].tolist(), look.pairs[chosen].tolist(), look.is_bottom[chosen].tolist(), strict=True))
 
-    def rows(self, q: Array, pairs: Sequence[int]) -> Array:
-        """The rows (m, column_height(n)) of pairs (m,) at q (m, n), each with the plane through the second body's point."""
-        found = self.model.witnesses(q, pairs)
+    def rows(self, found: Witnesses) -> Array:
+        """The clearance rows (m, column_height(n)) of witnesses, each with the plane through the second body's point."""
         first, second = found.joints.T
-        return columns(q.shape[1], first, found.points, second, found.normals, found.offsets, found.radii[:, 0] + self.target)
+        distances = found.radii[:, 0] + self.target
+        return columns(self.model.robot.n, first, found.points, second, found.normals, found.offsets, distances)
 
-    def reversed_rows(self, q: Array, pairs: Sequence[int]) -> Array:
+    def reversed_rows(self, found: Witnesses) -> Array:
         """As `rows`, with planes on the first bodies: better where a corner of the second faces a side of the first."""
-        found = self.model.witnesses(q, pairs)
         first, second = found.joints.T
-        offsets = (found.opposites * found.points).sum(axis=1) + found.radii[:, 0]
-        return columns(q.shape[1], second, found.others, first, found.opposites, offsets, found.radii[:, 1] + self.target)
+        offsets, distances = (found.opposites * found.points).sum(axis=1) + found.radii[:, 0], found.radii[:, 1] + self.target
+        return columns(self.model.robot.n, second, found.others, first, found.opposites, offsets, distances)
 
     def bends(self, q: Array, pairs: Sequence[int]) -> tuple[Array, Array]:
         """Gradients (m, n) and Hessians (m, n, n) of the distances of pairs (m,) at q (m, n).
