@@ -41,7 +41,7 @@ class _World(ctypes.Structure):
             *("n", "fixed", "axes", "slides", "bodies", "joint", "kind", "first", "count", "radius", "pose", "size", "ball"),
             "local",
             *("x", "y", "z", "selves", "self", "movers", "mover", "pair_of", "groups", "group", "group_ball", "pairs", "top"),
-            *("node_box", "node", "root", "corners", "frames", "centres", "least", "found"),
+            *("node_box", "node", "root", "corners", "frames", "centres", "least", "found", "guess"),
         )
     ]
 
@@ -114,6 +114,7 @@ class DistanceKernel:
             "centres": arrays["ball"][:, :3].copy(),
             "least": np.full(len(self._bodies), np.inf),
             "found": np.empty(len(self._bodies), dtype=np.int64),
+            "guess": np.zeros((len(self._bodies), 3)),
         }
         numbers = {
             "n": self._n,
