@@ -805,6 +805,85 @@ void manipplan_pairs(const World *w, const double *q, long m, const long *bodies
     }
 }
 
+/* The twist (angular velocity, velocity of the world's origin) of the frame of joint `last` in that of joint `first`, for joint
+   speeds (n), in the world. */
+static void twist_of(const World *w, long first, long last, const double *speed, double *turning, double *moving) {
+    for (int i = 0; i < 3; i++) turning[i] = moving[i] = 0;
+    for (long j = first + 1; j <= last; j++) {
+        const double *frame = w->frames + 12 * j;
+        double axis[3], arc[3];
+        for (int i = 0; i < 3; i++) axis[i] = speed[j - 1] * dot(frame + 3 * i, w->axes + 3 * (j - 1));
+        cross(frame + 9, axis, arc);
+        for (int i = 0; i < 3; i++) {
+            if (w->slides[j - 1]) moving[i] += axis[i];
+            else turning[i] += axis[i], moving[i] += arc[i];
+        }
+    }
+}
+
+/* How far the first of two cores at least stays in front of the second one, along a normal that points from the second to the
+   first, while each of its points p moves by t p' with |t| <= 1: linear in p, so that two support points decide. */
+static double stays_apart(const Core *one, double behind, const double *normal, const double *turning, const double *moving) {
+    double tilt[3], least = INFINITY;
+    cross(normal, turning, tilt);
+    for (int side = -1; side <= 1; side += 2) {
+        double back[3], p[3];
+        for (int i = 0; i < 3; i++) back[i] = -normal[i] - side * tilt[i];
+        support(one, back, p);
+        least = fmin(least, side * dot(normal, moving) - dot(back, p));
+    }
+    return least - behind;
+}
+
+/* As `manipplan_pairs`, with lower bounds (m) of the distances while the joints move by t slopes (m, n) with |t| <= 1 and, beyond
+   that, no point of a body of a pair moves relative to the other by more than bends (m). -INFINITY where there is none: in surfaces,
+   where cores meet, and for what is beyond reach. */
+void manipplan_intervals(const World *w, const double *q, const double *slopes, long m, const long *bodies, const double *reach,
+                         const double *bends, double *out, double *bound) {
+    double guess[3] = {0};
+    for (long k = 0; k < m; k++, slopes += w->n) {
+        long one = bodies[2 * k], two = bodies[2 * k + 1], leaf, same = k > 0 && one == bodies[2 * k - 2] && two == bodies[2 * k - 1];
+        if (!same) memset(guess, 0, sizeof guess);
+        if (k == 0 || memcmp(q + k * w->n, q + (k - 1) * w->n, (size_t)w->n * sizeof *q)) place(w, q + k * w->n);
+        bound[k] = -INFINITY;
+        if (w->kind[one] > CYLINDER || w->kind[two] > HALFSPACE || !isfinite(bends[k])) {
+            manipplan_pairs(w, q + k * w->n, 1, bodies + 2 * k, reach + k, out + k, &leaf);
+            continue;
+        }
+        Core first, second;
+        Plane plane;
+        double low, high, radii = w->radius[one] + w->radius[two], back[3], p[3];
+        core_of(w, one, &first);
+        if (w->kind[two] == HALFSPACE) {
+            double frame[12];
+            compose(w->frames + 12 * w->joint[two], w->pose + 12 * two, frame);
+            for (int i = 0; i < 3; i++) plane.normal[i] = frame[3 * i + 2], p[i] = frame[9 + i];
+            low = high = over_plane(w, one, &first, two);
+        } else {
+            core_of(w, two, &second);
+            if (!(dot(guess, guess) > 0))
+                for (int i = 0; i < 3; i++) guess[i] = w->centres[3 * one + i] - w->centres[3 * two + i];
+            if (!shape_bounds(w, one, &first, two, &second, guess, reach[k], -INFINITY, &low, &high, &plane, 0)) {
+                manipplan_pairs(w, q + k * w->n, 1, bodies + 2 * k, reach + k, out + k, &leaf);
+                continue;
+            }
+            support(&second, plane.normal, p);
+        }
+        out[k] = low > reach[k] ? reach[k] : high - low <= 1e3 * EXACT ? high : NAN;
+        if (isnan(out[k]) || out[k] >= reach[k]) continue;
+        double turning[3], moving[3];
+        if (w->joint[one] >= w->joint[two]) {
+            twist_of(w, w->joint[two], w->joint[one], slopes, turning, moving);
+            bound[k] = stays_apart(&first, dot(plane.normal, p), plane.normal, turning, moving) - radii - bends[k];
+        } else {
+            for (int i = 0; i < 3; i++) back[i] = -plane.normal[i];
+            support(&first, back, p);
+            twist_of(w, w->joint[one], w->joint[two], slopes, turning, moving);
+            bound[k] = stays_apart(&second, dot(back, p), back, turning, moving) - radii - bends[k];
+        }
+    }
+}
+
 /* The nearest points of two cores by the last simplex of `bounds`. Returns 0 if it does not tell them. */
 static int nearest_of(const Simplex *s, double *a, double *b) {
     double share[3] = {1, 0, 0};
