@@ -92,7 +92,7 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
         near, further = program.surroundings, reach - ACTIVE
         margin = near.margin
         looking = replace(program, surroundings=replace(near, clearance=near.clearance + further))
-        table = looking.table(z, looking.look(z, 0.0))
+        table = looking.measured(z, looking.look(z, 0.0))
         beyond = table.linear(z, z).value + further
         jacobian, owner = table.gradients_nearby(z, np.flatnonzero(beyond < reach - margin), KINK)
     whole = np.concatenate([limits.jacobian, jacobian])
