@@ -174,7 +174,7 @@ INTERVALS, SPACING = 160, 4
 #: Margin kept beyond the required distance, so that the proof, whose bounds are not exact, succeeds [m].
 MARGIN = 5e-5
 #: Minimum distance above the target at which distances are cut off [m]; a wider band of rows raises it.
-FARTHEST = 0.05
+FARTHEST = 0.03
 #: Distance above the target below which dips are located [m].
 DEEP = 1e-3
 #: Distance above the target below which every place of the grid gets a row [m].
