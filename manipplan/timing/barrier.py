@@ -41,11 +41,11 @@ SIGNATURES: dict[str, tuple[Any, ...]] = {"descend": (_N, _P, _P, _P), "enter": 
 def fastest_motion(problem: JerkProblem, guess: Array | None = None) -> SquaredSpeed | None:
     """The fastest motion found; None when none within the limits is found. `guess`: a at the grid points."""
     centring = Centring(problem)
-    z = motion_inside(problem, centring, guess)
+    z = motion_inside(problem, guess, centring)
     return None if z is None else problem.motion(centring.descended(z, 1.0 if guess is None else 10.0))
 
 
-def motion_inside(problem: JerkProblem, centring: "Centring", guess: Array | None) -> Array | None:
+def motion_inside(problem: JerkProblem, guess: Array | None, centring: "Centring | None" = None) -> Array | None:
     """Free coefficients of a motion within the limits; None when none is found.
 
     From stop to stop the guess is slowed down, since a slower motion always exceeds limits by less. Between given speeds
@@ -60,7 +60,7 @@ def motion_inside(problem: JerkProblem, centring: "Centring", guess: Array | Non
     z = np.maximum(shape[1:-1], 1e-9 * shape.max())
     start, end = problem.fixed
     if not (start or end):
-        entered = centring.entered(z, 0.8, 400)
+        entered = (centring or Centring(problem)).entered(z, 0.8, 400)
         return None if entered is None else 0.95 * entered
     nearest: Array | None = np.maximum(z / z.max() * max(start, end), np.interp(greville[1:-1], [0, 1], [start, end]) * 0.999)
     for _ in range(SEARCHES):

@@ -29,7 +29,7 @@ BESIDE = 0.4
 
 def first_grid(curve: ArcLength, count: int, edges: Array, stops: tuple[bool, bool]) -> Array:
     """A grid for the first solve, when no speed is known: even, denser where the path turns, and with l ~ t³ at stops."""
-    points = curve.grid(8 * count, np.empty(0))
+    points = curve.fine(8 * count)
     share = points / curve.length
     even = np.linspace(0.0, 1.0, len(points))
     near = np.cbrt(share) if stops[0] else np.ones_like(share)
@@ -40,7 +40,7 @@ def first_grid(curve: ArcLength, count: int, edges: Array, stops: tuple[bool, bo
 
 def next_grid(curve: ArcLength, profile: Profile, count: int, edges: Array) -> Array:
     """A grid that is even in the time of an earlier motion, and denser where the path turns."""
-    fine = curve.grid(8 * count, np.empty(0))
+    fine = curve.fine(8 * count)
     even = np.linspace(0.0, 1.0, len(fine))
     # l ~ t³ at stops: the cube root is interpolated there
     lengths, times = profile.length, profile.time / profile.time[-1]
@@ -161,15 +161,21 @@ def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: f
         jerk = problem.limits.at(s).jerk / factors[:, None]
         return fastest_motion(JerkProblem(asked, jerk, (start / unit) ** 2, (end / unit) ** 2), guess)
 
+    def without_jerk_limits(demands: PathDynamics) -> None:
+        """Raises, with the reason, when no motion is within the other limits."""
+        fastest_speeds(demands, problem.names, problem.course.given, start, end)
+
     def failure(*_: object) -> Exception:
         if not moving:
+            without_jerk_limits(asked)
             return PlanningError("no motion within the jerk limits was found")
         name, value = ("start_speed", start) if start > 0 else ("end_speed", end)
         return InvalidInputError(name, value, "a lower speed; no motion within the jerk limits was found with this one")
 
     points = first_grid(curve, grid, edges, (start == 0, end == 0))
     asked = problem.dynamics(curve, points)
-    fastest_speeds(asked, problem.names, problem.course.given, start, end)  # raises when no motion is within the limits
+    if moving:  # otherwise the motion that is found shows that there is one
+        without_jerk_limits(asked)
     first = motion(asked, np.ones(len(points) - 1))
     if first is None:
         raise failure()

@@ -65,7 +65,7 @@ def test_compiled_steps_lead_where_numpy_s_do(monkeypatch, functions, ends, unli
     for seed in range(4):
         problem = random_problem(seed, ends, unlimited=unlimited, torque=torque)
         compiled, numpy = both(monkeypatch, problem, functions)
-        z = motion_inside(problem, numpy, None)
+        z = motion_inside(problem, None, numpy)
         if z is None:
             continue
         compared += 1
@@ -101,7 +101,7 @@ def test_llvm_s_code_gives_the_same_numbers(monkeypatch, points):
     """Bit by bit, as both do the same operations without contraction."""
     problem = random_problem(0, points=points)
     codes = [both(monkeypatch, problem, functions)[0] for functions in FUNCTIONS.values()]
-    z = motion_inside(problem, codes[0], None)
+    z = motion_inside(problem, None, codes[0])
     np.testing.assert_array_equal(*(code.descended(z, 1.0) for code in codes))
 
 

@@ -5,7 +5,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.timing.arc import ArcLength
-from manipplan.timing.barrier import Centring, motion_inside
+from manipplan.timing.barrier import motion_inside
 from manipplan.timing.dynamics import path_dynamics
 from manipplan.timing.jerk import BandedModel, JerkProblem, applied
 from manipplan.timing.piece import first_grid
@@ -52,7 +52,7 @@ def test_the_gradient_of_the_merit_is_that_of_differences(planar, rng, start, en
     asked = path_dynamics(curve, points, LimitsAlong(limits, (), np.empty((0, 2))), None, None)
     ends = [(each / asked.speed_unit) ** 2 for each in (start, end)]
     problem = JerkProblem(asked, np.full((len(points) - 1, 3), 60.0), *ends)
-    z, weight = motion_inside(problem, Centring(problem), None), 7.0
+    z, weight = motion_inside(problem, None), 7.0
 
     def merit(z):
         slacks = problem.slacks(problem.coefficients(z))
