@@ -35,7 +35,8 @@ typedef struct {
     double count;                   /* number of slacks */
     double begin;                   /* first weight of time, as a share of count / time */
     double heavier, gap;            /* factor between weights; share of the time by which the last motion may be too slow */
-    double centred, sufficient;     /* a round ends below this gain; share of the predicted gain that a step must reach */
+    double rough, centred;          /* a round ends when a step gains less than this; the last round */
+    double sufficient;              /* share of the predicted gain that a step must reach */
     long steps;                     /* maximum number of Newton steps per round */
 } Descent;
 
@@ -240,14 +241,14 @@ static double newton_step(long count, const Model *model, double *step) {
 }
 
 /* Minimise weight · time - Σ log of the slacks from z inside the limits, whose state is `at`. Returns the number of steps. */
-static long centre(const Motion *p, const Descent *how, double weight, double *z, State *at, Model *model, double *step,
-                   double *next) {
+static long centre(const Motion *p, const Descent *how, double weight, double centred, double *z, State *at, Model *model,
+                   double *step, double *next) {
     long count = p->points - 1, steps = 0;
     double value = weight * at->time - at->logs;
     for (; steps < how->steps; steps++) {
         differentiate(p, at, weight, model);
         double decrement = newton_step(count, model, step), size = 1, after;
-        if (!isfinite(decrement) || decrement < how->centred) break;
+        if (!isfinite(decrement) || decrement < centred) break;
         for (;; size /= 2) {
             if (size <= 1e-9) {
                 look(p, z, at);
@@ -261,7 +262,7 @@ static long centre(const Motion *p, const Descent *how, double weight, double *z
         memcpy(z, next, (size_t)count * sizeof *z);
         double gained = value - after;
         value = after;
-        if (gained < how->centred) {
+        if (gained < centred) {
             steps++;
             break;
         }
@@ -293,8 +294,9 @@ long manipplan_descend(const Motion *p, const Descent *how, double *z) {
     if (look(p, z, &at)) {
         steps = 0;
         for (double weight = how->begin * how->count / at.time;; weight *= how->heavier) {
-            steps += centre(p, how, weight, z, &at, &model, step, next);
-            if (how->count / weight < how->gap * at.time) break;
+            int last = how->count / weight < how->gap * at.time;
+            steps += centre(p, how, weight, last ? how->centred : how->rough, z, &at, &model, step, next);
+            if (last && how->count / weight < how->gap * at.time) break;
         }
     }
     free(all);

@@ -1,9 +1,9 @@
-; barrier.c 06029fb8a3a5a9a22f35aa353ba255f5f32a89b1ea9cdd37fdf77fc569051345: written by make kernel
+; barrier.c b40ace7201ce06572f910c51ce4b0c2a7a0badddf6016459fc19961bc57d9b84: written by make kernel
 
 %struct.State = type { ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, [2 x double], double, double }
 %struct.Model = type { ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 %struct.Motion = type { i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, [2 x double], [2 x double], [2 x double], [2 x double] }
-%struct.Descent = type { double, double, double, double, double, double, i64 }
+%struct.Descent = type { double, double, double, double, double, double, double, i64 }
 
 @ODD = internal unnamed_addr constant [18 x double] [double 0x3F9D41D41D41D41D, double 0x3F9F07C1F07C1F08, double 0x3FA0842108421084, double 0x3FA1A7B9611A7B96, double 0x3FA2F684BDA12F68, double 4.000000e-02, double 0x3FA642C8590B2164, double 0x3FA8618618618618, double 0x3FAAF286BCA1AF28, double 0x3FAE1E1E1E1E1E1E, double 0x3FB1111111111111, double 0x3FB3B13B13B13B14, double 0x3FB745D1745D1746, double 0x3FBC71C71C71C71C, double 0x3FC2492492492492, double 2.000000e-01, double 0x3FD5555555555555, double 1.000000e+00], align 16
 
@@ -94,7 +94,7 @@ define dso_local i64 @manipplan_descend(ptr nocapture noundef readonly %0, ptr n
 59:                                               ; preds = %3
   call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %6) #8
   call void @llvm.lifetime.end.p0(i64 128, ptr nonnull %5) #8
-  br label %758
+  br label %768
 
 60:                                               ; preds = %3, %60
   %61 = phi i64 [ %66, %60 ], [ 0, %3 ]
@@ -128,7 +128,7 @@ define dso_local i64 @manipplan_descend(ptr nocapture noundef readonly %0, ptr n
   call void @llvm.lifetime.end.p0(i64 128, ptr nonnull %5) #8
   %82 = call fastcc i32 @look(ptr noundef %0, ptr noundef %2, ptr noundef nonnull %7)
   %83 = icmp eq i32 %82, 0
-  br i1 %83, label %756, label %84
+  br i1 %83, label %766, label %84
 
 84:                                               ; preds = %81
   %85 = getelementptr inbounds %struct.Descent, ptr %1, i64 0, i32 1
@@ -138,826 +138,838 @@ define dso_local i64 @manipplan_descend(ptr nocapture noundef readonly %0, ptr n
   %89 = getelementptr inbounds %struct.State, ptr %7, i64 0, i32 11
   %90 = load double, ptr %89, align 8
   %91 = fdiv double %88, %90
-  %92 = getelementptr inbounds %struct.State, ptr %7, i64 0, i32 12
-  %93 = getelementptr inbounds %struct.Descent, ptr %1, i64 0, i32 6
-  %94 = getelementptr inbounds ptr, ptr %4, i64 1
-  %95 = getelementptr inbounds ptr, ptr %4, i64 2
-  %96 = getelementptr inbounds ptr, ptr %4, i64 3
-  %97 = getelementptr inbounds ptr, ptr %4, i64 4
-  %98 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 5
-  %99 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 9
-  %100 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 10
-  %101 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 14
-  %102 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 12
-  %103 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 13
-  %104 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 6
-  %105 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 16
-  %106 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 16, i64 1
-  %107 = getelementptr inbounds %struct.Descent, ptr %1, i64 0, i32 4
-  %108 = getelementptr inbounds %struct.Descent, ptr %1, i64 0, i32 5
-  %109 = getelementptr inbounds %struct.Descent, ptr %1, i64 0, i32 3
-  %110 = getelementptr inbounds %struct.Descent, ptr %1, i64 0, i32 2
-  br label %111
+  %92 = getelementptr inbounds %struct.Descent, ptr %1, i64 0, i32 3
+  %93 = getelementptr inbounds %struct.Descent, ptr %1, i64 0, i32 5
+  %94 = getelementptr inbounds %struct.Descent, ptr %1, i64 0, i32 4
+  %95 = getelementptr inbounds %struct.State, ptr %7, i64 0, i32 12
+  %96 = getelementptr inbounds %struct.Descent, ptr %1, i64 0, i32 7
+  %97 = getelementptr inbounds ptr, ptr %4, i64 1
+  %98 = getelementptr inbounds ptr, ptr %4, i64 2
+  %99 = getelementptr inbounds ptr, ptr %4, i64 3
+  %100 = getelementptr inbounds ptr, ptr %4, i64 4
+  %101 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 5
+  %102 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 9
+  %103 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 10
+  %104 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 14
+  %105 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 12
+  %106 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 13
+  %107 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 6
+  %108 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 16
+  %109 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 16, i64 1
+  %110 = getelementptr inbounds %struct.Descent, ptr %1, i64 0, i32 6
+  %111 = getelementptr inbounds %struct.Descent, ptr %1, i64 0, i32 2
+  br label %112
 
-111:                                              ; preds = %753, %84
-  %112 = phi double [ %90, %84 ], [ %750, %753 ]
-  %113 = phi i64 [ 0, %84 ], [ %746, %753 ]
-  %114 = phi double [ %91, %84 ], [ %755, %753 ]
-  %115 = load ptr, ptr %9, align 8
-  %116 = load ptr, ptr %10, align 8
-  %117 = load i64, ptr %0, align 8
-  %118 = add i64 %117, -1
-  %119 = load i64, ptr %93, align 8
-  %120 = icmp sgt i64 %119, 0
-  br i1 %120, label %121, label %744
+112:                                              ; preds = %762, %84
+  %113 = phi double [ %90, %84 ], [ %763, %762 ]
+  %114 = phi double [ %87, %84 ], [ %753, %762 ]
+  %115 = phi i64 [ 0, %84 ], [ %752, %762 ]
+  %116 = phi double [ %91, %84 ], [ %765, %762 ]
+  %117 = fdiv double %114, %116
+  %118 = load double, ptr %92, align 8
+  %119 = fmul double %118, %113
+  %120 = fcmp olt double %117, %119
+  %121 = select i1 %120, ptr %93, ptr %94
+  %122 = load double, ptr %121, align 8
+  %123 = load ptr, ptr %9, align 8
+  %124 = load ptr, ptr %10, align 8
+  %125 = load i64, ptr %0, align 8
+  %126 = add i64 %125, -1
+  %127 = load i64, ptr %96, align 8
+  %128 = icmp sgt i64 %127, 0
+  br i1 %128, label %129, label %750
 
-121:                                              ; preds = %111
-  %122 = fmul double %114, %112
-  %123 = load double, ptr %92, align 8
-  %124 = fsub double %122, %123
-  %125 = insertelement <8 x double> poison, double %114, i64 0
-  %126 = shufflevector <8 x double> %125, <8 x double> poison, <8 x i32> zeroinitializer
-  %127 = fmul double %114, -1.500000e+00
-  %128 = fmul double %114, 2.250000e+00
-  %129 = icmp sgt i64 %117, 1
-  %130 = add i64 %117, -2
-  %131 = icmp sgt i64 %117, 2
-  %132 = icmp sgt i64 %117, 3
-  %133 = add nsw i64 %117, -4
-  %134 = shl i64 %118, 3
-  br label %135
+129:                                              ; preds = %112
+  %130 = fmul double %116, %113
+  %131 = load double, ptr %95, align 8
+  %132 = fsub double %130, %131
+  %133 = insertelement <8 x double> poison, double %116, i64 0
+  %134 = shufflevector <8 x double> %133, <8 x double> poison, <8 x i32> zeroinitializer
+  %135 = fmul double %116, -1.500000e+00
+  %136 = fmul double %116, 2.250000e+00
+  %137 = icmp sgt i64 %125, 1
+  %138 = add i64 %125, -2
+  %139 = icmp sgt i64 %125, 2
+  %140 = icmp sgt i64 %125, 3
+  %141 = add nsw i64 %125, -4
+  %142 = shl i64 %126, 3
+  br label %143
 
-135:                                              ; preds = %741, %121
-  %136 = phi i64 [ 0, %121 ], [ %740, %741 ]
-  %137 = phi double [ %124, %121 ], [ %727, %741 ]
+143:                                              ; preds = %747, %129
+  %144 = phi i64 [ 0, %129 ], [ %746, %747 ]
+  %145 = phi double [ %132, %129 ], [ %734, %747 ]
   call void @llvm.lifetime.start.p0(i64 40, ptr nonnull %4)
-  %138 = load i64, ptr %0, align 8
-  %139 = load i64, ptr %45, align 8
-  %140 = load ptr, ptr %8, align 8
-  %141 = load ptr, ptr %23, align 8
-  %142 = load ptr, ptr %25, align 8
-  %143 = load ptr, ptr %27, align 8
-  store ptr %141, ptr %94, align 8
-  store ptr %142, ptr %95, align 8
-  store ptr %143, ptr %96, align 8
-  store ptr null, ptr %97, align 8
-  %144 = icmp eq ptr %140, null
-  br i1 %144, label %148, label %145
+  %146 = load i64, ptr %0, align 8
+  %147 = load i64, ptr %45, align 8
+  %148 = load ptr, ptr %8, align 8
+  %149 = load ptr, ptr %23, align 8
+  %150 = load ptr, ptr %25, align 8
+  %151 = load ptr, ptr %27, align 8
+  store ptr %149, ptr %97, align 8
+  store ptr %150, ptr %98, align 8
+  store ptr %151, ptr %99, align 8
+  store ptr null, ptr %100, align 8
+  %152 = icmp eq ptr %148, null
+  br i1 %152, label %156, label %153
 
-145:                                              ; preds = %135
-  %146 = shl i64 %139, 3
-  %147 = add i64 %146, 64
-  br label %150
+153:                                              ; preds = %143
+  %154 = shl i64 %147, 3
+  %155 = add i64 %154, 64
+  br label %158
 
-148:                                              ; preds = %150, %135
-  %149 = icmp sgt i64 %139, 0
-  br i1 %149, label %160, label %156
+156:                                              ; preds = %158, %143
+  %157 = icmp sgt i64 %147, 0
+  br i1 %157, label %168, label %164
 
-150:                                              ; preds = %150, %145
-  %151 = phi ptr [ %140, %145 ], [ %154, %150 ]
-  %152 = phi ptr [ %4, %145 ], [ %153, %150 ]
-  call void @llvm.memset.p0.i64(ptr nonnull align 8 %151, i8 0, i64 %147, i1 false)
-  %153 = getelementptr inbounds ptr, ptr %152, i64 1
-  %154 = load ptr, ptr %153, align 8
-  %155 = icmp eq ptr %154, null
-  br i1 %155, label %148, label %150
+158:                                              ; preds = %158, %153
+  %159 = phi ptr [ %148, %153 ], [ %162, %158 ]
+  %160 = phi ptr [ %4, %153 ], [ %161, %158 ]
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 %159, i8 0, i64 %155, i1 false)
+  %161 = getelementptr inbounds ptr, ptr %160, i64 1
+  %162 = load ptr, ptr %161, align 8
+  %163 = icmp eq ptr %162, null
+  br i1 %163, label %156, label %158
 
-156:                                              ; preds = %303, %148
-  %157 = add nsw i64 %138, -1
-  %158 = load ptr, ptr %104, align 8
-  %159 = load ptr, ptr %12, align 8
-  br label %421
+164:                                              ; preds = %311, %156
+  %165 = add nsw i64 %146, -1
+  %166 = load ptr, ptr %107, align 8
+  %167 = load ptr, ptr %12, align 8
+  br label %429
 
-160:                                              ; preds = %148, %303
-  %161 = phi i64 [ %341, %303 ], [ 0, %148 ]
-  %162 = load ptr, ptr %7, align 8
-  %163 = getelementptr inbounds double, ptr %162, i64 %161
-  %164 = load <8 x double>, ptr %163, align 8
-  %165 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %164
-  %166 = load ptr, ptr %20, align 8
-  %167 = getelementptr inbounds double, ptr %166, i64 %161
-  %168 = load <8 x double>, ptr %167, align 8
-  %169 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %168
-  %170 = fsub <8 x double> %169, %165
-  %171 = fmul <8 x double> %165, %165
-  %172 = fmul <8 x double> %169, %169
-  %173 = fadd <8 x double> %171, %172
-  %174 = load ptr, ptr %12, align 8
-  %175 = getelementptr inbounds double, ptr %174, i64 %161
+168:                                              ; preds = %156, %311
+  %169 = phi i64 [ %349, %311 ], [ 0, %156 ]
+  %170 = load ptr, ptr %7, align 8
+  %171 = getelementptr inbounds double, ptr %170, i64 %169
+  %172 = load <8 x double>, ptr %171, align 8
+  %173 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %172
+  %174 = load ptr, ptr %20, align 8
+  %175 = getelementptr inbounds double, ptr %174, i64 %169
   %176 = load <8 x double>, ptr %175, align 8
-  %177 = load ptr, ptr %98, align 8
-  %178 = getelementptr inbounds double, ptr %177, i64 %161
-  %179 = load <8 x double>, ptr %178, align 8
-  %180 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %179
-  %181 = load ptr, ptr %18, align 8
-  %182 = getelementptr inbounds double, ptr %181, i64 %161
-  %183 = load <8 x double>, ptr %182, align 8
-  %184 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %183
-  %185 = fmul <8 x double> %184, %184
-  %186 = load ptr, ptr %16, align 8
-  %187 = add nsw i64 %161, -1
-  %188 = getelementptr inbounds double, ptr %186, i64 %187
-  %189 = load <8 x double>, ptr %188, align 8
-  %190 = getelementptr inbounds double, ptr %186, i64 %161
+  %177 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %176
+  %178 = fsub <8 x double> %177, %173
+  %179 = fmul <8 x double> %173, %173
+  %180 = fmul <8 x double> %177, %177
+  %181 = fadd <8 x double> %179, %180
+  %182 = load ptr, ptr %12, align 8
+  %183 = getelementptr inbounds double, ptr %182, i64 %169
+  %184 = load <8 x double>, ptr %183, align 8
+  %185 = load ptr, ptr %101, align 8
+  %186 = getelementptr inbounds double, ptr %185, i64 %169
+  %187 = load <8 x double>, ptr %186, align 8
+  %188 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %187
+  %189 = load ptr, ptr %18, align 8
+  %190 = getelementptr inbounds double, ptr %189, i64 %169
   %191 = load <8 x double>, ptr %190, align 8
-  %192 = fadd <8 x double> %189, %191
-  %193 = fmul <8 x double> %126, %192
-  %194 = fmul <8 x double> %176, <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
-  %195 = fmul <8 x double> %176, %194
-  %196 = fmul <8 x double> %176, %195
-  %197 = fdiv <8 x double> %193, %196
-  %198 = fsub <8 x double> %185, %197
-  %199 = fmul <8 x double> %180, %184
-  %200 = fmul <8 x double> %180, %198
-  %201 = fmul <8 x double> %180, %200
-  %202 = fmul <8 x double> %179, %198
-  %203 = fmul <8 x double> %180, %202
-  %204 = fmul <8 x double> %179, %184
-  %205 = fadd <8 x double> %170, %204
-  %206 = fmul <8 x double> %179, %202
-  %207 = fadd <8 x double> %173, %206
-  %208 = load i64, ptr %49, align 8
-  %209 = icmp sgt i64 %208, 0
-  br i1 %209, label %210, label %215
+  %192 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %191
+  %193 = fmul <8 x double> %192, %192
+  %194 = load ptr, ptr %16, align 8
+  %195 = add nsw i64 %169, -1
+  %196 = getelementptr inbounds double, ptr %194, i64 %195
+  %197 = load <8 x double>, ptr %196, align 8
+  %198 = getelementptr inbounds double, ptr %194, i64 %169
+  %199 = load <8 x double>, ptr %198, align 8
+  %200 = fadd <8 x double> %197, %199
+  %201 = fmul <8 x double> %134, %200
+  %202 = fmul <8 x double> %184, <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
+  %203 = fmul <8 x double> %184, %202
+  %204 = fmul <8 x double> %184, %203
+  %205 = fdiv <8 x double> %201, %204
+  %206 = fsub <8 x double> %193, %205
+  %207 = fmul <8 x double> %188, %192
+  %208 = fmul <8 x double> %188, %206
+  %209 = fmul <8 x double> %188, %208
+  %210 = fmul <8 x double> %187, %206
+  %211 = fmul <8 x double> %188, %210
+  %212 = fmul <8 x double> %187, %192
+  %213 = fadd <8 x double> %178, %212
+  %214 = fmul <8 x double> %187, %210
+  %215 = fadd <8 x double> %181, %214
+  %216 = load i64, ptr %49, align 8
+  %217 = icmp sgt i64 %216, 0
+  br i1 %217, label %218, label %223
 
-210:                                              ; preds = %160
-  %211 = load ptr, ptr %38, align 8
-  %212 = load ptr, ptr %40, align 8
-  %213 = load ptr, ptr %99, align 8
-  %214 = load ptr, ptr %100, align 8
-  br label %266
+218:                                              ; preds = %168
+  %219 = load ptr, ptr %38, align 8
+  %220 = load ptr, ptr %40, align 8
+  %221 = load ptr, ptr %102, align 8
+  %222 = load ptr, ptr %103, align 8
+  br label %274
 
-215:                                              ; preds = %266, %160
-  %216 = phi <8 x double> [ %203, %160 ], [ %297, %266 ]
-  %217 = phi <8 x double> [ %201, %160 ], [ %300, %266 ]
-  %218 = phi <8 x double> [ %199, %160 ], [ %292, %266 ]
-  %219 = phi <8 x double> [ %207, %160 ], [ %295, %266 ]
-  %220 = phi <8 x double> [ %205, %160 ], [ %290, %266 ]
-  %221 = or i64 %161, 1
-  %222 = getelementptr inbounds double, ptr %174, i64 %221
-  %223 = load <8 x double>, ptr %222, align 8
-  %224 = getelementptr inbounds double, ptr %177, i64 %221
-  %225 = load <8 x double>, ptr %224, align 8
-  %226 = fmul <8 x double> %176, <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
-  %227 = fdiv <8 x double> %179, %226
-  %228 = fdiv <8 x double> %180, %226
-  %229 = fmul <8 x double> %223, <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
-  %230 = fdiv <8 x double> %225, %229
-  %231 = fadd <8 x double> %228, %230
-  %232 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %225
-  %233 = fdiv <8 x double> %232, %229
-  %234 = fmul <8 x double> %126, %191
-  %235 = fmul <8 x double> %234, <double -2.000000e+00, double -2.000000e+00, double -2.000000e+00, double -2.000000e+00, double -2.000000e+00, double -2.000000e+00, double -2.000000e+00, double -2.000000e+00>
-  %236 = fadd <8 x double> %176, %223
-  %237 = fdiv <8 x double> %235, %236
-  %238 = fmul <8 x double> %227, %234
-  %239 = fadd <8 x double> %238, %220
-  %240 = fmul <8 x double> %234, %231
-  %241 = fadd <8 x double> %218, %240
-  %242 = fmul <8 x double> %227, %237
-  %243 = fmul <8 x double> %227, %242
-  %244 = fadd <8 x double> %219, %243
-  %245 = fmul <8 x double> %242, %231
-  %246 = fadd <8 x double> %216, %245
-  %247 = fmul <8 x double> %237, %231
-  %248 = fmul <8 x double> %231, %247
-  %249 = fadd <8 x double> %217, %248
-  %250 = fmul <8 x double> %234, %233
-  %251 = fmul <8 x double> %242, %233
-  %252 = fmul <8 x double> %233, %247
-  %253 = fmul <8 x double> %237, %233
-  %254 = fmul <8 x double> %233, %253
-  %255 = fmul <8 x double> %227, %191
-  %256 = fmul <8 x double> %191, %231
-  %257 = fmul <8 x double> %191, %233
-  %258 = load i64, ptr %51, align 8
-  %259 = icmp sgt i64 %258, 0
-  br i1 %259, label %260, label %303
+223:                                              ; preds = %274, %168
+  %224 = phi <8 x double> [ %211, %168 ], [ %305, %274 ]
+  %225 = phi <8 x double> [ %209, %168 ], [ %308, %274 ]
+  %226 = phi <8 x double> [ %207, %168 ], [ %300, %274 ]
+  %227 = phi <8 x double> [ %215, %168 ], [ %303, %274 ]
+  %228 = phi <8 x double> [ %213, %168 ], [ %298, %274 ]
+  %229 = or i64 %169, 1
+  %230 = getelementptr inbounds double, ptr %182, i64 %229
+  %231 = load <8 x double>, ptr %230, align 8
+  %232 = getelementptr inbounds double, ptr %185, i64 %229
+  %233 = load <8 x double>, ptr %232, align 8
+  %234 = fmul <8 x double> %184, <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
+  %235 = fdiv <8 x double> %187, %234
+  %236 = fdiv <8 x double> %188, %234
+  %237 = fmul <8 x double> %231, <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
+  %238 = fdiv <8 x double> %233, %237
+  %239 = fadd <8 x double> %236, %238
+  %240 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %233
+  %241 = fdiv <8 x double> %240, %237
+  %242 = fmul <8 x double> %134, %199
+  %243 = fmul <8 x double> %242, <double -2.000000e+00, double -2.000000e+00, double -2.000000e+00, double -2.000000e+00, double -2.000000e+00, double -2.000000e+00, double -2.000000e+00, double -2.000000e+00>
+  %244 = fadd <8 x double> %184, %231
+  %245 = fdiv <8 x double> %243, %244
+  %246 = fmul <8 x double> %235, %242
+  %247 = fadd <8 x double> %246, %228
+  %248 = fmul <8 x double> %242, %239
+  %249 = fadd <8 x double> %226, %248
+  %250 = fmul <8 x double> %235, %245
+  %251 = fmul <8 x double> %235, %250
+  %252 = fadd <8 x double> %227, %251
+  %253 = fmul <8 x double> %250, %239
+  %254 = fadd <8 x double> %224, %253
+  %255 = fmul <8 x double> %245, %239
+  %256 = fmul <8 x double> %239, %255
+  %257 = fadd <8 x double> %225, %256
+  %258 = fmul <8 x double> %242, %241
+  %259 = fmul <8 x double> %250, %241
+  %260 = fmul <8 x double> %241, %255
+  %261 = fmul <8 x double> %245, %241
+  %262 = fmul <8 x double> %241, %261
+  %263 = fmul <8 x double> %235, %199
+  %264 = fmul <8 x double> %199, %239
+  %265 = fmul <8 x double> %199, %241
+  %266 = load i64, ptr %51, align 8
+  %267 = icmp sgt i64 %266, 0
+  br i1 %267, label %268, label %311
 
-260:                                              ; preds = %215
-  %261 = load ptr, ptr %101, align 8
-  %262 = load ptr, ptr %42, align 8
-  %263 = load ptr, ptr %44, align 8
-  %264 = load ptr, ptr %102, align 8
-  %265 = load ptr, ptr %103, align 8
-  br label %343
+268:                                              ; preds = %223
+  %269 = load ptr, ptr %104, align 8
+  %270 = load ptr, ptr %42, align 8
+  %271 = load ptr, ptr %44, align 8
+  %272 = load ptr, ptr %105, align 8
+  %273 = load ptr, ptr %106, align 8
+  br label %351
 
-266:                                              ; preds = %266, %210
-  %267 = phi <8 x double> [ %205, %210 ], [ %290, %266 ]
-  %268 = phi <8 x double> [ %207, %210 ], [ %295, %266 ]
-  %269 = phi <8 x double> [ %199, %210 ], [ %292, %266 ]
-  %270 = phi <8 x double> [ %201, %210 ], [ %300, %266 ]
-  %271 = phi <8 x double> [ %203, %210 ], [ %297, %266 ]
-  %272 = phi i64 [ 0, %210 ], [ %301, %266 ]
-  %273 = mul nsw i64 %272, %139
-  %274 = add nsw i64 %273, %161
-  %275 = getelementptr inbounds double, ptr %211, i64 %274
-  %276 = load <8 x double>, ptr %275, align 8
-  %277 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %276
-  %278 = getelementptr inbounds double, ptr %212, i64 %274
-  %279 = load <8 x double>, ptr %278, align 8
-  %280 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %279
-  %281 = getelementptr inbounds double, ptr %213, i64 %274
-  %282 = load <8 x double>, ptr %281, align 8
-  %283 = getelementptr inbounds double, ptr %214, i64 %274
+274:                                              ; preds = %274, %218
+  %275 = phi <8 x double> [ %213, %218 ], [ %298, %274 ]
+  %276 = phi <8 x double> [ %215, %218 ], [ %303, %274 ]
+  %277 = phi <8 x double> [ %207, %218 ], [ %300, %274 ]
+  %278 = phi <8 x double> [ %209, %218 ], [ %308, %274 ]
+  %279 = phi <8 x double> [ %211, %218 ], [ %305, %274 ]
+  %280 = phi i64 [ 0, %218 ], [ %309, %274 ]
+  %281 = mul nsw i64 %280, %147
+  %282 = add nsw i64 %281, %169
+  %283 = getelementptr inbounds double, ptr %219, i64 %282
   %284 = load <8 x double>, ptr %283, align 8
-  %285 = fsub <8 x double> %277, %280
-  %286 = fmul <8 x double> %277, %277
-  %287 = fmul <8 x double> %280, %280
-  %288 = fadd <8 x double> %286, %287
-  %289 = fmul <8 x double> %282, %285
-  %290 = fadd <8 x double> %267, %289
-  %291 = fmul <8 x double> %285, %284
-  %292 = fadd <8 x double> %269, %291
-  %293 = fmul <8 x double> %282, %288
-  %294 = fmul <8 x double> %282, %293
-  %295 = fadd <8 x double> %268, %294
-  %296 = fmul <8 x double> %284, %293
-  %297 = fadd <8 x double> %271, %296
-  %298 = fmul <8 x double> %284, %288
-  %299 = fmul <8 x double> %284, %298
-  %300 = fadd <8 x double> %270, %299
-  %301 = add nuw nsw i64 %272, 1
-  %302 = icmp eq i64 %301, %208
-  br i1 %302, label %215, label %266
+  %285 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %284
+  %286 = getelementptr inbounds double, ptr %220, i64 %282
+  %287 = load <8 x double>, ptr %286, align 8
+  %288 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %287
+  %289 = getelementptr inbounds double, ptr %221, i64 %282
+  %290 = load <8 x double>, ptr %289, align 8
+  %291 = getelementptr inbounds double, ptr %222, i64 %282
+  %292 = load <8 x double>, ptr %291, align 8
+  %293 = fsub <8 x double> %285, %288
+  %294 = fmul <8 x double> %285, %285
+  %295 = fmul <8 x double> %288, %288
+  %296 = fadd <8 x double> %294, %295
+  %297 = fmul <8 x double> %290, %293
+  %298 = fadd <8 x double> %275, %297
+  %299 = fmul <8 x double> %293, %292
+  %300 = fadd <8 x double> %277, %299
+  %301 = fmul <8 x double> %290, %296
+  %302 = fmul <8 x double> %290, %301
+  %303 = fadd <8 x double> %276, %302
+  %304 = fmul <8 x double> %292, %301
+  %305 = fadd <8 x double> %279, %304
+  %306 = fmul <8 x double> %292, %296
+  %307 = fmul <8 x double> %292, %306
+  %308 = fadd <8 x double> %278, %307
+  %309 = add nuw nsw i64 %280, 1
+  %310 = icmp eq i64 %309, %216
+  br i1 %310, label %223, label %274
 
-303:                                              ; preds = %343, %215
-  %304 = phi <8 x double> [ %254, %215 ], [ %414, %343 ]
-  %305 = phi <8 x double> [ %252, %215 ], [ %410, %343 ]
-  %306 = phi <8 x double> [ %251, %215 ], [ %418, %343 ]
-  %307 = phi <8 x double> [ %250, %215 ], [ %394, %343 ]
-  %308 = phi <8 x double> [ %246, %215 ], [ %402, %343 ]
-  %309 = phi <8 x double> [ %249, %215 ], [ %406, %343 ]
-  %310 = phi <8 x double> [ %241, %215 ], [ %392, %343 ]
-  %311 = phi <8 x double> [ %244, %215 ], [ %398, %343 ]
-  %312 = phi <8 x double> [ %239, %215 ], [ %390, %343 ]
-  %313 = getelementptr inbounds double, ptr %140, i64 %161
-  %314 = load <8 x double>, ptr %313, align 8
-  %315 = fadd <8 x double> %312, %314
-  store <8 x double> %315, ptr %313, align 8
-  %316 = getelementptr inbounds double, ptr %141, i64 %161
-  %317 = load <8 x double>, ptr %316, align 8
-  %318 = fadd <8 x double> %311, %317
-  store <8 x double> %318, ptr %316, align 8
-  %319 = getelementptr inbounds double, ptr %142, i64 %161
-  %320 = load <8 x double>, ptr %319, align 8
-  %321 = fadd <8 x double> %308, %320
-  store <8 x double> %321, ptr %319, align 8
-  %322 = getelementptr inbounds double, ptr %143, i64 %161
-  %323 = load <8 x double>, ptr %322, align 8
-  %324 = fadd <8 x double> %306, %323
-  store <8 x double> %324, ptr %322, align 8
-  %325 = getelementptr inbounds double, ptr %140, i64 %221
-  %326 = load <8 x double>, ptr %325, align 8
-  %327 = fadd <8 x double> %310, %326
-  store <8 x double> %327, ptr %325, align 8
-  %328 = getelementptr inbounds double, ptr %141, i64 %221
-  %329 = load <8 x double>, ptr %328, align 8
-  %330 = fadd <8 x double> %309, %329
-  store <8 x double> %330, ptr %328, align 8
-  %331 = getelementptr inbounds double, ptr %142, i64 %221
-  %332 = load <8 x double>, ptr %331, align 8
-  %333 = fadd <8 x double> %305, %332
-  store <8 x double> %333, ptr %331, align 8
-  %334 = or i64 %161, 2
-  %335 = getelementptr inbounds double, ptr %140, i64 %334
-  %336 = load <8 x double>, ptr %335, align 8
-  %337 = fadd <8 x double> %307, %336
-  store <8 x double> %337, ptr %335, align 8
-  %338 = getelementptr inbounds double, ptr %141, i64 %334
-  %339 = load <8 x double>, ptr %338, align 8
-  %340 = fadd <8 x double> %304, %339
-  store <8 x double> %340, ptr %338, align 8
-  %341 = add nuw nsw i64 %161, 8
-  %342 = icmp slt i64 %341, %139
-  br i1 %342, label %160, label %156
+311:                                              ; preds = %351, %223
+  %312 = phi <8 x double> [ %262, %223 ], [ %422, %351 ]
+  %313 = phi <8 x double> [ %260, %223 ], [ %418, %351 ]
+  %314 = phi <8 x double> [ %259, %223 ], [ %426, %351 ]
+  %315 = phi <8 x double> [ %258, %223 ], [ %402, %351 ]
+  %316 = phi <8 x double> [ %254, %223 ], [ %410, %351 ]
+  %317 = phi <8 x double> [ %257, %223 ], [ %414, %351 ]
+  %318 = phi <8 x double> [ %249, %223 ], [ %400, %351 ]
+  %319 = phi <8 x double> [ %252, %223 ], [ %406, %351 ]
+  %320 = phi <8 x double> [ %247, %223 ], [ %398, %351 ]
+  %321 = getelementptr inbounds double, ptr %148, i64 %169
+  %322 = load <8 x double>, ptr %321, align 8
+  %323 = fadd <8 x double> %320, %322
+  store <8 x double> %323, ptr %321, align 8
+  %324 = getelementptr inbounds double, ptr %149, i64 %169
+  %325 = load <8 x double>, ptr %324, align 8
+  %326 = fadd <8 x double> %319, %325
+  store <8 x double> %326, ptr %324, align 8
+  %327 = getelementptr inbounds double, ptr %150, i64 %169
+  %328 = load <8 x double>, ptr %327, align 8
+  %329 = fadd <8 x double> %316, %328
+  store <8 x double> %329, ptr %327, align 8
+  %330 = getelementptr inbounds double, ptr %151, i64 %169
+  %331 = load <8 x double>, ptr %330, align 8
+  %332 = fadd <8 x double> %314, %331
+  store <8 x double> %332, ptr %330, align 8
+  %333 = getelementptr inbounds double, ptr %148, i64 %229
+  %334 = load <8 x double>, ptr %333, align 8
+  %335 = fadd <8 x double> %318, %334
+  store <8 x double> %335, ptr %333, align 8
+  %336 = getelementptr inbounds double, ptr %149, i64 %229
+  %337 = load <8 x double>, ptr %336, align 8
+  %338 = fadd <8 x double> %317, %337
+  store <8 x double> %338, ptr %336, align 8
+  %339 = getelementptr inbounds double, ptr %150, i64 %229
+  %340 = load <8 x double>, ptr %339, align 8
+  %341 = fadd <8 x double> %313, %340
+  store <8 x double> %341, ptr %339, align 8
+  %342 = or i64 %169, 2
+  %343 = getelementptr inbounds double, ptr %148, i64 %342
+  %344 = load <8 x double>, ptr %343, align 8
+  %345 = fadd <8 x double> %315, %344
+  store <8 x double> %345, ptr %343, align 8
+  %346 = getelementptr inbounds double, ptr %149, i64 %342
+  %347 = load <8 x double>, ptr %346, align 8
+  %348 = fadd <8 x double> %312, %347
+  store <8 x double> %348, ptr %346, align 8
+  %349 = add nuw nsw i64 %169, 8
+  %350 = icmp slt i64 %349, %147
+  br i1 %350, label %168, label %164
 
-343:                                              ; preds = %343, %260
-  %344 = phi <8 x double> [ %239, %260 ], [ %390, %343 ]
-  %345 = phi <8 x double> [ %244, %260 ], [ %398, %343 ]
-  %346 = phi <8 x double> [ %241, %260 ], [ %392, %343 ]
-  %347 = phi <8 x double> [ %249, %260 ], [ %406, %343 ]
-  %348 = phi <8 x double> [ %246, %260 ], [ %402, %343 ]
-  %349 = phi <8 x double> [ %250, %260 ], [ %394, %343 ]
-  %350 = phi <8 x double> [ %251, %260 ], [ %418, %343 ]
-  %351 = phi <8 x double> [ %252, %260 ], [ %410, %343 ]
-  %352 = phi <8 x double> [ %254, %260 ], [ %414, %343 ]
-  %353 = phi i64 [ 0, %260 ], [ %419, %343 ]
-  %354 = mul nsw i64 %353, %139
-  %355 = add nsw i64 %354, %161
-  %356 = getelementptr inbounds double, ptr %261, i64 %355
-  %357 = load <8 x double>, ptr %356, align 8
-  %358 = getelementptr inbounds double, ptr %262, i64 %355
-  %359 = load <8 x double>, ptr %358, align 8
-  %360 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %359
-  %361 = getelementptr inbounds double, ptr %263, i64 %355
-  %362 = load <8 x double>, ptr %361, align 8
-  %363 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %362
-  %364 = getelementptr inbounds double, ptr %264, i64 %355
+351:                                              ; preds = %351, %268
+  %352 = phi <8 x double> [ %247, %268 ], [ %398, %351 ]
+  %353 = phi <8 x double> [ %252, %268 ], [ %406, %351 ]
+  %354 = phi <8 x double> [ %249, %268 ], [ %400, %351 ]
+  %355 = phi <8 x double> [ %257, %268 ], [ %414, %351 ]
+  %356 = phi <8 x double> [ %254, %268 ], [ %410, %351 ]
+  %357 = phi <8 x double> [ %258, %268 ], [ %402, %351 ]
+  %358 = phi <8 x double> [ %259, %268 ], [ %426, %351 ]
+  %359 = phi <8 x double> [ %260, %268 ], [ %418, %351 ]
+  %360 = phi <8 x double> [ %262, %268 ], [ %422, %351 ]
+  %361 = phi i64 [ 0, %268 ], [ %427, %351 ]
+  %362 = mul nsw i64 %361, %147
+  %363 = add nsw i64 %362, %169
+  %364 = getelementptr inbounds double, ptr %269, i64 %363
   %365 = load <8 x double>, ptr %364, align 8
-  %366 = add nsw i64 %355, 1
-  %367 = getelementptr inbounds double, ptr %264, i64 %366
-  %368 = load <8 x double>, ptr %367, align 8
-  %369 = getelementptr inbounds double, ptr %265, i64 %355
+  %366 = getelementptr inbounds double, ptr %270, i64 %363
+  %367 = load <8 x double>, ptr %366, align 8
+  %368 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %367
+  %369 = getelementptr inbounds double, ptr %271, i64 %363
   %370 = load <8 x double>, ptr %369, align 8
-  %371 = fsub <8 x double> %368, %370
-  %372 = getelementptr inbounds double, ptr %265, i64 %366
+  %371 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %370
+  %372 = getelementptr inbounds double, ptr %272, i64 %363
   %373 = load <8 x double>, ptr %372, align 8
-  %374 = fmul <8 x double> %255, %357
-  %375 = fadd <8 x double> %374, %365
-  %376 = fmul <8 x double> %360, %375
-  %377 = fsub <8 x double> %374, %365
-  %378 = fmul <8 x double> %363, %377
-  %379 = fmul <8 x double> %256, %357
-  %380 = fsub <8 x double> %379, %371
-  %381 = fmul <8 x double> %360, %380
-  %382 = fadd <8 x double> %379, %371
-  %383 = fmul <8 x double> %363, %382
-  %384 = fmul <8 x double> %257, %357
-  %385 = fsub <8 x double> %384, %373
-  %386 = fmul <8 x double> %360, %385
-  %387 = fadd <8 x double> %384, %373
-  %388 = fmul <8 x double> %363, %387
-  %389 = fadd <8 x double> %376, %378
-  %390 = fsub <8 x double> %344, %389
-  %391 = fadd <8 x double> %381, %383
-  %392 = fsub <8 x double> %346, %391
-  %393 = fadd <8 x double> %386, %388
-  %394 = fsub <8 x double> %349, %393
-  %395 = fmul <8 x double> %376, %376
-  %396 = fmul <8 x double> %378, %378
-  %397 = fadd <8 x double> %395, %396
-  %398 = fadd <8 x double> %345, %397
-  %399 = fmul <8 x double> %376, %381
-  %400 = fmul <8 x double> %378, %383
-  %401 = fadd <8 x double> %399, %400
-  %402 = fadd <8 x double> %348, %401
-  %403 = fmul <8 x double> %381, %381
-  %404 = fmul <8 x double> %383, %383
+  %374 = add nsw i64 %363, 1
+  %375 = getelementptr inbounds double, ptr %272, i64 %374
+  %376 = load <8 x double>, ptr %375, align 8
+  %377 = getelementptr inbounds double, ptr %273, i64 %363
+  %378 = load <8 x double>, ptr %377, align 8
+  %379 = fsub <8 x double> %376, %378
+  %380 = getelementptr inbounds double, ptr %273, i64 %374
+  %381 = load <8 x double>, ptr %380, align 8
+  %382 = fmul <8 x double> %263, %365
+  %383 = fadd <8 x double> %382, %373
+  %384 = fmul <8 x double> %368, %383
+  %385 = fsub <8 x double> %382, %373
+  %386 = fmul <8 x double> %371, %385
+  %387 = fmul <8 x double> %264, %365
+  %388 = fsub <8 x double> %387, %379
+  %389 = fmul <8 x double> %368, %388
+  %390 = fadd <8 x double> %387, %379
+  %391 = fmul <8 x double> %371, %390
+  %392 = fmul <8 x double> %265, %365
+  %393 = fsub <8 x double> %392, %381
+  %394 = fmul <8 x double> %368, %393
+  %395 = fadd <8 x double> %392, %381
+  %396 = fmul <8 x double> %371, %395
+  %397 = fadd <8 x double> %384, %386
+  %398 = fsub <8 x double> %352, %397
+  %399 = fadd <8 x double> %389, %391
+  %400 = fsub <8 x double> %354, %399
+  %401 = fadd <8 x double> %394, %396
+  %402 = fsub <8 x double> %357, %401
+  %403 = fmul <8 x double> %384, %384
+  %404 = fmul <8 x double> %386, %386
   %405 = fadd <8 x double> %403, %404
-  %406 = fadd <8 x double> %347, %405
-  %407 = fmul <8 x double> %381, %386
-  %408 = fmul <8 x double> %383, %388
+  %406 = fadd <8 x double> %353, %405
+  %407 = fmul <8 x double> %384, %389
+  %408 = fmul <8 x double> %386, %391
   %409 = fadd <8 x double> %407, %408
-  %410 = fadd <8 x double> %351, %409
-  %411 = fmul <8 x double> %386, %386
-  %412 = fmul <8 x double> %388, %388
+  %410 = fadd <8 x double> %356, %409
+  %411 = fmul <8 x double> %389, %389
+  %412 = fmul <8 x double> %391, %391
   %413 = fadd <8 x double> %411, %412
-  %414 = fadd <8 x double> %352, %413
-  %415 = fmul <8 x double> %376, %386
-  %416 = fmul <8 x double> %378, %388
+  %414 = fadd <8 x double> %355, %413
+  %415 = fmul <8 x double> %389, %394
+  %416 = fmul <8 x double> %391, %396
   %417 = fadd <8 x double> %415, %416
-  %418 = fadd <8 x double> %350, %417
-  %419 = add nuw nsw i64 %353, 1
-  %420 = icmp eq i64 %419, %258
-  br i1 %420, label %303, label %343
+  %418 = fadd <8 x double> %359, %417
+  %419 = fmul <8 x double> %394, %394
+  %420 = fmul <8 x double> %396, %396
+  %421 = fadd <8 x double> %419, %420
+  %422 = fadd <8 x double> %360, %421
+  %423 = fmul <8 x double> %384, %394
+  %424 = fmul <8 x double> %386, %396
+  %425 = fadd <8 x double> %423, %424
+  %426 = fadd <8 x double> %358, %425
+  %427 = add nuw nsw i64 %361, 1
+  %428 = icmp eq i64 %427, %266
+  br i1 %428, label %311, label %351
 
-421:                                              ; preds = %470, %156
-  %422 = phi i1 [ true, %156 ], [ false, %470 ]
-  %423 = phi i64 [ 0, %156 ], [ 1, %470 ]
-  %424 = select i1 %422, i64 0, i64 %157
-  %425 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 15, i64 %423
-  %426 = load double, ptr %425, align 8
-  %427 = fcmp oeq double %426, 0.000000e+00
-  br i1 %427, label %430, label %428
+429:                                              ; preds = %478, %164
+  %430 = phi i1 [ true, %164 ], [ false, %478 ]
+  %431 = phi i64 [ 0, %164 ], [ 1, %478 ]
+  %432 = select i1 %430, i64 0, i64 %165
+  %433 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 15, i64 %431
+  %434 = load double, ptr %433, align 8
+  %435 = fcmp oeq double %434, 0.000000e+00
+  br i1 %435, label %438, label %436
 
-428:                                              ; preds = %421
-  %429 = add nsw i64 %424, 1
-  br label %470
+436:                                              ; preds = %429
+  %437 = add nsw i64 %432, 1
+  br label %478
 
-430:                                              ; preds = %421
-  %431 = getelementptr inbounds double, ptr %159, i64 %424
-  %432 = load double, ptr %431, align 8
-  %433 = fmul double %432, %432
-  %434 = fmul double %432, %433
-  %435 = load ptr, ptr %98, align 8
-  %436 = getelementptr inbounds double, ptr %435, i64 %424
-  %437 = load double, ptr %436, align 8
-  %438 = fsub double 1.000000e+00, %437
-  %439 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 17, i64 %423
+438:                                              ; preds = %429
+  %439 = getelementptr inbounds double, ptr %167, i64 %432
   %440 = load double, ptr %439, align 8
-  %441 = fmul double %127, %440
-  %442 = fdiv double %441, %434
-  %443 = fmul double %128, %440
-  %444 = fmul double %432, %434
-  %445 = fmul double %432, %444
-  %446 = fdiv double %443, %445
-  %447 = fmul double %437, %442
-  %448 = getelementptr inbounds double, ptr %140, i64 %424
-  %449 = load double, ptr %448, align 8
-  %450 = fadd double %449, %447
-  store double %450, ptr %448, align 8
-  %451 = fmul double %438, %442
-  %452 = add nsw i64 %424, 1
-  %453 = getelementptr inbounds double, ptr %140, i64 %452
-  %454 = load double, ptr %453, align 8
-  %455 = fadd double %454, %451
-  store double %455, ptr %453, align 8
-  %456 = fmul double %437, %446
-  %457 = fmul double %437, %456
-  %458 = getelementptr inbounds double, ptr %141, i64 %424
-  %459 = load double, ptr %458, align 8
-  %460 = fadd double %457, %459
-  store double %460, ptr %458, align 8
-  %461 = fmul double %438, %456
-  %462 = getelementptr inbounds double, ptr %142, i64 %424
-  %463 = load double, ptr %462, align 8
-  %464 = fadd double %461, %463
-  store double %464, ptr %462, align 8
-  %465 = fmul double %438, %446
-  %466 = fmul double %438, %465
-  %467 = getelementptr inbounds double, ptr %141, i64 %452
-  %468 = load double, ptr %467, align 8
-  %469 = fadd double %466, %468
-  store double %469, ptr %467, align 8
-  br label %470
+  %441 = fmul double %440, %440
+  %442 = fmul double %440, %441
+  %443 = load ptr, ptr %101, align 8
+  %444 = getelementptr inbounds double, ptr %443, i64 %432
+  %445 = load double, ptr %444, align 8
+  %446 = fsub double 1.000000e+00, %445
+  %447 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 17, i64 %431
+  %448 = load double, ptr %447, align 8
+  %449 = fmul double %135, %448
+  %450 = fdiv double %449, %442
+  %451 = fmul double %136, %448
+  %452 = fmul double %440, %442
+  %453 = fmul double %440, %452
+  %454 = fdiv double %451, %453
+  %455 = fmul double %445, %450
+  %456 = getelementptr inbounds double, ptr %148, i64 %432
+  %457 = load double, ptr %456, align 8
+  %458 = fadd double %457, %455
+  store double %458, ptr %456, align 8
+  %459 = fmul double %446, %450
+  %460 = add nsw i64 %432, 1
+  %461 = getelementptr inbounds double, ptr %148, i64 %460
+  %462 = load double, ptr %461, align 8
+  %463 = fadd double %462, %459
+  store double %463, ptr %461, align 8
+  %464 = fmul double %445, %454
+  %465 = fmul double %445, %464
+  %466 = getelementptr inbounds double, ptr %149, i64 %432
+  %467 = load double, ptr %466, align 8
+  %468 = fadd double %465, %467
+  store double %468, ptr %466, align 8
+  %469 = fmul double %446, %464
+  %470 = getelementptr inbounds double, ptr %150, i64 %432
+  %471 = load double, ptr %470, align 8
+  %472 = fadd double %469, %471
+  store double %472, ptr %470, align 8
+  %473 = fmul double %446, %454
+  %474 = fmul double %446, %473
+  %475 = getelementptr inbounds double, ptr %149, i64 %460
+  %476 = load double, ptr %475, align 8
+  %477 = fadd double %474, %476
+  store double %477, ptr %475, align 8
+  br label %478
 
-470:                                              ; preds = %430, %428
-  %471 = phi i64 [ %429, %428 ], [ %452, %430 ]
-  %472 = getelementptr inbounds double, ptr %158, i64 %424
-  %473 = load double, ptr %472, align 8
-  %474 = getelementptr inbounds %struct.State, ptr %7, i64 0, i32 10, i64 %423
-  %475 = load double, ptr %474, align 8
-  %476 = fdiv double %473, %475
-  %477 = fmul double %476, %476
-  %478 = fneg double %476
-  %479 = select i1 %422, double %478, double %476
-  %480 = getelementptr inbounds double, ptr %140, i64 %424
+478:                                              ; preds = %438, %436
+  %479 = phi i64 [ %437, %436 ], [ %460, %438 ]
+  %480 = getelementptr inbounds double, ptr %166, i64 %432
   %481 = load double, ptr %480, align 8
-  %482 = fadd double %481, %479
-  store double %482, ptr %480, align 8
-  %483 = select i1 %422, double %476, double %478
-  %484 = getelementptr inbounds double, ptr %140, i64 %471
-  %485 = load double, ptr %484, align 8
-  %486 = fadd double %483, %485
-  store double %486, ptr %484, align 8
-  %487 = getelementptr inbounds double, ptr %141, i64 %424
-  %488 = load double, ptr %487, align 8
-  %489 = fadd double %477, %488
-  store double %489, ptr %487, align 8
-  %490 = getelementptr inbounds double, ptr %141, i64 %471
-  %491 = load double, ptr %490, align 8
-  %492 = fadd double %477, %491
-  store double %492, ptr %490, align 8
-  %493 = getelementptr inbounds double, ptr %142, i64 %424
-  %494 = load double, ptr %493, align 8
-  %495 = fsub double %494, %477
-  store double %495, ptr %493, align 8
-  br i1 %422, label %421, label %496
-
-496:                                              ; preds = %470
-  %497 = load double, ptr %105, align 8
-  %498 = load double, ptr %106, align 8
-  %499 = load double, ptr %140, align 8
-  %500 = fmul double %497, %499
-  %501 = getelementptr inbounds double, ptr %140, i64 1
+  %482 = getelementptr inbounds %struct.State, ptr %7, i64 0, i32 10, i64 %431
+  %483 = load double, ptr %482, align 8
+  %484 = fdiv double %481, %483
+  %485 = fmul double %484, %484
+  %486 = fneg double %484
+  %487 = select i1 %430, double %486, double %484
+  %488 = getelementptr inbounds double, ptr %148, i64 %432
+  %489 = load double, ptr %488, align 8
+  %490 = fadd double %489, %487
+  store double %490, ptr %488, align 8
+  %491 = select i1 %430, double %484, double %486
+  %492 = getelementptr inbounds double, ptr %148, i64 %479
+  %493 = load double, ptr %492, align 8
+  %494 = fadd double %491, %493
+  store double %494, ptr %492, align 8
+  %495 = getelementptr inbounds double, ptr %149, i64 %432
+  %496 = load double, ptr %495, align 8
+  %497 = fadd double %485, %496
+  store double %497, ptr %495, align 8
+  %498 = getelementptr inbounds double, ptr %149, i64 %479
+  %499 = load double, ptr %498, align 8
+  %500 = fadd double %485, %499
+  store double %500, ptr %498, align 8
+  %501 = getelementptr inbounds double, ptr %150, i64 %432
   %502 = load double, ptr %501, align 8
-  %503 = fadd double %502, %500
+  %503 = fsub double %502, %485
   store double %503, ptr %501, align 8
-  %504 = fmul double %497, 2.000000e+00
-  %505 = load double, ptr %142, align 8
-  %506 = fmul double %504, %505
-  %507 = fmul double %497, %497
-  %508 = load double, ptr %141, align 8
-  %509 = fmul double %507, %508
-  %510 = fadd double %506, %509
-  %511 = getelementptr inbounds double, ptr %141, i64 1
-  %512 = load double, ptr %511, align 8
-  %513 = fadd double %512, %510
-  store double %513, ptr %511, align 8
-  %514 = load double, ptr %143, align 8
-  %515 = fmul double %497, %514
-  %516 = getelementptr inbounds double, ptr %142, i64 1
-  %517 = load double, ptr %516, align 8
-  %518 = fadd double %517, %515
-  store double %518, ptr %516, align 8
-  %519 = getelementptr inbounds double, ptr %140, i64 %138
+  br i1 %430, label %429, label %504
+
+504:                                              ; preds = %478
+  %505 = load double, ptr %108, align 8
+  %506 = load double, ptr %109, align 8
+  %507 = load double, ptr %148, align 8
+  %508 = fmul double %505, %507
+  %509 = getelementptr inbounds double, ptr %148, i64 1
+  %510 = load double, ptr %509, align 8
+  %511 = fadd double %510, %508
+  store double %511, ptr %509, align 8
+  %512 = fmul double %505, 2.000000e+00
+  %513 = load double, ptr %150, align 8
+  %514 = fmul double %512, %513
+  %515 = fmul double %505, %505
+  %516 = load double, ptr %149, align 8
+  %517 = fmul double %515, %516
+  %518 = fadd double %514, %517
+  %519 = getelementptr inbounds double, ptr %149, i64 1
   %520 = load double, ptr %519, align 8
-  %521 = fmul double %498, %520
-  %522 = getelementptr inbounds double, ptr %140, i64 %157
-  %523 = load double, ptr %522, align 8
-  %524 = fadd double %523, %521
-  store double %524, ptr %522, align 8
-  %525 = fmul double %498, 2.000000e+00
-  %526 = getelementptr inbounds double, ptr %142, i64 %157
-  %527 = load double, ptr %526, align 8
-  %528 = fmul double %525, %527
-  %529 = fmul double %498, %498
-  %530 = getelementptr inbounds double, ptr %141, i64 %138
+  %521 = fadd double %520, %518
+  store double %521, ptr %519, align 8
+  %522 = load double, ptr %151, align 8
+  %523 = fmul double %505, %522
+  %524 = getelementptr inbounds double, ptr %150, i64 1
+  %525 = load double, ptr %524, align 8
+  %526 = fadd double %525, %523
+  store double %526, ptr %524, align 8
+  %527 = getelementptr inbounds double, ptr %148, i64 %146
+  %528 = load double, ptr %527, align 8
+  %529 = fmul double %506, %528
+  %530 = getelementptr inbounds double, ptr %148, i64 %165
   %531 = load double, ptr %530, align 8
-  %532 = fmul double %529, %531
-  %533 = fadd double %528, %532
-  %534 = getelementptr inbounds double, ptr %141, i64 %157
+  %532 = fadd double %531, %529
+  store double %532, ptr %530, align 8
+  %533 = fmul double %506, 2.000000e+00
+  %534 = getelementptr inbounds double, ptr %150, i64 %165
   %535 = load double, ptr %534, align 8
-  %536 = fadd double %535, %533
-  store double %536, ptr %534, align 8
-  %537 = add nsw i64 %138, -2
-  %538 = getelementptr inbounds double, ptr %143, i64 %537
+  %536 = fmul double %533, %535
+  %537 = fmul double %506, %506
+  %538 = getelementptr inbounds double, ptr %149, i64 %146
   %539 = load double, ptr %538, align 8
-  %540 = fmul double %498, %539
-  %541 = getelementptr inbounds double, ptr %142, i64 %537
-  %542 = load double, ptr %541, align 8
-  %543 = fadd double %542, %540
-  store double %543, ptr %541, align 8
+  %540 = fmul double %537, %539
+  %541 = fadd double %536, %540
+  %542 = getelementptr inbounds double, ptr %149, i64 %165
+  %543 = load double, ptr %542, align 8
+  %544 = fadd double %543, %541
+  store double %544, ptr %542, align 8
+  %545 = add nsw i64 %146, -2
+  %546 = getelementptr inbounds double, ptr %151, i64 %545
+  %547 = load double, ptr %546, align 8
+  %548 = fmul double %506, %547
+  %549 = getelementptr inbounds double, ptr %150, i64 %545
+  %550 = load double, ptr %549, align 8
+  %551 = fadd double %550, %548
+  store double %551, ptr %549, align 8
   call void @llvm.lifetime.end.p0(i64 40, ptr nonnull %4)
-  %544 = load ptr, ptr %8, align 8
-  %545 = getelementptr inbounds double, ptr %544, i64 1
-  %546 = load ptr, ptr %23, align 8
-  %547 = getelementptr inbounds double, ptr %546, i64 1
-  %548 = load ptr, ptr %25, align 8
-  %549 = getelementptr inbounds double, ptr %548, i64 1
-  %550 = load ptr, ptr %27, align 8
-  %551 = getelementptr inbounds double, ptr %550, i64 1
-  %552 = load ptr, ptr %29, align 8
-  %553 = load ptr, ptr %31, align 8
-  %554 = load ptr, ptr %33, align 8
-  %555 = load ptr, ptr %35, align 8
-  br i1 %129, label %557, label %698
+  %552 = load ptr, ptr %8, align 8
+  %553 = getelementptr inbounds double, ptr %552, i64 1
+  %554 = load ptr, ptr %23, align 8
+  %555 = getelementptr inbounds double, ptr %554, i64 1
+  %556 = load ptr, ptr %25, align 8
+  %557 = getelementptr inbounds double, ptr %556, i64 1
+  %558 = load ptr, ptr %27, align 8
+  %559 = getelementptr inbounds double, ptr %558, i64 1
+  %560 = load ptr, ptr %29, align 8
+  %561 = load ptr, ptr %31, align 8
+  %562 = load ptr, ptr %33, align 8
+  %563 = load ptr, ptr %35, align 8
+  br i1 %137, label %565, label %706
 
-556:                                              ; preds = %557
-  br i1 %131, label %567, label %594
+564:                                              ; preds = %565
+  br i1 %139, label %575, label %602
 
-557:                                              ; preds = %496, %557
-  %558 = phi i64 [ %564, %557 ], [ 0, %496 ]
-  %559 = getelementptr inbounds double, ptr %547, i64 %558
-  %560 = load double, ptr %559, align 8
-  %561 = call double @llvm.sqrt.f64(double %560)
-  %562 = fdiv double 1.000000e+00, %561
-  %563 = getelementptr inbounds double, ptr %552, i64 %558
-  store double %562, ptr %563, align 8
-  %564 = add nuw nsw i64 %558, 1
-  %565 = icmp eq i64 %564, %118
-  br i1 %565, label %556, label %557
+565:                                              ; preds = %504, %565
+  %566 = phi i64 [ %572, %565 ], [ 0, %504 ]
+  %567 = getelementptr inbounds double, ptr %555, i64 %566
+  %568 = load double, ptr %567, align 8
+  %569 = call double @llvm.sqrt.f64(double %568)
+  %570 = fdiv double 1.000000e+00, %569
+  %571 = getelementptr inbounds double, ptr %560, i64 %566
+  store double %570, ptr %571, align 8
+  %572 = add nuw nsw i64 %566, 1
+  %573 = icmp eq i64 %572, %126
+  br i1 %573, label %564, label %565
 
-566:                                              ; preds = %567
-  br i1 %132, label %580, label %594
+574:                                              ; preds = %575
+  br i1 %140, label %588, label %602
 
-567:                                              ; preds = %556, %567
-  %568 = phi i64 [ %573, %567 ], [ 0, %556 ]
-  %569 = getelementptr inbounds double, ptr %549, i64 %568
-  %570 = load double, ptr %569, align 8
-  %571 = getelementptr inbounds double, ptr %552, i64 %568
-  %572 = load double, ptr %571, align 8
-  %573 = add nuw nsw i64 %568, 1
-  %574 = getelementptr inbounds double, ptr %552, i64 %573
-  %575 = load double, ptr %574, align 8
-  %576 = fmul double %572, %575
-  %577 = fmul double %570, %576
-  %578 = getelementptr inbounds double, ptr %553, i64 %573
-  store double %577, ptr %578, align 8
-  %579 = icmp eq i64 %573, %130
-  br i1 %579, label %566, label %567
-
-580:                                              ; preds = %566, %580
-  %581 = phi i64 [ %592, %580 ], [ 0, %566 ]
-  %582 = getelementptr inbounds double, ptr %551, i64 %581
+575:                                              ; preds = %564, %575
+  %576 = phi i64 [ %581, %575 ], [ 0, %564 ]
+  %577 = getelementptr inbounds double, ptr %557, i64 %576
+  %578 = load double, ptr %577, align 8
+  %579 = getelementptr inbounds double, ptr %560, i64 %576
+  %580 = load double, ptr %579, align 8
+  %581 = add nuw nsw i64 %576, 1
+  %582 = getelementptr inbounds double, ptr %560, i64 %581
   %583 = load double, ptr %582, align 8
-  %584 = getelementptr inbounds double, ptr %552, i64 %581
-  %585 = load double, ptr %584, align 8
-  %586 = add nuw nsw i64 %581, 2
-  %587 = getelementptr inbounds double, ptr %552, i64 %586
-  %588 = load double, ptr %587, align 8
-  %589 = fmul double %585, %588
-  %590 = fmul double %583, %589
-  %591 = getelementptr inbounds double, ptr %554, i64 %586
-  store double %590, ptr %591, align 8
-  %592 = add nuw nsw i64 %581, 1
-  %593 = icmp eq i64 %581, %133
-  br i1 %593, label %594, label %580
+  %584 = fmul double %580, %583
+  %585 = fmul double %578, %584
+  %586 = getelementptr inbounds double, ptr %561, i64 %581
+  store double %585, ptr %586, align 8
+  %587 = icmp eq i64 %581, %138
+  br i1 %587, label %574, label %575
 
-594:                                              ; preds = %580, %566, %556
-  br label %595
+588:                                              ; preds = %574, %588
+  %589 = phi i64 [ %600, %588 ], [ 0, %574 ]
+  %590 = getelementptr inbounds double, ptr %559, i64 %589
+  %591 = load double, ptr %590, align 8
+  %592 = getelementptr inbounds double, ptr %560, i64 %589
+  %593 = load double, ptr %592, align 8
+  %594 = add nuw nsw i64 %589, 2
+  %595 = getelementptr inbounds double, ptr %560, i64 %594
+  %596 = load double, ptr %595, align 8
+  %597 = fmul double %593, %596
+  %598 = fmul double %591, %597
+  %599 = getelementptr inbounds double, ptr %562, i64 %594
+  store double %598, ptr %599, align 8
+  %600 = add nuw nsw i64 %589, 1
+  %601 = icmp eq i64 %589, %141
+  br i1 %601, label %602, label %588
 
-595:                                              ; preds = %594, %644
-  %596 = phi i64 [ %650, %644 ], [ 0, %594 ]
-  %597 = getelementptr inbounds double, ptr %552, i64 %596
-  %598 = load double, ptr %597, align 8
-  %599 = getelementptr inbounds double, ptr %545, i64 %596
-  %600 = load double, ptr %599, align 8
-  %601 = fmul double %598, %600
-  %602 = icmp ugt i64 %596, 1
-  br i1 %602, label %603, label %623
+602:                                              ; preds = %588, %574, %564
+  br label %603
 
-603:                                              ; preds = %595
-  %604 = getelementptr inbounds double, ptr %554, i64 %596
-  %605 = load double, ptr %604, align 8
-  %606 = add nsw i64 %596, -2
-  %607 = getelementptr inbounds double, ptr %555, i64 %606
+603:                                              ; preds = %602, %652
+  %604 = phi i64 [ %658, %652 ], [ 0, %602 ]
+  %605 = getelementptr inbounds double, ptr %560, i64 %604
+  %606 = load double, ptr %605, align 8
+  %607 = getelementptr inbounds double, ptr %553, i64 %604
   %608 = load double, ptr %607, align 8
-  %609 = fmul double %605, %608
-  store double %609, ptr %604, align 8
-  %610 = fmul double %605, %609
-  %611 = fsub double 0x3FF000000000002D, %610
-  %612 = getelementptr inbounds double, ptr %115, i64 %606
+  %609 = fmul double %606, %608
+  %610 = icmp ugt i64 %604, 1
+  br i1 %610, label %611, label %631
+
+611:                                              ; preds = %603
+  %612 = getelementptr inbounds double, ptr %562, i64 %604
   %613 = load double, ptr %612, align 8
-  %614 = fmul double %609, %613
-  %615 = fsub double %601, %614
-  %616 = add nsw i64 %596, -1
-  %617 = getelementptr inbounds double, ptr %553, i64 %616
-  %618 = load double, ptr %617, align 8
-  %619 = fmul double %605, %618
-  %620 = getelementptr inbounds double, ptr %553, i64 %596
+  %614 = add nsw i64 %604, -2
+  %615 = getelementptr inbounds double, ptr %563, i64 %614
+  %616 = load double, ptr %615, align 8
+  %617 = fmul double %613, %616
+  store double %617, ptr %612, align 8
+  %618 = fmul double %613, %617
+  %619 = fsub double 0x3FF000000000002D, %618
+  %620 = getelementptr inbounds double, ptr %123, i64 %614
   %621 = load double, ptr %620, align 8
-  %622 = fsub double %621, %619
-  store double %622, ptr %620, align 8
-  br label %628
+  %622 = fmul double %617, %621
+  %623 = fsub double %609, %622
+  %624 = add nsw i64 %604, -1
+  %625 = getelementptr inbounds double, ptr %561, i64 %624
+  %626 = load double, ptr %625, align 8
+  %627 = fmul double %613, %626
+  %628 = getelementptr inbounds double, ptr %561, i64 %604
+  %629 = load double, ptr %628, align 8
+  %630 = fsub double %629, %627
+  store double %630, ptr %628, align 8
+  br label %636
 
-623:                                              ; preds = %595
-  %624 = icmp eq i64 %596, 0
-  br i1 %624, label %644, label %625
+631:                                              ; preds = %603
+  %632 = icmp eq i64 %604, 0
+  br i1 %632, label %652, label %633
 
-625:                                              ; preds = %623
-  %626 = getelementptr inbounds double, ptr %553, i64 %596
-  %627 = load double, ptr %626, align 8
-  br label %628
-
-628:                                              ; preds = %625, %603
-  %629 = phi i64 [ 0, %625 ], [ %616, %603 ]
-  %630 = phi double [ %627, %625 ], [ %622, %603 ]
-  %631 = phi double [ %601, %625 ], [ %615, %603 ]
-  %632 = phi double [ 0x3FF000000000002D, %625 ], [ %611, %603 ]
-  %633 = getelementptr inbounds double, ptr %553, i64 %596
-  %634 = getelementptr inbounds double, ptr %555, i64 %629
+633:                                              ; preds = %631
+  %634 = getelementptr inbounds double, ptr %561, i64 %604
   %635 = load double, ptr %634, align 8
-  %636 = fmul double %630, %635
-  store double %636, ptr %633, align 8
-  %637 = fmul double %630, %636
-  %638 = fsub double %632, %637
-  %639 = getelementptr inbounds double, ptr %115, i64 %629
-  %640 = load double, ptr %639, align 8
-  %641 = fmul double %636, %640
-  %642 = fsub double %631, %641
-  %643 = fcmp ogt double %638, 0.000000e+00
-  br i1 %643, label %644, label %698
+  br label %636
 
-644:                                              ; preds = %628, %623
-  %645 = phi double [ %642, %628 ], [ %601, %623 ]
-  %646 = phi double [ %638, %628 ], [ 0x3FF000000000002D, %623 ]
-  %647 = fdiv double 1.000000e+00, %646
-  %648 = getelementptr inbounds double, ptr %555, i64 %596
-  store double %647, ptr %648, align 8
-  %649 = getelementptr inbounds double, ptr %115, i64 %596
-  store double %645, ptr %649, align 8
-  %650 = add nuw nsw i64 %596, 1
-  %651 = icmp eq i64 %650, %118
-  br i1 %651, label %652, label %595
+636:                                              ; preds = %633, %611
+  %637 = phi i64 [ 0, %633 ], [ %624, %611 ]
+  %638 = phi double [ %635, %633 ], [ %630, %611 ]
+  %639 = phi double [ %609, %633 ], [ %623, %611 ]
+  %640 = phi double [ 0x3FF000000000002D, %633 ], [ %619, %611 ]
+  %641 = getelementptr inbounds double, ptr %561, i64 %604
+  %642 = getelementptr inbounds double, ptr %563, i64 %637
+  %643 = load double, ptr %642, align 8
+  %644 = fmul double %638, %643
+  store double %644, ptr %641, align 8
+  %645 = fmul double %638, %644
+  %646 = fsub double %640, %645
+  %647 = getelementptr inbounds double, ptr %123, i64 %637
+  %648 = load double, ptr %647, align 8
+  %649 = fmul double %644, %648
+  %650 = fsub double %639, %649
+  %651 = fcmp ogt double %646, 0.000000e+00
+  br i1 %651, label %652, label %706
 
-652:                                              ; preds = %644, %679
-  %653 = phi i64 [ %681, %679 ], [ %130, %644 ]
-  %654 = getelementptr inbounds double, ptr %115, i64 %653
-  %655 = load double, ptr %654, align 8
-  %656 = getelementptr inbounds double, ptr %555, i64 %653
-  %657 = load double, ptr %656, align 8
-  %658 = fmul double %655, %657
-  %659 = add nuw nsw i64 %653, 1
-  %660 = icmp slt i64 %659, %118
-  br i1 %660, label %661, label %668
+652:                                              ; preds = %636, %631
+  %653 = phi double [ %650, %636 ], [ %609, %631 ]
+  %654 = phi double [ %646, %636 ], [ 0x3FF000000000002D, %631 ]
+  %655 = fdiv double 1.000000e+00, %654
+  %656 = getelementptr inbounds double, ptr %563, i64 %604
+  store double %655, ptr %656, align 8
+  %657 = getelementptr inbounds double, ptr %123, i64 %604
+  store double %653, ptr %657, align 8
+  %658 = add nuw nsw i64 %604, 1
+  %659 = icmp eq i64 %658, %126
+  br i1 %659, label %660, label %603
 
-661:                                              ; preds = %652
-  %662 = getelementptr inbounds double, ptr %553, i64 %659
+660:                                              ; preds = %652, %687
+  %661 = phi i64 [ %689, %687 ], [ %138, %652 ]
+  %662 = getelementptr inbounds double, ptr %123, i64 %661
   %663 = load double, ptr %662, align 8
-  %664 = getelementptr inbounds double, ptr %115, i64 %659
+  %664 = getelementptr inbounds double, ptr %563, i64 %661
   %665 = load double, ptr %664, align 8
   %666 = fmul double %663, %665
-  %667 = fsub double %658, %666
-  br label %668
+  %667 = add nuw nsw i64 %661, 1
+  %668 = icmp slt i64 %667, %126
+  br i1 %668, label %669, label %676
 
-668:                                              ; preds = %661, %652
-  %669 = phi double [ %667, %661 ], [ %658, %652 ]
-  %670 = add nuw nsw i64 %653, 2
-  %671 = icmp slt i64 %670, %118
-  br i1 %671, label %672, label %679
+669:                                              ; preds = %660
+  %670 = getelementptr inbounds double, ptr %561, i64 %667
+  %671 = load double, ptr %670, align 8
+  %672 = getelementptr inbounds double, ptr %123, i64 %667
+  %673 = load double, ptr %672, align 8
+  %674 = fmul double %671, %673
+  %675 = fsub double %666, %674
+  br label %676
 
-672:                                              ; preds = %668
-  %673 = getelementptr inbounds double, ptr %554, i64 %670
-  %674 = load double, ptr %673, align 8
-  %675 = getelementptr inbounds double, ptr %115, i64 %670
-  %676 = load double, ptr %675, align 8
-  %677 = fmul double %674, %676
-  %678 = fsub double %669, %677
-  br label %679
+676:                                              ; preds = %669, %660
+  %677 = phi double [ %675, %669 ], [ %666, %660 ]
+  %678 = add nuw nsw i64 %661, 2
+  %679 = icmp slt i64 %678, %126
+  br i1 %679, label %680, label %687
 
-679:                                              ; preds = %672, %668
-  %680 = phi double [ %678, %672 ], [ %669, %668 ]
-  store double %680, ptr %654, align 8
-  %681 = add nsw i64 %653, -1
-  %682 = icmp sgt i64 %653, 0
-  br i1 %682, label %652, label %683
+680:                                              ; preds = %676
+  %681 = getelementptr inbounds double, ptr %562, i64 %678
+  %682 = load double, ptr %681, align 8
+  %683 = getelementptr inbounds double, ptr %123, i64 %678
+  %684 = load double, ptr %683, align 8
+  %685 = fmul double %682, %684
+  %686 = fsub double %677, %685
+  br label %687
 
-683:                                              ; preds = %679, %683
-  %684 = phi i64 [ %696, %683 ], [ 0, %679 ]
-  %685 = phi double [ %695, %683 ], [ 0.000000e+00, %679 ]
-  %686 = getelementptr inbounds double, ptr %552, i64 %684
-  %687 = load double, ptr %686, align 8
-  %688 = fneg double %687
-  %689 = getelementptr inbounds double, ptr %115, i64 %684
-  %690 = load double, ptr %689, align 8
-  %691 = fmul double %690, %688
-  store double %691, ptr %689, align 8
-  %692 = getelementptr inbounds double, ptr %545, i64 %684
-  %693 = load double, ptr %692, align 8
-  %694 = fmul double %691, %693
-  %695 = fsub double %685, %694
-  %696 = add nuw nsw i64 %684, 1
-  %697 = icmp eq i64 %696, %118
-  br i1 %697, label %698, label %683
+687:                                              ; preds = %680, %676
+  %688 = phi double [ %686, %680 ], [ %677, %676 ]
+  store double %688, ptr %662, align 8
+  %689 = add nsw i64 %661, -1
+  %690 = icmp sgt i64 %661, 0
+  br i1 %690, label %660, label %691
 
-698:                                              ; preds = %628, %683, %496
-  %699 = phi double [ 0.000000e+00, %496 ], [ %695, %683 ], [ 0x7FF8000000000000, %628 ]
-  %700 = call double @llvm.fabs.f64(double %699) #10
-  %701 = fcmp ueq double %700, 0x7FF0000000000000
-  br i1 %701, label %744, label %702
+691:                                              ; preds = %687, %691
+  %692 = phi i64 [ %704, %691 ], [ 0, %687 ]
+  %693 = phi double [ %703, %691 ], [ 0.000000e+00, %687 ]
+  %694 = getelementptr inbounds double, ptr %560, i64 %692
+  %695 = load double, ptr %694, align 8
+  %696 = fneg double %695
+  %697 = getelementptr inbounds double, ptr %123, i64 %692
+  %698 = load double, ptr %697, align 8
+  %699 = fmul double %698, %696
+  store double %699, ptr %697, align 8
+  %700 = getelementptr inbounds double, ptr %553, i64 %692
+  %701 = load double, ptr %700, align 8
+  %702 = fmul double %699, %701
+  %703 = fsub double %693, %702
+  %704 = add nuw nsw i64 %692, 1
+  %705 = icmp eq i64 %704, %126
+  br i1 %705, label %706, label %691
 
-702:                                              ; preds = %698
-  %703 = load double, ptr %107, align 8
-  %704 = fcmp olt double %699, %703
-  br i1 %704, label %744, label %705
+706:                                              ; preds = %636, %691, %504
+  %707 = phi double [ 0.000000e+00, %504 ], [ %703, %691 ], [ 0x7FF8000000000000, %636 ]
+  %708 = call double @llvm.fabs.f64(double %707) #10
+  %709 = fcmp ueq double %708, 0x7FF0000000000000
+  %710 = fcmp olt double %707, %122
+  %711 = select i1 %709, i1 true, i1 %710
+  br i1 %711, label %750, label %712
 
-705:                                              ; preds = %702, %733
-  %706 = phi double [ %734, %733 ], [ 1.000000e+00, %702 ]
-  br i1 %129, label %712, label %709
+712:                                              ; preds = %706, %740
+  %713 = phi double [ %741, %740 ], [ 1.000000e+00, %706 ]
+  br i1 %137, label %719, label %716
 
-707:                                              ; preds = %733
-  %708 = call fastcc i32 @look(ptr noundef nonnull %0, ptr noundef %2, ptr noundef nonnull %7)
-  br label %744
+714:                                              ; preds = %740
+  %715 = call fastcc i32 @look(ptr noundef nonnull %0, ptr noundef %2, ptr noundef nonnull %7)
+  br label %750
 
-709:                                              ; preds = %712, %705
-  %710 = call fastcc i32 @look(ptr noundef nonnull %0, ptr noundef %116, ptr noundef nonnull %7)
-  %711 = icmp eq i32 %710, 0
-  br i1 %711, label %733, label %723
+716:                                              ; preds = %719, %712
+  %717 = call fastcc i32 @look(ptr noundef nonnull %0, ptr noundef %124, ptr noundef nonnull %7)
+  %718 = icmp eq i32 %717, 0
+  br i1 %718, label %740, label %730
 
-712:                                              ; preds = %705, %712
-  %713 = phi i64 [ %721, %712 ], [ 0, %705 ]
-  %714 = getelementptr inbounds double, ptr %2, i64 %713
-  %715 = load double, ptr %714, align 8
-  %716 = getelementptr inbounds double, ptr %115, i64 %713
-  %717 = load double, ptr %716, align 8
-  %718 = fmul double %706, %717
-  %719 = fadd double %715, %718
-  %720 = getelementptr inbounds double, ptr %116, i64 %713
-  store double %719, ptr %720, align 8
-  %721 = add nuw nsw i64 %713, 1
-  %722 = icmp eq i64 %721, %118
-  br i1 %722, label %709, label %712
+719:                                              ; preds = %712, %719
+  %720 = phi i64 [ %728, %719 ], [ 0, %712 ]
+  %721 = getelementptr inbounds double, ptr %2, i64 %720
+  %722 = load double, ptr %721, align 8
+  %723 = getelementptr inbounds double, ptr %123, i64 %720
+  %724 = load double, ptr %723, align 8
+  %725 = fmul double %713, %724
+  %726 = fadd double %722, %725
+  %727 = getelementptr inbounds double, ptr %124, i64 %720
+  store double %726, ptr %727, align 8
+  %728 = add nuw nsw i64 %720, 1
+  %729 = icmp eq i64 %728, %126
+  br i1 %729, label %716, label %719
 
-723:                                              ; preds = %709
-  %724 = load double, ptr %89, align 8
-  %725 = fmul double %114, %724
-  %726 = load double, ptr %92, align 8
-  %727 = fsub double %725, %726
-  %728 = load double, ptr %108, align 8
-  %729 = fmul double %706, %728
-  %730 = fmul double %699, %729
-  %731 = fsub double %137, %730
-  %732 = fcmp ugt double %727, %731
-  br i1 %732, label %733, label %736
+730:                                              ; preds = %716
+  %731 = load double, ptr %89, align 8
+  %732 = fmul double %116, %731
+  %733 = load double, ptr %95, align 8
+  %734 = fsub double %732, %733
+  %735 = load double, ptr %110, align 8
+  %736 = fmul double %713, %735
+  %737 = fmul double %707, %736
+  %738 = fsub double %145, %737
+  %739 = fcmp ugt double %734, %738
+  br i1 %739, label %740, label %743
 
-733:                                              ; preds = %723, %709
-  %734 = fmul double %706, 5.000000e-01
-  %735 = fcmp ugt double %734, 1.000000e-09
-  br i1 %735, label %705, label %707
+740:                                              ; preds = %730, %716
+  %741 = fmul double %713, 5.000000e-01
+  %742 = fcmp ugt double %741, 1.000000e-09
+  br i1 %742, label %712, label %714
 
-736:                                              ; preds = %723
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %2, ptr align 8 %116, i64 %134, i1 false)
-  %737 = fsub double %137, %727
-  %738 = load double, ptr %107, align 8
-  %739 = fcmp olt double %737, %738
-  %740 = add nuw nsw i64 %136, 1
-  br i1 %739, label %744, label %741
+743:                                              ; preds = %730
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %2, ptr align 8 %124, i64 %142, i1 false)
+  %744 = fsub double %145, %734
+  %745 = fcmp olt double %744, %122
+  %746 = add nuw nsw i64 %144, 1
+  br i1 %745, label %750, label %747
 
-741:                                              ; preds = %736
-  %742 = load i64, ptr %93, align 8
-  %743 = icmp slt i64 %740, %742
-  br i1 %743, label %135, label %744
+747:                                              ; preds = %743
+  %748 = load i64, ptr %96, align 8
+  %749 = icmp slt i64 %746, %748
+  br i1 %749, label %143, label %750
 
-744:                                              ; preds = %698, %702, %741, %736, %111, %707
-  %745 = phi i64 [ %136, %707 ], [ 0, %111 ], [ %136, %698 ], [ %136, %702 ], [ %740, %741 ], [ %740, %736 ]
-  %746 = add nsw i64 %745, %113
-  %747 = load double, ptr %1, align 8
-  %748 = fdiv double %747, %114
-  %749 = load double, ptr %109, align 8
-  %750 = load double, ptr %89, align 8
-  %751 = fmul double %749, %750
-  %752 = fcmp olt double %748, %751
-  br i1 %752, label %756, label %753
+750:                                              ; preds = %706, %747, %743, %112, %714
+  %751 = phi i64 [ %144, %714 ], [ 0, %112 ], [ %144, %706 ], [ %746, %747 ], [ %746, %743 ]
+  %752 = add nsw i64 %751, %115
+  %753 = load double, ptr %1, align 8
+  br i1 %120, label %756, label %754
 
-753:                                              ; preds = %744
-  %754 = load double, ptr %110, align 8
-  %755 = fmul double %114, %754
-  br label %111
+754:                                              ; preds = %750
+  %755 = load double, ptr %89, align 8
+  br label %762
 
-756:                                              ; preds = %744, %81
-  %757 = phi i64 [ -1, %81 ], [ %746, %744 ]
+756:                                              ; preds = %750
+  %757 = fdiv double %753, %116
+  %758 = load double, ptr %92, align 8
+  %759 = load double, ptr %89, align 8
+  %760 = fmul double %758, %759
+  %761 = fcmp olt double %757, %760
+  br i1 %761, label %766, label %762
+
+762:                                              ; preds = %754, %756
+  %763 = phi double [ %755, %754 ], [ %759, %756 ]
+  %764 = load double, ptr %111, align 8
+  %765 = fmul double %116, %764
+  br label %112
+
+766:                                              ; preds = %756, %81
+  %767 = phi i64 [ -1, %81 ], [ %752, %756 ]
   call void @free(ptr noundef %57) #8
-  br label %758
+  br label %768
 
-758:                                              ; preds = %59, %756
-  %759 = phi i64 [ %757, %756 ], [ -2, %59 ]
+768:                                              ; preds = %59, %766
+  %769 = phi i64 [ %767, %766 ], [ -2, %59 ]
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #8
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #8
   call void @llvm.lifetime.end.p0(i64 64, ptr nonnull %8) #8
   call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %7) #8
-  ret i64 %759
+  ret i64 %769
 }
 
 declare void @llvm.lifetime.start.p0(i64 immarg, ptr nocapture) #1

@@ -21,12 +21,12 @@ from manipplan.timing.jerk import UNLIMITED, JerkProblem, Rows, Slacks, SquaredS
 SEARCHES = 12
 #: Maximum share by which the motion is slower than the local optimum on its grid.
 GAP = 1e-3
-#: Factor by which the weight of time grows per round.
-HEAVIER = 8.0
+#: First weight of time as a multiple of the number of slacks over the time, and the factor by which it grows per round.
+FIRST, HEAVIER = 10.0, 512**0.5
 #: Maximum number of Newton steps per round.
 STEPS = 40
-#: A round ends when a step lowers the merit function by less than this.
-CENTRED = 1e-2
+#: A round ends when a step lowers the merit function by less than this: all rounds but the last, and the last one.
+ROUGH, CENTRED = 1.0, 1e-2
 #: A step must lower the merit function by this share of what its Newton decrement predicts.
 SUFFICIENT = 1e-2
 
@@ -42,7 +42,7 @@ def fastest_motion(problem: JerkProblem, guess: Array | None = None) -> SquaredS
     """The fastest motion found; None when none within the limits is found. `guess`: a at the grid points."""
     centring = Centring(problem)
     z = motion_inside(problem, guess, centring)
-    return None if z is None else problem.motion(centring.descended(z, 1.0 if guess is None else 10.0))
+    return None if z is None else problem.motion(centring.descended(z))
 
 
 def motion_inside(problem: JerkProblem, guess: Array | None, centring: "Centring | None" = None) -> Array | None:
@@ -132,7 +132,7 @@ class _Motion(ctypes.Structure):
 class _Descent(ctypes.Structure):
     """`Descent` of barrier.c."""
 
-    _fields_ = [*((name, _D) for name in ("count", "begin", "heavier", "gap", "centred", "sufficient")), ("steps", _N)]
+    _fields_ = [*((name, _D) for name in ("count", "begin", "heavier", "gap", "rough", "centred", "sufficient")), ("steps", _N)]
 
 
 @cache
@@ -177,15 +177,12 @@ class Centring:
         times = self._functions["enter"](ctypes.addressof(self._motion), z.ctypes.data, factor, most)
         return z if _done(times) else None
 
-    def descended(self, z: Array, begin: float) -> Array:
-        """The fastest motion near z, which is inside the limits; both are free coefficients.
-
-        The first weight of time is `begin` times the number of slacks over the time.
-        """
+    def descended(self, z: Array) -> Array:
+        """The fastest motion near z, which is inside the limits; both are free coefficients."""
         z, count = z.copy(), self._problem.count
         if self._functions is None:
-            return _by_numpy(self._problem, z, begin)
-        how = _Descent(count=count, begin=begin, heavier=HEAVIER, gap=GAP, centred=CENTRED, sufficient=SUFFICIENT, steps=STEPS)
+            return _by_numpy(self._problem, z)
+        how = _Descent(count, FIRST, HEAVIER, GAP, ROUGH, CENTRED, SUFFICIENT, STEPS)
         if not _done(self._functions["descend"](ctypes.addressof(self._motion), ctypes.addressof(how), z.ctypes.data)):
             raise ValueError("z is not inside the limits")
         return z
@@ -205,22 +202,25 @@ def _done(answer: int) -> bool:
     return answer >= 0
 
 
-def _by_numpy(problem: JerkProblem, z: Array, begin: float) -> Array:
+def _by_numpy(problem: JerkProblem, z: Array) -> Array:
     """The same without compiled code."""
-    weight = begin * problem.count / problem.time(_inside(problem, z).pace)
+    time = problem.time(_inside(problem, z).pace)
+    weight = FIRST * problem.count / time
     while True:
-        z = _centred(problem, z, weight)
-        if problem.count / weight < GAP * problem.time(_inside(problem, z).pace):
+        last = problem.count / weight < GAP * time
+        z = _centred(problem, z, weight, CENTRED if last else ROUGH)
+        time = problem.time(_inside(problem, z).pace)
+        if last and problem.count / weight < GAP * time:
             return z
         weight *= HEAVIER
 
 
-def _centred(problem: JerkProblem, z: Array, weight: float) -> Array:
-    """Minimise the merit function from z inside the limits."""
+def _centred(problem: JerkProblem, z: Array, weight: float, enough: float) -> Array:
+    """Minimise the merit function from z inside the limits, until a step gains less than `enough`."""
     value = _merit(problem, z, weight)
     for _ in range(STEPS):
         step, decrement = problem.model(_inside(problem, z), weight).newton_step()
-        if not np.isfinite(decrement) or decrement < CENTRED:
+        if not np.isfinite(decrement) or decrement < enough:
             break
         size = 1.0
         while (after := _merit(problem, z + size * step, weight)) > value - SUFFICIENT * size * decrement:
@@ -228,7 +228,7 @@ def _centred(problem: JerkProblem, z: Array, weight: float) -> Array:
             if size <= 1e-9:
                 return z
         z, gained, value = z + size * step, value - after, after
-        if gained < CENTRED:
+        if gained < enough:
             break
     return z
 

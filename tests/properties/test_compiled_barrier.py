@@ -69,11 +69,10 @@ def test_compiled_steps_lead_where_numpy_s_do(monkeypatch, functions, ends, unli
         if z is None:
             continue
         compared += 1
-        for begin in (1.0, 10.0):
-            found, expected = compiled.descended(z, begin), numpy.descended(z, begin)
-            times = [problem.time(problem.slacks(problem.coefficients(each)).pace) for each in (found, expected)]
-            assert times[0] == pytest.approx(times[1], rel=1e-9)
-            np.testing.assert_allclose(found, expected, rtol=1e-3, atol=1e-9 * expected.max())
+        found, expected = compiled.descended(z), numpy.descended(z)
+        times = [problem.time(problem.slacks(problem.coefficients(each)).pace) for each in (found, expected)]
+        assert times[0] == pytest.approx(times[1], rel=1e-9)
+        np.testing.assert_allclose(found, expected, rtol=1e-3, atol=1e-9 * expected.max())
     assert compared
 
 
@@ -102,7 +101,7 @@ def test_llvm_s_code_gives_the_same_numbers(monkeypatch, points):
     problem = random_problem(0, points=points)
     codes = [both(monkeypatch, problem, functions)[0] for functions in FUNCTIONS.values()]
     z = motion_inside(problem, None, codes[0])
-    np.testing.assert_array_equal(*(code.descended(z, 1.0) for code in codes))
+    np.testing.assert_array_equal(*(code.descended(z) for code in codes))
 
 
 def test_slowing_down_until_all_limits_hold(monkeypatch, functions):
@@ -115,7 +114,7 @@ def test_slowing_down_until_all_limits_hold(monkeypatch, functions):
         assert code.entered(-z, 0.8, 50) is None
         assert code.entered(np.full_like(z, np.nan), 0.8, 50) is None
         with pytest.raises(ValueError, match="not inside"):
-            code.descended(z, 1.0)
+            code.descended(z)
     np.testing.assert_array_equal(z, 10.0)
 
 
