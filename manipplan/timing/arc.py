@@ -48,14 +48,14 @@ class ArcLength:
         derivative = self.path(np.clip(self.s(length), *self._inside), 1)
         return np.asarray(derivative / np.maximum(_norms(derivative), 1e-300)[..., None])
 
-    def curvature(self, length: Array) -> Array:
-        """d²q/dl² = (q'' - t (t·q'')) / ‖q'‖² with the unit tangent t."""
-        s = np.clip(self.s(length), *self._inside)
+    def bends(self, s: Array) -> tuple[Array, Array]:
+        """Unit tangents t and curvatures d²q/dl² = (q'' - t (t·q'')) / ‖q'‖² at path parameters (k,), (k, n) each."""
+        s = np.clip(s, *self._inside)
         first, second = self.path(s, 1), self.path(s, 2)
         norm = np.maximum(_norms(first), 1e-300)[..., None]
         tangent = first / norm
-        along = (tangent * second).sum(axis=-1, keepdims=True)
-        return np.asarray((second - along * tangent) / norm**2)
+        along = np.einsum("...i,...i->...", tangent, second)[..., None]
+        return tangent, (second - along * tangent) / norm**2
 
     def lengths_of(self, s: Array) -> Array:
         """Lengths at which the path parameter is s, for each s strictly between the ends."""
