@@ -92,6 +92,7 @@ benchmark: $(READY)
 benchmark-peers: $(READY)
 	$(BIN)/python benchmarks/tracking.py
 	$(BIN)/python benchmarks/inverse_kinematics.py
+	$(BIN)/python benchmarks/demo_timing.py
 
 benchmark-paths: $(READY)
 	$(BIN)/python benchmarks/path_suite.py

@@ -164,13 +164,13 @@ def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: f
         jerk = problem.limits.at(s).jerk / factors[:, None]
         return fastest_motion(JerkProblem(asked, jerk, (start / unit) ** 2, (end / unit) ** 2), guess)
 
-    def without_jerk_limits(demands: PathDynamics) -> None:
-        """Raises, with the reason, when no motion is within the other limits."""
-        fastest_speeds(demands, problem.names, problem.course.given, start, end)
+    def check_other_limits() -> None:
+        """Raises, with the reason, when no motion is within the limits other than jerk."""
+        fastest_speeds(asked, problem.names, problem.course.given, start, end)
 
     def failure(*_: object) -> Exception:
         if not moving:
-            without_jerk_limits(asked)
+            check_other_limits()
             return PlanningError("no motion within the jerk limits was found")
         name, value = ("start_speed", start) if start > 0 else ("end_speed", end)
         return InvalidInputError(name, value, "a lower speed; no motion within the jerk limits was found with this one")
@@ -178,7 +178,7 @@ def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: f
     points = first_grid(curve, grid, edges, (start == 0, end == 0))
     asked = problem.dynamics(curve, points)
     if moving:  # otherwise the motion that is found shows that there is one
-        without_jerk_limits(asked)
+        check_other_limits()
     first = motion(asked, np.ones(len(points) - 1))
     if first is None:
         raise failure()
