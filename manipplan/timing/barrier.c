@@ -33,9 +33,9 @@ typedef struct {
 
 typedef struct {
     double count;                   /* number of slacks */
-    double begin;                   /* first weight of time, as a share of count / time */
+    double begin;                   /* first weight of time, as a multiple of count / time */
     double heavier, gap;            /* factor between weights; share of the time by which the last motion may be too slow */
-    double rough, centred;          /* a round ends when a step gains less than this; the last round */
+    double rough, centred;          /* a round ends when a step gains less than `rough`; the last, less than `centred` */
     double sufficient;              /* share of the predicted gain that a step must reach */
     long steps;                     /* maximum number of Newton steps per round */
 } Descent;
@@ -95,7 +95,9 @@ static int look(const Motion *p, const double *z, State *at) {
     at->ends[0] = p->most_b[0] - p->d[0] * (c[1] - c[0]), at->ends[1] = p->most_b[1] + p->d[k - 1] * (c[k] - c[k - 1]);
     if (!(at->ends[0] > 0) || !(at->ends[1] > 0)) return 0;
     const Eight one = {1, 1, 1, 1, 1, 1, 1, 1}, infinite = one * INFINITY;
-    Eight time = one * 0, logs = one * 0;
+    Eight time = one * 0, logs = one * 0, ends = one;
+    for (int side = 0; side < 2; side++)
+        if (at->ends[side] < INFINITY) ends[side] = at->ends[side];
     Bits powers = LANES * 0;
     for (long i = 0; i < stride; i += 8) {
         Product all = {one, LANES * 0, LANES * 0};
@@ -104,7 +106,7 @@ static int look(const Motion *p, const double *z, State *at) {
         Eight fast = OF(p->fastest, i) - (OF(p->w, i) * here + (1 - OF(p->w, i)) * next), between = OF(p->most_c, i) - here;
         AT(at->fast, i) = fast, AT(at->between, i) = between;
         fast = CHOICE(fast == infinite, one, fast), between = CHOICE(between == infinite, one, between);
-        multiply(&all, &fast, &between), multiply(&all, &here, &one);
+        multiply(&all, &fast, &between), multiply(&all, &here, i ? &one : &ends);
         for (long j = 0; j < p->rows; j++) {
             long row = j * stride + i;
             Eight demand = OF(p->left, row) * here + OF(p->right, row) * next + OF(p->constant, row);
@@ -133,10 +135,8 @@ static int look(const Motion *p, const double *z, State *at) {
     int64_t power = 0;
     for (int i = 0; i < 8; i++) power += powers[i];
     at->logs = 0.693147180559945309417 * (double)power + 2 * sum(&logs), at->time = sum(&time);
-    for (int side = 0; side < 2; side++) {
+    for (int side = 0; side < 2; side++)
         if (p->fixed[side] == 0) at->time += 3 * p->outer[side] / at->root[side ? k - 1 : 0];
-        if (at->ends[side] < INFINITY) at->logs += log(at->ends[side]);
-    }
     return 1;
 }
 
@@ -192,7 +192,8 @@ static void differentiate(const Motion *p, const State *at, double weight, Model
         long i = side ? k - 1 : 0;
         if (p->fixed[side] == 0) {
             double cube = at->root[i] * at->root[i] * at->root[i], x = p->w[i], y = 1 - x;
-            double slope = -weight * 1.5 * p->outer[side] / cube, bend = weight * 2.25 * p->outer[side] / (cube * at->root[i] * at->root[i]);
+            double slope = -weight * 1.5 * p->outer[side] / cube;
+            double bend = weight * 2.25 * p->outer[side] / (cube * at->root[i] * at->root[i]);
             g[i] += slope * x, g[i + 1] += slope * y;
             h0[i] += bend * x * x, h1[i] += bend * x * y, h0[i + 1] += bend * y * y;
         }

@@ -1,4 +1,4 @@
-; barrier.c b40ace7201ce06572f910c51ce4b0c2a7a0badddf6016459fc19961bc57d9b84: written by make kernel
+; barrier.c d362fcb24d1cfa017be5738b6e911accd60f409e5a5bf50ecbf287b3f29e6f93: written by make kernel
 
 %struct.State = type { ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, [2 x double], double, double }
 %struct.Model = type { ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
@@ -1020,7 +1020,7 @@ define internal fastcc i32 @look(ptr nocapture noundef readonly %0, ptr nocaptur
   %37 = getelementptr inbounds double, ptr %7, i64 %36
   %38 = load double, ptr %37, align 8
   %39 = fcmp ogt double %38, 0.000000e+00
-  br i1 %39, label %29, label %458
+  br i1 %39, label %29, label %464
 
 40:                                               ; preds = %47, %32
   %41 = icmp sgt i64 %6, 0
@@ -1031,7 +1031,7 @@ define internal fastcc i32 @look(ptr nocapture noundef readonly %0, ptr nocaptur
   %44 = load ptr, ptr %43, align 8
   %45 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 1
   %46 = load ptr, ptr %45, align 8
-  br label %103
+  br label %78
 
 47:                                               ; preds = %32, %47
   %48 = phi i64 [ %49, %47 ], [ %4, %32 ]
@@ -1041,7 +1041,7 @@ define internal fastcc i32 @look(ptr nocapture noundef readonly %0, ptr nocaptur
   %51 = icmp eq i64 %49, %33
   br i1 %51, label %40, label %47
 
-52:                                               ; preds = %103, %40
+52:                                               ; preds = %78, %40
   %53 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 18
   %54 = load double, ptr %53, align 8
   %55 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 6
@@ -1069,454 +1069,457 @@ define internal fastcc i32 @look(ptr nocapture noundef readonly %0, ptr nocaptur
   %75 = fcmp ogt double %62, 0.000000e+00
   %76 = fcmp ogt double %73, 0.000000e+00
   %77 = select i1 %75, i1 %76, i1 false
-  br i1 %77, label %78, label %458
+  br i1 %77, label %119, label %464
 
-78:                                               ; preds = %52
-  br i1 %41, label %79, label %381
+78:                                               ; preds = %42, %78
+  %79 = phi i64 [ 0, %42 ], [ %86, %78 ]
+  %80 = getelementptr inbounds double, ptr %44, i64 %79
+  %81 = load double, ptr %80, align 8
+  %82 = getelementptr inbounds double, ptr %7, i64 %79
+  %83 = load double, ptr %82, align 8
+  %84 = fmul double %81, %83
+  %85 = fsub double 1.000000e+00, %81
+  %86 = add nuw nsw i64 %79, 1
+  %87 = getelementptr inbounds double, ptr %7, i64 %86
+  %88 = load double, ptr %87, align 8
+  %89 = fmul double %85, %88
+  %90 = fadd double %84, %89
+  %91 = tail call double @llvm.sqrt.f64(double %90)
+  %92 = getelementptr inbounds double, ptr %46, i64 %79
+  store double %91, ptr %92, align 8
+  %93 = icmp eq i64 %86, %6
+  br i1 %93, label %52, label %78
 
-79:                                               ; preds = %78
-  %80 = insertelement <8 x i64> poison, i64 %9, i64 0
-  %81 = shufflevector <8 x i64> %80, <8 x i64> poison, <8 x i32> zeroinitializer
-  %82 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 7
-  %83 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 5
-  %84 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 8
-  %85 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 4
-  %86 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 5
-  %87 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 1
-  %88 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 9
-  %89 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 10
-  %90 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 11
-  %91 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 6
-  %92 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 7
-  %93 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 1
-  %94 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 4
-  %95 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 2
-  %96 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 3
-  %97 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 2
-  %98 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 12
-  %99 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 13
-  %100 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 14
-  %101 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 8
-  %102 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 9
-  br label %119
+94:                                               ; preds = %119
+  br i1 %41, label %95, label %396
 
-103:                                              ; preds = %42, %103
-  %104 = phi i64 [ 0, %42 ], [ %111, %103 ]
-  %105 = getelementptr inbounds double, ptr %44, i64 %104
-  %106 = load double, ptr %105, align 8
-  %107 = getelementptr inbounds double, ptr %7, i64 %104
-  %108 = load double, ptr %107, align 8
-  %109 = fmul double %106, %108
-  %110 = fsub double 1.000000e+00, %106
-  %111 = add nuw nsw i64 %104, 1
-  %112 = getelementptr inbounds double, ptr %7, i64 %111
-  %113 = load double, ptr %112, align 8
-  %114 = fmul double %110, %113
-  %115 = fadd double %109, %114
-  %116 = tail call double @llvm.sqrt.f64(double %115)
-  %117 = getelementptr inbounds double, ptr %46, i64 %104
-  store double %116, ptr %117, align 8
-  %118 = icmp eq i64 %111, %6
-  br i1 %118, label %52, label %103
+95:                                               ; preds = %94
+  %96 = insertelement <8 x i64> poison, i64 %9, i64 0
+  %97 = shufflevector <8 x i64> %96, <8 x i64> poison, <8 x i32> zeroinitializer
+  %98 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 7
+  %99 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 5
+  %100 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 8
+  %101 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 4
+  %102 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 5
+  %103 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 1
+  %104 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 9
+  %105 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 10
+  %106 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 11
+  %107 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 6
+  %108 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 7
+  %109 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 1
+  %110 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 4
+  %111 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 2
+  %112 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 3
+  %113 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 2
+  %114 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 12
+  %115 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 13
+  %116 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 14
+  %117 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 8
+  %118 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 9
+  br label %129
 
-119:                                              ; preds = %79, %375
-  %120 = phi <8 x i64> [ zeroinitializer, %79 ], [ %378, %375 ]
-  %121 = phi i64 [ 0, %79 ], [ %379, %375 ]
-  %122 = phi <8 x double> [ zeroinitializer, %79 ], [ %272, %375 ]
-  %123 = phi <8 x double> [ zeroinitializer, %79 ], [ %377, %375 ]
-  %124 = insertelement <8 x i64> poison, i64 %121, i64 0
-  %125 = shufflevector <8 x i64> %124, <8 x i64> poison, <8 x i32> zeroinitializer
-  %126 = or <8 x i64> %125, <i64 0, i64 1, i64 2, i64 3, i64 4, i64 5, i64 6, i64 7>
-  %127 = icmp slt <8 x i64> %126, %81
-  %128 = sext <8 x i1> %127 to <8 x i64>
-  %129 = getelementptr inbounds double, ptr %7, i64 %121
-  %130 = load <8 x double>, ptr %129, align 8
-  %131 = or i64 %121, 1
-  %132 = getelementptr inbounds double, ptr %7, i64 %131
-  %133 = load <8 x double>, ptr %132, align 8
-  %134 = or i64 %121, 2
-  %135 = getelementptr inbounds double, ptr %7, i64 %134
-  %136 = load <8 x double>, ptr %135, align 8
-  %137 = load ptr, ptr %82, align 8
-  %138 = getelementptr inbounds double, ptr %137, i64 %121
-  %139 = load <8 x double>, ptr %138, align 8
-  %140 = load ptr, ptr %83, align 8
-  %141 = getelementptr inbounds double, ptr %140, i64 %121
-  %142 = load <8 x double>, ptr %141, align 8
-  %143 = fmul <8 x double> %130, %142
-  %144 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %142
-  %145 = fmul <8 x double> %133, %144
-  %146 = fadd <8 x double> %143, %145
-  %147 = fsub <8 x double> %139, %146
-  %148 = load ptr, ptr %84, align 8
-  %149 = getelementptr inbounds double, ptr %148, i64 %121
-  %150 = load <8 x double>, ptr %149, align 8
-  %151 = fsub <8 x double> %150, %130
-  %152 = load ptr, ptr %85, align 8
-  %153 = getelementptr inbounds double, ptr %152, i64 %121
-  store <8 x double> %147, ptr %153, align 8
-  %154 = load ptr, ptr %86, align 8
-  %155 = getelementptr inbounds double, ptr %154, i64 %121
-  store <8 x double> %151, ptr %155, align 8
-  %156 = fcmp une <8 x double> %147, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %157 = select <8 x i1> %156, <8 x double> %147, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %158 = fcmp une <8 x double> %151, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %159 = select <8 x i1> %158, <8 x double> %151, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %160 = fmul <8 x double> %159, %157
-  %161 = fcmp ogt <8 x double> %157, zeroinitializer
-  %162 = fcmp ogt <8 x double> %159, zeroinitializer
-  %163 = and <8 x i1> %161, %162
-  %164 = fcmp ogt <8 x double> %160, <double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000>
-  %165 = and <8 x i1> %163, %164
-  %166 = fcmp olt <8 x double> %160, <double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000>
-  %167 = and <8 x i1> %165, %166
-  %168 = bitcast <8 x double> %160 to <8 x i64>
-  %169 = ashr <8 x i64> %168, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %170 = and <8 x i64> %168, <i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495>
-  %171 = or <8 x i64> %170, <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>
-  %172 = bitcast <8 x i64> %171 to <8 x double>
-  %173 = fmul <8 x double> %130, %172
-  %174 = fcmp ogt <8 x double> %130, zeroinitializer
-  %175 = fcmp ogt <8 x double> %173, <double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000>
-  %176 = and <8 x i1> %175, %174
-  %177 = fcmp olt <8 x double> %173, <double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000>
-  %178 = and <8 x i1> %176, %177
-  %179 = select <8 x i1> %178, <8 x i1> %167, <8 x i1> zeroinitializer
-  %180 = xor <8 x i1> %179, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %181 = sext <8 x i1> %180 to <8 x i64>
-  %182 = bitcast <8 x double> %173 to <8 x i64>
-  %183 = ashr <8 x i64> %182, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %184 = add nsw <8 x i64> %169, <i64 -2046, i64 -2046, i64 -2046, i64 -2046, i64 -2046, i64 -2046, i64 -2046, i64 -2046>
-  %185 = add nsw <8 x i64> %184, %183
-  %186 = and <8 x i64> %182, <i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495>
-  %187 = or <8 x i64> %186, <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>
-  %188 = load i64, ptr %87, align 8
-  %189 = icmp sgt i64 %188, 0
-  br i1 %189, label %203, label %190
+119:                                              ; preds = %52, %119
+  %120 = phi i1 [ false, %119 ], [ true, %52 ]
+  %121 = phi i64 [ 1, %119 ], [ 0, %52 ]
+  %122 = phi <8 x double> [ %128, %119 ], [ <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %52 ]
+  %123 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 10, i64 %121
+  %124 = load double, ptr %123, align 8
+  %125 = fcmp olt double %124, 0x7FF0000000000000
+  %126 = trunc i64 %121 to i32
+  %127 = insertelement <8 x double> %122, double %124, i32 %126
+  %128 = select i1 %125, <8 x double> %127, <8 x double> %122
+  br i1 %120, label %119, label %94
 
-190:                                              ; preds = %203, %119
-  %191 = phi <8 x i64> [ %185, %119 ], [ %243, %203 ]
-  %192 = phi <8 x i64> [ %181, %119 ], [ %239, %203 ]
-  %193 = phi <8 x i64> [ %187, %119 ], [ %246, %203 ]
-  br label %194
+129:                                              ; preds = %95, %390
+  %130 = phi <8 x i64> [ zeroinitializer, %95 ], [ %393, %390 ]
+  %131 = phi i64 [ 0, %95 ], [ %394, %390 ]
+  %132 = phi <8 x double> [ zeroinitializer, %95 ], [ %287, %390 ]
+  %133 = phi <8 x double> [ zeroinitializer, %95 ], [ %392, %390 ]
+  %134 = insertelement <8 x i64> poison, i64 %131, i64 0
+  %135 = shufflevector <8 x i64> %134, <8 x i64> poison, <8 x i32> zeroinitializer
+  %136 = or <8 x i64> %135, <i64 0, i64 1, i64 2, i64 3, i64 4, i64 5, i64 6, i64 7>
+  %137 = icmp slt <8 x i64> %136, %97
+  %138 = sext <8 x i1> %137 to <8 x i64>
+  %139 = getelementptr inbounds double, ptr %7, i64 %131
+  %140 = load <8 x double>, ptr %139, align 8
+  %141 = or i64 %131, 1
+  %142 = getelementptr inbounds double, ptr %7, i64 %141
+  %143 = load <8 x double>, ptr %142, align 8
+  %144 = or i64 %131, 2
+  %145 = getelementptr inbounds double, ptr %7, i64 %144
+  %146 = load <8 x double>, ptr %145, align 8
+  %147 = load ptr, ptr %98, align 8
+  %148 = getelementptr inbounds double, ptr %147, i64 %131
+  %149 = load <8 x double>, ptr %148, align 8
+  %150 = load ptr, ptr %99, align 8
+  %151 = getelementptr inbounds double, ptr %150, i64 %131
+  %152 = load <8 x double>, ptr %151, align 8
+  %153 = fmul <8 x double> %140, %152
+  %154 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %152
+  %155 = fmul <8 x double> %143, %154
+  %156 = fadd <8 x double> %153, %155
+  %157 = fsub <8 x double> %149, %156
+  %158 = load ptr, ptr %100, align 8
+  %159 = getelementptr inbounds double, ptr %158, i64 %131
+  %160 = load <8 x double>, ptr %159, align 8
+  %161 = fsub <8 x double> %160, %140
+  %162 = load ptr, ptr %101, align 8
+  %163 = getelementptr inbounds double, ptr %162, i64 %131
+  store <8 x double> %157, ptr %163, align 8
+  %164 = load ptr, ptr %102, align 8
+  %165 = getelementptr inbounds double, ptr %164, i64 %131
+  store <8 x double> %161, ptr %165, align 8
+  %166 = fcmp une <8 x double> %157, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %167 = select <8 x i1> %166, <8 x double> %157, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %168 = fcmp une <8 x double> %161, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %169 = select <8 x i1> %168, <8 x double> %161, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %170 = fmul <8 x double> %169, %167
+  %171 = fcmp ogt <8 x double> %167, zeroinitializer
+  %172 = fcmp ogt <8 x double> %169, zeroinitializer
+  %173 = and <8 x i1> %171, %172
+  %174 = fcmp ogt <8 x double> %170, <double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000>
+  %175 = and <8 x i1> %173, %174
+  %176 = fcmp olt <8 x double> %170, <double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000>
+  %177 = and <8 x i1> %175, %176
+  %178 = bitcast <8 x double> %170 to <8 x i64>
+  %179 = ashr <8 x i64> %178, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %180 = and <8 x i64> %178, <i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495>
+  %181 = or <8 x i64> %180, <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>
+  %182 = icmp eq i64 %131, 0
+  %183 = bitcast <8 x i64> %181 to <8 x double>
+  %184 = select i1 %182, <8 x double> %128, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %185 = fmul <8 x double> %184, %140
+  %186 = fmul <8 x double> %185, %183
+  %187 = fcmp ogt <8 x double> %140, zeroinitializer
+  %188 = fcmp ogt <8 x double> %184, zeroinitializer
+  %189 = and <8 x i1> %187, %188
+  %190 = fcmp ogt <8 x double> %186, <double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000>
+  %191 = and <8 x i1> %189, %190
+  %192 = fcmp olt <8 x double> %186, <double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000>
+  %193 = and <8 x i1> %191, %192
+  %194 = select <8 x i1> %193, <8 x i1> %177, <8 x i1> zeroinitializer
+  %195 = xor <8 x i1> %194, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %196 = sext <8 x i1> %195 to <8 x i64>
+  %197 = bitcast <8 x double> %186 to <8 x i64>
+  %198 = ashr <8 x i64> %197, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %199 = add nsw <8 x i64> %179, <i64 -2046, i64 -2046, i64 -2046, i64 -2046, i64 -2046, i64 -2046, i64 -2046, i64 -2046>
+  %200 = add nsw <8 x i64> %199, %198
+  %201 = and <8 x i64> %197, <i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495>
+  %202 = or <8 x i64> %201, <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>
+  %203 = load i64, ptr %103, align 8
+  %204 = icmp sgt i64 %203, 0
+  br i1 %204, label %218, label %205
 
-194:                                              ; preds = %190, %194
-  %195 = phi i32 [ %199, %194 ], [ 0, %190 ]
-  %196 = phi i64 [ %198, %194 ], [ 0, %190 ]
-  %197 = extractelement <8 x i64> %192, i32 %195
-  %198 = or i64 %197, %196
-  %199 = add nuw nsw i32 %195, 1
-  %200 = icmp eq i32 %199, 8
-  br i1 %200, label %201, label %194
+205:                                              ; preds = %218, %129
+  %206 = phi <8 x i64> [ %200, %129 ], [ %258, %218 ]
+  %207 = phi <8 x i64> [ %196, %129 ], [ %254, %218 ]
+  %208 = phi <8 x i64> [ %202, %129 ], [ %261, %218 ]
+  br label %209
 
-201:                                              ; preds = %194
-  %202 = icmp eq i64 %198, 0
-  br i1 %202, label %249, label %458
+209:                                              ; preds = %205, %209
+  %210 = phi i32 [ %214, %209 ], [ 0, %205 ]
+  %211 = phi i64 [ %213, %209 ], [ 0, %205 ]
+  %212 = extractelement <8 x i64> %207, i32 %210
+  %213 = or i64 %212, %211
+  %214 = add nuw nsw i32 %210, 1
+  %215 = icmp eq i32 %214, 8
+  br i1 %215, label %216, label %209
 
-203:                                              ; preds = %119, %203
-  %204 = phi <8 x i64> [ %246, %203 ], [ %187, %119 ]
-  %205 = phi i64 [ %244, %203 ], [ 0, %119 ]
-  %206 = phi <8 x i64> [ %239, %203 ], [ %181, %119 ]
-  %207 = phi <8 x i64> [ %243, %203 ], [ %185, %119 ]
-  %208 = mul nsw i64 %205, %6
-  %209 = add nsw i64 %208, %121
-  %210 = load ptr, ptr %88, align 8
-  %211 = getelementptr inbounds double, ptr %210, i64 %209
-  %212 = load <8 x double>, ptr %211, align 8
-  %213 = fmul <8 x double> %130, %212
-  %214 = load ptr, ptr %89, align 8
-  %215 = getelementptr inbounds double, ptr %214, i64 %209
-  %216 = load <8 x double>, ptr %215, align 8
-  %217 = fmul <8 x double> %133, %216
-  %218 = fadd <8 x double> %213, %217
-  %219 = load ptr, ptr %90, align 8
-  %220 = getelementptr inbounds double, ptr %219, i64 %209
-  %221 = load <8 x double>, ptr %220, align 8
-  %222 = fadd <8 x double> %218, %221
-  %223 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %222
-  %224 = fadd <8 x double> %222, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %225 = load ptr, ptr %91, align 8
-  %226 = getelementptr inbounds double, ptr %225, i64 %209
-  store <8 x double> %223, ptr %226, align 8
-  %227 = load ptr, ptr %92, align 8
-  %228 = getelementptr inbounds double, ptr %227, i64 %209
-  store <8 x double> %224, ptr %228, align 8
-  %229 = bitcast <8 x i64> %204 to <8 x double>
-  %230 = fmul <8 x double> %223, %224
-  %231 = fmul <8 x double> %230, %229
-  %232 = fcmp ogt <8 x double> %223, zeroinitializer
-  %233 = fcmp ogt <8 x double> %224, zeroinitializer
-  %234 = and <8 x i1> %233, %232
-  %235 = fcmp ogt <8 x double> %231, <double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000>
-  %236 = and <8 x i1> %234, %235
-  %237 = fcmp olt <8 x double> %231, <double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000>
-  %238 = and <8 x i1> %236, %237
-  %239 = select <8 x i1> %238, <8 x i64> %206, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
-  %240 = bitcast <8 x double> %231 to <8 x i64>
-  %241 = ashr <8 x i64> %240, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %242 = add <8 x i64> %207, <i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023>
-  %243 = add <8 x i64> %242, %241
-  %244 = add nuw nsw i64 %205, 1
-  %245 = and <8 x i64> %240, <i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495>
-  %246 = or <8 x i64> %245, <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>
-  %247 = load i64, ptr %87, align 8
-  %248 = icmp slt i64 %244, %247
-  br i1 %248, label %203, label %190
+216:                                              ; preds = %209
+  %217 = icmp eq i64 %213, 0
+  br i1 %217, label %264, label %464
 
-249:                                              ; preds = %201
-  %250 = load ptr, ptr %93, align 8
-  %251 = getelementptr inbounds double, ptr %250, i64 %121
-  %252 = load <8 x double>, ptr %251, align 8
-  %253 = getelementptr inbounds double, ptr %250, i64 %131
-  %254 = load <8 x double>, ptr %253, align 8
-  %255 = fadd <8 x double> %252, %254
-  %256 = load ptr, ptr %94, align 8
-  %257 = getelementptr inbounds double, ptr %256, i64 %121
-  %258 = load <8 x double>, ptr %257, align 8
-  %259 = fmul <8 x double> %258, <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
-  %260 = fdiv <8 x double> %259, %255
-  %261 = load ptr, ptr %95, align 8
-  %262 = getelementptr inbounds double, ptr %261, i64 %121
-  store <8 x double> %260, ptr %262, align 8
-  %263 = fneg <8 x double> %260
-  %264 = fdiv <8 x double> %263, %255
-  %265 = bitcast <8 x double> %264 to <8 x i64>
-  %266 = and <8 x i64> %265, %128
-  %267 = load ptr, ptr %96, align 8
-  %268 = getelementptr inbounds double, ptr %267, i64 %121
-  store <8 x i64> %266, ptr %268, align 8
-  %269 = bitcast <8 x double> %260 to <8 x i64>
-  %270 = and <8 x i64> %269, %128
-  %271 = bitcast <8 x i64> %270 to <8 x double>
-  %272 = fadd <8 x double> %122, %271
-  %273 = load i64, ptr %97, align 8
-  %274 = icmp sgt i64 %273, 0
-  br i1 %274, label %275, label %278
+218:                                              ; preds = %129, %218
+  %219 = phi <8 x i64> [ %261, %218 ], [ %202, %129 ]
+  %220 = phi i64 [ %259, %218 ], [ 0, %129 ]
+  %221 = phi <8 x i64> [ %254, %218 ], [ %196, %129 ]
+  %222 = phi <8 x i64> [ %258, %218 ], [ %200, %129 ]
+  %223 = mul nsw i64 %220, %6
+  %224 = add nsw i64 %223, %131
+  %225 = load ptr, ptr %104, align 8
+  %226 = getelementptr inbounds double, ptr %225, i64 %224
+  %227 = load <8 x double>, ptr %226, align 8
+  %228 = fmul <8 x double> %140, %227
+  %229 = load ptr, ptr %105, align 8
+  %230 = getelementptr inbounds double, ptr %229, i64 %224
+  %231 = load <8 x double>, ptr %230, align 8
+  %232 = fmul <8 x double> %143, %231
+  %233 = fadd <8 x double> %228, %232
+  %234 = load ptr, ptr %106, align 8
+  %235 = getelementptr inbounds double, ptr %234, i64 %224
+  %236 = load <8 x double>, ptr %235, align 8
+  %237 = fadd <8 x double> %233, %236
+  %238 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %237
+  %239 = fadd <8 x double> %237, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %240 = load ptr, ptr %107, align 8
+  %241 = getelementptr inbounds double, ptr %240, i64 %224
+  store <8 x double> %238, ptr %241, align 8
+  %242 = load ptr, ptr %108, align 8
+  %243 = getelementptr inbounds double, ptr %242, i64 %224
+  store <8 x double> %239, ptr %243, align 8
+  %244 = bitcast <8 x i64> %219 to <8 x double>
+  %245 = fmul <8 x double> %238, %239
+  %246 = fmul <8 x double> %245, %244
+  %247 = fcmp ogt <8 x double> %238, zeroinitializer
+  %248 = fcmp ogt <8 x double> %239, zeroinitializer
+  %249 = and <8 x i1> %248, %247
+  %250 = fcmp ogt <8 x double> %246, <double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000>
+  %251 = and <8 x i1> %249, %250
+  %252 = fcmp olt <8 x double> %246, <double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000>
+  %253 = and <8 x i1> %251, %252
+  %254 = select <8 x i1> %253, <8 x i64> %221, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %255 = bitcast <8 x double> %246 to <8 x i64>
+  %256 = ashr <8 x i64> %255, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %257 = add <8 x i64> %222, <i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023>
+  %258 = add <8 x i64> %257, %256
+  %259 = add nuw nsw i64 %220, 1
+  %260 = and <8 x i64> %255, <i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495>
+  %261 = or <8 x i64> %260, <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>
+  %262 = load i64, ptr %103, align 8
+  %263 = icmp slt i64 %259, %262
+  br i1 %263, label %218, label %205
 
-275:                                              ; preds = %249
-  %276 = select <8 x i1> %127, <8 x i64> zeroinitializer, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>
-  %277 = select <8 x i1> %127, <8 x i64> zeroinitializer, <8 x i64> <i64 9218868437227405312, i64 9218868437227405312, i64 9218868437227405312, i64 9218868437227405312, i64 9218868437227405312, i64 9218868437227405312, i64 9218868437227405312, i64 9218868437227405312>
-  br label %291
+264:                                              ; preds = %216
+  %265 = load ptr, ptr %109, align 8
+  %266 = getelementptr inbounds double, ptr %265, i64 %131
+  %267 = load <8 x double>, ptr %266, align 8
+  %268 = getelementptr inbounds double, ptr %265, i64 %141
+  %269 = load <8 x double>, ptr %268, align 8
+  %270 = fadd <8 x double> %267, %269
+  %271 = load ptr, ptr %110, align 8
+  %272 = getelementptr inbounds double, ptr %271, i64 %131
+  %273 = load <8 x double>, ptr %272, align 8
+  %274 = fmul <8 x double> %273, <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
+  %275 = fdiv <8 x double> %274, %270
+  %276 = load ptr, ptr %111, align 8
+  %277 = getelementptr inbounds double, ptr %276, i64 %131
+  store <8 x double> %275, ptr %277, align 8
+  %278 = fneg <8 x double> %275
+  %279 = fdiv <8 x double> %278, %270
+  %280 = bitcast <8 x double> %279 to <8 x i64>
+  %281 = and <8 x i64> %280, %138
+  %282 = load ptr, ptr %112, align 8
+  %283 = getelementptr inbounds double, ptr %282, i64 %131
+  store <8 x i64> %281, ptr %283, align 8
+  %284 = bitcast <8 x double> %275 to <8 x i64>
+  %285 = and <8 x i64> %284, %138
+  %286 = bitcast <8 x i64> %285 to <8 x double>
+  %287 = fadd <8 x double> %132, %286
+  %288 = load i64, ptr %113, align 8
+  %289 = icmp sgt i64 %288, 0
+  br i1 %289, label %290, label %293
 
-278:                                              ; preds = %291, %249
-  %279 = phi <8 x i64> [ %193, %249 ], [ %354, %291 ]
-  %280 = phi <8 x i64> [ %191, %249 ], [ %352, %291 ]
-  %281 = phi <8 x i64> [ %192, %249 ], [ %348, %291 ]
-  br label %282
+290:                                              ; preds = %264
+  %291 = select <8 x i1> %137, <8 x i64> zeroinitializer, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>
+  %292 = select <8 x i1> %137, <8 x i64> zeroinitializer, <8 x i64> <i64 9218868437227405312, i64 9218868437227405312, i64 9218868437227405312, i64 9218868437227405312, i64 9218868437227405312, i64 9218868437227405312, i64 9218868437227405312, i64 9218868437227405312>
+  br label %306
 
-282:                                              ; preds = %278, %282
-  %283 = phi i32 [ %287, %282 ], [ 0, %278 ]
-  %284 = phi i64 [ %286, %282 ], [ 0, %278 ]
-  %285 = extractelement <8 x i64> %281, i32 %283
-  %286 = or i64 %285, %284
-  %287 = add nuw nsw i32 %283, 1
-  %288 = icmp eq i32 %287, 8
-  br i1 %288, label %289, label %282
+293:                                              ; preds = %306, %264
+  %294 = phi <8 x i64> [ %208, %264 ], [ %369, %306 ]
+  %295 = phi <8 x i64> [ %206, %264 ], [ %367, %306 ]
+  %296 = phi <8 x i64> [ %207, %264 ], [ %363, %306 ]
+  br label %297
 
-289:                                              ; preds = %282
-  %290 = icmp eq i64 %286, 0
-  br i1 %290, label %358, label %458
+297:                                              ; preds = %293, %297
+  %298 = phi i32 [ %302, %297 ], [ 0, %293 ]
+  %299 = phi i64 [ %301, %297 ], [ 0, %293 ]
+  %300 = extractelement <8 x i64> %296, i32 %298
+  %301 = or i64 %300, %299
+  %302 = add nuw nsw i32 %298, 1
+  %303 = icmp eq i32 %302, 8
+  br i1 %303, label %304, label %297
 
-291:                                              ; preds = %275, %291
-  %292 = phi i64 [ 0, %275 ], [ %355, %291 ]
-  %293 = phi <8 x i64> [ %192, %275 ], [ %348, %291 ]
-  %294 = phi <8 x i64> [ %191, %275 ], [ %352, %291 ]
-  %295 = phi <8 x i64> [ %193, %275 ], [ %354, %291 ]
-  %296 = mul nsw i64 %292, %6
-  %297 = add nsw i64 %296, %121
-  %298 = load ptr, ptr %98, align 8
-  %299 = add nsw i64 %297, 1
-  %300 = getelementptr inbounds double, ptr %298, i64 %299
-  %301 = load <8 x double>, ptr %300, align 8
-  %302 = fmul <8 x double> %133, %301
-  %303 = load ptr, ptr %99, align 8
-  %304 = getelementptr inbounds double, ptr %303, i64 %299
-  %305 = load <8 x double>, ptr %304, align 8
-  %306 = fmul <8 x double> %136, %305
-  %307 = fadd <8 x double> %302, %306
-  %308 = getelementptr inbounds double, ptr %298, i64 %297
-  %309 = load <8 x double>, ptr %308, align 8
-  %310 = fmul <8 x double> %130, %309
-  %311 = getelementptr inbounds double, ptr %303, i64 %297
-  %312 = load <8 x double>, ptr %311, align 8
-  %313 = fmul <8 x double> %133, %312
-  %314 = fadd <8 x double> %310, %313
-  %315 = fsub <8 x double> %307, %314
-  %316 = load ptr, ptr %100, align 8
-  %317 = getelementptr inbounds double, ptr %316, i64 %297
-  %318 = load <8 x double>, ptr %317, align 8
-  %319 = fmul <8 x double> %260, %318
-  %320 = fsub <8 x double> %319, %315
-  %321 = bitcast <8 x double> %320 to <8 x i64>
-  %322 = and <8 x i64> %321, %128
-  %323 = or <8 x i64> %322, %276
-  %324 = fadd <8 x double> %319, %315
-  %325 = bitcast <8 x double> %324 to <8 x i64>
-  %326 = and <8 x i64> %325, %128
-  %327 = or <8 x i64> %326, %276
-  %328 = and <8 x i64> %323, %128
-  %329 = or <8 x i64> %328, %277
-  %330 = load ptr, ptr %101, align 8
-  %331 = getelementptr inbounds double, ptr %330, i64 %297
-  store <8 x i64> %329, ptr %331, align 8
-  %332 = and <8 x i64> %327, %128
-  %333 = or <8 x i64> %332, %277
-  %334 = load ptr, ptr %102, align 8
-  %335 = getelementptr inbounds double, ptr %334, i64 %297
-  store <8 x i64> %333, ptr %335, align 8
-  %336 = bitcast <8 x i64> %295 to <8 x double>
-  %337 = bitcast <8 x i64> %323 to <8 x double>
-  %338 = bitcast <8 x i64> %327 to <8 x double>
-  %339 = fmul <8 x double> %337, %338
-  %340 = fmul <8 x double> %339, %336
-  %341 = fcmp ogt <8 x double> %337, zeroinitializer
-  %342 = fcmp ogt <8 x double> %338, zeroinitializer
-  %343 = and <8 x i1> %342, %341
-  %344 = fcmp ogt <8 x double> %340, <double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000>
-  %345 = and <8 x i1> %343, %344
-  %346 = fcmp olt <8 x double> %340, <double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000>
-  %347 = and <8 x i1> %345, %346
-  %348 = select <8 x i1> %347, <8 x i64> %293, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
-  %349 = bitcast <8 x double> %340 to <8 x i64>
-  %350 = ashr <8 x i64> %349, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %351 = add <8 x i64> %294, <i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023>
-  %352 = add <8 x i64> %351, %350
-  %353 = and <8 x i64> %349, <i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495>
-  %354 = or <8 x i64> %353, <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>
-  %355 = add nuw nsw i64 %292, 1
-  %356 = load i64, ptr %97, align 8
-  %357 = icmp slt i64 %355, %356
-  br i1 %357, label %291, label %278
+304:                                              ; preds = %297
+  %305 = icmp eq i64 %301, 0
+  br i1 %305, label %373, label %464
 
-358:                                              ; preds = %289
-  %359 = bitcast <8 x i64> %279 to <8 x double>
-  %360 = fadd <8 x double> %359, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %361 = fadd <8 x double> %359, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %362 = fdiv <8 x double> %360, %361
-  %363 = fmul <8 x double> %362, %362
-  br label %364
+306:                                              ; preds = %290, %306
+  %307 = phi i64 [ 0, %290 ], [ %370, %306 ]
+  %308 = phi <8 x i64> [ %207, %290 ], [ %363, %306 ]
+  %309 = phi <8 x i64> [ %206, %290 ], [ %367, %306 ]
+  %310 = phi <8 x i64> [ %208, %290 ], [ %369, %306 ]
+  %311 = mul nsw i64 %307, %6
+  %312 = add nsw i64 %311, %131
+  %313 = load ptr, ptr %114, align 8
+  %314 = add nsw i64 %312, 1
+  %315 = getelementptr inbounds double, ptr %313, i64 %314
+  %316 = load <8 x double>, ptr %315, align 8
+  %317 = fmul <8 x double> %143, %316
+  %318 = load ptr, ptr %115, align 8
+  %319 = getelementptr inbounds double, ptr %318, i64 %314
+  %320 = load <8 x double>, ptr %319, align 8
+  %321 = fmul <8 x double> %146, %320
+  %322 = fadd <8 x double> %317, %321
+  %323 = getelementptr inbounds double, ptr %313, i64 %312
+  %324 = load <8 x double>, ptr %323, align 8
+  %325 = fmul <8 x double> %140, %324
+  %326 = getelementptr inbounds double, ptr %318, i64 %312
+  %327 = load <8 x double>, ptr %326, align 8
+  %328 = fmul <8 x double> %143, %327
+  %329 = fadd <8 x double> %325, %328
+  %330 = fsub <8 x double> %322, %329
+  %331 = load ptr, ptr %116, align 8
+  %332 = getelementptr inbounds double, ptr %331, i64 %312
+  %333 = load <8 x double>, ptr %332, align 8
+  %334 = fmul <8 x double> %275, %333
+  %335 = fsub <8 x double> %334, %330
+  %336 = bitcast <8 x double> %335 to <8 x i64>
+  %337 = and <8 x i64> %336, %138
+  %338 = or <8 x i64> %337, %291
+  %339 = fadd <8 x double> %334, %330
+  %340 = bitcast <8 x double> %339 to <8 x i64>
+  %341 = and <8 x i64> %340, %138
+  %342 = or <8 x i64> %341, %291
+  %343 = and <8 x i64> %338, %138
+  %344 = or <8 x i64> %343, %292
+  %345 = load ptr, ptr %117, align 8
+  %346 = getelementptr inbounds double, ptr %345, i64 %312
+  store <8 x i64> %344, ptr %346, align 8
+  %347 = and <8 x i64> %342, %138
+  %348 = or <8 x i64> %347, %292
+  %349 = load ptr, ptr %118, align 8
+  %350 = getelementptr inbounds double, ptr %349, i64 %312
+  store <8 x i64> %348, ptr %350, align 8
+  %351 = bitcast <8 x i64> %310 to <8 x double>
+  %352 = bitcast <8 x i64> %338 to <8 x double>
+  %353 = bitcast <8 x i64> %342 to <8 x double>
+  %354 = fmul <8 x double> %352, %353
+  %355 = fmul <8 x double> %354, %351
+  %356 = fcmp ogt <8 x double> %352, zeroinitializer
+  %357 = fcmp ogt <8 x double> %353, zeroinitializer
+  %358 = and <8 x i1> %357, %356
+  %359 = fcmp ogt <8 x double> %355, <double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000, double 0x170000000000000>
+  %360 = and <8 x i1> %358, %359
+  %361 = fcmp olt <8 x double> %355, <double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000, double 0x7E70000000000000>
+  %362 = and <8 x i1> %360, %361
+  %363 = select <8 x i1> %362, <8 x i64> %308, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %364 = bitcast <8 x double> %355 to <8 x i64>
+  %365 = ashr <8 x i64> %364, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %366 = add <8 x i64> %309, <i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023, i64 -1023>
+  %367 = add <8 x i64> %366, %365
+  %368 = and <8 x i64> %364, <i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495, i64 4503599627370495>
+  %369 = or <8 x i64> %368, <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>
+  %370 = add nuw nsw i64 %307, 1
+  %371 = load i64, ptr %113, align 8
+  %372 = icmp slt i64 %370, %371
+  br i1 %372, label %306, label %293
 
-364:                                              ; preds = %358, %364
-  %365 = phi i64 [ 0, %358 ], [ %373, %364 ]
-  %366 = phi <8 x double> [ zeroinitializer, %358 ], [ %372, %364 ]
-  %367 = fmul <8 x double> %363, %366
-  %368 = getelementptr inbounds [18 x double], ptr @ODD, i64 0, i64 %365
-  %369 = load double, ptr %368, align 8
-  %370 = insertelement <8 x double> poison, double %369, i64 0
-  %371 = shufflevector <8 x double> %370, <8 x double> poison, <8 x i32> zeroinitializer
-  %372 = fadd <8 x double> %367, %371
-  %373 = add nuw nsw i64 %365, 1
-  %374 = icmp eq i64 %373, 18
-  br i1 %374, label %375, label %364
+373:                                              ; preds = %304
+  %374 = bitcast <8 x i64> %294 to <8 x double>
+  %375 = fadd <8 x double> %374, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %376 = fadd <8 x double> %374, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %377 = fdiv <8 x double> %375, %376
+  %378 = fmul <8 x double> %377, %377
+  br label %379
 
-375:                                              ; preds = %364
-  %376 = fmul <8 x double> %362, %372
-  %377 = fadd <8 x double> %123, %376
-  %378 = add <8 x i64> %280, %120
-  %379 = add nuw nsw i64 %121, 8
-  %380 = icmp slt i64 %379, %6
-  br i1 %380, label %119, label %381
+379:                                              ; preds = %373, %379
+  %380 = phi i64 [ 0, %373 ], [ %388, %379 ]
+  %381 = phi <8 x double> [ zeroinitializer, %373 ], [ %387, %379 ]
+  %382 = fmul <8 x double> %378, %381
+  %383 = getelementptr inbounds [18 x double], ptr @ODD, i64 0, i64 %380
+  %384 = load double, ptr %383, align 8
+  %385 = insertelement <8 x double> poison, double %384, i64 0
+  %386 = shufflevector <8 x double> %385, <8 x double> poison, <8 x i32> zeroinitializer
+  %387 = fadd <8 x double> %382, %386
+  %388 = add nuw nsw i64 %380, 1
+  %389 = icmp eq i64 %388, 18
+  br i1 %389, label %390, label %379
 
-381:                                              ; preds = %375, %78
-  %382 = phi <8 x double> [ zeroinitializer, %78 ], [ %377, %375 ]
-  %383 = phi <8 x i64> [ zeroinitializer, %78 ], [ %378, %375 ]
-  %384 = phi <8 x double> [ zeroinitializer, %78 ], [ %272, %375 ]
-  br label %423
+390:                                              ; preds = %379
+  %391 = fmul <8 x double> %377, %387
+  %392 = fadd <8 x double> %133, %391
+  %393 = add <8 x i64> %295, %130
+  %394 = add nuw nsw i64 %131, 8
+  %395 = icmp slt i64 %394, %6
+  br i1 %395, label %129, label %396
 
-385:                                              ; preds = %423
-  %386 = sitofp i64 %427 to double
-  %387 = fmul double %386, 0x3FE62E42FEFA39EF
-  %388 = extractelement <8 x double> %382, i64 0
-  %389 = extractelement <8 x double> %382, i64 1
-  %390 = fadd double %388, %389
-  %391 = extractelement <8 x double> %382, i64 2
-  %392 = extractelement <8 x double> %382, i64 3
-  %393 = fadd double %391, %392
-  %394 = fadd double %390, %393
-  %395 = extractelement <8 x double> %382, i64 4
-  %396 = extractelement <8 x double> %382, i64 5
-  %397 = fadd double %395, %396
-  %398 = extractelement <8 x double> %382, i64 6
-  %399 = extractelement <8 x double> %382, i64 7
-  %400 = fadd double %398, %399
-  %401 = fadd double %397, %400
-  %402 = fadd double %394, %401
-  %403 = fmul double %402, 2.000000e+00
-  %404 = fadd double %403, %387
-  %405 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 12
-  store double %404, ptr %405, align 8
-  %406 = extractelement <8 x double> %384, i64 0
-  %407 = extractelement <8 x double> %384, i64 1
+396:                                              ; preds = %390, %94
+  %397 = phi <8 x double> [ zeroinitializer, %94 ], [ %392, %390 ]
+  %398 = phi <8 x i64> [ zeroinitializer, %94 ], [ %393, %390 ]
+  %399 = phi <8 x double> [ zeroinitializer, %94 ], [ %287, %390 ]
+  br label %438
+
+400:                                              ; preds = %438
+  %401 = sitofp i64 %442 to double
+  %402 = fmul double %401, 0x3FE62E42FEFA39EF
+  %403 = extractelement <8 x double> %397, i64 0
+  %404 = extractelement <8 x double> %397, i64 1
+  %405 = fadd double %403, %404
+  %406 = extractelement <8 x double> %397, i64 2
+  %407 = extractelement <8 x double> %397, i64 3
   %408 = fadd double %406, %407
-  %409 = extractelement <8 x double> %384, i64 2
-  %410 = extractelement <8 x double> %384, i64 3
-  %411 = fadd double %409, %410
-  %412 = fadd double %408, %411
-  %413 = extractelement <8 x double> %384, i64 4
-  %414 = extractelement <8 x double> %384, i64 5
+  %409 = fadd double %405, %408
+  %410 = extractelement <8 x double> %397, i64 4
+  %411 = extractelement <8 x double> %397, i64 5
+  %412 = fadd double %410, %411
+  %413 = extractelement <8 x double> %397, i64 6
+  %414 = extractelement <8 x double> %397, i64 7
   %415 = fadd double %413, %414
-  %416 = extractelement <8 x double> %384, i64 6
-  %417 = extractelement <8 x double> %384, i64 7
-  %418 = fadd double %416, %417
-  %419 = fadd double %415, %418
-  %420 = fadd double %412, %419
-  %421 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 11
-  store double %420, ptr %421, align 8
-  %422 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 1
-  br label %430
+  %416 = fadd double %412, %415
+  %417 = fadd double %409, %416
+  %418 = fmul double %417, 2.000000e+00
+  %419 = fadd double %418, %402
+  %420 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 12
+  store double %419, ptr %420, align 8
+  %421 = extractelement <8 x double> %399, i64 0
+  %422 = extractelement <8 x double> %399, i64 1
+  %423 = fadd double %421, %422
+  %424 = extractelement <8 x double> %399, i64 2
+  %425 = extractelement <8 x double> %399, i64 3
+  %426 = fadd double %424, %425
+  %427 = fadd double %423, %426
+  %428 = extractelement <8 x double> %399, i64 4
+  %429 = extractelement <8 x double> %399, i64 5
+  %430 = fadd double %428, %429
+  %431 = extractelement <8 x double> %399, i64 6
+  %432 = extractelement <8 x double> %399, i64 7
+  %433 = fadd double %431, %432
+  %434 = fadd double %430, %433
+  %435 = fadd double %427, %434
+  %436 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 11
+  store double %435, ptr %436, align 8
+  %437 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 1
+  br label %445
 
-423:                                              ; preds = %381, %423
-  %424 = phi i32 [ %428, %423 ], [ 0, %381 ]
-  %425 = phi i64 [ %427, %423 ], [ 0, %381 ]
-  %426 = extractelement <8 x i64> %383, i32 %424
-  %427 = add nsw i64 %426, %425
-  %428 = add nuw nsw i32 %424, 1
-  %429 = icmp eq i32 %428, 8
-  br i1 %429, label %385, label %423
+438:                                              ; preds = %396, %438
+  %439 = phi i32 [ %443, %438 ], [ 0, %396 ]
+  %440 = phi i64 [ %442, %438 ], [ 0, %396 ]
+  %441 = extractelement <8 x i64> %398, i32 %439
+  %442 = add nsw i64 %441, %440
+  %443 = add nuw nsw i32 %439, 1
+  %444 = icmp eq i32 %443, 8
+  br i1 %444, label %400, label %438
 
-430:                                              ; preds = %385, %456
-  %431 = phi double [ %404, %385 ], [ %457, %456 ]
-  %432 = phi double [ %420, %385 ], [ %449, %456 ]
-  %433 = phi i1 [ true, %385 ], [ false, %456 ]
-  %434 = phi i64 [ 0, %385 ], [ 1, %456 ]
-  %435 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 15, i64 %434
-  %436 = load double, ptr %435, align 8
-  %437 = fcmp oeq double %436, 0.000000e+00
-  br i1 %437, label %438, label %448
+445:                                              ; preds = %400, %462
+  %446 = phi double [ %435, %400 ], [ %463, %462 ]
+  %447 = phi i1 [ true, %400 ], [ false, %462 ]
+  %448 = phi i64 [ 0, %400 ], [ 1, %462 ]
+  %449 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 15, i64 %448
+  %450 = load double, ptr %449, align 8
+  %451 = fcmp oeq double %450, 0.000000e+00
+  br i1 %451, label %452, label %462
 
-438:                                              ; preds = %430
-  %439 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 17, i64 %434
-  %440 = load double, ptr %439, align 8
-  %441 = fmul double %440, 3.000000e+00
-  %442 = load ptr, ptr %422, align 8
-  %443 = select i1 %433, i64 0, i64 %9
-  %444 = getelementptr inbounds double, ptr %442, i64 %443
-  %445 = load double, ptr %444, align 8
-  %446 = fdiv double %441, %445
-  %447 = fadd double %432, %446
-  store double %447, ptr %421, align 8
-  br label %448
+452:                                              ; preds = %445
+  %453 = getelementptr inbounds %struct.Motion, ptr %0, i64 0, i32 17, i64 %448
+  %454 = load double, ptr %453, align 8
+  %455 = fmul double %454, 3.000000e+00
+  %456 = load ptr, ptr %437, align 8
+  %457 = select i1 %447, i64 0, i64 %9
+  %458 = getelementptr inbounds double, ptr %456, i64 %457
+  %459 = load double, ptr %458, align 8
+  %460 = fdiv double %455, %459
+  %461 = fadd double %446, %460
+  store double %461, ptr %436, align 8
+  br label %462
 
-448:                                              ; preds = %438, %430
-  %449 = phi double [ %447, %438 ], [ %432, %430 ]
-  %450 = getelementptr inbounds %struct.State, ptr %2, i64 0, i32 10, i64 %434
-  %451 = load double, ptr %450, align 8
-  %452 = fcmp olt double %451, 0x7FF0000000000000
-  br i1 %452, label %453, label %456
+462:                                              ; preds = %445, %452
+  %463 = phi double [ %446, %445 ], [ %461, %452 ]
+  br i1 %447, label %445, label %464
 
-453:                                              ; preds = %448
-  %454 = tail call double @llvm.log.f64(double %451)
-  %455 = fadd double %454, %431
-  store double %455, ptr %405, align 8
-  br label %456
-
-456:                                              ; preds = %448, %453
-  %457 = phi double [ %431, %448 ], [ %455, %453 ]
-  br i1 %433, label %430, label %458
-
-458:                                              ; preds = %35, %289, %201, %456, %52
-  %459 = phi i32 [ 0, %52 ], [ 1, %456 ], [ 0, %201 ], [ 0, %289 ], [ 0, %35 ]
-  ret i32 %459
+464:                                              ; preds = %35, %304, %216, %462, %52
+  %465 = phi i32 [ 0, %52 ], [ 1, %462 ], [ 0, %216 ], [ 0, %304 ], [ 0, %35 ]
+  ret i32 %465
 }
 
 declare void @llvm.lifetime.end.p0(i64 immarg, ptr nocapture) #1
@@ -1693,8 +1696,6 @@ declare noalias noundef ptr @calloc(i64 noundef, i64 noundef) local_unnamed_addr
 declare void @llvm.memcpy.p0.p0.i64(ptr noalias nocapture writeonly, ptr noalias nocapture readonly, i64, i1 immarg) #5
 
 declare double @llvm.sqrt.f64(double) #6
-
-declare double @llvm.log.f64(double) #6
 
 declare double @llvm.fabs.f64(double) #6
 
