@@ -33,9 +33,9 @@ RADIUS, LARGEST_RADIUS, SMALLEST_RADIUS = 0.1, 0.8, 1e-8
 #: and without.
 TOLERANCE, FREE_TOLERANCE = 5e-7, 1e-9
 #: Before it ends, the radius is set back to its first value for at most this number of steps. At a saddle of g the gradient is
-#: zero, and only a long step along negative curvature lowers g. A descent with a tolerance above ROUGH ends at once: another one
+#: zero, and only a long step along negative curvature lowers g. A descent with a larger tolerance than this ends at once: another one
 #: follows it.
-WIDE_STEPS, ROUGH = 3, 1e-5
+WIDE_STEPS, MOST_TOLERANCE = 3, 1e-5
 #: While the violation is above the first value, a radius below the second one is set back as well [rad or m]: deep in an
 #: obstacle short steps lead nowhere.
 DEEP, SHORT = 5e-3, 1e-3
@@ -263,7 +263,7 @@ def descend(
     here = _Point.of(program, z, radius)
     model: _Model | None = None
     curvature = np.zeros((z.size, z.size))
-    widens = tolerance <= ROUGH
+    widens = tolerance <= MOST_TOLERANCE
     choice = 0  # which of model.convex gives the step
     wide_steps = 0  # steps left since the radius was set back to RADIUS, 0 before that
     violations = deque([here.violation], maxlen=WINDOW + 1)

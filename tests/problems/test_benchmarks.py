@@ -10,6 +10,7 @@ import manipplan as mp
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 import control_step
+import demo_timing
 import first_paths
 import motionbenchmaker
 import six_joint_arms
@@ -102,3 +103,22 @@ def test_every_call_that_is_timed_beside_version_01_runs():
 @pytest.mark.parametrize(("duration", "text"), [(2.5, "2.5 s"), (0.0123, "12.3 ms"), (4.56e-6, "4.56 µs")])
 def test_durations_are_shown_with_a_unit_that_suits_them(duration, text):
     assert version_01.shown(duration) == text
+
+
+def test_how_far_a_motion_is_away_from_a_path(rng):
+    path = mp.JointPath.line(np.zeros(3), [0.0, 0.0, 1.0])
+    along, beside = rng.random(20), rng.uniform(-0.1, 0.1, (20, 2))
+    assert demo_timing.away(path, path(along)) < 1e-12
+    assert demo_timing.away(path, np.column_stack([beside, along])) == pytest.approx(np.linalg.norm(beside, axis=1).max())
+    assert demo_timing.away(path, np.array([[0.0, 0.0, 1.5]])) == pytest.approx(0.5)
+
+
+@pytest.mark.slow
+def test_rows_of_the_demo_s_timing(panda):
+    path = mp.JointPath.line(panda.neutral, panda.neutral + 0.3)
+    scene = mp.Scene([mp.Box(size=(0.1, 0.1, 0.1), position=(0.0, 2.0, 0.0))])
+    motion = mp.retime(path, panda)
+    row = demo_timing.Row(name="ours", limits="all", duration=motion.duration, seconds=[0.003, 0.001, 0.002], q=motion.q)
+    text = demo_timing.page([row, row, row], path, scene.collision_model(panda), 3)
+    assert f"| ours | all | {motion.duration:.4f} | 0.000 | " in text
+    assert "| 2, 3 |" in text and "takes 1.00 times as long as toppra" in text
