@@ -108,14 +108,15 @@ def main(arguments: Sequence[str] | None = None) -> list[Run]:
         "without an executor, over one process | same motion to the last bit | statuses |",
         "|---|---|---|---|---|---|---|---|---|",
     ]
-    runs = []
+    runs, before = [], os.getloadavg()[0]
     for kind, make in KINDS.items():
         problems = make(options.problems)
         found = [run(kind, problems, who) for who in (ONE, TWO)] + [run(kind, problems[:FIRST], who) for who in (HERE, BRIEF)]
         lines.append(row(found))
         runs += found
     machine = f"Python {platform.python_version()}, {platform.machine()}, {os.cpu_count()} shared cores"
-    lines += ["", f"Wall time, with the start of the processes. {machine}; command: `make benchmark`."]
+    load = f"load average {before:.1f} before, {os.getloadavg()[0]:.1f} after"
+    lines += ["", f"Wall time, with the start of the processes; {load}. {machine}; command: `make benchmark`."]
     options.out.write_text("\n".join(lines) + "\n")
     print("\n".join(lines))
     return runs
