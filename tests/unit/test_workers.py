@@ -178,7 +178,7 @@ def test_functions_and_classes_of_a_program_are_found(tmp_path):
         "if __name__ == '__main__':\n    with Workers(1) as one: print(one.submit(twice, Own(4)).result().x)\n"
     )
     assert sorted(outcome(program, tmp_path).split()) == ["8", "read", "read"]
-    assert "has no 'twice' that a worker can load" in outcome(program, None)
+    assert "Can't get attribute 'twice' on <module '__main__'" in outcome(program, None)
     unguarded = program.replace("if __name__ == '__main__':", "if True:")
     assert "workers cannot start workers: the program needs the line if __name__" in outcome(unguarded, tmp_path)
 
