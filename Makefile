@@ -82,6 +82,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/motionbenchmaker.py
 	$(BIN)/python benchmarks/motionbenchmaker.py --arm ur5
 	$(BIN)/python benchmarks/first_paths.py
+	$(BIN)/python benchmarks/plan_many.py
 	$(BIN)/python benchmarks/seeds.py
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py

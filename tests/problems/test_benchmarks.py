@@ -13,6 +13,7 @@ import control_step
 import demo_timing
 import first_paths
 import motionbenchmaker
+import plan_many
 import six_joint_arms
 import version_01
 from outside import problems
@@ -83,6 +84,18 @@ def test_twelve_first_paths_are_never_worse_than_one(tmp_path):
     assert all(abs(each.gained - 1) < 1e-2 for each in every if each.clear)
     assert all(each.apart <= 1e-3 for group in made if group[1] == "free" for each in made[group] if each.clear)
     assert any(each.clear for each in made["panda", "free"])
+
+
+@pytest.mark.slow
+def test_many_plans_are_the_same_on_one_process_and_two(tmp_path):
+    runs = plan_many.main(["--problems", "3", "--out", str(tmp_path / "table.md")])
+    assert len(runs) == 2 * 4
+    for kind in plan_many.KINDS:
+        digests = [each.digests for each in runs if each.kind == kind]
+        assert all(each == digests[0] for each in digests) and len(digests[0]) == 3
+    assert "| 3 of 3 |" in (tmp_path / "table.md").read_text()
+    everything = plan_many.among_obstacles(702)
+    assert np.array_equal(everything[0].start, everything[350].goal) and everything[700].seeding.seed == 1
 
 
 def test_at_rest_bounds_are_active_and_along_a_path_hardly_any(tmp_path):
