@@ -18,6 +18,7 @@ from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import instance
 from manipplan.support.errors import PlanningError
 from manipplan.support.interrupts import interruptible
+from manipplan.support.one_thread import one_thread
 from manipplan.support.progress import Progress, part, teller
 from manipplan.support.status import Status
 from manipplan.timing.retime import check_timing_limits, retime
@@ -63,6 +64,7 @@ def plan(
 
 
 @interruptible()
+@one_thread()
 def plan(
     robot: Robot,
     start: ArrayLike,

@@ -33,8 +33,8 @@ RADIUS, LARGEST_RADIUS, SMALLEST_RADIUS = 0.1, 0.8, 1e-8
 #: and without.
 TOLERANCE, FREE_TOLERANCE = 5e-7, 1e-9
 #: Before it ends, the radius is set back to its first value for at most this number of steps. At a saddle of g the gradient is
-#: zero, and only a long step along negative curvature lowers g. A descent with a larger tolerance than this ends at once: another one
-#: follows it.
+#: zero, and only a long step along negative curvature lowers g. A descent with a larger tolerance than this ends at once:
+#: another one follows it.
 WIDE_STEPS, MOST_TOLERANCE = 3, 1e-5
 #: While the violation is above the first value, a radius below the second one is set back as well [rad or m]: deep in an
 #: obstacle short steps lead nowhere.
