@@ -58,13 +58,16 @@ pictures: $(READY)
 	$(BIN)/python docs/make_pictures.py
 
 # The compiled kernels in LLVM's language, for machines without a C compiler; needs clang 16.
-KERNELS := manipplan/collision/distances manipplan/paths/curves manipplan/cost/panels manipplan/collision/bottoms manipplan/seeds/connect
+KERNELS := manipplan/collision/distances manipplan/paths/curves manipplan/cost/panels manipplan/collision/bottoms manipplan/seeds/connect \
+	manipplan/ik/inverse manipplan/search/sweep manipplan/search/restarts
 kernel: $(KERNELS:=.ll)
+manipplan/ik/inverse.ll: $(wildcard manipplan/ik/*.h)
+manipplan/search/sweep.ll manipplan/search/restarts.ll: $(wildcard manipplan/search/*.h)
 %.ll: %.c
-	{ echo "; $(<F) $$(sha256sum $< | cut -d' ' -f1): written by make kernel"; \
+	{ echo "; $(<F) $$(cat $< $(sort $(wildcard $(<D)/*.h)) | sha256sum | cut -d' ' -f1): written by make kernel"; \
 	  clang-16 -O2 -fno-vectorize -fno-slp-vectorize -fno-unroll-loops -ffp-contract=off -fno-math-errno -fno-trapping-math \
-	    -S -emit-llvm -o - $< | sed -E -e '/^(target|source_filename|!|;)/d' -e 's/"(target|tune)-[a-z]+"="[^"]*"//g' \
-	    -e 's/, !(tbaa|tbaa\.struct|llvm\.loop) ![0-9]+//g'; } > $@
+	    -S -emit-llvm -o - $< | sed -E -e '/^(target|source_filename|!|;)|noalias\.scope\.decl/d' -e 's/"(target|tune)-[a-z]+"="[^"]*"//g' \
+	    -e 's/, !(tbaa|tbaa\.struct|llvm\.loop|noalias|alias\.scope) ![0-9]+//g'; } > $@
 
 # Edited files for every loader, 10,000 each: half an hour. Files at fault are kept in .faults.
 fuzz: $(READY)

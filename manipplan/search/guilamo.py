@@ -76,7 +76,7 @@ def guilamo_search(
 
     Raises InvalidInputError for bad arguments, including closed layers.
     """
-    from manipplan.search.kernels import EXHAUSTED, FOUND, STATE, UNFINISHED, search_restarts
+    from manipplan.search.restarts import EXHAUSTED, FOUND, UNFINISHED, RestartSearch
 
     instance("layers", layers, Layers)
     if layers.closed:
@@ -85,7 +85,7 @@ def guilamo_search(
     for name, value in {"memoised": memoised, "strict": strict, "throw": throw}.items():
         if not isinstance(value, bool | np.bool_):
             raise InvalidInputError(name, value, "True or False")
-    most = np.iinfo(np.int64).max if most_branches is None else whole_number("most_branches", most_branches, least=0)
+    most = int(np.iinfo(np.int64).max) if most_branches is None else whole_number("most_branches", most_branches, least=0)
     orders = [np.argsort(-m, kind="stable") for m in layers.m]
     q = np.concatenate([each[order] for each, order in zip(layers.q, orders, strict=True)])
     m = np.concatenate([each[order] for each, order in zip(layers.m, orders, strict=True)])
@@ -95,18 +95,23 @@ def guilamo_search(
     lower = np.argsort(-m, kind="stable")
     # a path's minimum manipulability is at most that of the first start; others of equal manipulability can be its start, too
     starts = np.concatenate([[first], lower[(m[lower] <= m[first]) & (lower != first)]])
-    state = np.zeros(STATE, dtype=np.int64)
-    path, pointer = np.zeros(len(orders), dtype=np.int64), np.zeros(len(orders), dtype=np.int64)
-    seen = np.zeros(len(m), dtype=np.int64)
-    reach, turns = np.array(exclusive(steps, strict=bool(strict))), np.array(layers.continuous)
+    search = RestartSearch(
+        q,
+        m,
+        offset=offset,
+        starts=starts,
+        layer_of=layer_of,
+        reach=exclusive(steps, strict=bool(strict)),
+        turns=layers.continuous,
+        memoised=bool(memoised),
+        most_branches=most,
+    )
     code = UNFINISHED
     while code == UNFINISHED:
-        code = search_restarts(
-            q, m, offset, starts, layer_of, reach, turns, bool(memoised), most, BUDGET, state, path, pointer, seen
-        )
+        code = search(BUDGET)
     names = {FOUND: Status.PROVEN_OPTIMAL, EXHAUSTED: Status.NOT_CONNECTED}
     status = names.get(code, Status.GAVE_UP)
-    _, _, new_starts, branches, comparisons = (int(each) for each in state)
+    path, (new_starts, branches, comparisons) = search.path, search.counts
     last = int(starts[max(new_starts, 1) - 1])
     found = [order[place - low] for order, place, low in zip(orders, path, offset[:-1], strict=True)] if status.ok else []
     result = GuilamoResult(

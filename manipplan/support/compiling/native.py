@@ -2,6 +2,7 @@
 
 import ctypes
 import logging
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -10,6 +11,7 @@ from typing import Any
 
 from manipplan.support.compiling.compiler import NATIVE, load_library
 from manipplan.support.compiling.llvm import compiled_by_llvm
+from manipplan.support.compiling.patience import told_when_slow
 from manipplan.support.errors import CompilerError
 
 log = logging.getLogger("manipplan")
@@ -44,15 +46,45 @@ def native_code(source: Path, subject: str) -> NativeCode | None:
     """
     flags = [flag for flag in NATIVE if flag != "-O2"] + ["-O3", "-lm"]
     try:
-        return load_library(source.read_text(encoding="utf-8"), _loaded, flags=flags, subject=f"{subject}, once per machine")
+        return load_library(source_text(source), _loaded, flags=flags, subject=f"{subject}, once per machine")
     except CompilerError as error:
         log.info("%s: compiled by LLVM in each process: %s", subject, error)
     try:
-        engine = compiled_by_llvm(source.with_suffix(".ll").read_text(encoding="utf-8"))
+        with told_when_slow(f"{subject}, by LLVM in each process"):
+            engine = compiled_by_llvm(source.with_suffix(".ll").read_text(encoding="utf-8"))
     except RuntimeError as error:
         log.warning("%s: cannot be compiled, so slower code is used: %s", subject, error)
         return None
     return NativeCode(address=engine.get_function_address, owner=engine)
+
+
+def needed_code(source: Path, subject: str) -> NativeCode:
+    """The same for a source that nothing can replace; raises CompilerError where it cannot be compiled."""
+    code = native_code(source, subject)
+    if code is None:
+        raise CompilerError(subject, f"neither a C compiler nor LLVM can compile {source.name}")
+    return code
+
+
+#: A line that includes a header of ours.
+_INCLUDE = re.compile(r'^#include "(\w+\.h)"\n', re.MULTILINE)
+
+
+def source_text(source: Path) -> str:
+    """The C source with the headers of its own folder in place of the lines that include them, each once."""
+    seen: set[str] = set()
+
+    def expanded(file: Path) -> str:
+        text = file.read_text(encoding="utf-8").replace("#pragma once\n", "")
+        return _INCLUDE.sub(lambda line: included(line[1]), text)
+
+    def included(name: str) -> str:
+        if name in seen:
+            return ""
+        seen.add(name)
+        return expanded(source.with_name(name))
+
+    return expanded(source)
 
 
 def _loaded(file: Path) -> NativeCode:
