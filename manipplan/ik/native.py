@@ -52,9 +52,9 @@ def truth(values: Any) -> NDArray[np.bool_]:
 
 
 def arrangement(axes: Array, points: Array) -> tuple[int, Array, float]:
-    """Arrangement of the first three of axes and points (k, 3), the point (3,) where two of them meet, and the deviation [m].
+    """Arrangement of the first three of axes and points (k, 3), the point (3,) where two meet, and the deviation [m].
 
-    The arrangement is A_MEETS_B, ... or SKEW; for parallel axes the deviation is the sine of their angle, and the point is zero.
+    The arrangement is A_MEETS_B, ... or SKEW; for parallel axes the deviation is the sine of their angle.
     """
     axes, points, out = real(axes), real(points), np.empty(4)
     kind = calls()["arrangement"](axes.ctypes.data, points.ctypes.data, out.ctypes.data)

@@ -1,4 +1,4 @@
-"""Newton steps on the arm as described, by `newton.h`: they refine closed-form solutions, and search where there is no closed form."""
+"""Newton steps on the arm as described, by `newton.h`: they refine solutions of closed forms, and find others without."""
 
 import ctypes
 
@@ -53,8 +53,8 @@ class MovingArm:
     ) -> tuple[Array, Array]:
         """Rows (k, n) after damped Newton steps from each row of q (k, n), and their largest errors (k,) [m, rad].
 
-        Levenberg-Marquardt steps [sugihara2011] towards one pose (4, 4), inside the limits (n,). Joints stop at their limits and leave them when the
-        step leads back. A row ends once its pose is reached to `tolerance`, after `steps` steps at the latest.
+        Levenberg-Marquardt steps [sugihara2011] towards one pose (4, 4), inside the limits (n,). Joints stop at their limits
+        and leave them when the step leads back. A row ends once its pose is reached to `tolerance`, or after `steps` steps.
         """
         q, target, lower, upper = np.array(q, dtype=np.float64, order="C"), real(target), real(lower), real(upper)
         miss, (work, held) = np.empty(len(q)), self._scratch()

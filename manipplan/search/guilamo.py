@@ -10,7 +10,12 @@ are independent. Without memoisation the time of the search grows exponentially 
 for one start, the candidates that were dead ends.
 """
 
+import ctypes
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from manipplan.search.layers import Layers
 from manipplan.search.steps import check_epsilon, exclusive, without_jumps
 from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.compiling.native import needed_code
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.status import Status
@@ -76,8 +82,6 @@ def guilamo_search(
 
     Raises InvalidInputError for bad arguments, including closed layers.
     """
-    from manipplan.search.restarts import EXHAUSTED, FOUND, UNFINISHED, RestartSearch
-
     instance("layers", layers, Layers)
     if layers.closed:
         raise InvalidInputError("layers", "closed layers", "open layers; for cycles use max_min_search")
@@ -95,7 +99,7 @@ def guilamo_search(
     lower = np.argsort(-m, kind="stable")
     # a path's minimum manipulability is at most that of the first start; others of equal manipulability can be its start, too
     starts = np.concatenate([[first], lower[(m[lower] <= m[first]) & (lower != first)]])
-    search = RestartSearch(
+    search = Restarts(
         q,
         m,
         offset=offset,
@@ -128,3 +132,83 @@ def guilamo_search(
     if throw and not status.ok:
         raise PlanningError(f"{status.value} ({new_starts} starts, {branches} branches)", result)
     return result
+
+
+#: Return status of a call of `Restarts`; as in restarts.c.
+UNFINISHED, FOUND, EXHAUSTED, TOO_MANY = 0, 1, 2, 3
+
+_P, _N = ctypes.c_void_p, ctypes.c_long
+
+
+class _Problem(ctypes.Structure):
+    """`Problem` of restarts.c."""
+
+    _fields_ = [
+        *((name, _N) for name in ("n", "layers", "count")),
+        *((name, _P) for name in ("q", "m", "offset", "starts", "layer_of", "reach", "turns")),
+        *((name, _N) for name in ("starting", "memoised", "most_branches")),
+    ]
+
+
+class _State(ctypes.Structure):
+    """`State` of restarts.c."""
+
+    _fields_ = [
+        *((name, _N) for name in ("phase", "level", "starts", "branches", "comparisons")),
+        *((name, _P) for name in ("path", "pointer", "seen")),
+    ]
+
+
+@cache
+def _call() -> Callable[..., int]:
+    code = needed_code(Path(__file__).with_name("restarts.c"), "searches by restarts")
+    return code.functions("manipplan_", {"restarts": (_N, _P, _N, _P)})["restarts"]
+
+
+class Restarts:
+    """A search by restarts in progress.
+
+    Args:
+        q, m: (N, n), (N,) candidates of all layers, each layer in descending order of manipulability.
+        offset: (L + 1,) start of each layer.
+        starts: candidates in the order in which they start a path.
+        layer_of: (N,) their layers.
+        reach: (n,) upper bound on a step, exclusive.
+        turns: (n,) whether each joint is continuous.
+        memoised: whether a candidate that was in the path before is skipped, within one start.
+        most_branches: maximum number of branches.
+
+    Attributes:
+        path: (L,) the candidate of each layer once a path is found.
+    """
+
+    def __init__(
+        self,
+        q: Array,
+        m: Array,
+        *,
+        offset: NDArray[np.int64],
+        starts: NDArray[np.int64],
+        layer_of: NDArray[np.int64],
+        reach: Array,
+        turns: NDArray[np.bool_],
+        memoised: bool,
+        most_branches: int,
+    ) -> None:
+        layers = len(offset) - 1
+        arrays: tuple[NDArray[Any], ...] = tuple(np.ascontiguousarray(each) for each in (q, m, offset, starts, layer_of, reach))
+        self._arrays = (*arrays, np.ascontiguousarray(turns))
+        addresses = (each.ctypes.data for each in self._arrays)
+        self._problem = _Problem(q.shape[1], layers, len(m), *addresses, len(starts), memoised, most_branches)
+        self.path, self._pointer = np.zeros(layers, dtype=np.int64), np.zeros(layers, dtype=np.int64)
+        self._seen = np.zeros(len(m), dtype=np.int64)
+        self._state = _State(0, 0, 0, 0, 0, *(each.ctypes.data for each in (self.path, self._pointer, self._seen)))
+
+    def __call__(self, budget: int) -> int:
+        """Continue for about `budget` comparisons of configurations; returns UNFINISHED, FOUND, EXHAUSTED or TOO_MANY."""
+        return _call()(ctypes.addressof(self._problem), budget, ctypes.addressof(self._state))
+
+    @property
+    def counts(self) -> tuple[int, int, int]:
+        """Numbers of starts, branches and comparisons so far."""
+        return self._state.starts, self._state.branches, self._state.comparisons

@@ -2,7 +2,7 @@
 
 #include "near.h"
 
-enum { UNFINISHED, FOUND, EXHAUSTED, TOO_MANY };  /* return status of a call; as in restarts.py */
+enum { UNFINISHED, FOUND, EXHAUSTED, TOO_MANY };  /* return status of a call; as in guilamo.py */
 enum { NEXT, UP, DOWN };  /* take the next start, extend the path to the last layer, extend it to the first one */
 
 /* Candidates of all layers, each layer in descending order of manipulability. */

@@ -1,4 +1,4 @@
-; restarts.c c712043cf121b909103369f05890f6272e1a331b16cb8f9e47c0956fc58db9ba: written by make kernel
+; restarts.c 3f888b0f907daf22b91486f3c3f762d51b1c2c3e311d40aa9067ee99f6735151: written by make kernel
 
 %struct.State = type { i64, i64, i64, i64, i64, ptr, ptr, ptr }
 %struct.Problem = type { i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, i64, i64 }
