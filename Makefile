@@ -78,6 +78,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/panda_pairs.py
 	$(BIN)/python benchmarks/kinematics.py
 	$(BIN)/python benchmarks/import_time.py
+	$(BIN)/python benchmarks/cold_start.py
 	$(BIN)/python benchmarks/random_steps.py
 	$(BIN)/python benchmarks/control_step.py
 	$(BIN)/python benchmarks/six_joint_arms.py

@@ -20,6 +20,7 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, random_seed, whole_number
 from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.task import Task
 
 #: A configuration reaches a pose when no entry of the two matrices differs by more than this [m or 1].
@@ -118,7 +119,7 @@ class Solver:
     @cached_property
     def _enumeration(self) -> Enumeration:
         assert self.form is not None
-        return Enumeration(self.form, self.robot.limits.lower, self.robot.limits.upper, self.axis)
+        return _enumeration(self.robot, self.form, None if self.axis is None else tuple(self.axis.tolist()))
 
     @cached_property
     def _whole(self) -> MovingArm:
@@ -246,6 +247,11 @@ def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...], u
         wanted = f"one whole number, or one for each of {', '.join(names) or 'no parameters'}"
         raise InvalidInputError("samples", samples, wanted)
     return tuple(whole_number(f"samples[{k}] ({names[k]})", each, least=1) for k, each in enumerate(samples))
+
+
+@once_per_owner
+def _enumeration(robot: Robot, form: ClosedForm, axis: tuple[float, ...] | None) -> Enumeration:
+    return Enumeration(form, robot.limits.lower, robot.limits.upper, None if axis is None else np.array(axis))
 
 
 def turns_about(axis: Array, angles: Array) -> Array:

@@ -9,6 +9,7 @@ import pytest
 import manipplan as mp
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
+import cold_start
 import control_step
 import first_paths
 import motionbenchmaker
@@ -102,3 +103,11 @@ def test_every_call_that_is_timed_beside_version_01_runs():
 @pytest.mark.parametrize(("duration", "text"), [(2.5, "2.5 s"), (0.0123, "12.3 ms"), (4.56e-6, "4.56 µs")])
 def test_durations_are_shown_with_a_unit_that_suits_them(duration, text):
     assert version_01.shown(duration) == text
+
+
+def test_first_calls_compile_once_and_then_load(tmp_path):
+    name = "inverse_kinematics, ur5"
+    found = cold_start.main(["--runs", "1", "--jobs", name, "--out", str(tmp_path / "table.md")])[name]
+    (_, ever), (_, later), (_, again) = (samples[0] for samples in found.values())
+    assert ever > 3 * later > 3 * again > 0, "processor times"
+    assert (tmp_path / "table.md").read_text().count("inverse_kinematics, ur5") == 3
