@@ -9,25 +9,21 @@ from contextlib import contextmanager
 from typing import Any
 
 _lock = threading.Lock()
-#: One limit, that of the outermost block of all threads, and the number of blocks that are open.
-_held: list[Any] = []
-_open = 0
+#: The limits of all open blocks: that of the outermost one, then None for each other one.
+_open: list[Any] = []
 
 
 @contextmanager
 def one_thread() -> Iterator[None]:
     """Let BLAS use one thread in the block, and as many as before after the last open block; also usable as a decorator."""
-    global _open
     from threadpoolctl import threadpool_limits
 
     with _lock:
-        if not _open:
-            _held.append(threadpool_limits(limits=1, user_api="blas"))
-        _open += 1
+        _open.append(None if _open else threadpool_limits(limits=1, user_api="blas"))
     try:
         yield
     finally:
         with _lock:
-            _open -= 1
-            if not _open:
-                _held.pop().restore_original_limits()
+            if len(_open) == 1:
+                _open[0].restore_original_limits()
+            _open.pop()

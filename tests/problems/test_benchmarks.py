@@ -9,6 +9,7 @@ import pytest
 import manipplan as mp
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
+import cold_start
 import control_step
 import demo_timing
 import first_paths
@@ -135,3 +136,11 @@ def test_rows_of_the_demo_s_timing(panda):
     text = demo_timing.page([row, row, row], path, scene.collision_model(panda), 3)
     assert f"| ours | all | {motion.duration:.4f} | 0.000 | " in text
     assert "| 2, 3 |" in text and "takes 1.00 times as long as toppra" in text
+
+
+def test_first_calls_compile_once_and_then_load(tmp_path):
+    name = "inverse_kinematics, ur5"
+    found = cold_start.main(["--runs", "1", "--jobs", name, "--out", str(tmp_path / "table.md")])[name]
+    (_, ever), (_, later), (_, again) = (samples[0] for samples in found.values())
+    assert ever > 3 * later > 3 * again > 0, "processor times"
+    assert (tmp_path / "table.md").read_text().count("inverse_kinematics, ur5") == 3
