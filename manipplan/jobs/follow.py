@@ -44,7 +44,7 @@ AT_KNOTS = 0.5
 #: Clearance that candidates keep beyond the required one, for the motion between positions [m].
 SPARE = 0.003
 #: C sources of this job that are compiled while inverse kinematics is, at the first call ever.
-SOURCES = ("collision/distances.c", "search/sweep.c", "cost/panels.c", "paths/curves.c")
+SOURCES = ("collision/distances.c", "search/sweep.c", "cost/panels.c", "paths/curves.c", "timing/barrier.c")
 #: Number of times at which the tool is compared with the path.
 TIMES = 1500
 

@@ -27,7 +27,10 @@ from manipplan.timing.retime import check_timing_limits, retime
 #: Degrees that are added where a path of the given degree fails, and number of pieces of the cubic B-spline tried after that.
 MORE_DEGREES, SPLINE_PIECES = 3, 8
 #: C sources of this job that are compiled while it prepares collision shapes and generates code, at the first call ever.
-SOURCES = ("collision/distances.c", "paths/curves.c", "seeds/connect.c", "cost/panels.c", "collision/bottoms.c")
+SOURCES = (
+    *("collision/distances.c", "paths/curves.c", "seeds/connect.c", "cost/panels.c", "collision/bottoms.c"),
+    *("collision/body_motion.c", "timing/barrier.c"),
+)
 
 
 @overload
