@@ -71,7 +71,14 @@ class DipSearch:
         return on_grid(self.model.pair_distances(configurations(path, s), pairs), FINE_DISTANCE)
 
     def bottoms(
-        self, path: JointPath, bracket: tuple[Array, Array], middle: Array, least: Array, pairs: NDArray[np.intp]
+        self,
+        path: JointPath,
+        bracket: tuple[Array, Array],
+        middle: Array,
+        least: Array,
+        pairs: NDArray[np.intp],
+        *,
+        sides: tuple[Array, Array] | None = None,
     ) -> tuple[Array, Array]:
         """Where pairs are nearest inside their brackets, (k,), and the distances there [m], (k,).
 
@@ -81,10 +88,16 @@ class DipSearch:
             middle: s (k,) between them.
             least: distances (k,) at `middle` [m].
             pairs: (k,) indices.
+            sides: distances (k,) at the ends of the brackets [m]; nan, or None, where they are not known.
         """
+        known = (np.full(len(pairs), np.nan),) * 2 if sides is None else sides
         dips = np.zeros(len(pairs), dtype=_BRACKET)
         dips["low"], dips["high"], dips["middle"], dips["least"], dips["next"] = *bracket, middle, least, np.nan
-        dips["left"], dips["right"] = (self.distances(path, side, pairs) for side in bracket)
+        for name, end, distances in zip(("left", "right"), bracket, known, strict=True):
+            dips[name] = distances
+            missing = np.flatnonzero(np.isnan(distances))
+            if len(missing):
+                dips[name][missing] = self.distances(path, end[missing], pairs[missing])
         narrow, curves, kernel, curve = _narrow(), curve_code(), self._kernel, path.curve()
         if narrow is None or curves is None or kernel is None or not curve.address:
             self._by_numpy(path, dips, pairs)

@@ -229,9 +229,8 @@ def _adaptive(path: JointPath, integral: PathIntegral, panels: int) -> float:
     def gained(begin: Array, end: Array) -> Array:
         return _integrate_panels(path, begin, end, integral)
 
-    counts = np.maximum(1, np.ceil(panels * np.diff(path.breaks)).astype(int))
-    edges = [np.linspace(a, b, k + 1) for a, b, k in zip(path.breaks[:-1], path.breaks[1:], counts, strict=True)]
-    begin, end = np.concatenate([each[:-1] for each in edges]), np.concatenate([each[1:] for each in edges])
+    edges = path.panel_edges(panels)
+    begin, end = edges[:-1], edges[1:]
     most = len(begin) * 2**NOISE
     whole, settled = gained(begin, end), 0.0
     for _ in range(HALVINGS):

@@ -11,6 +11,7 @@ between two bodies, and the shift of the place where they are nearest. The model
 import logging
 from collections import deque
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import daqp
 import numpy as np
@@ -175,16 +176,16 @@ class _Model:
         gradient: (f n,) of g.
         hessian: (f n, f n) of the Lagrangian: that of g minus `curvature`. It may be indefinite.
         clearance: linear clearance rows about the point.
-        convex: two convex models, each a Hessian (f n, f n) and a gradient (f n,). Where the first gives no step that lowers
-            the merit function, the second is tried. Only the first has ½ ρ ‖A p + c‖² added for the active rows A p + c, which
-            does not change the step while these rows stay active.
+        active: the active rows.
+        bend: largest diagonal entry of the Hessian of g.
         curvature: (f n, f n) Σ_i λ_i ∇²d_i of the clearance rows.
     """
 
     gradient: Array
     hessian: Array
     clearance: LinearRows
-    convex: tuple[tuple[Array, Array], tuple[Array, Array]]
+    active: LinearRows
+    bend: float
     curvature: Array
 
     @classmethod
@@ -204,18 +205,30 @@ class _Model:
             return None
         multipliers = step.multipliers
         curvature = table.curvature(at.z, multipliers[len(multipliers) - len(clearance.value) :])
-        lagrangian = hessian - curvature
         active = multipliers > 0
-        jacobian = rows.jacobian[active]
-        rho = float(np.abs(np.diag(hessian)).max()) / max(float((jacobian**2).sum(axis=1).max(initial=0.0)), 1e-12)
-        augmented = _convex(lagrangian + rho * jacobian.T @ jacobian), gradient + rho * jacobian.T @ rows.value[active]
         return cls(
             gradient=gradient,
-            hessian=lagrangian,
+            hessian=hessian - curvature,
             clearance=clearance,
-            convex=(augmented, (_convex(lagrangian), gradient)),
+            active=LinearRows(value=rows.value[active], jacobian=rows.jacobian[active]),
+            bend=float(np.abs(np.diag(hessian)).max()),
             curvature=curvature,
         )
+
+    @cached_property
+    def augmented(self) -> tuple[Array, Array]:
+        """A convex Hessian (f n, f n) and a gradient (f n,), with ½ ρ ‖A p + c‖² added for the active rows A p + c.
+
+        The addition does not change the step while these rows stay active.
+        """
+        value, jacobian = self.active.value, self.active.jacobian
+        rho = self.bend / max(float((jacobian**2).sum(axis=1).max(initial=0.0)), 1e-12)
+        return _convex(self.hessian + rho * jacobian.T @ jacobian), self.gradient + rho * jacobian.T @ value
+
+    @cached_property
+    def plain(self) -> tuple[Array, Array]:
+        """The same without the addition: tried where `augmented` gives no step that lowers the merit function."""
+        return _convex(self.hessian), self.gradient
 
     def with_rejected(self, program: DescentProgram, here: _Point, there: _Point) -> "_Model":
         """The same model about `here`, with rows for the bodies that a rejected step met at `there`."""
@@ -264,7 +277,7 @@ def descend(
     model: _Model | None = None
     curvature = np.zeros((z.size, z.size))
     widens = tolerance <= MOST_TOLERANCE
-    choice = 0  # which of model.convex gives the step
+    is_plain = False  # whether model.plain gives the step
     wide_steps = 0  # steps left since the radius was set back to RADIUS, 0 before that
     violations = deque([here.violation], maxlen=WINDOW + 1)
 
@@ -274,12 +287,13 @@ def descend(
 
     for count in range(steps):
         if model is None:
-            model, choice = _Model.of(program, here, radius, penalty, curvature), 0
+            model, is_plain = _Model.of(program, here, radius, penalty, curvature), False
             if model is None:
                 return ended(count, FAILED)
             curvature = model.curvature
         rows = program.limits.near(here.z, radius).with_rows(model.clearance)
-        step = _solve(*model.convex[choice], rows, radius, penalty)
+        convex = model.plain if is_plain else model.augmented
+        step = _solve(*convex, rows, radius, penalty)
         if step is None:
             return ended(count, FAILED)
         if step.slack == 0.0:  # φ is exact where ν is larger than Σ λ [nocedal2006, sec. 17.2]
@@ -289,15 +303,15 @@ def descend(
             penalty = max(penalty, min(-model.predicted_decrease(step, restored, 0.0) / (MENDED * restored), LARGEST_PENALTY))
         predicted = model.predicted_decrease(step, restored, penalty)
         if predicted < tolerance * here.value or (here.violation > DEEP and radius < SHORT):
-            if choice + 1 < len(model.convex):
-                choice += 1
+            if not is_plain:
+                is_plain = True
             elif widens and wide_steps == 0:
                 radius, wide_steps = first_radius, WIDE_STEPS
                 here, model = _Point.of(program, here.z, radius), None
             else:
                 return ended(count, "no step lowers g")
             continue
-        new, decrease = _tried(program, model.convex[choice], here, step, predicted, radius, penalty)
+        new, decrease = _tried(program, convex, here, step, predicted, radius, penalty)
         size = float(np.abs(step.p).max())
         if decrease <= ACCEPTED * predicted:
             model = model.with_rejected(program, here, new)
@@ -364,11 +378,16 @@ def _solve(hessian: Array, gradient: Array, rows: LinearRows, radius: float, pen
     """
     size = len(gradient)
     bound = np.full(size, radius)
+    within = np.flatnonzero(
+        rows.value < radius * np.abs(rows.jacobian).sum(axis=1) + ROW_SPACING
+    )  # the others cannot be active
+    multipliers = np.zeros(len(rows.value))
     hessian, gradient = with_bits(hessian, QP_BITS), with_bits(gradient, QP_BITS)
-    rows = LinearRows(value=on_grid(rows.value, ROW_SPACING), jacobian=with_bits(rows.jacobian, QP_BITS))
+    rows = LinearRows(value=on_grid(rows.value[within], ROW_SPACING), jacobian=with_bits(rows.jacobian[within], QP_BITS))
     step = _daqp(hessian, gradient, rows.jacobian, -rows.value, -bound, bound)
     if step is not None and step.multipliers.sum() < LARGEST_PENALTY:
-        return replace(step, p=with_bits(step.p, STEP_BITS))
+        multipliers[within] = step.multipliers
+        return _Step(p=with_bits(step.p, STEP_BITS), slack=0.0, multipliers=multipliers)
     # where rows contradict each other DAQP needs some curvature in every unknown, the slack included
     largest = float(np.abs(np.diag(hessian)).max())
     penalty = max(penalty, SOFT_PENALTY)
@@ -378,7 +397,8 @@ def _solve(hessian: Array, gradient: Array, rows: LinearRows, radius: float, pen
     soft = _daqp(whole, np.append(gradient, penalty), jacobian, -rows.value, np.append(-bound, 0.0), np.append(bound, NONE))
     if soft is None:
         return None
-    return _Step(p=with_bits(soft.p[:size], STEP_BITS), slack=float(soft.p[size]), multipliers=soft.multipliers)
+    multipliers[within] = soft.multipliers
+    return _Step(p=with_bits(soft.p[:size], STEP_BITS), slack=float(soft.p[size]), multipliers=multipliers)
 
 
 def _daqp(hessian: Array, gradient: Array, jacobian: Array, least: Array, low: Array, high: Array) -> _Step | None:

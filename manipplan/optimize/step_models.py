@@ -312,11 +312,25 @@ class Surroundings:
         dip = (before >= here) & (after > here) & (here - rise < self.target + DEEP)
         k, pairs = profile.rows[dip], profile.pairs[dip]
         bracket = s[np.maximum(k - 1, 0)], s[np.minimum(k + 1, INTERVALS)]
-        return self._bottoms(path, bracket, s[k], here[dip], pairs)
+        # what is cut off is measured; at an end of the path the bracket ends at the dip itself
+        left, right = (
+            np.where(at == s[k], here[dip], np.where(side < most, side, np.nan))
+            for at, side in zip(bracket, sides[:, dip], strict=True)
+        )
+        return self._bottoms(path, bracket, s[k], here[dip], pairs, (left, right))
 
     def _bottoms(
-        self, path: JointPath, bracket: tuple[Array, Array], middle: Array, least: Array, pairs: NDArray[np.intp]
+        self,
+        path: JointPath,
+        bracket: tuple[Array, Array],
+        middle: Array,
+        least: Array,
+        pairs: NDArray[np.intp],
+        sides: tuple[Array, Array] | None = None,
     ) -> Look:
-        """Where pairs (k,) are nearest inside brackets (k,) in s, around places with known distances [m]."""
-        at, distances = self._search.bottoms(path, bracket, middle, least, pairs)
+        """Where pairs (k,) are nearest inside brackets (k,) in s, around places with known distances [m].
+
+        `sides` are the distances at the ends of the brackets; nan where they are not known.
+        """
+        at, distances = self._search.bottoms(path, bracket, middle, least, pairs, sides=sides)
         return Look(distances=distances, s=at, pairs=pairs, is_bottom=np.ones(len(pairs), dtype=bool))

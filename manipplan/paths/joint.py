@@ -152,13 +152,17 @@ class JointPath:
         s, weights = self.quadrature()
         return float(weights @ np.linalg.norm(self(s, 1), axis=1))
 
+    def panel_edges(self, panels: int) -> Array:
+        """Edges (k + 1,) of panels over [0, 1]: every piece is divided evenly, into about its share of `panels`."""
+        widths = np.diff(self.breaks)
+        counts = np.maximum(1, np.ceil(panels * widths).astype(int))
+        step = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+        return np.append(np.repeat(self.breaks[:-1], counts) + step * np.repeat(widths / counts, counts), 1.0)
+
     def quadrature(self, *, panels: int = 40, points: int = 10) -> tuple[Array, Array]:
         """Gauss points and weights over [0, 1], (m,) each; every piece is divided into about its share of `panels`."""
         nodes, weights = _gauss_points(points)
-        counts = np.maximum(1, np.ceil(panels * np.diff(self.breaks)).astype(int))
-        edges = np.concatenate(
-            [np.linspace(a, b, k + 1)[:-1] for a, b, k in zip(self.breaks, self.breaks[1:], counts, strict=False)] + [[1.0]]
-        )
+        edges = self.panel_edges(panels)
         half = np.diff(edges)[:, None] / 2
         middle = (edges[:-1] + edges[1:])[:, None] / 2
         return (middle + half * nodes).ravel(), (half * weights).ravel()

@@ -6,6 +6,7 @@ except where a number lies halfway between two points of the grid.
 """
 
 from functools import cache
+from math import frexp
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -24,7 +25,7 @@ FIXED = 2.0**-42
 
 def on_grid(values: Array, spacing: float) -> Array:
     """The nearest multiples of `spacing`."""
-    return np.asarray(np.round(values / spacing) * spacing)
+    return np.asarray(np.rint(values / spacing) * spacing)
 
 
 def configurations(path: JointPath, s: ArrayLike) -> Array:
@@ -48,4 +49,4 @@ def gauss_rule(count: int) -> tuple[Array, Array]:
 def with_bits(values: Array, bits: int) -> Array:
     """The values, rounded so that the largest absolute value has about `bits` bits."""
     largest = float(np.abs(values).max(initial=0.0))
-    return on_grid(values, 2.0 ** (np.frexp(largest)[1] - bits)) if largest > 0 else values
+    return on_grid(values, 2.0 ** (frexp(largest)[1] - bits)) if largest > 0 else values
