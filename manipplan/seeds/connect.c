@@ -127,6 +127,21 @@ static int motion_is_free(Search *s, const double *a, const double *b) {
     return 1;
 }
 
+/* Whether a configuration is free and, where singularities count, no more sides from the start than a path may change. */
+int manipplan_state(Search *s, const double *q) {
+    Side side = s->side[0][0];
+    if (s->sides && !carry(s, q, q, &side, s->side[1])) { s->checks++; return 0; }
+    return is_free(s, q);
+}
+
+/* Whether the straight motion from a, for which `manipplan_state` holds, to b is free; where singularities count, it changes no
+   more sides, from those of the start on, than a path may. */
+int manipplan_motion(Search *s, const double *a, const double *b) {
+    Side side = s->side[0][0];
+    if (s->sides && !carry(s, a, b, &side, s->side[1])) { s->checks++; return 0; }
+    return motion_is_free(s, a, b);
+}
+
 static long nearest(const Search *s, long tree, const double *q) {
     long best = 0;
     double least = INFINITY;

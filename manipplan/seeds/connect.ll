@@ -1,7 +1,602 @@
-; connect.c 246effc601d8210649f5b2fe7ec83b54c61fe1568a7d96a25cc093164cfad46f: written by make kernel
+; connect.c 0f21ea27dbd4b8ee95c21e1531517912f490058f19aab1bc69bf815cf49599ee: written by make kernel
 
-%struct.Search = type { i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, double, double, [2 x double], double, double, double, i64, ptr, ptr, i64, i64, i64, [2 x ptr], [2 x ptr], [2 x ptr], [2 x i64], [2 x i64], i64, i64 }
 %struct.Side = type { i8, i8, i64 }
+%struct.Search = type { i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, double, double, [2 x double], double, double, double, i64, ptr, ptr, i64, i64, i64, [2 x ptr], [2 x ptr], [2 x ptr], [2 x i64], [2 x i64], i64, i64 }
+
+define dso_local i32 @manipplan_state(ptr nocapture noundef %0, ptr noundef %1) local_unnamed_addr #0 {
+  %3 = alloca %struct.Side, align 8
+  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %3) #8
+  %4 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
+  %5 = load ptr, ptr %4, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %3, ptr noundef nonnull align 8 dereferenceable(16) %5, i64 16, i1 false)
+  %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  %7 = load i64, ptr %6, align 8
+  %8 = icmp eq i64 %7, 0
+  br i1 %8, label %18, label %9
+
+9:                                                ; preds = %2
+  %10 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 1
+  %11 = load ptr, ptr %10, align 8
+  %12 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %1, ptr noundef nonnull %3, ptr noundef %11)
+  %13 = icmp eq i32 %12, 0
+  br i1 %13, label %14, label %18
+
+14:                                               ; preds = %9
+  %15 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
+  %16 = load i64, ptr %15, align 8
+  %17 = add nsw i64 %16, 1
+  store i64 %17, ptr %15, align 8
+  br label %78
+
+18:                                               ; preds = %9, %2
+  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  %20 = load double, ptr %19, align 8
+  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  br label %35
+
+22:                                               ; preds = %66
+  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
+  %24 = load i64, ptr %23, align 8
+  %25 = add nsw i64 %24, 1
+  store i64 %25, ptr %23, align 8
+  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %29 = load ptr, ptr %28, align 8
+  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %31 = load double, ptr %30, align 8
+  %32 = fadd double %67, %31
+  %33 = tail call i32 %27(ptr noundef %29, ptr noundef %1, double noundef %32) #8
+  %34 = icmp eq i32 %33, 2
+  br i1 %34, label %68, label %74
+
+35:                                               ; preds = %66, %18
+  %36 = phi i1 [ true, %18 ], [ false, %66 ]
+  %37 = phi i64 [ 0, %18 ], [ 1, %66 ]
+  %38 = phi double [ %20, %18 ], [ %67, %66 ]
+  %39 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i64 %37
+  %40 = load double, ptr %39, align 8
+  %41 = fcmp ogt double %38, %40
+  br i1 %41, label %42, label %66
+
+42:                                               ; preds = %35
+  %43 = load double, ptr %21, align 8
+  %44 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %37
+  %45 = load ptr, ptr %44, align 8
+  %46 = load i64, ptr %0, align 8
+  %47 = icmp sgt i64 %46, 0
+  br i1 %47, label %48, label %60
+
+48:                                               ; preds = %42, %48
+  %49 = phi i64 [ %58, %48 ], [ 0, %42 ]
+  %50 = phi double [ %57, %48 ], [ 0.000000e+00, %42 ]
+  %51 = getelementptr inbounds double, ptr %45, i64 %49
+  %52 = load double, ptr %51, align 8
+  %53 = getelementptr inbounds double, ptr %1, i64 %49
+  %54 = load double, ptr %53, align 8
+  %55 = fsub double %52, %54
+  %56 = fmul double %55, %55
+  %57 = fadd double %50, %56
+  %58 = add nuw nsw i64 %49, 1
+  %59 = icmp eq i64 %58, %46
+  br i1 %59, label %60, label %48
+
+60:                                               ; preds = %48, %42
+  %61 = phi double [ 0.000000e+00, %42 ], [ %57, %48 ]
+  %62 = tail call double @llvm.sqrt.f64(double %61)
+  %63 = fmul double %43, %62
+  %64 = fadd double %40, %63
+  %65 = tail call double @llvm.minnum.f64(double %38, double %64)
+  br label %66
+
+66:                                               ; preds = %60, %35
+  %67 = phi double [ %65, %60 ], [ %38, %35 ]
+  br i1 %36, label %35, label %22
+
+68:                                               ; preds = %22
+  %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %70 = load ptr, ptr %69, align 8
+  %71 = load double, ptr %30, align 8
+  %72 = fadd double %67, %71
+  %73 = tail call i32 %70(ptr noundef %1, double noundef %72) #8
+  br label %74
+
+74:                                               ; preds = %22, %68
+  %75 = phi i32 [ %73, %68 ], [ %33, %22 ]
+  %76 = icmp eq i32 %75, 0
+  %77 = zext i1 %76 to i32
+  br label %78
+
+78:                                               ; preds = %74, %14
+  %79 = phi i32 [ %77, %74 ], [ 0, %14 ]
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %3) #8
+  ret i32 %79
+}
+
+declare void @llvm.lifetime.start.p0(i64 immarg, ptr nocapture) #1
+
+declare void @llvm.memcpy.p0.p0.i64(ptr noalias nocapture writeonly, ptr noalias nocapture readonly, i64, i1 immarg) #2
+
+define internal fastcc i32 @carry(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr nocapture noundef %3, ptr nocapture noundef readonly %4) unnamed_addr #0 {
+  %6 = alloca [4096 x double], align 16
+  %7 = alloca [512 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 32768, ptr nonnull %6) #8
+  call void @llvm.lifetime.start.p0(i64 4096, ptr nonnull %7) #8
+  %8 = load i64, ptr %0, align 8
+  %9 = icmp sgt i64 %8, 0
+  br i1 %9, label %10, label %22
+
+10:                                               ; preds = %5, %10
+  %11 = phi double [ %19, %10 ], [ 0.000000e+00, %5 ]
+  %12 = phi i64 [ %20, %10 ], [ 0, %5 ]
+  %13 = getelementptr inbounds double, ptr %2, i64 %12
+  %14 = load double, ptr %13, align 8
+  %15 = getelementptr inbounds double, ptr %1, i64 %12
+  %16 = load double, ptr %15, align 8
+  %17 = fsub double %14, %16
+  %18 = tail call double @llvm.fabs.f64(double %17)
+  %19 = tail call double @llvm.maxnum.f64(double %11, double %18)
+  %20 = add nuw nsw i64 %12, 1
+  %21 = icmp eq i64 %20, %8
+  br i1 %21, label %22, label %10
+
+22:                                               ; preds = %10, %5
+  %23 = phi double [ 0.000000e+00, %5 ], [ %19, %10 ]
+  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
+  %25 = load double, ptr %24, align 8
+  %26 = fdiv double %23, %25
+  %27 = tail call double @llvm.ceil.f64(double %26)
+  %28 = fptosi double %27 to i64
+  %29 = tail call i64 @llvm.smax.i64(i64 %28, i64 1)
+  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  %31 = add nuw nsw i64 %29, 1
+  %32 = sitofp i64 %29 to double
+  %33 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
+  %35 = getelementptr inbounds %struct.Side, ptr %3, i64 0, i32 1
+  %36 = getelementptr inbounds %struct.Side, ptr %3, i64 0, i32 2
+  %37 = getelementptr inbounds %struct.Side, ptr %4, i64 0, i32 1
+  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  br label %43
+
+39:                                               ; preds = %110
+  %40 = add nuw nsw i64 %45, 64
+  %41 = icmp ugt i64 %40, %29
+  %42 = add nsw i64 %44, -64
+  br i1 %41, label %154, label %43
+
+43:                                               ; preds = %22, %39
+  %44 = phi i64 [ %29, %22 ], [ %42, %39 ]
+  %45 = phi i64 [ 1, %22 ], [ %40, %39 ]
+  %46 = call i64 @llvm.smin.i64(i64 %44, i64 64)
+  %47 = call i64 @llvm.smax.i64(i64 %46, i64 1)
+  %48 = sub nsw i64 %31, %45
+  %49 = call i64 @llvm.smin.i64(i64 %48, i64 64)
+  %50 = icmp sgt i64 %48, 0
+  br i1 %50, label %51, label %58
+
+51:                                               ; preds = %43
+  %52 = load i64, ptr %0, align 8
+  %53 = icmp sgt i64 %52, 0
+  br label %66
+
+54:                                               ; preds = %85
+  %55 = load ptr, ptr %30, align 8
+  %56 = call i32 %55(ptr noundef nonnull %6, ptr noundef nonnull %7, i64 noundef %49) #8
+  %57 = icmp eq i32 %56, 0
+  br i1 %57, label %62, label %154
+
+58:                                               ; preds = %43
+  %59 = load ptr, ptr %30, align 8
+  %60 = call i32 %59(ptr noundef nonnull %6, ptr noundef nonnull %7, i64 noundef %49) #8
+  %61 = icmp eq i32 %60, 0
+  br i1 %61, label %93, label %154
+
+62:                                               ; preds = %54
+  br i1 %50, label %63, label %93
+
+63:                                               ; preds = %62
+  %64 = load i64, ptr %33, align 8
+  %65 = icmp sgt i64 %64, 0
+  br label %88
+
+66:                                               ; preds = %51, %85
+  %67 = phi i64 [ 0, %51 ], [ %86, %85 ]
+  %68 = add nuw nsw i64 %67, %45
+  %69 = sitofp i64 %68 to double
+  %70 = fdiv double %69, %32
+  %71 = mul nsw i64 %52, %67
+  %72 = getelementptr inbounds double, ptr %6, i64 %71
+  br i1 %53, label %73, label %85
+
+73:                                               ; preds = %66, %73
+  %74 = phi i64 [ %83, %73 ], [ 0, %66 ]
+  %75 = getelementptr inbounds double, ptr %1, i64 %74
+  %76 = load double, ptr %75, align 8
+  %77 = getelementptr inbounds double, ptr %2, i64 %74
+  %78 = load double, ptr %77, align 8
+  %79 = fsub double %78, %76
+  %80 = fmul double %70, %79
+  %81 = fadd double %76, %80
+  %82 = getelementptr inbounds double, ptr %72, i64 %74
+  store double %81, ptr %82, align 8
+  %83 = add nuw nsw i64 %74, 1
+  %84 = icmp eq i64 %83, %52
+  br i1 %84, label %85, label %73
+
+85:                                               ; preds = %73, %66
+  %86 = add nuw nsw i64 %67, 1
+  %87 = icmp eq i64 %86, %47
+  br i1 %87, label %54, label %66
+
+88:                                               ; preds = %63, %116
+  %89 = phi i64 [ 0, %63 ], [ %117, %116 ]
+  br i1 %65, label %90, label %116
+
+90:                                               ; preds = %88
+  %91 = mul nsw i64 %64, %89
+  %92 = load ptr, ptr %34, align 8
+  br label %119
+
+93:                                               ; preds = %116, %58, %62
+  %94 = load i64, ptr %36, align 8
+  %95 = load i8, ptr %3, align 8
+  %96 = load i8, ptr %4, align 8
+  %97 = xor i8 %96, %95
+  %98 = load i8, ptr %35, align 1
+  %99 = and i8 %97, %98
+  %100 = load i8, ptr %37, align 1
+  %101 = and i8 %99, %100
+  %102 = icmp eq i8 %101, 0
+  br i1 %102, label %110, label %103
+
+103:                                              ; preds = %93, %103
+  %104 = phi i32 [ %106, %103 ], [ 0, %93 ]
+  %105 = phi i8 [ %108, %103 ], [ %101, %93 ]
+  %106 = add nuw nsw i32 %104, 1
+  %107 = add i8 %105, -1
+  %108 = and i8 %107, %105
+  %109 = icmp eq i8 %108, 0
+  br i1 %109, label %110, label %103
+
+110:                                              ; preds = %103, %93
+  %111 = phi i32 [ 0, %93 ], [ %106, %103 ]
+  %112 = sext i32 %111 to i64
+  %113 = add nsw i64 %94, %112
+  %114 = load i64, ptr %38, align 8
+  %115 = icmp sgt i64 %113, %114
+  br i1 %115, label %154, label %39
+
+116:                                              ; preds = %151, %88
+  %117 = add nuw nsw i64 %89, 1
+  %118 = icmp eq i64 %117, %47
+  br i1 %118, label %93, label %88
+
+119:                                              ; preds = %90, %151
+  %120 = phi i64 [ 0, %90 ], [ %152, %151 ]
+  %121 = add nsw i64 %91, %120
+  %122 = getelementptr inbounds [512 x double], ptr %7, i64 0, i64 %121
+  %123 = load double, ptr %122, align 8
+  %124 = call double @llvm.fabs.f64(double %123)
+  %125 = getelementptr inbounds double, ptr %92, i64 %120
+  %126 = load double, ptr %125, align 8
+  %127 = fcmp olt double %124, %126
+  br i1 %127, label %151, label %128
+
+128:                                              ; preds = %119
+  %129 = fcmp oge double %123, 0.000000e+00
+  %130 = trunc i64 %120 to i32
+  %131 = shl nuw i32 1, %130
+  %132 = trunc i32 %131 to i8
+  %133 = select i1 %129, i8 %132, i8 0
+  %134 = load i8, ptr %35, align 1
+  %135 = zext i8 %134 to i32
+  %136 = and i32 %131, %135
+  %137 = icmp ne i32 %136, 0
+  %138 = load i8, ptr %3, align 8
+  %139 = zext i8 %138 to i32
+  %140 = and i32 %131, %139
+  %141 = zext i8 %133 to i32
+  %142 = icmp ne i32 %140, %141
+  %143 = select i1 %137, i1 %142, i1 false
+  %144 = zext i1 %143 to i64
+  %145 = load i64, ptr %36, align 8
+  %146 = add nsw i64 %145, %144
+  store i64 %146, ptr %36, align 8
+  %147 = xor i8 %132, -1
+  %148 = and i8 %138, %147
+  %149 = or i8 %148, %133
+  store i8 %149, ptr %3, align 8
+  %150 = or i8 %134, %132
+  store i8 %150, ptr %35, align 1
+  br label %151
+
+151:                                              ; preds = %119, %128
+  %152 = add nuw nsw i64 %120, 1
+  %153 = icmp eq i64 %152, %64
+  br i1 %153, label %116, label %119
+
+154:                                              ; preds = %58, %54, %39, %110
+  %155 = phi i32 [ 0, %54 ], [ 1, %39 ], [ 0, %110 ], [ 0, %58 ]
+  call void @llvm.lifetime.end.p0(i64 4096, ptr nonnull %7) #8
+  call void @llvm.lifetime.end.p0(i64 32768, ptr nonnull %6) #8
+  ret i32 %155
+}
+
+declare void @llvm.lifetime.end.p0(i64 immarg, ptr nocapture) #1
+
+define dso_local i32 @manipplan_motion(ptr nocapture noundef %0, ptr nocapture noundef readonly %1, ptr noundef %2) local_unnamed_addr #0 {
+  %4 = alloca %struct.Side, align 8
+  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %4) #8
+  %5 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
+  %6 = load ptr, ptr %5, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %4, ptr noundef nonnull align 8 dereferenceable(16) %6, i64 16, i1 false)
+  %7 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  %8 = load i64, ptr %7, align 8
+  %9 = icmp eq i64 %8, 0
+  br i1 %9, label %19, label %10
+
+10:                                               ; preds = %3
+  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 1
+  %12 = load ptr, ptr %11, align 8
+  %13 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %2, ptr noundef nonnull %4, ptr noundef %12)
+  %14 = icmp eq i32 %13, 0
+  br i1 %14, label %15, label %19
+
+15:                                               ; preds = %10
+  %16 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
+  %17 = load i64, ptr %16, align 8
+  %18 = add nsw i64 %17, 1
+  store i64 %18, ptr %16, align 8
+  br label %21
+
+19:                                               ; preds = %10, %3
+  %20 = tail call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %2)
+  br label %21
+
+21:                                               ; preds = %19, %15
+  %22 = phi i32 [ %20, %19 ], [ 0, %15 ]
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %4) #8
+  ret i32 %22
+}
+
+define internal fastcc i32 @motion_is_free(ptr nocapture noundef %0, ptr nocapture noundef readonly %1, ptr noundef %2) unnamed_addr #0 {
+  %4 = alloca [64 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #8
+  %5 = load i64, ptr %0, align 8
+  %6 = icmp sgt i64 %5, 0
+  br i1 %6, label %7, label %19
+
+7:                                                ; preds = %3, %7
+  %8 = phi double [ %16, %7 ], [ 0.000000e+00, %3 ]
+  %9 = phi i64 [ %17, %7 ], [ 0, %3 ]
+  %10 = getelementptr inbounds double, ptr %2, i64 %9
+  %11 = load double, ptr %10, align 8
+  %12 = getelementptr inbounds double, ptr %1, i64 %9
+  %13 = load double, ptr %12, align 8
+  %14 = fsub double %11, %13
+  %15 = tail call double @llvm.fabs.f64(double %14)
+  %16 = tail call double @llvm.maxnum.f64(double %8, double %15)
+  %17 = add nuw nsw i64 %9, 1
+  %18 = icmp eq i64 %17, %5
+  br i1 %18, label %19, label %7
+
+19:                                               ; preds = %7, %3
+  %20 = phi double [ 0.000000e+00, %3 ], [ %16, %7 ]
+  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
+  %22 = load double, ptr %21, align 8
+  %23 = fdiv double %20, %22
+  %24 = tail call double @llvm.ceil.f64(double %23)
+  %25 = fptosi double %24 to i64
+  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  %27 = load double, ptr %26, align 8
+  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  br label %43
+
+29:                                               ; preds = %72
+  %30 = tail call i64 @llvm.smax.i64(i64 %25, i64 1)
+  %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
+  %32 = load i64, ptr %31, align 8
+  %33 = add nsw i64 %32, 1
+  store i64 %33, ptr %31, align 8
+  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %35 = load ptr, ptr %34, align 8
+  %36 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %37 = load ptr, ptr %36, align 8
+  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %39 = load double, ptr %38, align 8
+  %40 = fadd double %73, %39
+  %41 = tail call i32 %35(ptr noundef %37, ptr noundef %2, double noundef %40) #8
+  %42 = icmp eq i32 %41, 2
+  br i1 %42, label %74, label %80
+
+43:                                               ; preds = %72, %19
+  %44 = phi i1 [ true, %19 ], [ false, %72 ]
+  %45 = phi i64 [ 0, %19 ], [ 1, %72 ]
+  %46 = phi double [ %27, %19 ], [ %73, %72 ]
+  %47 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i64 %45
+  %48 = load double, ptr %47, align 8
+  %49 = fcmp ogt double %46, %48
+  br i1 %49, label %50, label %72
+
+50:                                               ; preds = %43
+  %51 = load double, ptr %28, align 8
+  %52 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %45
+  %53 = load ptr, ptr %52, align 8
+  br i1 %6, label %54, label %66
+
+54:                                               ; preds = %50, %54
+  %55 = phi i64 [ %64, %54 ], [ 0, %50 ]
+  %56 = phi double [ %63, %54 ], [ 0.000000e+00, %50 ]
+  %57 = getelementptr inbounds double, ptr %53, i64 %55
+  %58 = load double, ptr %57, align 8
+  %59 = getelementptr inbounds double, ptr %2, i64 %55
+  %60 = load double, ptr %59, align 8
+  %61 = fsub double %58, %60
+  %62 = fmul double %61, %61
+  %63 = fadd double %56, %62
+  %64 = add nuw nsw i64 %55, 1
+  %65 = icmp eq i64 %64, %5
+  br i1 %65, label %66, label %54
+
+66:                                               ; preds = %54, %50
+  %67 = phi double [ 0.000000e+00, %50 ], [ %63, %54 ]
+  %68 = tail call double @llvm.sqrt.f64(double %67)
+  %69 = fmul double %51, %68
+  %70 = fadd double %48, %69
+  %71 = tail call double @llvm.minnum.f64(double %46, double %70)
+  br label %72
+
+72:                                               ; preds = %66, %43
+  %73 = phi double [ %71, %66 ], [ %46, %43 ]
+  br i1 %44, label %43, label %29
+
+74:                                               ; preds = %29
+  %75 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %76 = load ptr, ptr %75, align 8
+  %77 = load double, ptr %38, align 8
+  %78 = fadd double %73, %77
+  %79 = tail call i32 %76(ptr noundef %2, double noundef %78) #8
+  br label %80
+
+80:                                               ; preds = %29, %74
+  %81 = phi i32 [ %79, %74 ], [ %41, %29 ]
+  %82 = icmp eq i32 %81, 0
+  br i1 %82, label %83, label %173
+
+83:                                               ; preds = %80, %83
+  %84 = phi i64 [ %85, %83 ], [ 1, %80 ]
+  %85 = shl nsw i64 %84, 1
+  %86 = icmp slt i64 %85, %30
+  br i1 %86, label %83, label %87
+
+87:                                               ; preds = %83
+  %88 = icmp ugt i64 %30, 1
+  %89 = icmp sgt i64 %84, 0
+  %90 = select i1 %89, i1 %88, i1 false
+  br i1 %90, label %91, label %173
+
+91:                                               ; preds = %87
+  %92 = sitofp i64 %30 to double
+  %93 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  br label %94
+
+94:                                               ; preds = %91, %170
+  %95 = phi i64 [ %84, %91 ], [ %171, %170 ]
+  %96 = icmp slt i64 %95, %30
+  br i1 %96, label %97, label %170
+
+97:                                               ; preds = %94
+  %98 = shl nuw nsw i64 %95, 1
+  br label %99
+
+99:                                               ; preds = %97, %167
+  %100 = phi i64 [ %95, %97 ], [ %168, %167 ]
+  %101 = sitofp i64 %100 to double
+  %102 = fdiv double %101, %92
+  %103 = load i64, ptr %0, align 8
+  %104 = icmp sgt i64 %103, 0
+  br i1 %104, label %105, label %117
+
+105:                                              ; preds = %99, %105
+  %106 = phi i64 [ %115, %105 ], [ 0, %99 ]
+  %107 = getelementptr inbounds double, ptr %1, i64 %106
+  %108 = load double, ptr %107, align 8
+  %109 = getelementptr inbounds double, ptr %2, i64 %106
+  %110 = load double, ptr %109, align 8
+  %111 = fsub double %110, %108
+  %112 = fmul double %102, %111
+  %113 = fadd double %108, %112
+  %114 = getelementptr inbounds double, ptr %4, i64 %106
+  store double %113, ptr %114, align 8
+  %115 = add nuw nsw i64 %106, 1
+  %116 = icmp eq i64 %115, %103
+  br i1 %116, label %117, label %105
+
+117:                                              ; preds = %105, %99
+  %118 = load double, ptr %26, align 8
+  br label %128
+
+119:                                              ; preds = %157
+  %120 = load i64, ptr %31, align 8
+  %121 = add nsw i64 %120, 1
+  store i64 %121, ptr %31, align 8
+  %122 = load ptr, ptr %34, align 8
+  %123 = load ptr, ptr %36, align 8
+  %124 = load double, ptr %38, align 8
+  %125 = fadd double %158, %124
+  %126 = call i32 %122(ptr noundef %123, ptr noundef nonnull %4, double noundef %125) #8
+  %127 = icmp eq i32 %126, 2
+  br i1 %127, label %159, label %164
+
+128:                                              ; preds = %157, %117
+  %129 = phi i1 [ true, %117 ], [ false, %157 ]
+  %130 = phi i64 [ 0, %117 ], [ 1, %157 ]
+  %131 = phi double [ %118, %117 ], [ %158, %157 ]
+  %132 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i64 %130
+  %133 = load double, ptr %132, align 8
+  %134 = fcmp ogt double %131, %133
+  br i1 %134, label %135, label %157
+
+135:                                              ; preds = %128
+  %136 = load double, ptr %28, align 8
+  %137 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %130
+  %138 = load ptr, ptr %137, align 8
+  br i1 %104, label %139, label %151
+
+139:                                              ; preds = %135, %139
+  %140 = phi i64 [ %149, %139 ], [ 0, %135 ]
+  %141 = phi double [ %148, %139 ], [ 0.000000e+00, %135 ]
+  %142 = getelementptr inbounds double, ptr %138, i64 %140
+  %143 = load double, ptr %142, align 8
+  %144 = getelementptr inbounds double, ptr %4, i64 %140
+  %145 = load double, ptr %144, align 8
+  %146 = fsub double %143, %145
+  %147 = fmul double %146, %146
+  %148 = fadd double %141, %147
+  %149 = add nuw nsw i64 %140, 1
+  %150 = icmp eq i64 %149, %103
+  br i1 %150, label %151, label %139
+
+151:                                              ; preds = %139, %135
+  %152 = phi double [ 0.000000e+00, %135 ], [ %148, %139 ]
+  %153 = call double @llvm.sqrt.f64(double %152)
+  %154 = fmul double %136, %153
+  %155 = fadd double %133, %154
+  %156 = call double @llvm.minnum.f64(double %131, double %155)
+  br label %157
+
+157:                                              ; preds = %151, %128
+  %158 = phi double [ %156, %151 ], [ %131, %128 ]
+  br i1 %129, label %128, label %119
+
+159:                                              ; preds = %119
+  %160 = load ptr, ptr %93, align 8
+  %161 = load double, ptr %38, align 8
+  %162 = fadd double %158, %161
+  %163 = call i32 %160(ptr noundef nonnull %4, double noundef %162) #8
+  br label %164
+
+164:                                              ; preds = %119, %159
+  %165 = phi i32 [ %163, %159 ], [ %126, %119 ]
+  %166 = icmp eq i32 %165, 0
+  br i1 %166, label %167, label %173
+
+167:                                              ; preds = %164
+  %168 = add nsw i64 %100, %98
+  %169 = icmp slt i64 %168, %30
+  br i1 %169, label %99, label %170
+
+170:                                              ; preds = %167, %94
+  %171 = lshr i64 %95, 1
+  %172 = icmp ugt i64 %95, 1
+  br i1 %172, label %94, label %173
+
+173:                                              ; preds = %170, %164, %87, %80
+  %174 = phi i32 [ 0, %80 ], [ 1, %87 ], [ 0, %164 ], [ 1, %170 ]
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #8
+  ret i32 %174
+}
 
 define dso_local i32 @manipplan_connect(ptr nocapture noundef %0, i64 noundef %1) local_unnamed_addr #0 {
   %3 = alloca [64 x double], align 16
@@ -298,10 +893,6 @@ define dso_local i32 @manipplan_connect(ptr nocapture noundef %0, i64 noundef %1
   ret i32 %222
 }
 
-declare void @llvm.lifetime.start.p0(i64 immarg, ptr nocapture) #1
-
-declare void @llvm.lifetime.end.p0(i64 immarg, ptr nocapture) #1
-
 define internal fastcc i64 @extend(ptr nocapture noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #0 {
   %5 = alloca %struct.Side, align 8
   %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %1
@@ -409,8 +1000,6 @@ define internal fastcc i64 @extend(ptr nocapture noundef %0, i64 noundef %1, i64
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %5) #8
   ret i64 %78
 }
-
-declare void @llvm.memcpy.p0.p0.i64(ptr noalias nocapture writeonly, ptr noalias nocapture readonly, i64, i1 immarg) #2
 
 define dso_local i64 @manipplan_way(ptr nocapture noundef readonly %0, ptr noundef writeonly %1) local_unnamed_addr #3 {
   %3 = alloca [2 x i64], align 16
@@ -632,244 +1221,6 @@ define dso_local i64 @manipplan_skip(ptr nocapture noundef %0, ptr noundef %1, p
   %72 = add nuw nsw i64 %14, 3
   %73 = icmp slt i64 %72, %71
   br i1 %73, label %13, label %21
-}
-
-define internal fastcc i32 @motion_is_free(ptr nocapture noundef %0, ptr nocapture noundef readonly %1, ptr noundef %2) unnamed_addr #0 {
-  %4 = alloca [64 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #8
-  %5 = load i64, ptr %0, align 8
-  %6 = icmp sgt i64 %5, 0
-  br i1 %6, label %7, label %19
-
-7:                                                ; preds = %3, %7
-  %8 = phi double [ %16, %7 ], [ 0.000000e+00, %3 ]
-  %9 = phi i64 [ %17, %7 ], [ 0, %3 ]
-  %10 = getelementptr inbounds double, ptr %2, i64 %9
-  %11 = load double, ptr %10, align 8
-  %12 = getelementptr inbounds double, ptr %1, i64 %9
-  %13 = load double, ptr %12, align 8
-  %14 = fsub double %11, %13
-  %15 = tail call double @llvm.fabs.f64(double %14)
-  %16 = tail call double @llvm.maxnum.f64(double %8, double %15)
-  %17 = add nuw nsw i64 %9, 1
-  %18 = icmp eq i64 %17, %5
-  br i1 %18, label %19, label %7
-
-19:                                               ; preds = %7, %3
-  %20 = phi double [ 0.000000e+00, %3 ], [ %16, %7 ]
-  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
-  %22 = load double, ptr %21, align 8
-  %23 = fdiv double %20, %22
-  %24 = tail call double @llvm.ceil.f64(double %23)
-  %25 = fptosi double %24 to i64
-  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
-  %27 = load double, ptr %26, align 8
-  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
-  br label %43
-
-29:                                               ; preds = %72
-  %30 = tail call i64 @llvm.smax.i64(i64 %25, i64 1)
-  %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
-  %32 = load i64, ptr %31, align 8
-  %33 = add nsw i64 %32, 1
-  store i64 %33, ptr %31, align 8
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %35 = load ptr, ptr %34, align 8
-  %36 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %37 = load ptr, ptr %36, align 8
-  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %39 = load double, ptr %38, align 8
-  %40 = fadd double %73, %39
-  %41 = tail call i32 %35(ptr noundef %37, ptr noundef %2, double noundef %40) #8
-  %42 = icmp eq i32 %41, 2
-  br i1 %42, label %74, label %80
-
-43:                                               ; preds = %72, %19
-  %44 = phi i1 [ true, %19 ], [ false, %72 ]
-  %45 = phi i64 [ 0, %19 ], [ 1, %72 ]
-  %46 = phi double [ %27, %19 ], [ %73, %72 ]
-  %47 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i64 %45
-  %48 = load double, ptr %47, align 8
-  %49 = fcmp ogt double %46, %48
-  br i1 %49, label %50, label %72
-
-50:                                               ; preds = %43
-  %51 = load double, ptr %28, align 8
-  %52 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %45
-  %53 = load ptr, ptr %52, align 8
-  br i1 %6, label %54, label %66
-
-54:                                               ; preds = %50, %54
-  %55 = phi i64 [ %64, %54 ], [ 0, %50 ]
-  %56 = phi double [ %63, %54 ], [ 0.000000e+00, %50 ]
-  %57 = getelementptr inbounds double, ptr %53, i64 %55
-  %58 = load double, ptr %57, align 8
-  %59 = getelementptr inbounds double, ptr %2, i64 %55
-  %60 = load double, ptr %59, align 8
-  %61 = fsub double %58, %60
-  %62 = fmul double %61, %61
-  %63 = fadd double %56, %62
-  %64 = add nuw nsw i64 %55, 1
-  %65 = icmp eq i64 %64, %5
-  br i1 %65, label %66, label %54
-
-66:                                               ; preds = %54, %50
-  %67 = phi double [ 0.000000e+00, %50 ], [ %63, %54 ]
-  %68 = tail call double @llvm.sqrt.f64(double %67)
-  %69 = fmul double %51, %68
-  %70 = fadd double %48, %69
-  %71 = tail call double @llvm.minnum.f64(double %46, double %70)
-  br label %72
-
-72:                                               ; preds = %66, %43
-  %73 = phi double [ %71, %66 ], [ %46, %43 ]
-  br i1 %44, label %43, label %29
-
-74:                                               ; preds = %29
-  %75 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  %76 = load ptr, ptr %75, align 8
-  %77 = load double, ptr %38, align 8
-  %78 = fadd double %73, %77
-  %79 = tail call i32 %76(ptr noundef %2, double noundef %78) #8
-  br label %80
-
-80:                                               ; preds = %29, %74
-  %81 = phi i32 [ %79, %74 ], [ %41, %29 ]
-  %82 = icmp eq i32 %81, 0
-  br i1 %82, label %83, label %173
-
-83:                                               ; preds = %80, %83
-  %84 = phi i64 [ %85, %83 ], [ 1, %80 ]
-  %85 = shl nsw i64 %84, 1
-  %86 = icmp slt i64 %85, %30
-  br i1 %86, label %83, label %87
-
-87:                                               ; preds = %83
-  %88 = icmp ugt i64 %30, 1
-  %89 = icmp sgt i64 %84, 0
-  %90 = select i1 %89, i1 %88, i1 false
-  br i1 %90, label %91, label %173
-
-91:                                               ; preds = %87
-  %92 = sitofp i64 %30 to double
-  %93 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  br label %94
-
-94:                                               ; preds = %91, %170
-  %95 = phi i64 [ %84, %91 ], [ %171, %170 ]
-  %96 = icmp slt i64 %95, %30
-  br i1 %96, label %97, label %170
-
-97:                                               ; preds = %94
-  %98 = shl nuw nsw i64 %95, 1
-  br label %99
-
-99:                                               ; preds = %97, %167
-  %100 = phi i64 [ %95, %97 ], [ %168, %167 ]
-  %101 = sitofp i64 %100 to double
-  %102 = fdiv double %101, %92
-  %103 = load i64, ptr %0, align 8
-  %104 = icmp sgt i64 %103, 0
-  br i1 %104, label %105, label %117
-
-105:                                              ; preds = %99, %105
-  %106 = phi i64 [ %115, %105 ], [ 0, %99 ]
-  %107 = getelementptr inbounds double, ptr %1, i64 %106
-  %108 = load double, ptr %107, align 8
-  %109 = getelementptr inbounds double, ptr %2, i64 %106
-  %110 = load double, ptr %109, align 8
-  %111 = fsub double %110, %108
-  %112 = fmul double %102, %111
-  %113 = fadd double %108, %112
-  %114 = getelementptr inbounds double, ptr %4, i64 %106
-  store double %113, ptr %114, align 8
-  %115 = add nuw nsw i64 %106, 1
-  %116 = icmp eq i64 %115, %103
-  br i1 %116, label %117, label %105
-
-117:                                              ; preds = %105, %99
-  %118 = load double, ptr %26, align 8
-  br label %128
-
-119:                                              ; preds = %157
-  %120 = load i64, ptr %31, align 8
-  %121 = add nsw i64 %120, 1
-  store i64 %121, ptr %31, align 8
-  %122 = load ptr, ptr %34, align 8
-  %123 = load ptr, ptr %36, align 8
-  %124 = load double, ptr %38, align 8
-  %125 = fadd double %158, %124
-  %126 = call i32 %122(ptr noundef %123, ptr noundef nonnull %4, double noundef %125) #8
-  %127 = icmp eq i32 %126, 2
-  br i1 %127, label %159, label %164
-
-128:                                              ; preds = %157, %117
-  %129 = phi i1 [ true, %117 ], [ false, %157 ]
-  %130 = phi i64 [ 0, %117 ], [ 1, %157 ]
-  %131 = phi double [ %118, %117 ], [ %158, %157 ]
-  %132 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i64 %130
-  %133 = load double, ptr %132, align 8
-  %134 = fcmp ogt double %131, %133
-  br i1 %134, label %135, label %157
-
-135:                                              ; preds = %128
-  %136 = load double, ptr %28, align 8
-  %137 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %130
-  %138 = load ptr, ptr %137, align 8
-  br i1 %104, label %139, label %151
-
-139:                                              ; preds = %135, %139
-  %140 = phi i64 [ %149, %139 ], [ 0, %135 ]
-  %141 = phi double [ %148, %139 ], [ 0.000000e+00, %135 ]
-  %142 = getelementptr inbounds double, ptr %138, i64 %140
-  %143 = load double, ptr %142, align 8
-  %144 = getelementptr inbounds double, ptr %4, i64 %140
-  %145 = load double, ptr %144, align 8
-  %146 = fsub double %143, %145
-  %147 = fmul double %146, %146
-  %148 = fadd double %141, %147
-  %149 = add nuw nsw i64 %140, 1
-  %150 = icmp eq i64 %149, %103
-  br i1 %150, label %151, label %139
-
-151:                                              ; preds = %139, %135
-  %152 = phi double [ 0.000000e+00, %135 ], [ %148, %139 ]
-  %153 = call double @llvm.sqrt.f64(double %152)
-  %154 = fmul double %136, %153
-  %155 = fadd double %133, %154
-  %156 = call double @llvm.minnum.f64(double %131, double %155)
-  br label %157
-
-157:                                              ; preds = %151, %128
-  %158 = phi double [ %156, %151 ], [ %131, %128 ]
-  br i1 %129, label %128, label %119
-
-159:                                              ; preds = %119
-  %160 = load ptr, ptr %93, align 8
-  %161 = load double, ptr %38, align 8
-  %162 = fadd double %158, %161
-  %163 = call i32 %160(ptr noundef nonnull %4, double noundef %162) #8
-  br label %164
-
-164:                                              ; preds = %119, %159
-  %165 = phi i32 [ %163, %159 ], [ %126, %119 ]
-  %166 = icmp eq i32 %165, 0
-  br i1 %166, label %167, label %173
-
-167:                                              ; preds = %164
-  %168 = add nsw i64 %100, %98
-  %169 = icmp slt i64 %168, %30
-  br i1 %169, label %99, label %170
-
-170:                                              ; preds = %167, %94
-  %171 = lshr i64 %95, 1
-  %172 = icmp ugt i64 %95, 1
-  br i1 %172, label %94, label %173
-
-173:                                              ; preds = %170, %164, %87, %80
-  %174 = phi i32 [ 0, %80 ], [ 1, %87 ], [ 0, %164 ], [ 1, %170 ]
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #8
-  ret i32 %174
 }
 
 define dso_local i64 @manipplan_shorten(ptr nocapture noundef %0, ptr nocapture noundef %1, ptr nocapture noundef %2, i64 noundef %3, i64 noundef %4) local_unnamed_addr #0 {
@@ -1240,223 +1591,17 @@ declare double @llvm.maxnum.f64(double, double) #4
 
 declare double @llvm.minnum.f64(double, double) #4
 
-define internal fastcc i32 @carry(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr nocapture noundef %3, ptr nocapture noundef readonly %4) unnamed_addr #0 {
-  %6 = alloca [4096 x double], align 16
-  %7 = alloca [512 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 32768, ptr nonnull %6) #8
-  call void @llvm.lifetime.start.p0(i64 4096, ptr nonnull %7) #8
-  %8 = load i64, ptr %0, align 8
-  %9 = icmp sgt i64 %8, 0
-  br i1 %9, label %10, label %22
-
-10:                                               ; preds = %5, %10
-  %11 = phi double [ %19, %10 ], [ 0.000000e+00, %5 ]
-  %12 = phi i64 [ %20, %10 ], [ 0, %5 ]
-  %13 = getelementptr inbounds double, ptr %2, i64 %12
-  %14 = load double, ptr %13, align 8
-  %15 = getelementptr inbounds double, ptr %1, i64 %12
-  %16 = load double, ptr %15, align 8
-  %17 = fsub double %14, %16
-  %18 = tail call double @llvm.fabs.f64(double %17)
-  %19 = tail call double @llvm.maxnum.f64(double %11, double %18)
-  %20 = add nuw nsw i64 %12, 1
-  %21 = icmp eq i64 %20, %8
-  br i1 %21, label %22, label %10
-
-22:                                               ; preds = %10, %5
-  %23 = phi double [ 0.000000e+00, %5 ], [ %19, %10 ]
-  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
-  %25 = load double, ptr %24, align 8
-  %26 = fdiv double %23, %25
-  %27 = tail call double @llvm.ceil.f64(double %26)
-  %28 = fptosi double %27 to i64
-  %29 = tail call i64 @llvm.smax.i64(i64 %28, i64 1)
-  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
-  %31 = add nuw nsw i64 %29, 1
-  %32 = sitofp i64 %29 to double
-  %33 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
-  %35 = getelementptr inbounds %struct.Side, ptr %3, i64 0, i32 1
-  %36 = getelementptr inbounds %struct.Side, ptr %3, i64 0, i32 2
-  %37 = getelementptr inbounds %struct.Side, ptr %4, i64 0, i32 1
-  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
-  br label %43
-
-39:                                               ; preds = %110
-  %40 = add nuw nsw i64 %45, 64
-  %41 = icmp ugt i64 %40, %29
-  %42 = add nsw i64 %44, -64
-  br i1 %41, label %154, label %43
-
-43:                                               ; preds = %22, %39
-  %44 = phi i64 [ %29, %22 ], [ %42, %39 ]
-  %45 = phi i64 [ 1, %22 ], [ %40, %39 ]
-  %46 = call i64 @llvm.smin.i64(i64 %44, i64 64)
-  %47 = call i64 @llvm.smax.i64(i64 %46, i64 1)
-  %48 = sub nsw i64 %31, %45
-  %49 = call i64 @llvm.smin.i64(i64 %48, i64 64)
-  %50 = icmp sgt i64 %48, 0
-  br i1 %50, label %51, label %58
-
-51:                                               ; preds = %43
-  %52 = load i64, ptr %0, align 8
-  %53 = icmp sgt i64 %52, 0
-  br label %66
-
-54:                                               ; preds = %85
-  %55 = load ptr, ptr %30, align 8
-  %56 = call i32 %55(ptr noundef nonnull %6, ptr noundef nonnull %7, i64 noundef %49) #8
-  %57 = icmp eq i32 %56, 0
-  br i1 %57, label %62, label %154
-
-58:                                               ; preds = %43
-  %59 = load ptr, ptr %30, align 8
-  %60 = call i32 %59(ptr noundef nonnull %6, ptr noundef nonnull %7, i64 noundef %49) #8
-  %61 = icmp eq i32 %60, 0
-  br i1 %61, label %93, label %154
-
-62:                                               ; preds = %54
-  br i1 %50, label %63, label %93
-
-63:                                               ; preds = %62
-  %64 = load i64, ptr %33, align 8
-  %65 = icmp sgt i64 %64, 0
-  br label %88
-
-66:                                               ; preds = %51, %85
-  %67 = phi i64 [ 0, %51 ], [ %86, %85 ]
-  %68 = add nuw nsw i64 %67, %45
-  %69 = sitofp i64 %68 to double
-  %70 = fdiv double %69, %32
-  %71 = mul nsw i64 %52, %67
-  %72 = getelementptr inbounds double, ptr %6, i64 %71
-  br i1 %53, label %73, label %85
-
-73:                                               ; preds = %66, %73
-  %74 = phi i64 [ %83, %73 ], [ 0, %66 ]
-  %75 = getelementptr inbounds double, ptr %1, i64 %74
-  %76 = load double, ptr %75, align 8
-  %77 = getelementptr inbounds double, ptr %2, i64 %74
-  %78 = load double, ptr %77, align 8
-  %79 = fsub double %78, %76
-  %80 = fmul double %70, %79
-  %81 = fadd double %76, %80
-  %82 = getelementptr inbounds double, ptr %72, i64 %74
-  store double %81, ptr %82, align 8
-  %83 = add nuw nsw i64 %74, 1
-  %84 = icmp eq i64 %83, %52
-  br i1 %84, label %85, label %73
-
-85:                                               ; preds = %73, %66
-  %86 = add nuw nsw i64 %67, 1
-  %87 = icmp eq i64 %86, %47
-  br i1 %87, label %54, label %66
-
-88:                                               ; preds = %63, %116
-  %89 = phi i64 [ 0, %63 ], [ %117, %116 ]
-  br i1 %65, label %90, label %116
-
-90:                                               ; preds = %88
-  %91 = mul nsw i64 %64, %89
-  %92 = load ptr, ptr %34, align 8
-  br label %119
-
-93:                                               ; preds = %116, %58, %62
-  %94 = load i64, ptr %36, align 8
-  %95 = load i8, ptr %3, align 8
-  %96 = load i8, ptr %4, align 8
-  %97 = xor i8 %96, %95
-  %98 = load i8, ptr %35, align 1
-  %99 = and i8 %97, %98
-  %100 = load i8, ptr %37, align 1
-  %101 = and i8 %99, %100
-  %102 = icmp eq i8 %101, 0
-  br i1 %102, label %110, label %103
-
-103:                                              ; preds = %93, %103
-  %104 = phi i32 [ %106, %103 ], [ 0, %93 ]
-  %105 = phi i8 [ %108, %103 ], [ %101, %93 ]
-  %106 = add nuw nsw i32 %104, 1
-  %107 = add i8 %105, -1
-  %108 = and i8 %107, %105
-  %109 = icmp eq i8 %108, 0
-  br i1 %109, label %110, label %103
-
-110:                                              ; preds = %103, %93
-  %111 = phi i32 [ 0, %93 ], [ %106, %103 ]
-  %112 = sext i32 %111 to i64
-  %113 = add nsw i64 %94, %112
-  %114 = load i64, ptr %38, align 8
-  %115 = icmp sgt i64 %113, %114
-  br i1 %115, label %154, label %39
-
-116:                                              ; preds = %151, %88
-  %117 = add nuw nsw i64 %89, 1
-  %118 = icmp eq i64 %117, %47
-  br i1 %118, label %93, label %88
-
-119:                                              ; preds = %90, %151
-  %120 = phi i64 [ 0, %90 ], [ %152, %151 ]
-  %121 = add nsw i64 %91, %120
-  %122 = getelementptr inbounds [512 x double], ptr %7, i64 0, i64 %121
-  %123 = load double, ptr %122, align 8
-  %124 = call double @llvm.fabs.f64(double %123)
-  %125 = getelementptr inbounds double, ptr %92, i64 %120
-  %126 = load double, ptr %125, align 8
-  %127 = fcmp olt double %124, %126
-  br i1 %127, label %151, label %128
-
-128:                                              ; preds = %119
-  %129 = fcmp oge double %123, 0.000000e+00
-  %130 = trunc i64 %120 to i32
-  %131 = shl nuw i32 1, %130
-  %132 = trunc i32 %131 to i8
-  %133 = select i1 %129, i8 %132, i8 0
-  %134 = load i8, ptr %35, align 1
-  %135 = zext i8 %134 to i32
-  %136 = and i32 %131, %135
-  %137 = icmp ne i32 %136, 0
-  %138 = load i8, ptr %3, align 8
-  %139 = zext i8 %138 to i32
-  %140 = and i32 %131, %139
-  %141 = zext i8 %133 to i32
-  %142 = icmp ne i32 %140, %141
-  %143 = select i1 %137, i1 %142, i1 false
-  %144 = zext i1 %143 to i64
-  %145 = load i64, ptr %36, align 8
-  %146 = add nsw i64 %145, %144
-  store i64 %146, ptr %36, align 8
-  %147 = xor i8 %132, -1
-  %148 = and i8 %138, %147
-  %149 = or i8 %148, %133
-  store i8 %149, ptr %3, align 8
-  %150 = or i8 %134, %132
-  store i8 %150, ptr %35, align 1
-  br label %151
-
-151:                                              ; preds = %119, %128
-  %152 = add nuw nsw i64 %120, 1
-  %153 = icmp eq i64 %152, %64
-  br i1 %153, label %116, label %119
-
-154:                                              ; preds = %58, %54, %39, %110
-  %155 = phi i32 [ 0, %54 ], [ 1, %39 ], [ 0, %110 ], [ 0, %58 ]
-  call void @llvm.lifetime.end.p0(i64 4096, ptr nonnull %7) #8
-  call void @llvm.lifetime.end.p0(i64 32768, ptr nonnull %6) #8
-  ret i32 %155
-}
-
 declare double @llvm.fabs.f64(double) #4
 
 declare double @llvm.ceil.f64(double) #4
 
 declare double @llvm.sqrt.f64(double) #4
 
-declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #5
+declare i64 @llvm.smin.i64(i64, i64) #5
 
-declare i64 @llvm.smin.i64(i64, i64) #6
+declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #6
 
-declare i64 @llvm.smax.i64(i64, i64) #6
+declare i64 @llvm.smax.i64(i64, i64) #5
 
 declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #7
 
@@ -1465,8 +1610,8 @@ attributes #1 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 attributes #2 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: readwrite) }
 attributes #3 = { nofree nosync nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #4 = { mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #5 = { nofree nounwind willreturn memory(argmem: read) }
-attributes #6 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
+attributes #5 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
+attributes #6 = { nofree nounwind willreturn memory(argmem: read) }
 attributes #7 = { nocallback nofree nounwind willreturn memory(argmem: write) }
 attributes #8 = { nounwind }
 

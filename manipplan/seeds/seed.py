@@ -23,7 +23,8 @@ from manipplan.kinematics.sides import sides_of
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.smooth import rounded
 from manipplan.robots.robot import Robot
-from manipplan.seeds.connect import TreeSearch, can_search
+from manipplan.seeds.connect import TreeSearch
+from manipplan.seeds.motions import can_check
 from manipplan.seeds.ompl import OmplSearch
 from manipplan.seeds.seeding import AUTO, OPTIMISING, Seeding
 from manipplan.seeds.task import GRACE, SeedTask
@@ -96,6 +97,7 @@ def seed_path(
     q_start = model.free_configuration("start", start, clearance)
     q_goal = model.free_configuration("goal", goal, clearance)
     check_apart(q_start, q_goal)
+    compiled = seeding.planner == "auto" and can_check(model)  # before time counts, since code may have to be compiled
     kinematics = integral.kinematics
     task = SeedTask(
         model=model,
@@ -112,7 +114,7 @@ def seed_path(
         seeding=seeding,
         integral=integral if lowers_g else None,
         checks=checks,
-        compiled=seeding.planner == "auto" and can_search(model),
+        compiled=compiled,
         free=_acceptance(model, (q_start, q_goal), clearance),
     )
     if same_aspect:
@@ -217,19 +219,23 @@ class _Finder:
 
     def _waypoints(self, task: SeedTask) -> Iterator[Array]:
         """The paths (k, n) of searches with finer and finer motion checks."""
-        checks = self.checks if self.planner in OPTIMISING else None
-        ompl = OmplSearch(task=task, planner=self.planner, integral=self.integral, checks=checks)
-        search = TreeSearch(task=task) if self.compiled else ompl
-        for step, margin in WIDE_STEPS if self.compiled else ():
-            waypoints = TreeSearch(task=replace(task, checks=WIDE_CHECKS)).run(step, margin)
+        optimises = not self.compiled and self.planner in OPTIMISING
+        for step, margin in () if optimises else WIDE_STEPS:
+            waypoints = self._search(replace(task, checks=WIDE_CHECKS)).run(step, margin)
             if waypoints is not None:
                 yield waypoints
+        search = self._search(replace(task, checks=self.checks) if optimises else task)
         for step, margin in MOTION_STEPS:
             waypoints = search.run(step, margin)
             if waypoints is None:
                 return
             yield waypoints
             log.info("the path is not proven free with checks %g rad apart; checking finer", step)
+
+    def _search(self, task: SeedTask) -> TreeSearch | OmplSearch:
+        if self.compiled:
+            return TreeSearch(task=task)
+        return OmplSearch(task=task, planner=self.planner, integral=self.integral)
 
     def failure(self) -> str:
         """Why no path was found."""

@@ -15,6 +15,8 @@ import pytest
 import manipplan as mp
 from manipplan.collision.model import CollisionModel
 from manipplan.optimize.problem import initial_path
+from manipplan.seeds import motions
+from manipplan.seeds.motions import MotionCheck
 from manipplan.seeds.objective import motion_cost, ompl_objective
 from manipplan.seeds.seeding import OPTIMISING, PLANNERS
 
@@ -122,6 +124,7 @@ def test_the_time_limit_holds_where_checks_are_slow(planar, planner, monkeypatch
         return quick(model, q, **options)
 
     monkeypatch.setattr(CollisionModel, "in_collision", slow)
+    monkeypatch.setattr(motions, "functions", lambda: None)  # the compiled check does not ask it
     began = time.monotonic()
     try:
         mp.seed_path(planar, START, GOAL, POST, seeding=mp.Seeding(planner=planner, time_limit=0.6))
@@ -311,7 +314,7 @@ def test_an_interrupt_of_the_planner_is_raised(planar, monkeypatch, sigint):
     def interrupt(*_, **__):
         signal.raise_signal(signal.SIGINT)
 
-    monkeypatch.setattr(CollisionModel, "in_collision", interrupt)
+    monkeypatch.setattr(MotionCheck, "motion", interrupt)
     with pytest.raises(KeyboardInterrupt):
         mp.optimize_path(planar, START, GOAL, scene=POST, seeding=mp.Seeding(planner="RRTConnect"))
 
