@@ -58,7 +58,8 @@ pictures: $(READY)
 	$(BIN)/python docs/make_pictures.py
 
 # The compiled kernels in LLVM's language, for machines without a C compiler; needs clang 16.
-KERNELS := manipplan/collision/distances manipplan/paths/curves manipplan/cost/panels manipplan/collision/bottoms manipplan/seeds/connect
+KERNELS := manipplan/collision/distances manipplan/collision/bottoms manipplan/collision/body_motion manipplan/paths/curves \
+    manipplan/cost/panels manipplan/seeds/connect
 kernel: $(KERNELS:=.ll)
 %.ll: %.c
 	{ echo "; $(<F) $$(sha256sum $< | cut -d' ' -f1): written by make kernel"; \

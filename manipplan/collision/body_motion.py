@@ -7,8 +7,20 @@ first, joint j moves the point by at most
     D_j = δ_j (ρ_j + Σ_{i > j} D_i)   for a revolute joint,   D_j = δ_j   for a prismatic one,
 
 with ρ_j the largest distance of the body's points from axis j at q: the joints that moved before have moved the point by
-at most the sum. The distance of the pair decreases by at most Σ_j D_j.
+at most the sum. The distance of the pair decreases by at most Σ_j D_j. (1)
+
+On a curve q(u) with |q_j'| <= v_j and |q_j''| <= a_j the same distance λ_j from axis j, ρ_j + Σ_{i > j} D_i or 1 for a prismatic
+joint, bounds a point's acceleration: its part by joints i < j is |z_i x (z_j x r_j)| <= λ_j, so that (2)
+
+    |p''| <= Σ_j λ_j (v_j² + 2 v_j Σ_{i < j} v_i + a_j),   (3)
+
+without v_j² for a prismatic joint j, and without v_i for a prismatic joint i.
 """
+
+import ctypes
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pinocchio as pin
@@ -20,12 +32,39 @@ from manipplan.collision.primitives import core_of
 from manipplan.robots.model_tree import axis_of, is_prismatic
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.compiling.native import native_code
 from manipplan.support.memo import once_per_owner
 
-#: Maximum number of core points of a body; a body with more is bounded by a primitive around it.
+#: Maximum number of core points of a body; a body with more is bounded by a primitive around it. As in body_motion.c.
 MOST_POINTS = 8
+#: Maximum number of joints in compiled code; as in body_motion.c.
+MOST_JOINTS = 64
 
 BodyIndices = NDArray[np.intp]
+_P, _N = ctypes.c_void_p, ctypes.c_long
+
+
+class _Arm(ctypes.Structure):
+    """`Arm` of body_motion.c."""
+
+    _fields_ = [
+        (name, _N if name in ("n", "bodies") else _P)
+        for name in (
+            *("n", "fixed", "axes", "slides", "bodies", "joint", "points", "radii", "body", "below"),
+            *("moved", "lever", "row"),
+        )
+    ]
+
+
+#: Result and arguments of `manipplan_motion`.
+SIGNATURE = (None, *[_P] * 7, _N, _P, _P)
+
+
+@cache
+def _compiled() -> Callable[..., None] | None:
+    """The compiled bounds; None where they cannot be compiled."""
+    code = native_code(Path(__file__).with_name("body_motion.c"), "proofs of clearance")
+    return None if code is None else code.functions("manipplan_", {"motion": SIGNATURE})["motion"]
 
 
 @once_per_owner
@@ -57,15 +96,57 @@ class BodyMotion:
         self.slides = np.array([is_prismatic(joint) for joint in robot.joints[1:]])
         self._axes = [axis_of(joint) for joint in robot.joints[1:]]
         self._placements = [(np.array(place.rotation), np.array(place.translation)) for place in robot.jointPlacements[1:]]
+        self._arrays = {
+            "fixed": np.array([np.concatenate([turn.ravel(), origin]) for turn, origin in self._placements]),
+            "axes": np.array(self._axes),
+            "slides": self.slides.astype(np.int64),
+            "joint": self.joint.astype(np.int64),
+            "points": self.points,
+            "radii": self.radii,
+            "body": self.body.astype(np.int64),
+            "below": self.below.astype(np.int64),
+        }
 
     def motion(self, q: Array, change: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
-        """Upper bound on the motion of the two bodies of a pair towards each other, (e,) [m].
+        """Upper bound (1) on the motion of the two bodies of a pair towards each other, (e,) [m].
 
         Args:
             q: (m, n) configurations.
             change: (m, n) maximum distance of each joint from there [rad or m].
             rows, pairs: (e,) indices of the configuration and of the pair.
         """
+        found = self._by_kernel(q, change, None, rows, pairs)
+        return self._motion_by_numpy(q, change, rows, pairs) if found is None else found[0]
+
+    def motion_and_bend(
+        self, q: Array, change: Array, rates: tuple[Array, Array], rows: BodyIndices, pairs: BodyIndices
+    ) -> tuple[Array, Array]:
+        """The same, and upper bounds (3) on the acceleration of the bodies' points, (e,) each; inf without compiled code.
+
+        `rates` are the largest speeds and accelerations (m, n) of the joints.
+        """
+        found = self._by_kernel(q, change, rates, rows, pairs)
+        return (self._motion_by_numpy(q, change, rows, pairs), np.full(len(rows), np.inf)) if found is None else found
+
+    def _by_kernel(
+        self, q: Array, change: Array, rates: tuple[Array, Array] | None, rows: BodyIndices, pairs: BodyIndices
+    ) -> tuple[Array, Array] | None:
+        """Both bounds by compiled code, the second one only with `rates`; None without it."""
+        call, n, count = _compiled(), q.shape[1], len(self.radii)
+        if call is None or n > MOST_JOINTS:
+            return None
+        numbers = [np.ascontiguousarray(each, dtype=float) for each in (q, change, *(rates or ()))]
+        rows, pairs = np.ascontiguousarray(rows, dtype=np.int64), np.ascontiguousarray(pairs, dtype=np.int64)
+        work = {"moved": np.empty((count, n + 1)), "lever": np.empty((count, n + 1)), "row": np.empty(count, dtype=np.int64)}
+        arm = _Arm(n=n, bodies=count, **{name: array.ctypes.data for name, array in (self._arrays | work).items()})
+        motion, bend = np.empty(len(rows)), np.empty(0 if rates is None else len(rows))
+        at = [each.ctypes.data for each in numbers] + [None] * (4 - len(numbers))
+        ends = motion.ctypes.data, None if rates is None else bend.ctypes.data
+        call(ctypes.addressof(arm), *at, rows.ctypes.data, pairs.ctypes.data, len(rows), *ends)
+        return motion, bend
+
+    def _motion_by_numpy(self, q: Array, change: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
+        """As `motion`."""
         rotations, origins, axes = self._chain(q)
         bodies, where = np.unique(rows * len(self.radii) + self.body[pairs], return_inverse=True)
         row, body = np.divmod(bodies, len(self.radii))

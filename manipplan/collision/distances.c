@@ -2,7 +2,8 @@
 
    A shape is a convex core with a radius around it; the distance of two shapes is that of their cores minus both radii. The
    distance of two cores comes from the algorithm of Gilbert, Johnson and Keerthi (GJK): each step gives a point of the
-   difference of the two (an upper bound) and a separating direction (a lower bound), so that every answer is proven. Where cores overlap, the expanding
+   difference of the two (an upper bound) and a separating direction (a lower bound), so that every answer is proven. Where cores overlap, the
+   expanding
    polytope algorithm gives the depth, with the same two bounds.
 
    Obstacles are in a tree of axis-parallel boxes; each mesh and each point cloud has a tree of its triangles or points below its
@@ -48,6 +49,7 @@ typedef struct {
     double *centres;        /* (bodies, 3) work: centre of each ball in the world */
     double *least;          /* (pairs) work: distances found at a configuration, infinite between calls */
     long *found;            /* (pairs) work: the pairs of which one was found */
+    double *guess;          /* (pairs, 3) work: direction between each pair at the configuration before; zero: none is known */
 } World;
 
 typedef struct {
@@ -136,18 +138,26 @@ static void core_of(const World *w, long body, Core *core) {
     }
 }
 
-/* The first of the core points that are farthest along d. The products are vectorised, the search for the largest is not. */
+/* The first of the core points that are farthest along d. Products and lanes of maxima are vectorised. */
 static long farthest(const Core *core, const double *d) {
+    enum { LANES = 8, RUN = 64 };
     const double *x = core->x, *y = core->y, *z = core->z;
-    double best = d[0] * x[0] + d[1] * y[0] + d[2] * z[0];
-    long first = 0, k = 1;
-    double along[64];
-    for (; k < core->count;) {
-        long run = core->count - k < 64 ? core->count - k : 64;
-        for (long i = 0; i < run; i++) along[i] = d[0] * x[k + i] + d[1] * y[k + i] + d[2] * z[k + i];
-        for (long i = 0; i < run; i++)
-            if (along[i] > best) best = along[i], first = k + i;
-        k += run;
+    double best = -INFINITY, along[RUN];
+    long first = 0;
+    for (long k = 0; k < core->count; k += RUN) {
+        long run = core->count - k < RUN ? core->count - k : RUN, i = 0;
+        double most[LANES];
+        for (int l = 0; l < LANES; l++) most[l] = -INFINITY;
+        for (; i < run; i++) along[i] = d[0] * x[k + i] + d[1] * y[k + i] + d[2] * z[k + i];
+        for (; i % LANES; i++) along[i] = -INFINITY;
+        for (long j = 0; j < i; j += LANES)
+            for (int l = 0; l < LANES; l++) most[l] = along[j + l] > most[l] ? along[j + l] : most[l];
+        double top = most[0];
+        for (int l = 1; l < LANES; l++) top = most[l] > top ? most[l] : top;
+        if (!(top > best)) continue;
+        best = top;
+        for (i = 0; along[i] != top; i++) {}
+        first = k + i;
     }
     return first;
 }
@@ -251,10 +261,10 @@ typedef struct { double normal[3], level; } Plane;
 
 /* Bounds on the distance of two cores. Stops when the lower bound exceeds `enough`, the upper one is at most `little`, or both
    differ by at most `exact`.
-   `towards` is a first guess of the direction from the second core to the first. `plane`, unless it is 0, becomes the one that
+   `towards` is a first guess of the direction from the second core to the first, and becomes the last one. `plane`, unless it is 0, becomes the one that
    gave the lower bound, `simplex`, unless it is 0, the one with the nearest point, or around the origin. Returns 0 if the cores
    meet. */
-static int bounds(const Core *one, const Core *two, const double *towards, double enough, double little, double exact,
+static int bounds(const Core *one, const Core *two, double *towards, double enough, double little, double exact,
                   double *low, double *high, Plane *plane, Simplex *simplex) {
     Simplex own, last, *s = simplex ? simplex : &own;
     double v[3], a[3], b[3], minus[3];
@@ -263,7 +273,7 @@ static int bounds(const Core *one, const Core *two, const double *towards, doubl
     *low = -INFINITY, *high = INFINITY;
     s->count = 0;
     for (int step = 0; step < MOST_STEPS; step++) {
-        for (int i = 0; i < 3; i++) minus[i] = -v[i];
+        for (int i = 0; i < 3; i++) minus[i] = -v[i], towards[i] = v[i];
         support(one, minus, a);
         support(two, v, b);
         double corner[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -439,7 +449,7 @@ static int depth_of(const Core *one, const Core *two, const Simplex *s, double *
 }
 
 /* `bounds` for two shapes: bounds on the signed distance minus both radii. Returns 0 if the cores meet. */
-static int shape_bounds(const World *w, long i, const Core *one, long j, const Core *two, const double *towards, double enough,
+static int shape_bounds(const World *w, long i, const Core *one, long j, const Core *two, double *towards, double enough,
                         double little, double *low, double *high, Plane *plane, Simplex *simplex) {
     double radii = w->radius[i] + w->radius[j];
     int apart = bounds(one, two, towards, enough + radii, little + radii, EXACT, low, high, plane, simplex);
@@ -525,6 +535,7 @@ typedef struct {
     int verdict;
     long leaf;            /* nearest triangle or point of the last surface; -1 */
     Plane plane;          /* separates the body from it */
+    double *guess;        /* as in the world, for the same pairs; 0: none is kept */
 } Search;
 
 static long pair_with(const Search *s, long obstacle) { return s->pairs ? s->pairs[obstacle] : s->pair; }
@@ -594,7 +605,9 @@ static void surface(Search *s, long obstacle, long node, const Plane *before) {
         for (int i = 0; i < 3; i++) most = fmax(most, dot(s->plane.normal, c + 3 * i));
         if (s->plane.level - most + minus_radii > reach) return;
         Plane plane = s->plane;
-        int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, s->plane.normal, reach, little, &low, &high, &plane, 0);
+        double towards[3];
+        memcpy(towards, s->plane.normal, sizeof towards);
+        int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, towards, reach, little, &low, &high, &plane, 0);
         if (!apart || low <= reach) tell(s, obstacle, apart, low, high), s->leaf = child[1], s->plane = plane;
         return;
     }
@@ -654,13 +667,17 @@ static void look_at(Search *s, long obstacle, const double *box) {
         if (dot(towards, towards) > reaches * reaches || is_beside(w, b, w->ball[4 * obstacle + 3], s->body, reach) ||
             is_beside(w, a, w->ball[4 * s->body + 3], obstacle, reach))
             return;
-        if (box && square_from_box(a, box) > 0)             /* from the nearest point of the box: a better first direction */
+        double *guess = s->guess ? s->guess + 3 * pair_with(s, obstacle) : 0;
+        if (guess && dot(guess, guess) > 0)
+            memcpy(towards, guess, sizeof towards);
+        else if (box && square_from_box(a, box) > 0)        /* from the nearest point of the box: a better first direction */
             for (int i = 0; i < 3; i++) towards[i] = a[i] < box[i] ? a[i] - box[i] : a[i] > box[3 + i] ? a[i] - box[3 + i] : 0;
         Core other;
         core_of(w, obstacle, &other);
         Simplex simplex;
         double little = s->out ? -INFINITY : reach, depth;
         int apart = shape_bounds(w, s->body, s->core, obstacle, &other, towards, reach, little, &low, &high, 0, &simplex);
+        if (guess) memcpy(guess, towards, sizeof towards);
         if (!apart && s->out && depth_of(s->core, &other, &simplex, &depth, 0, 0, 0))
             apart = 1, low = high = -depth - w->radius[s->body] - w->radius[obstacle];
         if (!apart || low <= reach) tell(s, obstacle, apart, low, high);
@@ -683,8 +700,9 @@ static int is_near(const World *w, const double *centre, double square, long nod
     return child[0] < 0 || is_near(w, centre, square, child[0]) || is_near(w, centre, square, child[1]);
 }
 
-/* With `count`, all distances below `reach`, in `least` and `found` of the world; otherwise only whether any is. */
-static int examine(const World *w, const double *q, double reach, long *count) {
+/* With `count`, all distances below `reach`, in `least` and `found` of the world; otherwise only whether any is. `guess`: as in the
+   world; 0: none is kept. */
+static int examine(const World *w, const double *q, double reach, long *count, double *guess) {
     int verdict = FREE, finite = 1;
     for (long j = 0; j < w->n; j++) finite &= isfinite(q[j]) != 0;
     if (!finite) {
@@ -701,7 +719,7 @@ static int examine(const World *w, const double *q, double reach, long *count) {
         if (!is_near(w, centre, reaches * reaches, w->top)) continue;
         for (long m = group[1]; m < group[1] + group[2]; m++) {
             Core core;
-            Search s = {w, w->mover[m], &core, w->pair_of + m * w->bodies, -1, reach, out, count, verdict, -1, {{0}, 0}};
+            Search s = {w, w->mover[m], &core, w->pair_of + m * w->bodies, -1, reach, out, count, verdict, -1, {{0}, 0}, guess};
             core_of(w, s.body, &core);
             descend(&s, w->top);
             verdict = s.verdict;
@@ -715,7 +733,7 @@ static int examine(const World *w, const double *q, double reach, long *count) {
         if (dot(gap, gap) > reaches * reaches) continue;
         Core core;
         core_of(w, one, &core);
-        Search s = {w, one, &core, 0, w->self[3 * k + 2], reach, out, count, verdict, -1, {{0}, 0}};
+        Search s = {w, one, &core, 0, w->self[3 * k + 2], reach, out, count, verdict, -1, {{0}, 0}, guess};
         look_at(&s, two, 0);
         verdict = s.verdict;
         if (!out && verdict == TOUCHING) return TOUCHING;
@@ -724,19 +742,27 @@ static int examine(const World *w, const double *q, double reach, long *count) {
 }
 
 /* Whether any pair is nearer than `clearance` at q (n): FREE, TOUCHING or UNDECIDED. */
-int manipplan_check_one(const World *w, const double *q, double clearance) { return examine(w, q, clearance, 0); }
+int manipplan_check_one(const World *w, const double *q, double clearance) { return examine(w, q, clearance, 0, 0); }
 
 /* Whether any pair is nearer than `clearance` at each of m configurations q (m, n): FREE, TOUCHING or UNDECIDED. */
 void manipplan_check(const World *w, const double *q, long m, double clearance, signed char *verdicts) {
-    for (long k = 0; k < m; k++) verdicts[k] = (signed char)examine(w, q + k * w->n, clearance, 0);
+    for (long k = 0; k < m; k++) verdicts[k] = (signed char)examine(w, q + k * w->n, clearance, 0, 0);
+}
+
+/* Room for the directions between pairs at m configurations along a path; 0 where one configuration does not need them. */
+static double *fresh_guess(const World *w, long m) {
+    if (m < 2) return 0;
+    memset(w->guess, 0, 3 * (size_t)w->pairs * sizeof *w->guess);
+    return w->guess;
 }
 
 /* Distances (m, pairs) at q (m, n), cut off at reach (m); nan where only coal can tell: in surfaces, and where the bounds did
    not converge. */
 void manipplan_distances(const World *w, const double *q, long m, const double *reach, double *out) {
+    double *guess = fresh_guess(w, m);
     for (long k = 0; k < m; k++, out += w->pairs) {
         long count = 0;
-        examine(w, q + k * w->n, reach[k], &count);
+        examine(w, q + k * w->n, reach[k], &count, guess);
         for (long i = 0; i < w->pairs; i++) out[i] = reach[k];
         for (long i = 0; i < count; i++) out[w->found[i]] = w->least[w->found[i]], w->least[w->found[i]] = INFINITY;
     }
@@ -745,10 +771,11 @@ void manipplan_distances(const World *w, const double *q, long m, const double *
 /* As `manipplan_distances`, but only for pairs nearer than reach (m): row * pairs + pair, and distance. Returns their number; only
    the first `room` are written. */
 long manipplan_near(const World *w, const double *q, long m, const double *reach, long room, long *where, double *out) {
+    double *guess = fresh_guess(w, m);
     long all = 0;
     for (long k = 0; k < m; k++) {
         long count = 0;
-        examine(w, q + k * w->n, reach[k], &count);
+        examine(w, q + k * w->n, reach[k], &count, guess);
         for (long i = 0; i < count; i++, all++) {
             long pair = w->found[i];
             if (all < room) where[all] = k * w->pairs + pair, out[all] = w->least[pair];
@@ -761,18 +788,99 @@ long manipplan_near(const World *w, const double *q, long m, const double *reach
 /* The distance of one pair at each of m configurations, cut off at reach (m): bodies (m, 2), the second of which may stand still;
    out (m). leaf (m): the triangle or point of the second body that is nearest; -1 if that is no surface, or not within reach. */
 void manipplan_pairs(const World *w, const double *q, long m, const long *bodies, const double *reach, double *out, long *leaf) {
+    double guess[3] = {0};
     for (long k = 0; k < m; k++) {
         long one = bodies[2 * k], two = bodies[2 * k + 1];
         int finite = 1;
+        if (k > 0 && (one != bodies[2 * k - 2] || two != bodies[2 * k - 1])) memset(guess, 0, sizeof guess);
         for (long j = 0; j < w->n; j++) finite &= isfinite(q[k * w->n + j]) != 0;
         out[k] = finite ? reach[k] : NAN, leaf[k] = -1;
         if (!finite) continue;
         Core core;
-        place(w, q + k * w->n);
+        if (k == 0 || memcmp(q + k * w->n, q + (k - 1) * w->n, (size_t)w->n * sizeof *q)) place(w, q + k * w->n);
         core_of(w, one, &core);
-        Search s = {w, one, &core, 0, 0, reach[k], out + k, 0, FREE, -1, {{0}, 0}};
+        Search s = {w, one, &core, 0, 0, reach[k], out + k, 0, FREE, -1, {{0}, 0}, guess};
         look_at(&s, two, 0);
         leaf[k] = s.leaf;
+    }
+}
+
+/* The twist (angular velocity, velocity of the world's origin) of the frame of joint `last` in that of joint `first`, for joint
+   speeds (n), in the world. */
+static void twist_of(const World *w, long first, long last, const double *speed, double *turning, double *moving) {
+    for (int i = 0; i < 3; i++) turning[i] = moving[i] = 0;
+    for (long j = first + 1; j <= last; j++) {
+        const double *frame = w->frames + 12 * j;
+        double axis[3], arc[3];
+        for (int i = 0; i < 3; i++) axis[i] = speed[j - 1] * dot(frame + 3 * i, w->axes + 3 * (j - 1));
+        cross(frame + 9, axis, arc);
+        for (int i = 0; i < 3; i++) {
+            if (w->slides[j - 1]) moving[i] += axis[i];
+            else turning[i] += axis[i], moving[i] += arc[i];
+        }
+    }
+}
+
+/* How far the first of two cores at least stays in front of the second one, along a normal that points from the second to the
+   first, while each of its points p moves by t p' with |t| <= 1: linear in p, so that two support points decide. */
+static double stays_apart(const Core *one, double behind, const double *normal, const double *turning, const double *moving) {
+    double tilt[3], least = INFINITY;
+    cross(normal, turning, tilt);
+    for (int side = -1; side <= 1; side += 2) {
+        double back[3], p[3];
+        for (int i = 0; i < 3; i++) back[i] = -normal[i] - side * tilt[i];
+        support(one, back, p);
+        least = fmin(least, side * dot(normal, moving) - dot(back, p));
+    }
+    return least - behind;
+}
+
+/* As `manipplan_pairs`, with lower bounds (m) of the distances while the joints move by t slopes (m, n) with |t| <= 1 and, beyond
+   that, no point of a body of a pair moves relative to the other by more than bends (m). -INFINITY where there is none: in surfaces,
+   where cores meet, and for what is beyond reach. */
+void manipplan_intervals(const World *w, const double *q, const double *slopes, long m, const long *bodies, const double *reach,
+                         const double *bends, double *out, double *bound) {
+    double guess[3] = {0};
+    for (long k = 0; k < m; k++, slopes += w->n) {
+        long one = bodies[2 * k], two = bodies[2 * k + 1], leaf, same = k > 0 && one == bodies[2 * k - 2] && two == bodies[2 * k - 1];
+        if (!same) memset(guess, 0, sizeof guess);
+        if (k == 0 || memcmp(q + k * w->n, q + (k - 1) * w->n, (size_t)w->n * sizeof *q)) place(w, q + k * w->n);
+        bound[k] = -INFINITY;
+        if (w->kind[one] > CYLINDER || w->kind[two] > HALFSPACE || !isfinite(bends[k])) {
+            manipplan_pairs(w, q + k * w->n, 1, bodies + 2 * k, reach + k, out + k, &leaf);
+            continue;
+        }
+        Core first, second;
+        Plane plane;
+        double low, high, radii = w->radius[one] + w->radius[two], back[3], p[3];
+        core_of(w, one, &first);
+        if (w->kind[two] == HALFSPACE) {
+            double frame[12];
+            compose(w->frames + 12 * w->joint[two], w->pose + 12 * two, frame);
+            for (int i = 0; i < 3; i++) plane.normal[i] = frame[3 * i + 2], p[i] = frame[9 + i];
+            low = high = over_plane(w, one, &first, two);
+        } else {
+            core_of(w, two, &second);
+            if (!(dot(guess, guess) > 0))
+                for (int i = 0; i < 3; i++) guess[i] = w->centres[3 * one + i] - w->centres[3 * two + i];
+            if (!shape_bounds(w, one, &first, two, &second, guess, reach[k], -INFINITY, &low, &high, &plane, 0)) {
+                manipplan_pairs(w, q + k * w->n, 1, bodies + 2 * k, reach + k, out + k, &leaf);
+                continue;
+            }
+            support(&second, plane.normal, p);
+        }
+        out[k] = low > reach[k] ? reach[k] : high - low <= 1e3 * EXACT ? high : NAN;
+        if (isnan(out[k]) || out[k] >= reach[k]) continue;
+        double turning[3], moving[3];
+        if (w->joint[one] >= w->joint[two]) {
+            twist_of(w, w->joint[two], w->joint[one], slopes, turning, moving);
+            bound[k] = stays_apart(&first, dot(plane.normal, p), plane.normal, turning, moving) - radii - bends[k];
+        } else {
+            for (int i = 0; i < 3; i++) back[i] = -plane.normal[i];
+            support(&first, back, p);
+            twist_of(w, w->joint[one], w->joint[two], slopes, turning, moving);
+            bound[k] = stays_apart(&second, dot(back, p), back, turning, moving) - radii - bends[k];
+        }
     }
 }
 
@@ -819,7 +927,7 @@ static int nearest_points(const World *w, long one, long two, double *a, double 
     }
     if (w->kind[two] == SURFACE) {
         double least = INFINITY;
-        Search s = {w, one, &core, 0, 0, INFINITY, &least, 0, FREE, -1, {{0}, 0}};
+        Search s = {w, one, &core, 0, 0, INFINITY, &least, 0, FREE, -1, {{0}, 0}, 0};
         look_at(&s, two, 0);
         if (isnan(least) || s.leaf < 0) return 0;
         leaf_core(w->corners + 9 * s.leaf, axes, &other);

@@ -1,9 +1,9 @@
-; distances.c fc2b3990bba6d7bc0babd62bef3460440cac53c073e00ce1314d302bf52a72b3: written by make kernel
+; distances.c b17df24a869e66bf74bcb59da5ece510f5d24d3f6db6219f9e8b9a1481704d8e: written by make kernel
 
 %struct.Core = type { i64, i64, ptr, ptr, ptr, ptr, ptr, [12 x double] }
-%struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane }
+%struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane, ptr }
 %struct.Plane = type { [3 x double], double }
-%struct.World = type { i64, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
+%struct.World = type { i64, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 %struct.Simplex = type { [4 x [3 x double]], [4 x [3 x double]], i32, [3 x double] }
 %struct.Face = type { [3 x i32], [3 x double], double }
 
@@ -18,349 +18,353 @@
 @__const.nearest_of.share = private unnamed_addr constant [3 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
 
 define dso_local i32 @manipplan_check_one(ptr noundef %0, ptr nocapture noundef readonly %1, double noundef %2) local_unnamed_addr #0 {
-  %4 = tail call fastcc i32 @examine(ptr noundef %0, ptr noundef %1, double noundef %2, ptr noundef null)
+  %4 = tail call fastcc i32 @examine(ptr noundef %0, ptr noundef %1, double noundef %2, ptr noundef null, ptr noundef null)
   ret i32 %4
 }
 
-define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readonly %1, double noundef %2, ptr noundef %3) unnamed_addr #0 {
-  %5 = alloca [3 x double], align 16
-  %6 = alloca %struct.Core, align 8
-  %7 = alloca %struct.Search, align 8
-  %8 = alloca %struct.Core, align 8
-  %9 = alloca %struct.Search, align 8
-  %10 = load i64, ptr %0, align 8
-  %11 = icmp sgt i64 %10, 0
-  br i1 %11, label %25, label %45
+define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readonly %1, double noundef %2, ptr noundef %3, ptr noundef %4) unnamed_addr #0 {
+  %6 = alloca [3 x double], align 16
+  %7 = alloca %struct.Core, align 8
+  %8 = alloca %struct.Search, align 8
+  %9 = alloca %struct.Core, align 8
+  %10 = alloca %struct.Search, align 8
+  %11 = load i64, ptr %0, align 8
+  %12 = icmp sgt i64 %11, 0
+  br i1 %12, label %26, label %46
 
-12:                                               ; preds = %25
-  %13 = icmp eq i32 %33, 0
-  br i1 %13, label %14, label %45
+13:                                               ; preds = %26
+  %14 = icmp eq i32 %34, 0
+  br i1 %14, label %15, label %46
 
-14:                                               ; preds = %12
-  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
-  %16 = icmp eq ptr %3, null
-  br i1 %16, label %242, label %17
+15:                                               ; preds = %13
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
+  %17 = icmp eq ptr %3, null
+  br i1 %17, label %245, label %18
 
-17:                                               ; preds = %14
-  %18 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
-  %20 = load i64, ptr %15, align 8
-  %21 = icmp sgt i64 %20, 0
-  br i1 %21, label %22, label %242
+18:                                               ; preds = %15
+  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
+  %21 = load i64, ptr %16, align 8
+  %22 = icmp sgt i64 %21, 0
+  br i1 %22, label %23, label %245
 
-22:                                               ; preds = %17
-  %23 = load ptr, ptr %18, align 8
+23:                                               ; preds = %18
   %24 = load ptr, ptr %19, align 8
-  br label %36
+  %25 = load ptr, ptr %20, align 8
+  br label %37
 
-25:                                               ; preds = %4, %25
-  %26 = phi i32 [ %33, %25 ], [ 1, %4 ]
-  %27 = phi i64 [ %34, %25 ], [ 0, %4 ]
-  %28 = getelementptr inbounds double, ptr %1, i64 %27
-  %29 = load double, ptr %28, align 8
-  %30 = tail call double @llvm.fabs.f64(double %29) #14
-  %31 = fcmp one double %30, 0x7FF0000000000000
-  %32 = zext i1 %31 to i32
-  %33 = and i32 %26, %32
-  %34 = add nuw nsw i64 %27, 1
-  %35 = icmp eq i64 %34, %10
-  br i1 %35, label %12, label %25
+26:                                               ; preds = %5, %26
+  %27 = phi i32 [ %34, %26 ], [ 1, %5 ]
+  %28 = phi i64 [ %35, %26 ], [ 0, %5 ]
+  %29 = getelementptr inbounds double, ptr %1, i64 %28
+  %30 = load double, ptr %29, align 8
+  %31 = tail call double @llvm.fabs.f64(double %30) #14
+  %32 = fcmp one double %31, 0x7FF0000000000000
+  %33 = zext i1 %32 to i32
+  %34 = and i32 %27, %33
+  %35 = add nuw nsw i64 %28, 1
+  %36 = icmp eq i64 %35, %11
+  br i1 %36, label %13, label %26
 
-36:                                               ; preds = %22, %36
-  %37 = phi i64 [ %42, %36 ], [ 0, %22 ]
-  %38 = getelementptr inbounds double, ptr %23, i64 %37
-  store double 0x7FF8000000000000, ptr %38, align 8
-  %39 = load i64, ptr %3, align 8
-  %40 = add nsw i64 %39, 1
-  store i64 %40, ptr %3, align 8
-  %41 = getelementptr inbounds i64, ptr %24, i64 %39
-  store i64 %37, ptr %41, align 8
-  %42 = add nuw nsw i64 %37, 1
-  %43 = load i64, ptr %15, align 8
-  %44 = icmp slt i64 %42, %43
-  br i1 %44, label %36, label %242
+37:                                               ; preds = %23, %37
+  %38 = phi i64 [ %43, %37 ], [ 0, %23 ]
+  %39 = getelementptr inbounds double, ptr %24, i64 %38
+  store double 0x7FF8000000000000, ptr %39, align 8
+  %40 = load i64, ptr %3, align 8
+  %41 = add nsw i64 %40, 1
+  store i64 %41, ptr %3, align 8
+  %42 = getelementptr inbounds i64, ptr %25, i64 %40
+  store i64 %38, ptr %42, align 8
+  %43 = add nuw nsw i64 %38, 1
+  %44 = load i64, ptr %16, align 8
+  %45 = icmp slt i64 %43, %44
+  br i1 %45, label %37, label %245
 
-45:                                               ; preds = %4, %12
-  %46 = icmp eq ptr %3, null
-  br i1 %46, label %50, label %47
+46:                                               ; preds = %5, %13
+  %47 = icmp eq ptr %3, null
+  br i1 %47, label %51, label %48
 
-47:                                               ; preds = %45
-  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %49 = load ptr, ptr %48, align 8
-  br label %50
+48:                                               ; preds = %46
+  %49 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %50 = load ptr, ptr %49, align 8
+  br label %51
 
-50:                                               ; preds = %45, %47
-  %51 = phi ptr [ %49, %47 ], [ null, %45 ]
+51:                                               ; preds = %46, %48
+  %52 = phi ptr [ %50, %48 ], [ null, %46 ]
   tail call fastcc void @place(ptr noundef nonnull %0, ptr noundef %1)
-  %52 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 22
-  %53 = load i64, ptr %52, align 8
-  %54 = icmp sgt i64 %53, 0
-  br i1 %54, label %55, label %161
+  %53 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 22
+  %54 = load i64, ptr %53, align 8
+  %55 = icmp sgt i64 %54, 0
+  br i1 %55, label %56, label %163
 
-55:                                               ; preds = %50
-  %56 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 26
-  %57 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 23
-  %58 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 24
-  %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %60 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 1
-  %61 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 20
-  %62 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 2
-  %63 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 3
-  %64 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 21
-  %65 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
-  %66 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 4
-  %67 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 5
-  %68 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 6
-  %69 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 7
-  %70 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 8
-  %71 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 9
-  %72 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 10
-  %73 = icmp ne ptr %51, null
-  br label %74
+56:                                               ; preds = %51
+  %57 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 26
+  %58 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 23
+  %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 24
+  %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %61 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 1
+  %62 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 20
+  %63 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 2
+  %64 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 3
+  %65 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 21
+  %66 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
+  %67 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 4
+  %68 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 5
+  %69 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 6
+  %70 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 7
+  %71 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 8
+  %72 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 9
+  %73 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 10
+  %74 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 11
+  %75 = icmp ne ptr %52, null
+  br label %76
 
-74:                                               ; preds = %55, %156
-  %75 = phi i64 [ %53, %55 ], [ %157, %156 ]
-  %76 = phi i32 [ 0, %55 ], [ %158, %156 ]
-  %77 = phi i64 [ 0, %55 ], [ %159, %156 ]
-  %78 = load i64, ptr %56, align 8
-  %79 = icmp sgt i64 %78, -1
-  br i1 %79, label %80, label %161
+76:                                               ; preds = %56, %158
+  %77 = phi i64 [ %54, %56 ], [ %159, %158 ]
+  %78 = phi i32 [ 0, %56 ], [ %160, %158 ]
+  %79 = phi i64 [ 0, %56 ], [ %161, %158 ]
+  %80 = load i64, ptr %57, align 8
+  %81 = icmp sgt i64 %80, -1
+  br i1 %81, label %82, label %163
 
-80:                                               ; preds = %74
-  %81 = load ptr, ptr %57, align 8
-  %82 = mul nsw i64 %77, 3
-  %83 = getelementptr inbounds i64, ptr %81, i64 %82
-  %84 = load ptr, ptr %58, align 8
-  %85 = shl nsw i64 %77, 2
-  %86 = getelementptr inbounds double, ptr %84, i64 %85
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
-  %87 = getelementptr inbounds double, ptr %86, i64 3
-  %88 = load double, ptr %87, align 8
-  %89 = load ptr, ptr %59, align 8
-  %90 = load i64, ptr %83, align 8
-  %91 = mul nsw i64 %90, 12
-  %92 = getelementptr inbounds double, ptr %89, i64 %91
-  %93 = getelementptr inbounds double, ptr %86, i64 1
-  %94 = getelementptr inbounds double, ptr %86, i64 2
-  br label %95
+82:                                               ; preds = %76
+  %83 = load ptr, ptr %58, align 8
+  %84 = mul nsw i64 %79, 3
+  %85 = getelementptr inbounds i64, ptr %83, i64 %84
+  %86 = load ptr, ptr %59, align 8
+  %87 = shl nsw i64 %79, 2
+  %88 = getelementptr inbounds double, ptr %86, i64 %87
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
+  %89 = getelementptr inbounds double, ptr %88, i64 3
+  %90 = load double, ptr %89, align 8
+  %91 = load ptr, ptr %60, align 8
+  %92 = load i64, ptr %85, align 8
+  %93 = mul nsw i64 %92, 12
+  %94 = getelementptr inbounds double, ptr %91, i64 %93
+  %95 = getelementptr inbounds double, ptr %88, i64 1
+  %96 = getelementptr inbounds double, ptr %88, i64 2
+  br label %97
 
-95:                                               ; preds = %95, %80
-  %96 = phi i64 [ 0, %80 ], [ %119, %95 ]
-  %97 = mul nuw nsw i64 %96, 3
-  %98 = getelementptr inbounds double, ptr %92, i64 %97
-  %99 = load double, ptr %98, align 8
-  %100 = load double, ptr %86, align 8
-  %101 = fmul double %99, %100
-  %102 = add nuw nsw i64 %97, 1
-  %103 = getelementptr inbounds double, ptr %92, i64 %102
-  %104 = load double, ptr %103, align 8
-  %105 = load double, ptr %93, align 8
-  %106 = fmul double %104, %105
-  %107 = fadd double %101, %106
-  %108 = add nuw nsw i64 %97, 2
-  %109 = getelementptr inbounds double, ptr %92, i64 %108
-  %110 = load double, ptr %109, align 8
-  %111 = load double, ptr %94, align 8
-  %112 = fmul double %110, %111
-  %113 = fadd double %107, %112
-  %114 = add nuw nsw i64 %96, 9
-  %115 = getelementptr inbounds double, ptr %92, i64 %114
-  %116 = load double, ptr %115, align 8
-  %117 = fadd double %116, %113
-  %118 = getelementptr inbounds double, ptr %5, i64 %96
-  store double %117, ptr %118, align 8
-  %119 = add nuw nsw i64 %96, 1
-  %120 = icmp eq i64 %119, 3
-  br i1 %120, label %121, label %95
+97:                                               ; preds = %97, %82
+  %98 = phi i64 [ 0, %82 ], [ %121, %97 ]
+  %99 = mul nuw nsw i64 %98, 3
+  %100 = getelementptr inbounds double, ptr %94, i64 %99
+  %101 = load double, ptr %100, align 8
+  %102 = load double, ptr %88, align 8
+  %103 = fmul double %101, %102
+  %104 = add nuw nsw i64 %99, 1
+  %105 = getelementptr inbounds double, ptr %94, i64 %104
+  %106 = load double, ptr %105, align 8
+  %107 = load double, ptr %95, align 8
+  %108 = fmul double %106, %107
+  %109 = fadd double %103, %108
+  %110 = add nuw nsw i64 %99, 2
+  %111 = getelementptr inbounds double, ptr %94, i64 %110
+  %112 = load double, ptr %111, align 8
+  %113 = load double, ptr %96, align 8
+  %114 = fmul double %112, %113
+  %115 = fadd double %109, %114
+  %116 = add nuw nsw i64 %98, 9
+  %117 = getelementptr inbounds double, ptr %94, i64 %116
+  %118 = load double, ptr %117, align 8
+  %119 = fadd double %118, %115
+  %120 = getelementptr inbounds double, ptr %6, i64 %98
+  store double %119, ptr %120, align 8
+  %121 = add nuw nsw i64 %98, 1
+  %122 = icmp eq i64 %121, 3
+  br i1 %122, label %123, label %97
 
-121:                                              ; preds = %95
-  %122 = fadd double %88, %2
-  %123 = fmul double %122, %122
-  %124 = call fastcc i32 @is_near(ptr noundef nonnull %0, ptr noundef nonnull %5, double noundef %123, i64 noundef %78)
-  %125 = icmp eq i32 %124, 0
-  br i1 %125, label %156, label %126
+123:                                              ; preds = %97
+  %124 = fadd double %90, %2
+  %125 = fmul double %124, %124
+  %126 = call fastcc i32 @is_near(ptr noundef nonnull %0, ptr noundef nonnull %6, double noundef %125, i64 noundef %80)
+  %127 = icmp eq i32 %126, 0
+  br i1 %127, label %158, label %128
 
-126:                                              ; preds = %121
-  %127 = getelementptr inbounds i64, ptr %83, i64 1
-  %128 = getelementptr inbounds i64, ptr %83, i64 2
-  %129 = load i64, ptr %128, align 8
-  %130 = icmp sgt i64 %129, 0
-  br i1 %130, label %131, label %156
+128:                                              ; preds = %123
+  %129 = getelementptr inbounds i64, ptr %85, i64 1
+  %130 = getelementptr inbounds i64, ptr %85, i64 2
+  %131 = load i64, ptr %130, align 8
+  %132 = icmp sgt i64 %131, 0
+  br i1 %132, label %133, label %158
 
-131:                                              ; preds = %126
-  %132 = load i64, ptr %127, align 8
-  br label %139
+133:                                              ; preds = %128
+  %134 = load i64, ptr %129, align 8
+  br label %141
 
-133:                                              ; preds = %139
-  %134 = add nsw i64 %141, 1
-  %135 = load i64, ptr %127, align 8
-  %136 = load i64, ptr %128, align 8
-  %137 = add nsw i64 %136, %135
-  %138 = icmp slt i64 %134, %137
-  br i1 %138, label %139, label %154
+135:                                              ; preds = %141
+  %136 = add nsw i64 %143, 1
+  %137 = load i64, ptr %129, align 8
+  %138 = load i64, ptr %130, align 8
+  %139 = add nsw i64 %138, %137
+  %140 = icmp slt i64 %136, %139
+  br i1 %140, label %141, label %156
 
-139:                                              ; preds = %131, %133
-  %140 = phi i32 [ %150, %133 ], [ %76, %131 ]
-  %141 = phi i64 [ %134, %133 ], [ %132, %131 ]
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %7) #15
-  store ptr %0, ptr %7, align 8
-  %142 = load ptr, ptr %61, align 8
-  %143 = getelementptr inbounds i64, ptr %142, i64 %141
-  %144 = load i64, ptr %143, align 8
-  store i64 %144, ptr %60, align 8
-  store ptr %6, ptr %62, align 8
-  %145 = load ptr, ptr %64, align 8
-  %146 = load i64, ptr %65, align 8
-  %147 = mul nsw i64 %146, %141
-  %148 = getelementptr inbounds i64, ptr %145, i64 %147
-  store ptr %148, ptr %63, align 8
-  store i64 -1, ptr %66, align 8
-  store double %2, ptr %67, align 8
-  store ptr %51, ptr %68, align 8
-  store ptr %3, ptr %69, align 8
-  store i32 %140, ptr %70, align 8
-  store i64 -1, ptr %71, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %72, i8 0, i64 32, i1 false)
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %144, ptr noundef nonnull %6)
-  %149 = load i64, ptr %56, align 8
-  call fastcc void @descend(ptr noundef nonnull %7, i64 noundef %149)
-  %150 = load i32, ptr %70, align 8
-  %151 = icmp ne i32 %150, 1
-  %152 = select i1 %73, i1 true, i1 %151
-  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %6) #15
-  br i1 %152, label %133, label %153
+141:                                              ; preds = %133, %135
+  %142 = phi i32 [ %152, %135 ], [ %78, %133 ]
+  %143 = phi i64 [ %136, %135 ], [ %134, %133 ]
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %7) #15
+  call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %8) #15
+  store ptr %0, ptr %8, align 8
+  %144 = load ptr, ptr %62, align 8
+  %145 = getelementptr inbounds i64, ptr %144, i64 %143
+  %146 = load i64, ptr %145, align 8
+  store i64 %146, ptr %61, align 8
+  store ptr %7, ptr %63, align 8
+  %147 = load ptr, ptr %65, align 8
+  %148 = load i64, ptr %66, align 8
+  %149 = mul nsw i64 %148, %143
+  %150 = getelementptr inbounds i64, ptr %147, i64 %149
+  store ptr %150, ptr %64, align 8
+  store i64 -1, ptr %67, align 8
+  store double %2, ptr %68, align 8
+  store ptr %52, ptr %69, align 8
+  store ptr %3, ptr %70, align 8
+  store i32 %142, ptr %71, align 8
+  store i64 -1, ptr %72, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %73, i8 0, i64 32, i1 false)
+  store ptr %4, ptr %74, align 8
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %146, ptr noundef nonnull %7)
+  %151 = load i64, ptr %57, align 8
+  call fastcc void @descend(ptr noundef nonnull %8, i64 noundef %151)
+  %152 = load i32, ptr %71, align 8
+  %153 = icmp ne i32 %152, 1
+  %154 = select i1 %75, i1 true, i1 %153
+  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %7) #15
+  br i1 %154, label %135, label %155
 
-153:                                              ; preds = %139
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
-  br label %242
+155:                                              ; preds = %141
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  br label %245
 
-154:                                              ; preds = %133
-  %155 = load i64, ptr %52, align 8
-  br label %156
+156:                                              ; preds = %135
+  %157 = load i64, ptr %53, align 8
+  br label %158
 
-156:                                              ; preds = %154, %126, %121
-  %157 = phi i64 [ %75, %121 ], [ %75, %126 ], [ %155, %154 ]
-  %158 = phi i32 [ %76, %121 ], [ %76, %126 ], [ %150, %154 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
-  %159 = add nuw nsw i64 %77, 1
-  %160 = icmp slt i64 %159, %157
-  br i1 %160, label %74, label %161
+158:                                              ; preds = %156, %128, %123
+  %159 = phi i64 [ %77, %123 ], [ %77, %128 ], [ %157, %156 ]
+  %160 = phi i32 [ %78, %123 ], [ %78, %128 ], [ %152, %156 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  %161 = add nuw nsw i64 %79, 1
+  %162 = icmp slt i64 %161, %159
+  br i1 %162, label %76, label %163
 
-161:                                              ; preds = %156, %74, %50
-  %162 = phi i32 [ 0, %50 ], [ %76, %74 ], [ %158, %156 ]
-  %163 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 17
-  %164 = load i64, ptr %163, align 8
-  %165 = icmp sgt i64 %164, 0
-  br i1 %165, label %166, label %242
+163:                                              ; preds = %158, %76, %51
+  %164 = phi i32 [ 0, %51 ], [ %78, %76 ], [ %160, %158 ]
+  %165 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 17
+  %166 = load i64, ptr %165, align 8
+  %167 = icmp sgt i64 %166, 0
+  br i1 %167, label %168, label %245
 
-166:                                              ; preds = %161
-  %167 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
-  %168 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
-  %169 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
-  %170 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 1
-  %171 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 2
-  %172 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 3
-  %173 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 4
-  %174 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 5
-  %175 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 6
-  %176 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 7
-  %177 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 8
-  %178 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 9
-  %179 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 10
-  %180 = icmp eq ptr %51, null
-  br label %181
+168:                                              ; preds = %163
+  %169 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
+  %170 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %171 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %172 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
+  %173 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
+  %174 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
+  %175 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 4
+  %176 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
+  %177 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
+  %178 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
+  %179 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
+  %180 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
+  %181 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
+  %182 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
+  %183 = icmp eq ptr %52, null
+  br label %184
 
-181:                                              ; preds = %166, %237
-  %182 = phi i64 [ %164, %166 ], [ %238, %237 ]
-  %183 = phi i32 [ %162, %166 ], [ %239, %237 ]
-  %184 = phi i64 [ 0, %166 ], [ %240, %237 ]
-  %185 = load ptr, ptr %167, align 8
-  %186 = mul nuw nsw i64 %184, 3
-  %187 = getelementptr inbounds i64, ptr %185, i64 %186
-  %188 = load i64, ptr %187, align 8
-  %189 = add nuw nsw i64 %186, 1
-  %190 = getelementptr inbounds i64, ptr %185, i64 %189
+184:                                              ; preds = %168, %240
+  %185 = phi i64 [ %166, %168 ], [ %241, %240 ]
+  %186 = phi i32 [ %164, %168 ], [ %242, %240 ]
+  %187 = phi i64 [ 0, %168 ], [ %243, %240 ]
+  %188 = load ptr, ptr %169, align 8
+  %189 = mul nuw nsw i64 %187, 3
+  %190 = getelementptr inbounds i64, ptr %188, i64 %189
   %191 = load i64, ptr %190, align 8
-  %192 = load ptr, ptr %168, align 8
-  %193 = mul nsw i64 %188, 3
-  %194 = getelementptr inbounds double, ptr %192, i64 %193
-  %195 = mul nsw i64 %191, 3
-  %196 = getelementptr inbounds double, ptr %192, i64 %195
-  %197 = load double, ptr %194, align 8
-  %198 = load double, ptr %196, align 8
-  %199 = fsub double %197, %198
-  %200 = getelementptr inbounds double, ptr %194, i64 1
-  %201 = load double, ptr %200, align 8
-  %202 = getelementptr inbounds double, ptr %196, i64 1
-  %203 = load double, ptr %202, align 8
-  %204 = fsub double %201, %203
-  %205 = getelementptr inbounds double, ptr %194, i64 2
+  %192 = add nuw nsw i64 %189, 1
+  %193 = getelementptr inbounds i64, ptr %188, i64 %192
+  %194 = load i64, ptr %193, align 8
+  %195 = load ptr, ptr %170, align 8
+  %196 = mul nsw i64 %191, 3
+  %197 = getelementptr inbounds double, ptr %195, i64 %196
+  %198 = mul nsw i64 %194, 3
+  %199 = getelementptr inbounds double, ptr %195, i64 %198
+  %200 = load double, ptr %197, align 8
+  %201 = load double, ptr %199, align 8
+  %202 = fsub double %200, %201
+  %203 = getelementptr inbounds double, ptr %197, i64 1
+  %204 = load double, ptr %203, align 8
+  %205 = getelementptr inbounds double, ptr %199, i64 1
   %206 = load double, ptr %205, align 8
-  %207 = getelementptr inbounds double, ptr %196, i64 2
-  %208 = load double, ptr %207, align 8
-  %209 = fsub double %206, %208
-  %210 = load ptr, ptr %169, align 8
-  %211 = shl nsw i64 %188, 2
-  %212 = or i64 %211, 3
-  %213 = getelementptr inbounds double, ptr %210, i64 %212
-  %214 = load double, ptr %213, align 8
-  %215 = fadd double %214, %2
-  %216 = shl nsw i64 %191, 2
-  %217 = or i64 %216, 3
-  %218 = getelementptr inbounds double, ptr %210, i64 %217
-  %219 = load double, ptr %218, align 8
-  %220 = fadd double %215, %219
-  %221 = fmul double %199, %199
-  %222 = fmul double %204, %204
-  %223 = fadd double %221, %222
-  %224 = fmul double %209, %209
-  %225 = fadd double %223, %224
-  %226 = fmul double %220, %220
-  %227 = fcmp ogt double %225, %226
-  br i1 %227, label %237, label %228
+  %207 = fsub double %204, %206
+  %208 = getelementptr inbounds double, ptr %197, i64 2
+  %209 = load double, ptr %208, align 8
+  %210 = getelementptr inbounds double, ptr %199, i64 2
+  %211 = load double, ptr %210, align 8
+  %212 = fsub double %209, %211
+  %213 = load ptr, ptr %171, align 8
+  %214 = shl nsw i64 %191, 2
+  %215 = or i64 %214, 3
+  %216 = getelementptr inbounds double, ptr %213, i64 %215
+  %217 = load double, ptr %216, align 8
+  %218 = fadd double %217, %2
+  %219 = shl nsw i64 %194, 2
+  %220 = or i64 %219, 3
+  %221 = getelementptr inbounds double, ptr %213, i64 %220
+  %222 = load double, ptr %221, align 8
+  %223 = fadd double %218, %222
+  %224 = fmul double %202, %202
+  %225 = fmul double %207, %207
+  %226 = fadd double %224, %225
+  %227 = fmul double %212, %212
+  %228 = fadd double %226, %227
+  %229 = fmul double %223, %223
+  %230 = fcmp ogt double %228, %229
+  br i1 %230, label %240, label %231
 
-228:                                              ; preds = %181
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %8) #15
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %188, ptr noundef nonnull %8)
-  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %9) #15
-  store ptr %0, ptr %9, align 8
-  store i64 %188, ptr %170, align 8
-  store ptr %8, ptr %171, align 8
-  store ptr null, ptr %172, align 8
-  %229 = add nuw nsw i64 %186, 2
-  %230 = getelementptr inbounds i64, ptr %185, i64 %229
-  %231 = load i64, ptr %230, align 8
-  store i64 %231, ptr %173, align 8
-  store double %2, ptr %174, align 8
-  store ptr %51, ptr %175, align 8
-  store ptr %3, ptr %176, align 8
-  store i32 %183, ptr %177, align 8
-  store i64 -1, ptr %178, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %179, i8 0, i64 32, i1 false)
-  call fastcc void @look_at(ptr noundef nonnull %9, i64 noundef %191, ptr noundef null)
-  %232 = load i32, ptr %177, align 8
-  %233 = icmp eq i32 %232, 1
-  %234 = select i1 %180, i1 %233, i1 false
-  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %9) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %8) #15
-  br i1 %234, label %242, label %235
+231:                                              ; preds = %184
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #15
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %191, ptr noundef nonnull %9)
+  call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %10) #15
+  store ptr %0, ptr %10, align 8
+  store i64 %191, ptr %172, align 8
+  store ptr %9, ptr %173, align 8
+  store ptr null, ptr %174, align 8
+  %232 = add nuw nsw i64 %189, 2
+  %233 = getelementptr inbounds i64, ptr %188, i64 %232
+  %234 = load i64, ptr %233, align 8
+  store i64 %234, ptr %175, align 8
+  store double %2, ptr %176, align 8
+  store ptr %52, ptr %177, align 8
+  store ptr %3, ptr %178, align 8
+  store i32 %186, ptr %179, align 8
+  store i64 -1, ptr %180, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %181, i8 0, i64 32, i1 false)
+  store ptr %4, ptr %182, align 8
+  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %194, ptr noundef null)
+  %235 = load i32, ptr %179, align 8
+  %236 = icmp eq i32 %235, 1
+  %237 = select i1 %183, i1 %236, i1 false
+  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %10) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #15
+  br i1 %237, label %245, label %238
 
-235:                                              ; preds = %228
-  %236 = load i64, ptr %163, align 8
-  br label %237
+238:                                              ; preds = %231
+  %239 = load i64, ptr %165, align 8
+  br label %240
 
-237:                                              ; preds = %235, %181
-  %238 = phi i64 [ %182, %181 ], [ %236, %235 ]
-  %239 = phi i32 [ %183, %181 ], [ %232, %235 ]
-  %240 = add nuw nsw i64 %184, 1
-  %241 = icmp slt i64 %240, %238
-  br i1 %241, label %181, label %242
+240:                                              ; preds = %238, %184
+  %241 = phi i64 [ %185, %184 ], [ %239, %238 ]
+  %242 = phi i32 [ %186, %184 ], [ %235, %238 ]
+  %243 = add nuw nsw i64 %187, 1
+  %244 = icmp slt i64 %243, %241
+  br i1 %244, label %184, label %245
 
-242:                                              ; preds = %228, %237, %36, %17, %161, %14, %153
-  %243 = phi i32 [ 1, %153 ], [ 2, %14 ], [ %162, %161 ], [ 2, %17 ], [ 2, %36 ], [ 1, %228 ], [ %239, %237 ]
-  ret i32 %243
+245:                                              ; preds = %231, %240, %37, %18, %163, %15, %155
+  %246 = phi i32 [ 1, %155 ], [ 2, %15 ], [ %164, %163 ], [ 2, %18 ], [ 2, %37 ], [ 1, %231 ], [ %242, %240 ]
+  ret i32 %246
 }
 
 define dso_local void @manipplan_check(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, double noundef %3, ptr nocapture noundef writeonly %4) local_unnamed_addr #0 {
@@ -375,7 +379,7 @@ define dso_local void @manipplan_check(ptr noundef %0, ptr nocapture noundef rea
   %10 = load i64, ptr %0, align 8
   %11 = mul nsw i64 %10, %9
   %12 = getelementptr inbounds double, ptr %1, i64 %11
-  %13 = tail call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %12, double noundef %3, ptr noundef null)
+  %13 = tail call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %12, double noundef %3, ptr noundef null, ptr noundef null)
   %14 = trunc i32 %13 to i8
   %15 = getelementptr inbounds i8, ptr %4, i64 %9
   store i8 %14, ptr %15, align 1
@@ -390,247 +394,324 @@ declare void @llvm.lifetime.end.p0(i64 immarg, ptr nocapture) #1
 
 define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef writeonly %4) local_unnamed_addr #0 {
   %6 = alloca i64, align 8
-  %7 = icmp sgt i64 %2, 0
-  br i1 %7, label %8, label %12
+  %7 = icmp slt i64 %2, 2
+  br i1 %7, label %15, label %8
 
 8:                                                ; preds = %5
-  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
-  br label %13
+  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
+  %12 = load i64, ptr %11, align 8
+  %13 = mul i64 %12, 24
+  tail call void @llvm.memset.p0.i64(ptr align 8 %10, i8 0, i64 %13, i1 false)
+  %14 = load ptr, ptr %9, align 8
+  br label %17
 
-12:                                               ; preds = %36, %5
+15:                                               ; preds = %5
+  %16 = icmp eq i64 %2, 1
+  br i1 %16, label %17, label %22
+
+17:                                               ; preds = %8, %15
+  %18 = phi ptr [ %14, %8 ], [ null, %15 ]
+  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
+  br label %23
+
+22:                                               ; preds = %46, %15
   ret void
 
-13:                                               ; preds = %8, %36
-  %14 = phi i64 [ 0, %8 ], [ %37, %36 ]
-  %15 = phi ptr [ %4, %8 ], [ %38, %36 ]
+23:                                               ; preds = %17, %46
+  %24 = phi i64 [ 0, %17 ], [ %47, %46 ]
+  %25 = phi ptr [ %4, %17 ], [ %48, %46 ]
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #15
   store i64 0, ptr %6, align 8
-  %16 = load i64, ptr %0, align 8
-  %17 = mul nsw i64 %16, %14
-  %18 = getelementptr inbounds double, ptr %1, i64 %17
-  %19 = getelementptr inbounds double, ptr %3, i64 %14
-  %20 = load double, ptr %19, align 8
-  %21 = call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %18, double noundef %20, ptr noundef nonnull %6)
-  %22 = load i64, ptr %9, align 8
-  %23 = icmp sgt i64 %22, 0
-  br i1 %23, label %30, label %24
+  %26 = load i64, ptr %0, align 8
+  %27 = mul nsw i64 %26, %24
+  %28 = getelementptr inbounds double, ptr %1, i64 %27
+  %29 = getelementptr inbounds double, ptr %3, i64 %24
+  %30 = load double, ptr %29, align 8
+  %31 = call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %28, double noundef %30, ptr noundef nonnull %6, ptr noundef %18)
+  %32 = load i64, ptr %19, align 8
+  %33 = icmp sgt i64 %32, 0
+  br i1 %33, label %40, label %34
 
-24:                                               ; preds = %30, %13
-  %25 = load i64, ptr %6, align 8
-  %26 = icmp sgt i64 %25, 0
-  br i1 %26, label %27, label %36
+34:                                               ; preds = %40, %23
+  %35 = load i64, ptr %6, align 8
+  %36 = icmp sgt i64 %35, 0
+  br i1 %36, label %37, label %46
 
-27:                                               ; preds = %24
-  %28 = load ptr, ptr %10, align 8
-  %29 = load ptr, ptr %11, align 8
-  br label %40
+37:                                               ; preds = %34
+  %38 = load ptr, ptr %20, align 8
+  %39 = load ptr, ptr %21, align 8
+  br label %50
 
-30:                                               ; preds = %13, %30
-  %31 = phi i64 [ %34, %30 ], [ 0, %13 ]
-  %32 = load double, ptr %19, align 8
-  %33 = getelementptr inbounds double, ptr %15, i64 %31
-  store double %32, ptr %33, align 8
-  %34 = add nuw nsw i64 %31, 1
-  %35 = icmp eq i64 %34, %22
-  br i1 %35, label %24, label %30
+40:                                               ; preds = %23, %40
+  %41 = phi i64 [ %44, %40 ], [ 0, %23 ]
+  %42 = load double, ptr %29, align 8
+  %43 = getelementptr inbounds double, ptr %25, i64 %41
+  store double %42, ptr %43, align 8
+  %44 = add nuw nsw i64 %41, 1
+  %45 = icmp eq i64 %44, %32
+  br i1 %45, label %34, label %40
 
-36:                                               ; preds = %40, %24
+46:                                               ; preds = %50, %34
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #15
-  %37 = add nuw nsw i64 %14, 1
-  %38 = getelementptr inbounds double, ptr %15, i64 %22
-  %39 = icmp eq i64 %37, %2
-  br i1 %39, label %12, label %13
+  %47 = add nuw nsw i64 %24, 1
+  %48 = getelementptr inbounds double, ptr %25, i64 %32
+  %49 = icmp eq i64 %47, %2
+  br i1 %49, label %22, label %23
 
-40:                                               ; preds = %27, %40
-  %41 = phi i64 [ 0, %27 ], [ %47, %40 ]
-  %42 = getelementptr inbounds i64, ptr %29, i64 %41
-  %43 = load i64, ptr %42, align 8
-  %44 = getelementptr inbounds double, ptr %28, i64 %43
-  %45 = load double, ptr %44, align 8
-  %46 = getelementptr inbounds double, ptr %15, i64 %43
-  store double %45, ptr %46, align 8
-  store double 0x7FF0000000000000, ptr %44, align 8
-  %47 = add nuw nsw i64 %41, 1
-  %48 = icmp eq i64 %47, %25
-  br i1 %48, label %36, label %40
+50:                                               ; preds = %37, %50
+  %51 = phi i64 [ 0, %37 ], [ %57, %50 ]
+  %52 = getelementptr inbounds i64, ptr %39, i64 %51
+  %53 = load i64, ptr %52, align 8
+  %54 = getelementptr inbounds double, ptr %38, i64 %53
+  %55 = load double, ptr %54, align 8
+  %56 = getelementptr inbounds double, ptr %25, i64 %53
+  store double %55, ptr %56, align 8
+  store double 0x7FF0000000000000, ptr %54, align 8
+  %57 = add nuw nsw i64 %51, 1
+  %58 = icmp eq i64 %57, %35
+  br i1 %58, label %46, label %50
 }
 
 define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, i64 noundef %4, ptr nocapture noundef writeonly %5, ptr nocapture noundef writeonly %6) local_unnamed_addr #0 {
   %8 = alloca i64, align 8
-  %9 = icmp sgt i64 %2, 0
-  br i1 %9, label %10, label %14
+  %9 = icmp slt i64 %2, 2
+  br i1 %9, label %17, label %10
 
 10:                                               ; preds = %7
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
-  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  br label %16
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
+  %14 = load i64, ptr %13, align 8
+  %15 = mul i64 %14, 24
+  tail call void @llvm.memset.p0.i64(ptr align 8 %12, i8 0, i64 %15, i1 false)
+  %16 = load ptr, ptr %11, align 8
+  br label %19
 
-14:                                               ; preds = %30, %7
-  %15 = phi i64 [ 0, %7 ], [ %31, %30 ]
-  ret i64 %15
+17:                                               ; preds = %7
+  %18 = icmp eq i64 %2, 1
+  br i1 %18, label %19, label %24
 
-16:                                               ; preds = %10, %30
-  %17 = phi i64 [ 0, %10 ], [ %31, %30 ]
-  %18 = phi i64 [ 0, %10 ], [ %32, %30 ]
+19:                                               ; preds = %10, %17
+  %20 = phi ptr [ %16, %10 ], [ null, %17 ]
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
+  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
+  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  br label %26
+
+24:                                               ; preds = %40, %17
+  %25 = phi i64 [ 0, %17 ], [ %41, %40 ]
+  ret i64 %25
+
+26:                                               ; preds = %19, %40
+  %27 = phi i64 [ 0, %19 ], [ %41, %40 ]
+  %28 = phi i64 [ 0, %19 ], [ %42, %40 ]
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #15
   store i64 0, ptr %8, align 8
-  %19 = load i64, ptr %0, align 8
-  %20 = mul nsw i64 %19, %18
-  %21 = getelementptr inbounds double, ptr %1, i64 %20
-  %22 = getelementptr inbounds double, ptr %3, i64 %18
-  %23 = load double, ptr %22, align 8
-  %24 = call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %21, double noundef %23, ptr noundef nonnull %8)
-  %25 = load i64, ptr %8, align 8
-  %26 = icmp sgt i64 %25, 0
-  br i1 %26, label %27, label %30
+  %29 = load i64, ptr %0, align 8
+  %30 = mul nsw i64 %29, %28
+  %31 = getelementptr inbounds double, ptr %1, i64 %30
+  %32 = getelementptr inbounds double, ptr %3, i64 %28
+  %33 = load double, ptr %32, align 8
+  %34 = call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %31, double noundef %33, ptr noundef nonnull %8, ptr noundef %20)
+  %35 = load i64, ptr %8, align 8
+  %36 = icmp sgt i64 %35, 0
+  br i1 %36, label %37, label %40
 
-27:                                               ; preds = %16
-  %28 = load ptr, ptr %11, align 8
-  %29 = load ptr, ptr %13, align 8
-  br label %34
+37:                                               ; preds = %26
+  %38 = load ptr, ptr %21, align 8
+  %39 = load ptr, ptr %23, align 8
+  br label %44
 
-30:                                               ; preds = %48, %16
-  %31 = phi i64 [ %17, %16 ], [ %51, %48 ]
+40:                                               ; preds = %58, %26
+  %41 = phi i64 [ %27, %26 ], [ %61, %58 ]
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #15
-  %32 = add nuw nsw i64 %18, 1
-  %33 = icmp eq i64 %32, %2
-  br i1 %33, label %14, label %16
+  %42 = add nuw nsw i64 %28, 1
+  %43 = icmp eq i64 %42, %2
+  br i1 %43, label %24, label %26
 
-34:                                               ; preds = %27, %48
-  %35 = phi i64 [ %17, %27 ], [ %51, %48 ]
-  %36 = phi i64 [ 0, %27 ], [ %50, %48 ]
-  %37 = getelementptr inbounds i64, ptr %28, i64 %36
-  %38 = load i64, ptr %37, align 8
-  %39 = icmp slt i64 %35, %4
-  br i1 %39, label %40, label %48
+44:                                               ; preds = %37, %58
+  %45 = phi i64 [ %27, %37 ], [ %61, %58 ]
+  %46 = phi i64 [ 0, %37 ], [ %60, %58 ]
+  %47 = getelementptr inbounds i64, ptr %38, i64 %46
+  %48 = load i64, ptr %47, align 8
+  %49 = icmp slt i64 %45, %4
+  br i1 %49, label %50, label %58
 
-40:                                               ; preds = %34
-  %41 = load i64, ptr %12, align 8
-  %42 = mul nsw i64 %41, %18
-  %43 = add nsw i64 %42, %38
-  %44 = getelementptr inbounds i64, ptr %5, i64 %35
-  store i64 %43, ptr %44, align 8
-  %45 = getelementptr inbounds double, ptr %29, i64 %38
-  %46 = load double, ptr %45, align 8
-  %47 = getelementptr inbounds double, ptr %6, i64 %35
-  store double %46, ptr %47, align 8
-  br label %48
+50:                                               ; preds = %44
+  %51 = load i64, ptr %22, align 8
+  %52 = mul nsw i64 %51, %28
+  %53 = add nsw i64 %52, %48
+  %54 = getelementptr inbounds i64, ptr %5, i64 %45
+  store i64 %53, ptr %54, align 8
+  %55 = getelementptr inbounds double, ptr %39, i64 %48
+  %56 = load double, ptr %55, align 8
+  %57 = getelementptr inbounds double, ptr %6, i64 %45
+  store double %56, ptr %57, align 8
+  br label %58
 
-48:                                               ; preds = %40, %34
-  %49 = getelementptr inbounds double, ptr %29, i64 %38
-  store double 0x7FF0000000000000, ptr %49, align 8
-  %50 = add nuw nsw i64 %36, 1
-  %51 = add nsw i64 %35, 1
-  %52 = icmp eq i64 %50, %25
-  br i1 %52, label %30, label %34
+58:                                               ; preds = %50, %44
+  %59 = getelementptr inbounds double, ptr %39, i64 %48
+  store double 0x7FF0000000000000, ptr %59, align 8
+  %60 = add nuw nsw i64 %46, 1
+  %61 = add nsw i64 %45, 1
+  %62 = icmp eq i64 %60, %35
+  br i1 %62, label %40, label %44
 }
 
 define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr noundef %5, ptr nocapture noundef writeonly %6) local_unnamed_addr #0 {
-  %8 = alloca %struct.Core, align 8
-  %9 = alloca %struct.Search, align 8
-  %10 = icmp sgt i64 %2, 0
-  br i1 %10, label %11, label %21
+  %8 = alloca [3 x double], align 16
+  %9 = alloca %struct.Core, align 8
+  %10 = alloca %struct.Search, align 8
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
+  %11 = icmp sgt i64 %2, 0
+  br i1 %11, label %12, label %23
 
-11:                                               ; preds = %7
-  %12 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 1
-  %13 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 2
-  %14 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 3
-  %15 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 5
-  %16 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 6
-  %17 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 7
-  %18 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 8
-  %19 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 9
-  %20 = getelementptr inbounds %struct.Search, ptr %9, i64 0, i32 10
-  br label %22
+12:                                               ; preds = %7
+  %13 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
+  %14 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
+  %15 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
+  %16 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
+  %17 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
+  %18 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
+  %19 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
+  %20 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
+  %21 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
+  %22 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
+  br label %24
 
-21:                                               ; preds = %61, %7
+23:                                               ; preds = %87, %7
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
   ret void
 
-22:                                               ; preds = %11, %61
-  %23 = phi i64 [ 0, %11 ], [ %62, %61 ]
-  %24 = shl nuw nsw i64 %23, 1
-  %25 = getelementptr inbounds i64, ptr %3, i64 %24
-  %26 = load i64, ptr %25, align 8
-  %27 = or i64 %24, 1
-  %28 = getelementptr inbounds i64, ptr %3, i64 %27
-  %29 = load i64, ptr %28, align 8
-  %30 = load i64, ptr %0, align 8
-  %31 = icmp sgt i64 %30, 0
-  br i1 %31, label %32, label %51
+24:                                               ; preds = %12, %87
+  %25 = phi i64 [ 0, %12 ], [ %88, %87 ]
+  %26 = shl nuw nsw i64 %25, 1
+  %27 = getelementptr inbounds i64, ptr %3, i64 %26
+  %28 = load i64, ptr %27, align 8
+  %29 = or i64 %26, 1
+  %30 = getelementptr inbounds i64, ptr %3, i64 %29
+  %31 = load i64, ptr %30, align 8
+  %32 = icmp eq i64 %25, 0
+  br i1 %32, label %44, label %33
 
-32:                                               ; preds = %22
-  %33 = mul nsw i64 %30, %23
-  br label %39
+33:                                               ; preds = %24
+  %34 = add nsw i64 %26, -2
+  %35 = getelementptr inbounds i64, ptr %3, i64 %34
+  %36 = load i64, ptr %35, align 8
+  %37 = icmp eq i64 %28, %36
+  br i1 %37, label %38, label %43
 
-34:                                               ; preds = %39
-  %35 = icmp eq i32 %48, 0
-  br i1 %35, label %36, label %51
+38:                                               ; preds = %33
+  %39 = add nsw i64 %26, -1
+  %40 = getelementptr inbounds i64, ptr %3, i64 %39
+  %41 = load i64, ptr %40, align 8
+  %42 = icmp eq i64 %31, %41
+  br i1 %42, label %44, label %43
 
-36:                                               ; preds = %34
-  %37 = getelementptr inbounds double, ptr %5, i64 %23
-  store double 0x7FF8000000000000, ptr %37, align 8
-  %38 = getelementptr inbounds i64, ptr %6, i64 %23
-  store i64 -1, ptr %38, align 8
-  br label %61
+43:                                               ; preds = %38, %33
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
+  br label %44
 
-39:                                               ; preds = %32, %39
-  %40 = phi i64 [ 0, %32 ], [ %49, %39 ]
-  %41 = phi i32 [ 1, %32 ], [ %48, %39 ]
-  %42 = add nsw i64 %33, %40
-  %43 = getelementptr inbounds double, ptr %1, i64 %42
-  %44 = load double, ptr %43, align 8
-  %45 = call double @llvm.fabs.f64(double %44) #14
-  %46 = fcmp one double %45, 0x7FF0000000000000
-  %47 = zext i1 %46 to i32
-  %48 = and i32 %41, %47
-  %49 = add nuw nsw i64 %40, 1
-  %50 = icmp eq i64 %49, %30
-  br i1 %50, label %34, label %39
+44:                                               ; preds = %43, %38, %24
+  %45 = load i64, ptr %0, align 8
+  %46 = icmp sgt i64 %45, 0
+  br i1 %46, label %47, label %66
 
-51:                                               ; preds = %22, %34
-  %52 = getelementptr inbounds double, ptr %4, i64 %23
-  %53 = load double, ptr %52, align 8
-  %54 = getelementptr inbounds double, ptr %5, i64 %23
-  store double %53, ptr %54, align 8
-  %55 = getelementptr inbounds i64, ptr %6, i64 %23
-  store i64 -1, ptr %55, align 8
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %8) #15
-  %56 = load i64, ptr %0, align 8
-  %57 = mul nsw i64 %56, %23
+47:                                               ; preds = %44
+  %48 = mul nsw i64 %45, %25
+  br label %54
+
+49:                                               ; preds = %54
+  %50 = icmp eq i32 %63, 0
+  br i1 %50, label %51, label %66
+
+51:                                               ; preds = %49
+  %52 = getelementptr inbounds double, ptr %5, i64 %25
+  store double 0x7FF8000000000000, ptr %52, align 8
+  %53 = getelementptr inbounds i64, ptr %6, i64 %25
+  store i64 -1, ptr %53, align 8
+  br label %87
+
+54:                                               ; preds = %47, %54
+  %55 = phi i64 [ 0, %47 ], [ %64, %54 ]
+  %56 = phi i32 [ 1, %47 ], [ %63, %54 ]
+  %57 = add nsw i64 %48, %55
   %58 = getelementptr inbounds double, ptr %1, i64 %57
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %58)
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %26, ptr noundef nonnull %8)
-  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %9) #15
-  store ptr %0, ptr %9, align 8
-  store i64 %26, ptr %12, align 8
-  store ptr %8, ptr %13, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %14, i8 0, i64 16, i1 false)
-  %59 = load double, ptr %52, align 8
-  store double %59, ptr %15, align 8
-  store ptr %54, ptr %16, align 8
-  store ptr null, ptr %17, align 8
-  store i32 0, ptr %18, align 8
-  store i64 -1, ptr %19, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %20, i8 0, i64 32, i1 false)
-  call fastcc void @look_at(ptr noundef nonnull %9, i64 noundef %29, ptr noundef null)
-  %60 = load i64, ptr %19, align 8
-  store i64 %60, ptr %55, align 8
-  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %9) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %8) #15
-  br label %61
+  %59 = load double, ptr %58, align 8
+  %60 = call double @llvm.fabs.f64(double %59) #14
+  %61 = fcmp one double %60, 0x7FF0000000000000
+  %62 = zext i1 %61 to i32
+  %63 = and i32 %56, %62
+  %64 = add nuw nsw i64 %55, 1
+  %65 = icmp eq i64 %64, %45
+  br i1 %65, label %49, label %54
 
-61:                                               ; preds = %36, %51
-  %62 = add nuw nsw i64 %23, 1
-  %63 = icmp eq i64 %62, %2
-  br i1 %63, label %21, label %22
+66:                                               ; preds = %44, %49
+  %67 = getelementptr inbounds double, ptr %4, i64 %25
+  %68 = load double, ptr %67, align 8
+  %69 = getelementptr inbounds double, ptr %5, i64 %25
+  store double %68, ptr %69, align 8
+  %70 = getelementptr inbounds i64, ptr %6, i64 %25
+  store i64 -1, ptr %70, align 8
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #15
+  br i1 %32, label %81, label %71
+
+71:                                               ; preds = %66
+  %72 = load i64, ptr %0, align 8
+  %73 = mul nsw i64 %72, %25
+  %74 = getelementptr inbounds double, ptr %1, i64 %73
+  %75 = add nsw i64 %25, -1
+  %76 = mul nsw i64 %72, %75
+  %77 = getelementptr inbounds double, ptr %1, i64 %76
+  %78 = shl i64 %72, 3
+  %79 = call i32 @bcmp(ptr %74, ptr %77, i64 %78)
+  %80 = icmp eq i32 %79, 0
+  br i1 %80, label %84, label %81
+
+81:                                               ; preds = %66, %71
+  %82 = phi i64 [ %73, %71 ], [ 0, %66 ]
+  %83 = getelementptr inbounds double, ptr %1, i64 %82
+  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %83)
+  br label %84
+
+84:                                               ; preds = %81, %71
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %28, ptr noundef nonnull %9)
+  call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %10) #15
+  store ptr %0, ptr %10, align 8
+  store i64 %28, ptr %13, align 8
+  store ptr %9, ptr %14, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %15, i8 0, i64 16, i1 false)
+  %85 = load double, ptr %67, align 8
+  store double %85, ptr %16, align 8
+  store ptr %69, ptr %17, align 8
+  store ptr null, ptr %18, align 8
+  store i32 0, ptr %19, align 8
+  store i64 -1, ptr %20, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %21, i8 0, i64 32, i1 false)
+  store ptr %8, ptr %22, align 8
+  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %31, ptr noundef null)
+  %86 = load i64, ptr %20, align 8
+  store i64 %86, ptr %70, align 8
+  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %10) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #15
+  br label %87
+
+87:                                               ; preds = %51, %84
+  %88 = add nuw nsw i64 %25, 1
+  %89 = icmp eq i64 %88, %2
+  br i1 %89, label %23, label %24
 }
 
-declare double @llvm.fabs.f64(double) #2
+declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #2
 
-define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) unnamed_addr #3 {
+declare double @llvm.fabs.f64(double) #3
+
+define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) unnamed_addr #4 {
   %3 = alloca [12 x double], align 16
   %4 = alloca [12 x double], align 16
   %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
@@ -936,7 +1017,7 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %240, label %195, label %196
 }
 
-define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noundef %1, ptr noundef %2) unnamed_addr #4 {
+define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noundef %1, ptr noundef %2) unnamed_addr #5 {
   %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %5 = load ptr, ptr %4, align 8
   %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
@@ -1062,8 +1143,6 @@ define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noun
   ret void
 }
 
-declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #5
-
 define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #0 {
   %4 = alloca double, align 8
   %5 = alloca double, align 8
@@ -1083,7 +1162,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %19 = select i1 %16, ptr %18, ptr %17
   %20 = load i64, ptr %19, align 8
   %21 = icmp slt i64 %20, 0
-  br i1 %21, label %286, label %22
+  br i1 %21, label %308, label %22
 
 22:                                               ; preds = %3
   %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
@@ -1095,13 +1174,13 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %27 = getelementptr inbounds double, ptr %24, i64 %20
   %28 = load double, ptr %27, align 8
   %29 = fcmp uno double %28, 0.000000e+00
-  br i1 %29, label %286, label %34
+  br i1 %29, label %308, label %34
 
 30:                                               ; preds = %22
   %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
   %32 = load i32, ptr %31, align 8
   %33 = icmp eq i32 %32, 1
-  br i1 %33, label %286, label %34
+  br i1 %33, label %308, label %34
 
 34:                                               ; preds = %26, %30
   %35 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 6
@@ -1134,7 +1213,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %52 = load double, ptr %51, align 8
   %53 = tail call double @llvm.minnum.f64(double %50, double %52)
   %54 = fcmp ugt double %53, 0xFFF0000000000000
-  br i1 %54, label %55, label %285
+  br i1 %54, label %55, label %307
 
 55:                                               ; preds = %48
   %56 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
@@ -1156,7 +1235,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 
 67:                                               ; preds = %61, %55
   store double 0x7FF8000000000000, ptr %49, align 8
-  br label %285
+  br label %307
 
 68:                                               ; preds = %47
   %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
@@ -1167,21 +1246,21 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 72:                                               ; preds = %68
   %73 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
   store i32 1, ptr %73, align 8
-  br label %285
+  br label %307
 
 74:                                               ; preds = %68
   %75 = fcmp ult double %70, 0xFFF0000000000000
-  br i1 %75, label %285, label %76
+  br i1 %75, label %307, label %76
 
 76:                                               ; preds = %74
   %77 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
   %78 = load i32, ptr %77, align 8
   %79 = icmp eq i32 %78, 0
-  br i1 %79, label %80, label %285
+  br i1 %79, label %80, label %307
 
 80:                                               ; preds = %76
   store i32 2, ptr %77, align 8
-  br label %285
+  br label %307
 
 81:                                               ; preds = %40
   switch i64 %38, label %142 [
@@ -1211,11 +1290,11 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 95:                                               ; preds = %86, %92
   %96 = phi double [ %91, %86 ], [ %94, %92 ]
   %97 = fcmp ugt double %85, %96
-  br i1 %97, label %285, label %98
+  br i1 %97, label %307, label %98
 
 98:                                               ; preds = %95
   tail call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef 1, double noundef %85, double noundef %85)
-  br label %285
+  br label %307
 
 99:                                               ; preds = %81
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %6) #15
@@ -1286,7 +1365,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 
 141:                                              ; preds = %121, %140, %130, %99
   call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %6) #15
-  br label %285
+  br label %307
 
 142:                                              ; preds = %81
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
@@ -1341,7 +1420,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %183 = fadd double %179, %182
   %184 = fmul double %173, %173
   %185 = fcmp ogt double %183, %184
-  br i1 %185, label %284, label %196
+  br i1 %185, label %306, label %196
 
 186:                                              ; preds = %152, %186
   %187 = phi i64 [ 0, %152 ], [ %194, %186 ]
@@ -1359,151 +1438,1285 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 196:                                              ; preds = %161
   %197 = tail call fastcc i32 @is_beside(ptr noundef nonnull %13, ptr noundef nonnull %160, double noundef %172, i64 noundef %42, double noundef %154)
   %198 = icmp eq i32 %197, 0
-  br i1 %198, label %199, label %284
+  br i1 %198, label %199, label %306
 
 199:                                              ; preds = %196
   %200 = tail call fastcc i32 @is_beside(ptr noundef nonnull %13, ptr noundef nonnull %158, double noundef %167, i64 noundef %1, double noundef %154)
   %201 = icmp eq i32 %200, 0
-  br i1 %201, label %202, label %284
+  br i1 %201, label %202, label %306
 
 202:                                              ; preds = %199
-  %203 = icmp eq ptr %2, null
-  br i1 %203, label %247, label %204
+  %203 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  %204 = load ptr, ptr %203, align 8
+  %205 = icmp eq ptr %204, null
+  br i1 %205, label %221, label %206
 
-204:                                              ; preds = %202, %204
-  %205 = phi i64 [ %222, %204 ], [ 0, %202 ]
-  %206 = phi double [ %221, %204 ], [ 0.000000e+00, %202 ]
-  %207 = getelementptr inbounds double, ptr %2, i64 %205
-  %208 = load double, ptr %207, align 8
-  %209 = getelementptr inbounds double, ptr %158, i64 %205
-  %210 = load double, ptr %209, align 8
-  %211 = fsub double %208, %210
-  %212 = add nuw nsw i64 %205, 3
-  %213 = getelementptr inbounds double, ptr %2, i64 %212
-  %214 = load double, ptr %213, align 8
-  %215 = fsub double %210, %214
-  %216 = fcmp ogt double %211, %215
-  %217 = select i1 %216, double %211, double %215
-  %218 = fcmp ogt double %217, 0.000000e+00
-  %219 = select i1 %218, double %217, double 0.000000e+00
-  %220 = fmul double %219, %219
-  %221 = fadd double %206, %220
-  %222 = add nuw nsw i64 %205, 1
-  %223 = icmp eq i64 %222, 3
-  br i1 %223, label %224, label %204
+206:                                              ; preds = %202
+  %207 = mul nsw i64 %20, 3
+  %208 = getelementptr inbounds double, ptr %204, i64 %207
+  %209 = load double, ptr %208, align 8
+  %210 = fmul double %209, %209
+  %211 = getelementptr inbounds double, ptr %208, i64 1
+  %212 = load double, ptr %211, align 8
+  %213 = fmul double %212, %212
+  %214 = fadd double %210, %213
+  %215 = getelementptr inbounds double, ptr %208, i64 2
+  %216 = load double, ptr %215, align 8
+  %217 = fmul double %216, %216
+  %218 = fadd double %214, %217
+  %219 = fcmp ogt double %218, 0.000000e+00
+  br i1 %219, label %220, label %221
 
-224:                                              ; preds = %204
-  %225 = fcmp ogt double %221, 0.000000e+00
-  br i1 %225, label %226, label %247
+220:                                              ; preds = %206
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %9, ptr noundef nonnull align 8 dereferenceable(24) %208, i64 24, i1 false)
+  br label %267
 
-226:                                              ; preds = %224, %242
-  %227 = phi i64 [ %245, %242 ], [ 0, %224 ]
-  %228 = getelementptr inbounds double, ptr %158, i64 %227
-  %229 = load double, ptr %228, align 8
-  %230 = getelementptr inbounds double, ptr %2, i64 %227
-  %231 = load double, ptr %230, align 8
-  %232 = fcmp olt double %229, %231
-  br i1 %232, label %233, label %235
+221:                                              ; preds = %202, %206
+  %222 = phi ptr [ %208, %206 ], [ null, %202 ]
+  %223 = icmp eq ptr %2, null
+  br i1 %223, label %267, label %224
 
-233:                                              ; preds = %226
-  %234 = fsub double %229, %231
-  br label %242
+224:                                              ; preds = %221, %224
+  %225 = phi i64 [ %242, %224 ], [ 0, %221 ]
+  %226 = phi double [ %241, %224 ], [ 0.000000e+00, %221 ]
+  %227 = getelementptr inbounds double, ptr %2, i64 %225
+  %228 = load double, ptr %227, align 8
+  %229 = getelementptr inbounds double, ptr %158, i64 %225
+  %230 = load double, ptr %229, align 8
+  %231 = fsub double %228, %230
+  %232 = add nuw nsw i64 %225, 3
+  %233 = getelementptr inbounds double, ptr %2, i64 %232
+  %234 = load double, ptr %233, align 8
+  %235 = fsub double %230, %234
+  %236 = fcmp ogt double %231, %235
+  %237 = select i1 %236, double %231, double %235
+  %238 = fcmp ogt double %237, 0.000000e+00
+  %239 = select i1 %238, double %237, double 0.000000e+00
+  %240 = fmul double %239, %239
+  %241 = fadd double %226, %240
+  %242 = add nuw nsw i64 %225, 1
+  %243 = icmp eq i64 %242, 3
+  br i1 %243, label %244, label %224
 
-235:                                              ; preds = %226
-  %236 = add nuw nsw i64 %227, 3
-  %237 = getelementptr inbounds double, ptr %2, i64 %236
-  %238 = load double, ptr %237, align 8
-  %239 = fcmp ogt double %229, %238
-  br i1 %239, label %240, label %242
+244:                                              ; preds = %224
+  %245 = fcmp ogt double %241, 0.000000e+00
+  br i1 %245, label %246, label %267
 
-240:                                              ; preds = %235
-  %241 = fsub double %229, %238
-  br label %242
+246:                                              ; preds = %244, %262
+  %247 = phi i64 [ %265, %262 ], [ 0, %244 ]
+  %248 = getelementptr inbounds double, ptr %158, i64 %247
+  %249 = load double, ptr %248, align 8
+  %250 = getelementptr inbounds double, ptr %2, i64 %247
+  %251 = load double, ptr %250, align 8
+  %252 = fcmp olt double %249, %251
+  br i1 %252, label %253, label %255
 
-242:                                              ; preds = %240, %235, %233
-  %243 = phi double [ %234, %233 ], [ %241, %240 ], [ 0.000000e+00, %235 ]
-  %244 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %227
-  store double %243, ptr %244, align 8
-  %245 = add nuw nsw i64 %227, 1
-  %246 = icmp eq i64 %245, 3
-  br i1 %246, label %247, label %226
+253:                                              ; preds = %246
+  %254 = fsub double %249, %251
+  br label %262
 
-247:                                              ; preds = %242, %224, %202
+255:                                              ; preds = %246
+  %256 = add nuw nsw i64 %247, 3
+  %257 = getelementptr inbounds double, ptr %2, i64 %256
+  %258 = load double, ptr %257, align 8
+  %259 = fcmp ogt double %249, %258
+  br i1 %259, label %260, label %262
+
+260:                                              ; preds = %255
+  %261 = fsub double %249, %258
+  br label %262
+
+262:                                              ; preds = %260, %255, %253
+  %263 = phi double [ %254, %253 ], [ %261, %260 ], [ 0.000000e+00, %255 ]
+  %264 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %247
+  store double %263, ptr %264, align 8
+  %265 = add nuw nsw i64 %247, 1
+  %266 = icmp eq i64 %265, 3
+  br i1 %266, label %267, label %246
+
+267:                                              ; preds = %262, %221, %244, %220
+  %268 = phi ptr [ %222, %221 ], [ %222, %244 ], [ %208, %220 ], [ %222, %262 ]
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #15
   call fastcc void @core_of(ptr noundef %13, i64 noundef %1, ptr noundef nonnull %10)
   call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %11) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %12) #15
-  %248 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %249 = load ptr, ptr %248, align 8
-  %250 = call fastcc i32 @shape_bounds(ptr noundef %13, i64 noundef %42, ptr noundef %249, i64 noundef %1, ptr noundef nonnull %10, ptr noundef nonnull %9, double noundef %154, double noundef %153, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef null, ptr noundef nonnull %11)
-  %251 = icmp eq i32 %250, 0
-  br i1 %251, label %254, label %252
+  %269 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %270 = load ptr, ptr %269, align 8
+  %271 = call fastcc i32 @shape_bounds(ptr noundef %13, i64 noundef %42, ptr noundef %270, i64 noundef %1, ptr noundef nonnull %10, ptr noundef nonnull %9, double noundef %154, double noundef %153, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef null, ptr noundef nonnull %11)
+  br i1 %205, label %273, label %272
 
-252:                                              ; preds = %247
-  %253 = load double, ptr %4, align 8
-  br label %275
+272:                                              ; preds = %267
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %268, ptr noundef nonnull align 16 dereferenceable(24) %9, i64 24, i1 false)
+  br label %273
 
-254:                                              ; preds = %247
-  %255 = load ptr, ptr %23, align 8
-  %256 = icmp eq ptr %255, null
-  br i1 %256, label %273, label %257
+273:                                              ; preds = %272, %267
+  %274 = icmp eq i32 %271, 0
+  br i1 %274, label %277, label %275
 
-257:                                              ; preds = %254
-  %258 = load ptr, ptr %248, align 8
-  %259 = call fastcc i32 @depth_of(ptr noundef %258, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, ptr noundef null, ptr noundef null, ptr noundef null)
-  %260 = icmp eq i32 %259, 0
-  br i1 %260, label %273, label %261
+275:                                              ; preds = %273
+  %276 = load double, ptr %4, align 8
+  br label %298
 
-261:                                              ; preds = %257
-  %262 = load double, ptr %12, align 8
-  %263 = fneg double %262
-  %264 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 9
-  %265 = load ptr, ptr %264, align 8
-  %266 = load i64, ptr %41, align 8
-  %267 = getelementptr inbounds double, ptr %265, i64 %266
-  %268 = load double, ptr %267, align 8
-  %269 = fsub double %263, %268
-  %270 = getelementptr inbounds double, ptr %265, i64 %1
-  %271 = load double, ptr %270, align 8
-  %272 = fsub double %269, %271
-  store double %272, ptr %5, align 8
-  br label %275
+277:                                              ; preds = %273
+  %278 = load ptr, ptr %23, align 8
+  %279 = icmp eq ptr %278, null
+  br i1 %279, label %296, label %280
 
-273:                                              ; preds = %257, %254
-  %274 = load double, ptr %4, align 8
-  br label %279
+280:                                              ; preds = %277
+  %281 = load ptr, ptr %269, align 8
+  %282 = call fastcc i32 @depth_of(ptr noundef %281, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, ptr noundef null, ptr noundef null, ptr noundef null)
+  %283 = icmp eq i32 %282, 0
+  br i1 %283, label %296, label %284
 
-275:                                              ; preds = %252, %261
-  %276 = phi double [ %253, %252 ], [ %272, %261 ]
-  %277 = phi i32 [ %250, %252 ], [ 1, %261 ]
-  %278 = fcmp ugt double %276, %154
-  br i1 %278, label %283, label %279
+284:                                              ; preds = %280
+  %285 = load double, ptr %12, align 8
+  %286 = fneg double %285
+  %287 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 9
+  %288 = load ptr, ptr %287, align 8
+  %289 = load i64, ptr %41, align 8
+  %290 = getelementptr inbounds double, ptr %288, i64 %289
+  %291 = load double, ptr %290, align 8
+  %292 = fsub double %286, %291
+  %293 = getelementptr inbounds double, ptr %288, i64 %1
+  %294 = load double, ptr %293, align 8
+  %295 = fsub double %292, %294
+  store double %295, ptr %5, align 8
+  br label %298
 
-279:                                              ; preds = %273, %275
-  %280 = phi double [ %274, %273 ], [ %276, %275 ]
-  %281 = phi i32 [ 0, %273 ], [ %277, %275 ]
-  %282 = load double, ptr %5, align 8
-  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %281, double noundef %280, double noundef %282)
-  br label %283
+296:                                              ; preds = %280, %277
+  %297 = load double, ptr %4, align 8
+  br label %301
 
-283:                                              ; preds = %275, %279
+298:                                              ; preds = %275, %284
+  %299 = phi double [ %276, %275 ], [ %295, %284 ]
+  %300 = fcmp ugt double %299, %154
+  br i1 %300, label %305, label %301
+
+301:                                              ; preds = %296, %298
+  %302 = phi double [ %297, %296 ], [ %299, %298 ]
+  %303 = phi i32 [ 0, %296 ], [ 1, %298 ]
+  %304 = load double, ptr %5, align 8
+  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %303, double noundef %302, double noundef %304)
+  br label %305
+
+305:                                              ; preds = %298, %301
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %12) #15
   call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %11) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
-  br label %285
+  br label %307
 
-284:                                              ; preds = %161, %196, %199
+306:                                              ; preds = %161, %196, %199
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
-  br label %285
+  br label %307
 
-285:                                              ; preds = %80, %76, %74, %72, %67, %48, %141, %95, %98, %283, %284
+307:                                              ; preds = %80, %76, %74, %72, %67, %48, %141, %95, %98, %305, %306
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %4) #15
+  br label %308
+
+308:                                              ; preds = %26, %3, %30, %307
+  ret void
+}
+
+define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr noundef %7, ptr nocapture noundef writeonly %8) local_unnamed_addr #0 {
+  %10 = alloca [3 x double], align 16
+  %11 = alloca i64, align 8
+  %12 = alloca %struct.Core, align 8
+  %13 = alloca %struct.Core, align 8
+  %14 = alloca %struct.Plane, align 8
+  %15 = alloca double, align 8
+  %16 = alloca double, align 8
+  %17 = alloca [3 x double], align 16
+  %18 = alloca [3 x double], align 16
+  %19 = alloca [12 x double], align 16
+  %20 = alloca [3 x double], align 16
+  %21 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #15
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
+  %22 = icmp sgt i64 %3, 0
+  br i1 %22, label %23, label %39
+
+23:                                               ; preds = %9
+  %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
+  %25 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %26 = getelementptr inbounds double, ptr %10, i64 1
+  %27 = getelementptr inbounds double, ptr %10, i64 2
+  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %32 = getelementptr inbounds double, ptr %14, i64 1
+  %33 = getelementptr inbounds double, ptr %18, i64 1
+  %34 = getelementptr inbounds double, ptr %14, i64 2
+  %35 = getelementptr inbounds double, ptr %18, i64 2
+  %36 = getelementptr inbounds double, ptr %17, i64 1
+  %37 = getelementptr inbounds double, ptr %17, i64 2
+  %38 = getelementptr inbounds i8, ptr %19, i64 72
+  br label %40
+
+39:                                               ; preds = %287, %9
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #15
+  ret void
+
+40:                                               ; preds = %23, %287
+  %41 = phi ptr [ %2, %23 ], [ %290, %287 ]
+  %42 = phi i64 [ 0, %23 ], [ %288, %287 ]
+  %43 = shl nuw nsw i64 %42, 1
+  %44 = getelementptr inbounds i64, ptr %4, i64 %43
+  %45 = load i64, ptr %44, align 8
+  %46 = or i64 %43, 1
+  %47 = getelementptr inbounds i64, ptr %4, i64 %46
+  %48 = load i64, ptr %47, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #15
+  %49 = icmp eq i64 %42, 0
+  br i1 %49, label %61, label %50
+
+50:                                               ; preds = %40
+  %51 = add nsw i64 %43, -2
+  %52 = getelementptr inbounds i64, ptr %4, i64 %51
+  %53 = load i64, ptr %52, align 8
+  %54 = icmp eq i64 %45, %53
+  br i1 %54, label %55, label %60
+
+55:                                               ; preds = %50
+  %56 = add nsw i64 %43, -1
+  %57 = getelementptr inbounds i64, ptr %4, i64 %56
+  %58 = load i64, ptr %57, align 8
+  %59 = icmp eq i64 %48, %58
+  br i1 %59, label %62, label %60
+
+60:                                               ; preds = %55, %50
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
+  br label %62
+
+61:                                               ; preds = %40
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
+  br label %72
+
+62:                                               ; preds = %55, %60
+  %63 = load i64, ptr %0, align 8
+  %64 = mul nsw i64 %63, %42
+  %65 = getelementptr inbounds double, ptr %1, i64 %64
+  %66 = add nsw i64 %42, -1
+  %67 = mul nsw i64 %63, %66
+  %68 = getelementptr inbounds double, ptr %1, i64 %67
+  %69 = shl i64 %63, 3
+  %70 = call i32 @bcmp(ptr %65, ptr %68, i64 %69)
+  %71 = icmp eq i32 %70, 0
+  br i1 %71, label %75, label %72
+
+72:                                               ; preds = %61, %62
+  %73 = phi i64 [ 0, %61 ], [ %64, %62 ]
+  %74 = getelementptr inbounds double, ptr %1, i64 %73
+  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %74)
+  br label %75
+
+75:                                               ; preds = %72, %62
+  %76 = getelementptr inbounds double, ptr %8, i64 %42
+  store double 0xFFF0000000000000, ptr %76, align 8
+  %77 = load ptr, ptr %24, align 8
+  %78 = getelementptr inbounds i64, ptr %77, i64 %45
+  %79 = load i64, ptr %78, align 8
+  %80 = icmp sgt i64 %79, 2
+  br i1 %80, label %90, label %81
+
+81:                                               ; preds = %75
+  %82 = getelementptr inbounds i64, ptr %77, i64 %48
+  %83 = load i64, ptr %82, align 8
+  %84 = icmp sgt i64 %83, 3
+  br i1 %84, label %90, label %85
+
+85:                                               ; preds = %81
+  %86 = getelementptr inbounds double, ptr %6, i64 %42
+  %87 = load double, ptr %86, align 8
+  %88 = call double @llvm.fabs.f64(double %87) #14
+  %89 = fcmp ueq double %88, 0x7FF0000000000000
+  br i1 %89, label %90, label %96
+
+90:                                               ; preds = %85, %81, %75
+  %91 = load i64, ptr %0, align 8
+  %92 = mul nsw i64 %91, %42
+  %93 = getelementptr inbounds double, ptr %1, i64 %92
+  %94 = getelementptr inbounds double, ptr %5, i64 %42
+  %95 = getelementptr inbounds double, ptr %7, i64 %42
+  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %93, i64 noundef 1, ptr noundef nonnull %44, ptr noundef %94, ptr noundef %95, ptr noundef nonnull %11)
+  br label %287
+
+96:                                               ; preds = %85
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #15
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %13) #15
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %14) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %16) #15
+  %97 = load ptr, ptr %25, align 8
+  %98 = getelementptr inbounds double, ptr %97, i64 %45
+  %99 = load double, ptr %98, align 8
+  %100 = getelementptr inbounds double, ptr %97, i64 %48
+  %101 = load double, ptr %100, align 8
+  %102 = fadd double %99, %101
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %45, ptr noundef nonnull %12)
+  %103 = load i64, ptr %82, align 8
+  %104 = icmp eq i64 %103, 3
+  br i1 %104, label %105, label %176
+
+105:                                              ; preds = %96
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %19) #15
+  %106 = load ptr, ptr %29, align 8
+  %107 = load ptr, ptr %30, align 8
+  %108 = getelementptr inbounds i64, ptr %107, i64 %48
+  %109 = load i64, ptr %108, align 8
+  %110 = mul nsw i64 %109, 12
+  %111 = getelementptr inbounds double, ptr %106, i64 %110
+  %112 = load ptr, ptr %31, align 8
+  %113 = mul nsw i64 %48, 12
+  %114 = getelementptr inbounds double, ptr %112, i64 %113
+  %115 = getelementptr inbounds double, ptr %114, i64 9
+  %116 = getelementptr inbounds double, ptr %114, i64 10
+  %117 = getelementptr inbounds double, ptr %114, i64 11
+  %118 = load double, ptr %115, align 8
+  %119 = load double, ptr %116, align 8
+  %120 = load double, ptr %117, align 8
+  br label %121
+
+121:                                              ; preds = %132, %105
+  %122 = phi i64 [ 0, %105 ], [ %143, %132 ]
+  %123 = mul nuw nsw i64 %122, 3
+  %124 = getelementptr inbounds double, ptr %111, i64 %123
+  %125 = add nuw nsw i64 %123, 1
+  %126 = getelementptr inbounds double, ptr %111, i64 %125
+  %127 = add nuw nsw i64 %123, 2
+  %128 = getelementptr inbounds double, ptr %111, i64 %127
+  %129 = load double, ptr %124, align 8
+  %130 = load double, ptr %126, align 8
+  %131 = load double, ptr %128, align 8
+  br label %146
+
+132:                                              ; preds = %146
+  %133 = fmul double %129, %118
+  %134 = fmul double %130, %119
+  %135 = fadd double %133, %134
+  %136 = fmul double %131, %120
+  %137 = fadd double %135, %136
+  %138 = add nuw nsw i64 %122, 9
+  %139 = getelementptr inbounds double, ptr %111, i64 %138
+  %140 = load double, ptr %139, align 8
+  %141 = fadd double %140, %137
+  %142 = getelementptr inbounds double, ptr %19, i64 %138
+  store double %141, ptr %142, align 8
+  %143 = add nuw nsw i64 %122, 1
+  %144 = icmp eq i64 %143, 3
+  br i1 %144, label %145, label %121
+
+145:                                              ; preds = %132
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %18, ptr noundef nonnull align 8 dereferenceable(24) %38, i64 24, i1 false)
+  br label %167
+
+146:                                              ; preds = %146, %121
+  %147 = phi i64 [ 0, %121 ], [ %163, %146 ]
+  %148 = getelementptr inbounds double, ptr %114, i64 %147
+  %149 = load double, ptr %148, align 8
+  %150 = fmul double %129, %149
+  %151 = add nuw nsw i64 %147, 3
+  %152 = getelementptr inbounds double, ptr %114, i64 %151
+  %153 = load double, ptr %152, align 8
+  %154 = fmul double %130, %153
+  %155 = fadd double %150, %154
+  %156 = add nuw nsw i64 %147, 6
+  %157 = getelementptr inbounds double, ptr %114, i64 %156
+  %158 = load double, ptr %157, align 8
+  %159 = fmul double %131, %158
+  %160 = fadd double %155, %159
+  %161 = add nuw nsw i64 %147, %123
+  %162 = getelementptr inbounds double, ptr %19, i64 %161
+  store double %160, ptr %162, align 8
+  %163 = add nuw nsw i64 %147, 1
+  %164 = icmp eq i64 %163, 3
+  br i1 %164, label %132, label %146
+
+165:                                              ; preds = %167
+  %166 = call fastcc double @over_plane(ptr noundef %0, i64 noundef %45, ptr noundef nonnull %12, i64 noundef %48)
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %19) #15
+  br label %222
+
+167:                                              ; preds = %145, %167
+  %168 = phi i64 [ 0, %145 ], [ %174, %167 ]
+  %169 = mul nuw nsw i64 %168, 3
+  %170 = add nuw nsw i64 %169, 2
+  %171 = getelementptr inbounds [12 x double], ptr %19, i64 0, i64 %170
+  %172 = load double, ptr %171, align 8
+  %173 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %168
+  store double %172, ptr %173, align 8
+  %174 = add nuw nsw i64 %168, 1
+  %175 = icmp eq i64 %174, 3
+  br i1 %175, label %165, label %167
+
+176:                                              ; preds = %96
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %48, ptr noundef nonnull %13)
+  %177 = load double, ptr %10, align 16
+  %178 = fmul double %177, %177
+  %179 = load double, ptr %26, align 8
+  %180 = fmul double %179, %179
+  %181 = fadd double %178, %180
+  %182 = load double, ptr %27, align 16
+  %183 = fmul double %182, %182
+  %184 = fadd double %181, %183
+  %185 = fcmp ogt double %184, 0.000000e+00
+  br i1 %185, label %202, label %186
+
+186:                                              ; preds = %176
+  %187 = load ptr, ptr %28, align 8
+  %188 = mul nsw i64 %45, 3
+  %189 = mul nsw i64 %48, 3
+  br label %190
+
+190:                                              ; preds = %186, %190
+  %191 = phi i64 [ 0, %186 ], [ %200, %190 ]
+  %192 = add nsw i64 %188, %191
+  %193 = getelementptr inbounds double, ptr %187, i64 %192
+  %194 = load double, ptr %193, align 8
+  %195 = add nsw i64 %189, %191
+  %196 = getelementptr inbounds double, ptr %187, i64 %195
+  %197 = load double, ptr %196, align 8
+  %198 = fsub double %194, %197
+  %199 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %191
+  store double %198, ptr %199, align 8
+  %200 = add nuw nsw i64 %191, 1
+  %201 = icmp eq i64 %200, 3
+  br i1 %201, label %202, label %190
+
+202:                                              ; preds = %190, %176
+  %203 = getelementptr inbounds double, ptr %5, i64 %42
+  %204 = load double, ptr %203, align 8
+  %205 = load double, ptr %98, align 8
+  %206 = load double, ptr %100, align 8
+  %207 = fadd double %205, %206
+  %208 = fadd double %204, %207
+  %209 = fadd double %207, 0xFFF0000000000000
+  %210 = call fastcc i32 @bounds(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %10, double noundef %208, double noundef %209, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %15, ptr noundef nonnull %16, ptr noundef nonnull %14, ptr noundef null)
+  %211 = icmp eq i32 %210, 0
+  br i1 %211, label %212, label %217
+
+212:                                              ; preds = %202
+  %213 = load i64, ptr %0, align 8
+  %214 = mul nsw i64 %213, %42
+  %215 = getelementptr inbounds double, ptr %1, i64 %214
+  %216 = getelementptr inbounds double, ptr %7, i64 %42
+  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %215, i64 noundef 1, ptr noundef nonnull %44, ptr noundef nonnull %203, ptr noundef %216, ptr noundef nonnull %11)
   br label %286
 
-286:                                              ; preds = %26, %3, %30, %285
+217:                                              ; preds = %202
+  %218 = load double, ptr %16, align 8
+  %219 = fsub double %218, %207
+  %220 = load double, ptr %15, align 8
+  %221 = fsub double %220, %207
+  call fastcc void @support(ptr noundef nonnull %13, ptr noundef nonnull %14, ptr noundef nonnull %18)
+  br label %222
+
+222:                                              ; preds = %217, %165
+  %223 = phi double [ %219, %217 ], [ %166, %165 ]
+  %224 = phi double [ %221, %217 ], [ %166, %165 ]
+  %225 = getelementptr inbounds double, ptr %5, i64 %42
+  %226 = load double, ptr %225, align 8
+  %227 = fcmp ogt double %224, %226
+  br i1 %227, label %233, label %228
+
+228:                                              ; preds = %222
+  %229 = fsub double %223, %224
+  %230 = fcmp ugt double %229, 1.000000e-08
+  br i1 %230, label %231, label %233
+
+231:                                              ; preds = %228
+  %232 = getelementptr inbounds double, ptr %7, i64 %42
+  store double 0x7FF8000000000000, ptr %232, align 8
+  br label %286
+
+233:                                              ; preds = %228, %222
+  %234 = phi double [ %226, %222 ], [ %223, %228 ]
+  %235 = getelementptr inbounds double, ptr %7, i64 %42
+  store double %234, ptr %235, align 8
+  %236 = fcmp uno double %234, 0.000000e+00
+  br i1 %236, label %286, label %237
+
+237:                                              ; preds = %233
+  %238 = load double, ptr %225, align 8
+  %239 = fcmp ult double %234, %238
+  br i1 %239, label %240, label %286
+
+240:                                              ; preds = %237
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
+  %241 = load ptr, ptr %30, align 8
+  %242 = getelementptr inbounds i64, ptr %241, i64 %45
+  %243 = load i64, ptr %242, align 8
+  %244 = getelementptr inbounds i64, ptr %241, i64 %48
+  %245 = load i64, ptr %244, align 8
+  %246 = icmp slt i64 %243, %245
+  br i1 %246, label %273, label %247
+
+247:                                              ; preds = %240
+  call fastcc void @twist_of(ptr noundef nonnull %0, i64 noundef %245, i64 noundef %243, ptr noundef %41, ptr noundef nonnull %20, ptr noundef nonnull %21)
+  %248 = load double, ptr %14, align 8
+  %249 = load double, ptr %18, align 16
+  %250 = fmul double %248, %249
+  %251 = load double, ptr %32, align 8
+  %252 = load double, ptr %33, align 8
+  %253 = fmul double %251, %252
+  %254 = fadd double %250, %253
+  %255 = load double, ptr %34, align 8
+  %256 = load double, ptr %35, align 16
+  %257 = fmul double %255, %256
+  %258 = fadd double %254, %257
+  %259 = call fastcc double @stays_apart(ptr noundef nonnull %12, double noundef %258, ptr noundef nonnull %14, ptr noundef nonnull %20, ptr noundef nonnull %21)
+  br label %281
+
+260:                                              ; preds = %273
+  call fastcc void @support(ptr noundef nonnull %12, ptr noundef nonnull %17, ptr noundef nonnull %18)
+  call fastcc void @twist_of(ptr noundef %0, i64 noundef %243, i64 noundef %245, ptr noundef %41, ptr noundef nonnull %20, ptr noundef nonnull %21)
+  %261 = load double, ptr %17, align 16
+  %262 = load double, ptr %18, align 16
+  %263 = fmul double %261, %262
+  %264 = load double, ptr %36, align 8
+  %265 = load double, ptr %33, align 8
+  %266 = fmul double %264, %265
+  %267 = fadd double %263, %266
+  %268 = load double, ptr %37, align 16
+  %269 = load double, ptr %35, align 16
+  %270 = fmul double %268, %269
+  %271 = fadd double %267, %270
+  %272 = call fastcc double @stays_apart(ptr noundef nonnull %13, double noundef %271, ptr noundef nonnull %17, ptr noundef nonnull %20, ptr noundef nonnull %21)
+  br label %281
+
+273:                                              ; preds = %240, %273
+  %274 = phi i64 [ %279, %273 ], [ 0, %240 ]
+  %275 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %274
+  %276 = load double, ptr %275, align 8
+  %277 = fneg double %276
+  %278 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %274
+  store double %277, ptr %278, align 8
+  %279 = add nuw nsw i64 %274, 1
+  %280 = icmp eq i64 %279, 3
+  br i1 %280, label %260, label %273
+
+281:                                              ; preds = %260, %247
+  %282 = phi double [ %272, %260 ], [ %259, %247 ]
+  %283 = fsub double %282, %102
+  %284 = load double, ptr %86, align 8
+  %285 = fsub double %283, %284
+  store double %285, ptr %76, align 8
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
+  br label %286
+
+286:                                              ; preds = %231, %233, %237, %281, %212
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %16) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %14) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %13) #15
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #15
+  br label %287
+
+287:                                              ; preds = %286, %90
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #15
+  %288 = add nuw nsw i64 %42, 1
+  %289 = load i64, ptr %0, align 8
+  %290 = getelementptr inbounds double, ptr %41, i64 %289
+  %291 = icmp eq i64 %288, %3
+  br i1 %291, label %39, label %40
+}
+
+define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3) unnamed_addr #6 {
+  %5 = alloca [12 x double], align 16
+  %6 = alloca [3 x double], align 16
+  %7 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
+  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds i64, ptr %11, i64 %3
+  %13 = load i64, ptr %12, align 8
+  %14 = mul nsw i64 %13, 12
+  %15 = getelementptr inbounds double, ptr %9, i64 %14
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %17 = load ptr, ptr %16, align 8
+  %18 = mul nsw i64 %3, 12
+  %19 = getelementptr inbounds double, ptr %17, i64 %18
+  %20 = getelementptr inbounds double, ptr %19, i64 9
+  %21 = getelementptr inbounds double, ptr %19, i64 10
+  %22 = getelementptr inbounds double, ptr %19, i64 11
+  %23 = load double, ptr %20, align 8
+  %24 = load double, ptr %21, align 8
+  %25 = load double, ptr %22, align 8
+  br label %26
+
+26:                                               ; preds = %37, %4
+  %27 = phi i64 [ 0, %4 ], [ %48, %37 ]
+  %28 = mul nuw nsw i64 %27, 3
+  %29 = getelementptr inbounds double, ptr %15, i64 %28
+  %30 = add nuw nsw i64 %28, 1
+  %31 = getelementptr inbounds double, ptr %15, i64 %30
+  %32 = add nuw nsw i64 %28, 2
+  %33 = getelementptr inbounds double, ptr %15, i64 %32
+  %34 = load double, ptr %29, align 8
+  %35 = load double, ptr %31, align 8
+  %36 = load double, ptr %33, align 8
+  br label %50
+
+37:                                               ; preds = %50
+  %38 = fmul double %34, %23
+  %39 = fmul double %35, %24
+  %40 = fadd double %38, %39
+  %41 = fmul double %36, %25
+  %42 = fadd double %40, %41
+  %43 = add nuw nsw i64 %27, 9
+  %44 = getelementptr inbounds double, ptr %15, i64 %43
+  %45 = load double, ptr %44, align 8
+  %46 = fadd double %45, %42
+  %47 = getelementptr inbounds double, ptr %5, i64 %43
+  store double %46, ptr %47, align 8
+  %48 = add nuw nsw i64 %27, 1
+  %49 = icmp eq i64 %48, 3
+  br i1 %49, label %70, label %26
+
+50:                                               ; preds = %50, %26
+  %51 = phi i64 [ 0, %26 ], [ %67, %50 ]
+  %52 = getelementptr inbounds double, ptr %19, i64 %51
+  %53 = load double, ptr %52, align 8
+  %54 = fmul double %34, %53
+  %55 = add nuw nsw i64 %51, 3
+  %56 = getelementptr inbounds double, ptr %19, i64 %55
+  %57 = load double, ptr %56, align 8
+  %58 = fmul double %35, %57
+  %59 = fadd double %54, %58
+  %60 = add nuw nsw i64 %51, 6
+  %61 = getelementptr inbounds double, ptr %19, i64 %60
+  %62 = load double, ptr %61, align 8
+  %63 = fmul double %36, %62
+  %64 = fadd double %59, %63
+  %65 = add nuw nsw i64 %51, %28
+  %66 = getelementptr inbounds double, ptr %5, i64 %65
+  store double %64, ptr %66, align 8
+  %67 = add nuw nsw i64 %51, 1
+  %68 = icmp eq i64 %67, 3
+  br i1 %68, label %37, label %50
+
+69:                                               ; preds = %70
+  call fastcc void @support(ptr noundef %2, ptr noundef nonnull %6, ptr noundef nonnull %7)
+  br label %89
+
+70:                                               ; preds = %37, %70
+  %71 = phi i64 [ %78, %70 ], [ 0, %37 ]
+  %72 = mul nuw nsw i64 %71, 3
+  %73 = add nuw nsw i64 %72, 2
+  %74 = getelementptr inbounds [12 x double], ptr %5, i64 0, i64 %73
+  %75 = load double, ptr %74, align 8
+  %76 = fneg double %75
+  %77 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %71
+  store double %76, ptr %77, align 8
+  %78 = add nuw nsw i64 %71, 1
+  %79 = icmp eq i64 %78, 3
+  br i1 %79, label %69, label %70
+
+80:                                               ; preds = %89
+  %81 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %82 = load ptr, ptr %81, align 8
+  %83 = getelementptr inbounds double, ptr %82, i64 %1
+  %84 = load double, ptr %83, align 8
+  %85 = fsub double %101, %84
+  %86 = getelementptr inbounds double, ptr %82, i64 %3
+  %87 = load double, ptr %86, align 8
+  %88 = fsub double %85, %87
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %5) #15
+  ret double %88
+
+89:                                               ; preds = %69, %89
+  %90 = phi i64 [ 0, %69 ], [ %102, %89 ]
+  %91 = phi double [ 0.000000e+00, %69 ], [ %101, %89 ]
+  %92 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %90
+  %93 = load double, ptr %92, align 8
+  %94 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %90
+  %95 = load double, ptr %94, align 8
+  %96 = add nuw nsw i64 %90, 9
+  %97 = getelementptr inbounds [12 x double], ptr %5, i64 0, i64 %96
+  %98 = load double, ptr %97, align 8
+  %99 = fsub double %95, %98
+  %100 = fmul double %93, %99
+  %101 = fsub double %91, %100
+  %102 = add nuw nsw i64 %90, 1
+  %103 = icmp eq i64 %102, 3
+  br i1 %103, label %80, label %89
+}
+
+define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef %5, double noundef %6, double noundef %7, ptr nocapture noundef %8, ptr nocapture noundef %9, ptr noundef %10, ptr noundef %11) unnamed_addr #0 {
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr inbounds double, ptr %14, i64 %1
+  %16 = load double, ptr %15, align 8
+  %17 = getelementptr inbounds double, ptr %14, i64 %3
+  %18 = load double, ptr %17, align 8
+  %19 = fadd double %16, %18
+  %20 = fadd double %19, %6
+  %21 = fadd double %19, %7
+  %22 = tail call fastcc i32 @bounds(ptr noundef %2, ptr noundef %4, ptr noundef %5, double noundef %20, double noundef %21, double noundef 0x3DA5FD7FE1796495, ptr noundef %8, ptr noundef %9, ptr noundef %10, ptr noundef %11)
+  %23 = load double, ptr %8, align 8
+  %24 = fsub double %23, %19
+  store double %24, ptr %8, align 8
+  %25 = load double, ptr %9, align 8
+  %26 = fsub double %25, %19
+  store double %26, ptr %9, align 8
+  ret i32 %22
+}
+
+define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef writeonly %2) unnamed_addr #6 {
+  %4 = alloca [64 x double], align 16
+  %5 = alloca [8 x double], align 16
+  %6 = alloca [3 x double], align 16
+  %7 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
+  %8 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 5
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr inbounds double, ptr %1, i64 1
+  %11 = getelementptr inbounds double, ptr %1, i64 2
+  %12 = load double, ptr %1, align 8
+  %13 = load double, ptr %10, align 8
+  %14 = load double, ptr %11, align 8
+  br label %15
+
+15:                                               ; preds = %15, %3
+  %16 = phi i64 [ 0, %3 ], [ %31, %15 ]
+  %17 = getelementptr inbounds double, ptr %9, i64 %16
+  %18 = load double, ptr %17, align 8
+  %19 = fmul double %18, %12
+  %20 = add nuw nsw i64 %16, 3
+  %21 = getelementptr inbounds double, ptr %9, i64 %20
+  %22 = load double, ptr %21, align 8
+  %23 = fmul double %22, %13
+  %24 = fadd double %19, %23
+  %25 = add nuw nsw i64 %16, 6
+  %26 = getelementptr inbounds double, ptr %9, i64 %25
+  %27 = load double, ptr %26, align 8
+  %28 = fmul double %27, %14
+  %29 = fadd double %24, %28
+  %30 = getelementptr inbounds double, ptr %6, i64 %16
+  store double %29, ptr %30, align 8
+  %31 = add nuw nsw i64 %16, 1
+  %32 = icmp eq i64 %31, 3
+  br i1 %32, label %33, label %15
+
+33:                                               ; preds = %15
+  %34 = load i64, ptr %0, align 8
+  switch i64 %34, label %158 [
+    i64 0, label %38
+    i64 1, label %35
+  ]
+
+35:                                               ; preds = %33
+  %36 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
+  %37 = load ptr, ptr %36, align 8
+  br label %146
+
+38:                                               ; preds = %33
+  %39 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 2
+  %40 = load ptr, ptr %39, align 8
+  %41 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 3
+  %42 = load ptr, ptr %41, align 8
+  %43 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 4
+  %44 = load ptr, ptr %43, align 8
+  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #15
+  %45 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 1
+  %46 = load i64, ptr %45, align 8
+  %47 = icmp sgt i64 %46, 0
+  br i1 %47, label %48, label %138
+
+48:                                               ; preds = %38
+  %49 = getelementptr inbounds double, ptr %6, i64 1
+  %50 = getelementptr inbounds double, ptr %6, i64 2
+  %51 = load double, ptr %6, align 16
+  %52 = load double, ptr %49, align 8
+  %53 = load double, ptr %50, align 16
+  br label %54
+
+54:                                               ; preds = %132, %48
+  %55 = phi i64 [ %46, %48 ], [ %137, %132 ]
+  %56 = phi double [ 0xFFF0000000000000, %48 ], [ %134, %132 ]
+  %57 = phi i64 [ 0, %48 ], [ %135, %132 ]
+  %58 = phi i64 [ 0, %48 ], [ %133, %132 ]
+  %59 = tail call i64 @llvm.smin.i64(i64 %55, i64 64)
+  call void @llvm.lifetime.start.p0(i64 64, ptr nonnull %5) #15
+  br label %62
+
+60:                                               ; preds = %62
+  %61 = tail call i64 @llvm.smax.i64(i64 %59, i64 1)
+  br label %70
+
+62:                                               ; preds = %62, %54
+  %63 = phi i64 [ 0, %54 ], [ %65, %62 ]
+  %64 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %63
+  store double 0xFFF0000000000000, ptr %64, align 8
+  %65 = add nuw nsw i64 %63, 1
+  %66 = icmp eq i64 %65, 8
+  br i1 %66, label %60, label %62
+
+67:                                               ; preds = %70
+  %68 = and i64 %61, 7
+  %69 = icmp eq i64 %68, 0
+  br i1 %69, label %87, label %89
+
+70:                                               ; preds = %60, %70
+  %71 = phi i64 [ %85, %70 ], [ 0, %60 ]
+  %72 = add nuw nsw i64 %71, %57
+  %73 = getelementptr inbounds double, ptr %40, i64 %72
+  %74 = load double, ptr %73, align 8
+  %75 = fmul double %51, %74
+  %76 = getelementptr inbounds double, ptr %42, i64 %72
+  %77 = load double, ptr %76, align 8
+  %78 = fmul double %52, %77
+  %79 = fadd double %75, %78
+  %80 = getelementptr inbounds double, ptr %44, i64 %72
+  %81 = load double, ptr %80, align 8
+  %82 = fmul double %53, %81
+  %83 = fadd double %79, %82
+  %84 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %71
+  store double %83, ptr %84, align 8
+  %85 = add nuw nsw i64 %71, 1
+  %86 = icmp eq i64 %85, %61
+  br i1 %86, label %67, label %70
+
+87:                                               ; preds = %89, %67
+  %88 = phi i64 [ %61, %67 ], [ %92, %89 ]
+  br label %95
+
+89:                                               ; preds = %67, %89
+  %90 = phi i64 [ %92, %89 ], [ %61, %67 ]
+  %91 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %90
+  store double 0xFFF0000000000000, ptr %91, align 8
+  %92 = add nuw nsw i64 %90, 1
+  %93 = and i64 %92, 7
+  %94 = icmp eq i64 %93, 0
+  br i1 %94, label %87, label %89
+
+95:                                               ; preds = %99, %87
+  %96 = phi i64 [ %100, %99 ], [ 0, %87 ]
+  br label %102
+
+97:                                               ; preds = %99
+  %98 = load double, ptr %5, align 16
+  br label %115
+
+99:                                               ; preds = %102
+  %100 = add nuw nsw i64 %96, 8
+  %101 = icmp ult i64 %100, %88
+  br i1 %101, label %95, label %97
+
+102:                                              ; preds = %102, %95
+  %103 = phi i64 [ 0, %95 ], [ %111, %102 ]
+  %104 = add nuw nsw i64 %103, %96
+  %105 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %104
+  %106 = load double, ptr %105, align 8
+  %107 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %103
+  %108 = load double, ptr %107, align 8
+  %109 = fcmp ogt double %106, %108
+  %110 = select i1 %109, double %106, double %108
+  store double %110, ptr %107, align 8
+  %111 = add nuw nsw i64 %103, 1
+  %112 = icmp eq i64 %111, 8
+  br i1 %112, label %99, label %102
+
+113:                                              ; preds = %115
+  %114 = fcmp ogt double %121, %56
+  br i1 %114, label %124, label %132
+
+115:                                              ; preds = %115, %97
+  %116 = phi i64 [ 1, %97 ], [ %122, %115 ]
+  %117 = phi double [ %98, %97 ], [ %121, %115 ]
+  %118 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %116
+  %119 = load double, ptr %118, align 8
+  %120 = fcmp ogt double %119, %117
+  %121 = select i1 %120, double %119, double %117
+  %122 = add nuw nsw i64 %116, 1
+  %123 = icmp eq i64 %122, 8
+  br i1 %123, label %113, label %115
+
+124:                                              ; preds = %113, %124
+  %125 = phi i64 [ %129, %124 ], [ 0, %113 ]
+  %126 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %125
+  %127 = load double, ptr %126, align 8
+  %128 = fcmp une double %127, %121
+  %129 = add nuw nsw i64 %125, 1
+  br i1 %128, label %124, label %130
+
+130:                                              ; preds = %124
+  %131 = add nuw nsw i64 %125, %57
+  br label %132
+
+132:                                              ; preds = %130, %113
+  %133 = phi i64 [ %131, %130 ], [ %58, %113 ]
+  %134 = phi double [ %121, %130 ], [ %56, %113 ]
+  call void @llvm.lifetime.end.p0(i64 64, ptr nonnull %5) #15
+  %135 = add nuw nsw i64 %57, 64
+  %136 = icmp sgt i64 %46, %135
+  %137 = add i64 %55, -64
+  br i1 %136, label %54, label %138
+
+138:                                              ; preds = %132, %38
+  %139 = phi i64 [ 0, %38 ], [ %133, %132 ]
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #15
+  %140 = getelementptr inbounds double, ptr %40, i64 %139
+  %141 = load double, ptr %140, align 8
+  %142 = getelementptr inbounds double, ptr %42, i64 %139
+  %143 = load double, ptr %142, align 8
+  %144 = getelementptr inbounds double, ptr %44, i64 %139
+  %145 = load double, ptr %144, align 8
+  br label %191
+
+146:                                              ; preds = %35, %146
+  %147 = phi i64 [ 0, %35 ], [ %156, %146 ]
+  %148 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %147
+  %149 = load double, ptr %148, align 8
+  %150 = fcmp ult double %149, 0.000000e+00
+  %151 = getelementptr inbounds double, ptr %37, i64 %147
+  %152 = load double, ptr %151, align 8
+  %153 = fneg double %152
+  %154 = select i1 %150, double %153, double %152
+  %155 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %147
+  store double %154, ptr %155, align 8
+  %156 = add nuw nsw i64 %147, 1
+  %157 = icmp eq i64 %156, 3
+  br i1 %157, label %185, label %146
+
+158:                                              ; preds = %33
+  %159 = load double, ptr %6, align 16
+  %160 = fmul double %159, %159
+  %161 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
+  %162 = load double, ptr %161, align 8
+  %163 = fmul double %162, %162
+  %164 = fadd double %160, %163
+  %165 = tail call double @llvm.sqrt.f64(double %164)
+  %166 = fcmp ogt double %165, 0.000000e+00
+  br i1 %166, label %167, label %172
+
+167:                                              ; preds = %158
+  %168 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
+  %169 = load ptr, ptr %168, align 8
+  %170 = load double, ptr %169, align 8
+  %171 = fdiv double %170, %165
+  br label %172
+
+172:                                              ; preds = %158, %167
+  %173 = phi double [ %171, %167 ], [ 0.000000e+00, %158 ]
+  %174 = fmul double %159, %173
+  %175 = fmul double %162, %173
+  %176 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
+  %177 = load double, ptr %176, align 16
+  %178 = fcmp ult double %177, 0.000000e+00
+  %179 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
+  %180 = load ptr, ptr %179, align 8
+  %181 = getelementptr inbounds double, ptr %180, i64 1
+  %182 = load double, ptr %181, align 8
+  %183 = fneg double %182
+  %184 = select i1 %178, double %183, double %182
+  br label %191
+
+185:                                              ; preds = %146
+  %186 = load double, ptr %7, align 16
+  %187 = getelementptr inbounds double, ptr %7, i64 1
+  %188 = load double, ptr %187, align 8
+  %189 = getelementptr inbounds double, ptr %7, i64 2
+  %190 = load double, ptr %189, align 16
+  br label %191
+
+191:                                              ; preds = %185, %172, %138
+  %192 = phi double [ %190, %185 ], [ %184, %172 ], [ %145, %138 ]
+  %193 = phi double [ %188, %185 ], [ %175, %172 ], [ %143, %138 ]
+  %194 = phi double [ %186, %185 ], [ %174, %172 ], [ %141, %138 ]
+  br label %195
+
+195:                                              ; preds = %195, %191
+  %196 = phi i64 [ 0, %191 ], [ %216, %195 ]
+  %197 = mul nuw nsw i64 %196, 3
+  %198 = getelementptr inbounds double, ptr %9, i64 %197
+  %199 = load double, ptr %198, align 8
+  %200 = fmul double %199, %194
+  %201 = add nuw nsw i64 %197, 1
+  %202 = getelementptr inbounds double, ptr %9, i64 %201
+  %203 = load double, ptr %202, align 8
+  %204 = fmul double %203, %193
+  %205 = fadd double %200, %204
+  %206 = add nuw nsw i64 %197, 2
+  %207 = getelementptr inbounds double, ptr %9, i64 %206
+  %208 = load double, ptr %207, align 8
+  %209 = fmul double %208, %192
+  %210 = fadd double %205, %209
+  %211 = add nuw nsw i64 %196, 9
+  %212 = getelementptr inbounds double, ptr %9, i64 %211
+  %213 = load double, ptr %212, align 8
+  %214 = fadd double %213, %210
+  %215 = getelementptr inbounds double, ptr %2, i64 %196
+  store double %214, ptr %215, align 8
+  %216 = add nuw nsw i64 %196, 1
+  %217 = icmp eq i64 %216, 3
+  br i1 %217, label %218, label %195
+
+218:                                              ; preds = %195
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
   ret void
+}
+
+define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4, ptr nocapture noundef %5) unnamed_addr #6 {
+  %7 = alloca [3 x double], align 16
+  %8 = alloca [3 x double], align 16
+  br label %18
+
+9:                                                ; preds = %18
+  %10 = icmp slt i64 %1, %2
+  br i1 %10, label %11, label %24
+
+11:                                               ; preds = %9
+  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %13 = load ptr, ptr %12, align 8
+  %14 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
+  %17 = load ptr, ptr %16, align 8
+  br label %25
+
+18:                                               ; preds = %6, %18
+  %19 = phi i64 [ 0, %6 ], [ %22, %18 ]
+  %20 = getelementptr inbounds double, ptr %5, i64 %19
+  store double 0.000000e+00, ptr %20, align 8
+  %21 = getelementptr inbounds double, ptr %4, i64 %19
+  store double 0.000000e+00, ptr %21, align 8
+  %22 = add nuw nsw i64 %19, 1
+  %23 = icmp eq i64 %22, 3
+  br i1 %23, label %9, label %18
+
+24:                                               ; preds = %87, %9
+  ret void
+
+25:                                               ; preds = %11, %87
+  %26 = phi i64 [ %1, %11 ], [ %27, %87 ]
+  %27 = add nsw i64 %26, 1
+  %28 = mul nsw i64 %27, 12
+  %29 = getelementptr inbounds double, ptr %13, i64 %28
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  %30 = getelementptr inbounds double, ptr %3, i64 %26
+  %31 = load double, ptr %30, align 8
+  %32 = mul nsw i64 %26, 3
+  %33 = getelementptr inbounds double, ptr %15, i64 %32
+  %34 = load double, ptr %33, align 8
+  %35 = getelementptr inbounds double, ptr %33, i64 1
+  %36 = load double, ptr %35, align 8
+  %37 = getelementptr inbounds double, ptr %33, i64 2
+  %38 = load double, ptr %37, align 8
+  br label %69
+
+39:                                               ; preds = %69
+  %40 = getelementptr inbounds double, ptr %29, i64 9
+  br label %41
+
+41:                                               ; preds = %41, %39
+  %42 = phi i64 [ 0, %39 ], [ %43, %41 ]
+  %43 = add nuw nsw i64 %42, 1
+  %44 = icmp ult i64 %42, 2
+  %45 = add nuw nsw i64 %42, 4294967294
+  %46 = select i1 %44, i64 %43, i64 %45
+  %47 = and i64 %46, 4294967295
+  %48 = getelementptr inbounds double, ptr %40, i64 %47
+  %49 = load double, ptr %48, align 8
+  %50 = icmp eq i64 %42, 0
+  %51 = add nuw nsw i64 %42, 4294967295
+  %52 = and i64 %51, 4294967295
+  %53 = select i1 %50, i64 2, i64 %52
+  %54 = getelementptr inbounds double, ptr %7, i64 %53
+  %55 = load double, ptr %54, align 8
+  %56 = fmul double %49, %55
+  %57 = getelementptr inbounds double, ptr %40, i64 %53
+  %58 = load double, ptr %57, align 8
+  %59 = getelementptr inbounds double, ptr %7, i64 %47
+  %60 = load double, ptr %59, align 8
+  %61 = fmul double %58, %60
+  %62 = fsub double %56, %61
+  %63 = getelementptr inbounds double, ptr %8, i64 %42
+  store double %62, ptr %63, align 8
+  %64 = icmp eq i64 %43, 3
+  br i1 %64, label %65, label %41
+
+65:                                               ; preds = %41
+  %66 = getelementptr inbounds i64, ptr %17, i64 %26
+  %67 = load i64, ptr %66, align 8
+  %68 = icmp eq i64 %67, 0
+  br label %89
+
+69:                                               ; preds = %25, %69
+  %70 = phi i64 [ 0, %25 ], [ %85, %69 ]
+  %71 = mul nuw nsw i64 %70, 3
+  %72 = getelementptr inbounds double, ptr %29, i64 %71
+  %73 = load double, ptr %72, align 8
+  %74 = fmul double %73, %34
+  %75 = getelementptr inbounds double, ptr %72, i64 1
+  %76 = load double, ptr %75, align 8
+  %77 = fmul double %76, %36
+  %78 = fadd double %74, %77
+  %79 = getelementptr inbounds double, ptr %72, i64 2
+  %80 = load double, ptr %79, align 8
+  %81 = fmul double %80, %38
+  %82 = fadd double %78, %81
+  %83 = fmul double %31, %82
+  %84 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %70
+  store double %83, ptr %84, align 8
+  %85 = add nuw nsw i64 %70, 1
+  %86 = icmp eq i64 %85, 3
+  br i1 %86, label %39, label %69
+
+87:                                               ; preds = %99
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  %88 = icmp eq i64 %27, %2
+  br i1 %88, label %24, label %25
+
+89:                                               ; preds = %65, %99
+  %90 = phi i64 [ 0, %65 ], [ %104, %99 ]
+  %91 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %90
+  %92 = load double, ptr %91, align 8
+  br i1 %68, label %93, label %99
+
+93:                                               ; preds = %89
+  %94 = getelementptr inbounds double, ptr %4, i64 %90
+  %95 = load double, ptr %94, align 8
+  %96 = fadd double %92, %95
+  store double %96, ptr %94, align 8
+  %97 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %90
+  %98 = load double, ptr %97, align 8
+  br label %99
+
+99:                                               ; preds = %89, %93
+  %100 = phi double [ %98, %93 ], [ %92, %89 ]
+  %101 = getelementptr inbounds double, ptr %5, i64 %90
+  %102 = load double, ptr %101, align 8
+  %103 = fadd double %100, %102
+  store double %103, ptr %101, align 8
+  %104 = add nuw nsw i64 %90, 1
+  %105 = icmp eq i64 %104, 3
+  br i1 %105, label %87, label %89
+}
+
+define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, double noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4) unnamed_addr #6 {
+  %6 = alloca [3 x double], align 16
+  %7 = alloca [3 x double], align 16
+  %8 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
+  br label %9
+
+9:                                                ; preds = %9, %5
+  %10 = phi i64 [ 0, %5 ], [ %11, %9 ]
+  %11 = add nuw nsw i64 %10, 1
+  %12 = icmp ult i64 %10, 2
+  %13 = add nuw nsw i64 %10, 4294967294
+  %14 = select i1 %12, i64 %11, i64 %13
+  %15 = and i64 %14, 4294967295
+  %16 = getelementptr inbounds double, ptr %2, i64 %15
+  %17 = load double, ptr %16, align 8
+  %18 = icmp eq i64 %10, 0
+  %19 = add nuw nsw i64 %10, 4294967295
+  %20 = and i64 %19, 4294967295
+  %21 = select i1 %18, i64 2, i64 %20
+  %22 = getelementptr inbounds double, ptr %3, i64 %21
+  %23 = load double, ptr %22, align 8
+  %24 = fmul double %17, %23
+  %25 = getelementptr inbounds double, ptr %2, i64 %21
+  %26 = load double, ptr %25, align 8
+  %27 = getelementptr inbounds double, ptr %3, i64 %15
+  %28 = load double, ptr %27, align 8
+  %29 = fmul double %26, %28
+  %30 = fsub double %24, %29
+  %31 = getelementptr inbounds double, ptr %6, i64 %10
+  store double %30, ptr %31, align 8
+  %32 = icmp eq i64 %11, 3
+  br i1 %32, label %33, label %9
+
+33:                                               ; preds = %9
+  %34 = getelementptr inbounds double, ptr %2, i64 1
+  %35 = getelementptr inbounds double, ptr %4, i64 1
+  %36 = getelementptr inbounds double, ptr %2, i64 2
+  %37 = getelementptr inbounds double, ptr %4, i64 2
+  %38 = getelementptr inbounds double, ptr %7, i64 1
+  %39 = getelementptr inbounds double, ptr %8, i64 1
+  %40 = getelementptr inbounds double, ptr %7, i64 2
+  %41 = getelementptr inbounds double, ptr %8, i64 2
+  br label %44
+
+42:                                               ; preds = %48
+  %43 = fsub double %73, %1
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  ret double %43
+
+44:                                               ; preds = %33, %48
+  %45 = phi i32 [ -1, %33 ], [ %74, %48 ]
+  %46 = phi double [ 0x7FF0000000000000, %33 ], [ %73, %48 ]
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  %47 = sitofp i32 %45 to double
+  br label %76
+
+48:                                               ; preds = %76
+  call fastcc void @support(ptr noundef %0, ptr noundef nonnull %7, ptr noundef nonnull %8)
+  %49 = load double, ptr %2, align 8
+  %50 = load double, ptr %4, align 8
+  %51 = fmul double %49, %50
+  %52 = load double, ptr %34, align 8
+  %53 = load double, ptr %35, align 8
+  %54 = fmul double %52, %53
+  %55 = fadd double %51, %54
+  %56 = load double, ptr %36, align 8
+  %57 = load double, ptr %37, align 8
+  %58 = fmul double %56, %57
+  %59 = fadd double %55, %58
+  %60 = fmul double %59, %47
+  %61 = load double, ptr %7, align 16
+  %62 = load double, ptr %8, align 16
+  %63 = fmul double %61, %62
+  %64 = load double, ptr %38, align 8
+  %65 = load double, ptr %39, align 8
+  %66 = fmul double %64, %65
+  %67 = fadd double %63, %66
+  %68 = load double, ptr %40, align 16
+  %69 = load double, ptr %41, align 16
+  %70 = fmul double %68, %69
+  %71 = fadd double %67, %70
+  %72 = fsub double %60, %71
+  %73 = tail call double @llvm.minnum.f64(double %46, double %72)
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  %74 = add nsw i32 %45, 2
+  %75 = icmp slt i32 %45, 0
+  br i1 %75, label %44, label %42
+
+76:                                               ; preds = %44, %76
+  %77 = phi i64 [ 0, %44 ], [ %86, %76 ]
+  %78 = getelementptr inbounds double, ptr %2, i64 %77
+  %79 = load double, ptr %78, align 8
+  %80 = fneg double %79
+  %81 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %77
+  %82 = load double, ptr %81, align 8
+  %83 = fmul double %82, %47
+  %84 = fsub double %80, %83
+  %85 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %77
+  store double %84, ptr %85, align 8
+  %86 = add nuw nsw i64 %77, 1
+  %87 = icmp eq i64 %86, 3
+  br i1 %87, label %48, label %76
 }
 
 define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef writeonly %4) local_unnamed_addr #0 {
@@ -1795,7 +3008,7 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
 220:                                              ; preds = %119
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #15
   store double 0x7FF0000000000000, ptr %18, align 8
-  call void @llvm.lifetime.start.p0(i64 112, ptr nonnull %19) #15
+  call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %19) #15
   store ptr %0, ptr %19, align 8
   store i64 %87, ptr %33, align 8
   store ptr %10, ptr %34, align 8
@@ -1805,7 +3018,7 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   store ptr null, ptr %38, align 8
   store i32 0, ptr %39, align 8
   store i64 -1, ptr %40, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %41, i8 0, i64 32, i1 false)
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %41, i8 0, i64 40, i1 false)
   call fastcc void @look_at(ptr noundef nonnull %19, i64 noundef %90, ptr noundef null)
   %221 = load double, ptr %18, align 8
   %222 = fcmp ord double %221, 0.000000e+00
@@ -1877,7 +3090,7 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   store ptr %46, ptr %47, align 8
   store ptr %48, ptr %49, align 8
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %41, i64 24, i1 false)
-  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %19) #15
+  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %19) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
   br label %285
 
@@ -2127,7 +3340,7 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   br i1 %432, label %435, label %425
 
 433:                                              ; preds = %220
-  call void @llvm.lifetime.end.p0(i64 112, ptr nonnull %19) #15
+  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %19) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
@@ -2490,7 +3703,7 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   br i1 %693, label %79, label %80
 }
 
-define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3, i64 noundef %4, ptr noundef %5, ptr noundef %6) local_unnamed_addr #6 {
+define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3, i64 noundef %4, ptr noundef %5, ptr noundef %6) local_unnamed_addr #7 {
   br label %8
 
 8:                                                ; preds = %128, %7
@@ -2704,9 +3917,9 @@ define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef
   br i1 %158, label %57, label %137
 }
 
-declare void @llvm.memcpy.p0.p0.i64(ptr noalias nocapture writeonly, ptr noalias nocapture readonly, i64, i1 immarg) #7
+declare void @llvm.memcpy.p0.p0.i64(ptr noalias nocapture writeonly, ptr noalias nocapture readonly, i64, i1 immarg) #8
 
-define internal fastcc i32 @is_near(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, i64 noundef %3) unnamed_addr #8 {
+define internal fastcc i32 @is_near(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, i64 noundef %3) unnamed_addr #9 {
   %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
   %6 = load ptr, ptr %5, align 8
   %7 = mul nsw i64 %3, 6
@@ -2857,11 +4070,11 @@ define internal fastcc void @descend(ptr noundef %0, i64 noundef %1) unnamed_add
   ret void
 }
 
-declare double @llvm.sin.f64(double) #2
+declare double @llvm.sin.f64(double) #3
 
-declare double @llvm.cos.f64(double) #2
+declare double @llvm.cos.f64(double) #3
 
-define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 noundef %2, double noundef %3, double noundef %4) unnamed_addr #9 {
+define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 noundef %2, double noundef %3, double noundef %4) unnamed_addr #10 {
   %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
   %7 = load ptr, ptr %6, align 8
   %8 = icmp eq ptr %7, null
@@ -2951,134 +4164,7 @@ define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 
   ret void
 }
 
-define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3) unnamed_addr #10 {
-  %5 = alloca [12 x double], align 16
-  %6 = alloca [3 x double], align 16
-  %7 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
-  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %9 = load ptr, ptr %8, align 8
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
-  %11 = load ptr, ptr %10, align 8
-  %12 = getelementptr inbounds i64, ptr %11, i64 %3
-  %13 = load i64, ptr %12, align 8
-  %14 = mul nsw i64 %13, 12
-  %15 = getelementptr inbounds double, ptr %9, i64 %14
-  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
-  %17 = load ptr, ptr %16, align 8
-  %18 = mul nsw i64 %3, 12
-  %19 = getelementptr inbounds double, ptr %17, i64 %18
-  %20 = getelementptr inbounds double, ptr %19, i64 9
-  %21 = getelementptr inbounds double, ptr %19, i64 10
-  %22 = getelementptr inbounds double, ptr %19, i64 11
-  %23 = load double, ptr %20, align 8
-  %24 = load double, ptr %21, align 8
-  %25 = load double, ptr %22, align 8
-  br label %26
-
-26:                                               ; preds = %37, %4
-  %27 = phi i64 [ 0, %4 ], [ %48, %37 ]
-  %28 = mul nuw nsw i64 %27, 3
-  %29 = getelementptr inbounds double, ptr %15, i64 %28
-  %30 = add nuw nsw i64 %28, 1
-  %31 = getelementptr inbounds double, ptr %15, i64 %30
-  %32 = add nuw nsw i64 %28, 2
-  %33 = getelementptr inbounds double, ptr %15, i64 %32
-  %34 = load double, ptr %29, align 8
-  %35 = load double, ptr %31, align 8
-  %36 = load double, ptr %33, align 8
-  br label %50
-
-37:                                               ; preds = %50
-  %38 = fmul double %34, %23
-  %39 = fmul double %35, %24
-  %40 = fadd double %38, %39
-  %41 = fmul double %36, %25
-  %42 = fadd double %40, %41
-  %43 = add nuw nsw i64 %27, 9
-  %44 = getelementptr inbounds double, ptr %15, i64 %43
-  %45 = load double, ptr %44, align 8
-  %46 = fadd double %45, %42
-  %47 = getelementptr inbounds double, ptr %5, i64 %43
-  store double %46, ptr %47, align 8
-  %48 = add nuw nsw i64 %27, 1
-  %49 = icmp eq i64 %48, 3
-  br i1 %49, label %70, label %26
-
-50:                                               ; preds = %50, %26
-  %51 = phi i64 [ 0, %26 ], [ %67, %50 ]
-  %52 = getelementptr inbounds double, ptr %19, i64 %51
-  %53 = load double, ptr %52, align 8
-  %54 = fmul double %34, %53
-  %55 = add nuw nsw i64 %51, 3
-  %56 = getelementptr inbounds double, ptr %19, i64 %55
-  %57 = load double, ptr %56, align 8
-  %58 = fmul double %35, %57
-  %59 = fadd double %54, %58
-  %60 = add nuw nsw i64 %51, 6
-  %61 = getelementptr inbounds double, ptr %19, i64 %60
-  %62 = load double, ptr %61, align 8
-  %63 = fmul double %36, %62
-  %64 = fadd double %59, %63
-  %65 = add nuw nsw i64 %51, %28
-  %66 = getelementptr inbounds double, ptr %5, i64 %65
-  store double %64, ptr %66, align 8
-  %67 = add nuw nsw i64 %51, 1
-  %68 = icmp eq i64 %67, 3
-  br i1 %68, label %37, label %50
-
-69:                                               ; preds = %70
-  call fastcc void @support(ptr noundef %2, ptr noundef nonnull %6, ptr noundef nonnull %7)
-  br label %89
-
-70:                                               ; preds = %37, %70
-  %71 = phi i64 [ %78, %70 ], [ 0, %37 ]
-  %72 = mul nuw nsw i64 %71, 3
-  %73 = add nuw nsw i64 %72, 2
-  %74 = getelementptr inbounds [12 x double], ptr %5, i64 0, i64 %73
-  %75 = load double, ptr %74, align 8
-  %76 = fneg double %75
-  %77 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %71
-  store double %76, ptr %77, align 8
-  %78 = add nuw nsw i64 %71, 1
-  %79 = icmp eq i64 %78, 3
-  br i1 %79, label %69, label %70
-
-80:                                               ; preds = %89
-  %81 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
-  %82 = load ptr, ptr %81, align 8
-  %83 = getelementptr inbounds double, ptr %82, i64 %1
-  %84 = load double, ptr %83, align 8
-  %85 = fsub double %101, %84
-  %86 = getelementptr inbounds double, ptr %82, i64 %3
-  %87 = load double, ptr %86, align 8
-  %88 = fsub double %85, %87
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %5) #15
-  ret double %88
-
-89:                                               ; preds = %69, %89
-  %90 = phi i64 [ 0, %69 ], [ %102, %89 ]
-  %91 = phi double [ 0.000000e+00, %69 ], [ %101, %89 ]
-  %92 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %90
-  %93 = load double, ptr %92, align 8
-  %94 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %90
-  %95 = load double, ptr %94, align 8
-  %96 = add nuw nsw i64 %90, 9
-  %97 = getelementptr inbounds [12 x double], ptr %5, i64 0, i64 %96
-  %98 = load double, ptr %97, align 8
-  %99 = fsub double %95, %98
-  %100 = fmul double %93, %99
-  %101 = fsub double %91, %100
-  %102 = add nuw nsw i64 %90, 1
-  %103 = icmp eq i64 %102, 3
-  br i1 %103, label %80, label %89
-}
-
-define internal fastcc void @facing(ptr noalias nocapture sret(%struct.Plane) align 8 %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #10 {
+define internal fastcc void @facing(ptr noalias nocapture sret(%struct.Plane) align 8 %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #6 {
   %5 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 12
   %6 = load ptr, ptr %5, align 8
   %7 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 32
@@ -3174,759 +4260,522 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %8 = alloca [9 x double], align 16
   %9 = alloca %struct.Core, align 8
   %10 = alloca %struct.Plane, align 8
-  %11 = alloca %struct.Plane, align 8
-  %12 = alloca [3 x double], align 16
-  %13 = alloca %struct.Core, align 8
-  %14 = alloca [3 x double], align 16
-  %15 = load ptr, ptr %0, align 8
-  %16 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 27
-  %17 = load ptr, ptr %16, align 8
-  %18 = mul nsw i64 %2, 6
-  %19 = getelementptr inbounds double, ptr %17, i64 %18
-  %20 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 32
-  %21 = load ptr, ptr %20, align 8
-  %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
-  %23 = load i64, ptr %22, align 8
-  %24 = mul nsw i64 %23, 3
-  %25 = getelementptr inbounds double, ptr %21, i64 %24
-  %26 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 9
-  %27 = load ptr, ptr %26, align 8
-  %28 = getelementptr inbounds double, ptr %27, i64 %1
-  %29 = load double, ptr %28, align 8
-  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %31 = load ptr, ptr %30, align 8
-  %32 = icmp eq ptr %31, null
-  br i1 %32, label %46, label %33
+  %11 = alloca [3 x double], align 16
+  %12 = alloca %struct.Plane, align 8
+  %13 = alloca [3 x double], align 16
+  %14 = alloca %struct.Core, align 8
+  %15 = alloca [3 x double], align 16
+  %16 = load ptr, ptr %0, align 8
+  %17 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 27
+  %18 = load ptr, ptr %17, align 8
+  %19 = mul nsw i64 %2, 6
+  %20 = getelementptr inbounds double, ptr %18, i64 %19
+  %21 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 32
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %24 = load i64, ptr %23, align 8
+  %25 = mul nsw i64 %24, 3
+  %26 = getelementptr inbounds double, ptr %22, i64 %25
+  %27 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 9
+  %28 = load ptr, ptr %27, align 8
+  %29 = getelementptr inbounds double, ptr %28, i64 %1
+  %30 = load double, ptr %29, align 8
+  %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %32 = load ptr, ptr %31, align 8
+  %33 = icmp eq ptr %32, null
+  br i1 %33, label %47, label %34
 
-33:                                               ; preds = %4
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %35 = load ptr, ptr %34, align 8
-  %36 = icmp eq ptr %35, null
-  %37 = getelementptr inbounds i64, ptr %35, i64 %1
-  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %39 = select i1 %36, ptr %38, ptr %37
-  %40 = load i64, ptr %39, align 8
-  %41 = getelementptr inbounds double, ptr %31, i64 %40
-  %42 = load double, ptr %41, align 8
-  %43 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %44 = load double, ptr %43, align 8
-  %45 = tail call double @llvm.minnum.f64(double %42, double %44)
-  br label %49
+34:                                               ; preds = %4
+  %35 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %36 = load ptr, ptr %35, align 8
+  %37 = icmp eq ptr %36, null
+  %38 = getelementptr inbounds i64, ptr %36, i64 %1
+  %39 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %40 = select i1 %37, ptr %39, ptr %38
+  %41 = load i64, ptr %40, align 8
+  %42 = getelementptr inbounds double, ptr %32, i64 %41
+  %43 = load double, ptr %42, align 8
+  %44 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %45 = load double, ptr %44, align 8
+  %46 = tail call double @llvm.minnum.f64(double %43, double %45)
+  br label %50
 
-46:                                               ; preds = %4
-  %47 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %48 = load double, ptr %47, align 8
-  br label %49
+47:                                               ; preds = %4
+  %48 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %49 = load double, ptr %48, align 8
+  br label %50
 
-49:                                               ; preds = %33, %46
-  %50 = phi double [ 0xFFF0000000000000, %33 ], [ %48, %46 ]
-  %51 = phi double [ %45, %33 ], [ %48, %46 ]
-  %52 = getelementptr inbounds double, ptr %27, i64 %23
-  %53 = load double, ptr %52, align 8
-  br label %54
+50:                                               ; preds = %34, %47
+  %51 = phi double [ 0xFFF0000000000000, %34 ], [ %49, %47 ]
+  %52 = phi double [ %46, %34 ], [ %49, %47 ]
+  %53 = getelementptr inbounds double, ptr %28, i64 %24
+  %54 = load double, ptr %53, align 8
+  br label %55
 
-54:                                               ; preds = %54, %49
-  %55 = phi i64 [ 0, %49 ], [ %72, %54 ]
-  %56 = phi double [ 0.000000e+00, %49 ], [ %71, %54 ]
-  %57 = getelementptr inbounds double, ptr %19, i64 %55
-  %58 = load double, ptr %57, align 8
-  %59 = getelementptr inbounds double, ptr %25, i64 %55
-  %60 = load double, ptr %59, align 8
-  %61 = fsub double %58, %60
-  %62 = add nuw nsw i64 %55, 3
-  %63 = getelementptr inbounds double, ptr %19, i64 %62
-  %64 = load double, ptr %63, align 8
-  %65 = fsub double %60, %64
-  %66 = fcmp ogt double %61, %65
-  %67 = select i1 %66, double %61, double %65
-  %68 = fcmp ogt double %67, 0.000000e+00
-  %69 = select i1 %68, double %67, double 0.000000e+00
-  %70 = fmul double %69, %69
-  %71 = fadd double %56, %70
-  %72 = add nuw nsw i64 %55, 1
-  %73 = icmp eq i64 %72, 3
-  br i1 %73, label %74, label %54
+55:                                               ; preds = %55, %50
+  %56 = phi i64 [ 0, %50 ], [ %73, %55 ]
+  %57 = phi double [ 0.000000e+00, %50 ], [ %72, %55 ]
+  %58 = getelementptr inbounds double, ptr %20, i64 %56
+  %59 = load double, ptr %58, align 8
+  %60 = getelementptr inbounds double, ptr %26, i64 %56
+  %61 = load double, ptr %60, align 8
+  %62 = fsub double %59, %61
+  %63 = add nuw nsw i64 %56, 3
+  %64 = getelementptr inbounds double, ptr %20, i64 %63
+  %65 = load double, ptr %64, align 8
+  %66 = fsub double %61, %65
+  %67 = fcmp ogt double %62, %66
+  %68 = select i1 %67, double %62, double %66
+  %69 = fcmp ogt double %68, 0.000000e+00
+  %70 = select i1 %69, double %68, double 0.000000e+00
+  %71 = fmul double %70, %70
+  %72 = fadd double %57, %71
+  %73 = add nuw nsw i64 %56, 1
+  %74 = icmp eq i64 %73, 3
+  br i1 %74, label %75, label %55
 
-74:                                               ; preds = %54
-  %75 = fneg double %29
-  %76 = fsub double %75, %53
-  %77 = tail call double @llvm.sqrt.f64(double %71)
-  %78 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 12
-  %79 = load ptr, ptr %78, align 8
-  %80 = shl nsw i64 %23, 2
-  %81 = or i64 %80, 3
-  %82 = getelementptr inbounds double, ptr %79, i64 %81
-  %83 = load double, ptr %82, align 8
-  br i1 %32, label %95, label %84
+75:                                               ; preds = %55
+  %76 = fneg double %30
+  %77 = fsub double %76, %54
+  %78 = tail call double @llvm.sqrt.f64(double %72)
+  %79 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 12
+  %80 = load ptr, ptr %79, align 8
+  %81 = shl nsw i64 %24, 2
+  %82 = or i64 %81, 3
+  %83 = getelementptr inbounds double, ptr %80, i64 %82
+  %84 = load double, ptr %83, align 8
+  br i1 %33, label %96, label %85
 
-84:                                               ; preds = %74
-  %85 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %86 = load ptr, ptr %85, align 8
-  %87 = icmp eq ptr %86, null
-  %88 = getelementptr inbounds i64, ptr %86, i64 %1
-  %89 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %90 = select i1 %87, ptr %89, ptr %88
-  %91 = load i64, ptr %90, align 8
-  %92 = getelementptr inbounds double, ptr %31, i64 %91
-  %93 = load double, ptr %92, align 8
-  %94 = fcmp uno double %93, 0.000000e+00
-  br i1 %94, label %395, label %99
+85:                                               ; preds = %75
+  %86 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %87 = load ptr, ptr %86, align 8
+  %88 = icmp eq ptr %87, null
+  %89 = getelementptr inbounds i64, ptr %87, i64 %1
+  %90 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %91 = select i1 %88, ptr %90, ptr %89
+  %92 = load i64, ptr %91, align 8
+  %93 = getelementptr inbounds double, ptr %32, i64 %92
+  %94 = load double, ptr %93, align 8
+  %95 = fcmp uno double %94, 0.000000e+00
+  br i1 %95, label %396, label %100
 
-95:                                               ; preds = %74
-  %96 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %97 = load i32, ptr %96, align 8
-  %98 = icmp eq i32 %97, 1
-  br i1 %98, label %395, label %99
+96:                                               ; preds = %75
+  %97 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %98 = load i32, ptr %97, align 8
+  %99 = icmp eq i32 %98, 1
+  br i1 %99, label %396, label %100
 
-99:                                               ; preds = %84, %95
-  %100 = fsub double %77, %83
-  %101 = fsub double %100, %29
-  %102 = fcmp ogt double %101, %51
-  br i1 %102, label %395, label %103
+100:                                              ; preds = %85, %96
+  %101 = fsub double %78, %84
+  %102 = fsub double %101, %30
+  %103 = fcmp ogt double %102, %52
+  br i1 %103, label %396, label %104
 
-103:                                              ; preds = %99, %103
-  %104 = phi i64 [ %116, %103 ], [ 0, %99 ]
-  %105 = phi double [ %115, %103 ], [ 0.000000e+00, %99 ]
-  %106 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %104
-  %107 = load double, ptr %106, align 8
-  %108 = fcmp ogt double %107, 0.000000e+00
-  %109 = add nuw nsw i64 %104, 3
-  %110 = select i1 %108, i64 %109, i64 %104
-  %111 = and i64 %110, 4294967295
-  %112 = getelementptr inbounds double, ptr %19, i64 %111
-  %113 = load double, ptr %112, align 8
-  %114 = fmul double %107, %113
-  %115 = fadd double %105, %114
-  %116 = add nuw nsw i64 %104, 1
-  %117 = icmp eq i64 %116, 3
-  br i1 %117, label %118, label %103
+104:                                              ; preds = %100, %104
+  %105 = phi i64 [ %117, %104 ], [ 0, %100 ]
+  %106 = phi double [ %116, %104 ], [ 0.000000e+00, %100 ]
+  %107 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %105
+  %108 = load double, ptr %107, align 8
+  %109 = fcmp ogt double %108, 0.000000e+00
+  %110 = add nuw nsw i64 %105, 3
+  %111 = select i1 %109, i64 %110, i64 %105
+  %112 = and i64 %111, 4294967295
+  %113 = getelementptr inbounds double, ptr %20, i64 %112
+  %114 = load double, ptr %113, align 8
+  %115 = fmul double %108, %114
+  %116 = fadd double %106, %115
+  %117 = add nuw nsw i64 %105, 1
+  %118 = icmp eq i64 %117, 3
+  br i1 %118, label %119, label %104
 
-118:                                              ; preds = %103
-  %119 = getelementptr inbounds %struct.Plane, ptr %3, i64 0, i32 1
-  %120 = load double, ptr %119, align 8
-  %121 = fsub double %120, %115
-  %122 = fadd double %76, %121
-  %123 = fcmp ogt double %122, %51
-  br i1 %123, label %395, label %124
+119:                                              ; preds = %104
+  %120 = getelementptr inbounds %struct.Plane, ptr %3, i64 0, i32 1
+  %121 = load double, ptr %120, align 8
+  %122 = fsub double %121, %116
+  %123 = fadd double %77, %122
+  %124 = fcmp ogt double %123, %52
+  br i1 %124, label %396, label %125
 
-124:                                              ; preds = %118
-  %125 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
-  br label %126
+125:                                              ; preds = %119
+  %126 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  br label %127
 
-126:                                              ; preds = %126, %124
-  %127 = phi i64 [ 0, %124 ], [ %139, %126 ]
-  %128 = phi double [ 0.000000e+00, %124 ], [ %138, %126 ]
-  %129 = getelementptr inbounds [3 x double], ptr %125, i64 0, i64 %127
-  %130 = load double, ptr %129, align 8
-  %131 = fcmp ogt double %130, 0.000000e+00
-  %132 = add nuw nsw i64 %127, 3
-  %133 = select i1 %131, i64 %132, i64 %127
-  %134 = and i64 %133, 4294967295
-  %135 = getelementptr inbounds double, ptr %19, i64 %134
-  %136 = load double, ptr %135, align 8
-  %137 = fmul double %130, %136
-  %138 = fadd double %128, %137
-  %139 = add nuw nsw i64 %127, 1
-  %140 = icmp eq i64 %139, 3
-  br i1 %140, label %141, label %126
+127:                                              ; preds = %127, %125
+  %128 = phi i64 [ 0, %125 ], [ %140, %127 ]
+  %129 = phi double [ 0.000000e+00, %125 ], [ %139, %127 ]
+  %130 = getelementptr inbounds [3 x double], ptr %126, i64 0, i64 %128
+  %131 = load double, ptr %130, align 8
+  %132 = fcmp ogt double %131, 0.000000e+00
+  %133 = add nuw nsw i64 %128, 3
+  %134 = select i1 %132, i64 %133, i64 %128
+  %135 = and i64 %134, 4294967295
+  %136 = getelementptr inbounds double, ptr %20, i64 %135
+  %137 = load double, ptr %136, align 8
+  %138 = fmul double %131, %137
+  %139 = fadd double %129, %138
+  %140 = add nuw nsw i64 %128, 1
+  %141 = icmp eq i64 %140, 3
+  br i1 %141, label %142, label %127
 
-141:                                              ; preds = %126
-  %142 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 1
-  %143 = load double, ptr %142, align 8
-  %144 = fsub double %143, %138
-  %145 = fadd double %76, %144
-  %146 = fcmp ogt double %145, %51
-  br i1 %146, label %395, label %147
+142:                                              ; preds = %127
+  %143 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 1
+  %144 = load double, ptr %143, align 8
+  %145 = fsub double %144, %139
+  %146 = fadd double %77, %145
+  %147 = fcmp ogt double %146, %52
+  br i1 %147, label %396, label %148
 
-147:                                              ; preds = %141
-  %148 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 28
-  %149 = load ptr, ptr %148, align 8
-  %150 = shl nsw i64 %2, 1
-  %151 = getelementptr inbounds i64, ptr %149, i64 %150
+148:                                              ; preds = %142
+  %149 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 28
+  %150 = load ptr, ptr %149, align 8
+  %151 = shl nsw i64 %2, 1
+  %152 = getelementptr inbounds i64, ptr %150, i64 %151
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %7) #15
-  %152 = load i64, ptr %151, align 8
-  %153 = icmp slt i64 %152, 0
-  br i1 %153, label %154, label %202
+  %153 = load i64, ptr %152, align 8
+  %154 = icmp slt i64 %153, 0
+  br i1 %154, label %155, label %203
 
-154:                                              ; preds = %147
-  %155 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 30
-  %156 = load ptr, ptr %155, align 8
-  %157 = getelementptr inbounds i64, ptr %151, i64 1
-  %158 = load i64, ptr %157, align 8
-  %159 = mul nsw i64 %158, 9
-  %160 = getelementptr inbounds double, ptr %156, i64 %159
+155:                                              ; preds = %148
+  %156 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 30
+  %157 = load ptr, ptr %156, align 8
+  %158 = getelementptr inbounds i64, ptr %152, i64 1
+  %159 = load i64, ptr %158, align 8
+  %160 = mul nsw i64 %159, 9
+  %161 = getelementptr inbounds double, ptr %157, i64 %160
   call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %8) #15
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #15
-  call fastcc void @leaf_core(ptr noundef %160, ptr noundef nonnull %8, ptr noundef nonnull %9)
-  %161 = load double, ptr %125, align 8
-  %162 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 0, i64 1
-  %163 = load double, ptr %162, align 8
-  %164 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 0, i64 2
-  %165 = load double, ptr %164, align 8
-  br label %170
+  call fastcc void @leaf_core(ptr noundef %161, ptr noundef nonnull %8, ptr noundef nonnull %9)
+  %162 = load double, ptr %126, align 8
+  %163 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 0, i64 1
+  %164 = load double, ptr %163, align 8
+  %165 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 0, i64 2
+  %166 = load double, ptr %165, align 8
+  br label %171
 
-166:                                              ; preds = %170
-  %167 = fsub double %143, %185
-  %168 = fadd double %76, %167
-  %169 = fcmp ogt double %168, %51
-  br i1 %169, label %201, label %188
+167:                                              ; preds = %171
+  %168 = fsub double %144, %186
+  %169 = fadd double %77, %168
+  %170 = fcmp ogt double %169, %52
+  br i1 %170, label %202, label %189
 
-170:                                              ; preds = %154, %170
-  %171 = phi i64 [ 0, %154 ], [ %186, %170 ]
-  %172 = phi double [ 0xFFF0000000000000, %154 ], [ %185, %170 ]
-  %173 = mul nuw nsw i64 %171, 3
-  %174 = getelementptr inbounds double, ptr %160, i64 %173
-  %175 = load double, ptr %174, align 8
-  %176 = fmul double %161, %175
-  %177 = getelementptr inbounds double, ptr %174, i64 1
-  %178 = load double, ptr %177, align 8
-  %179 = fmul double %163, %178
-  %180 = fadd double %176, %179
-  %181 = getelementptr inbounds double, ptr %174, i64 2
-  %182 = load double, ptr %181, align 8
-  %183 = fmul double %165, %182
-  %184 = fadd double %180, %183
-  %185 = call double @llvm.maxnum.f64(double %172, double %184)
-  %186 = add nuw nsw i64 %171, 1
-  %187 = icmp eq i64 %186, 3
-  br i1 %187, label %166, label %170
+171:                                              ; preds = %155, %171
+  %172 = phi i64 [ 0, %155 ], [ %187, %171 ]
+  %173 = phi double [ 0xFFF0000000000000, %155 ], [ %186, %171 ]
+  %174 = mul nuw nsw i64 %172, 3
+  %175 = getelementptr inbounds double, ptr %161, i64 %174
+  %176 = load double, ptr %175, align 8
+  %177 = fmul double %162, %176
+  %178 = getelementptr inbounds double, ptr %175, i64 1
+  %179 = load double, ptr %178, align 8
+  %180 = fmul double %164, %179
+  %181 = fadd double %177, %180
+  %182 = getelementptr inbounds double, ptr %175, i64 2
+  %183 = load double, ptr %182, align 8
+  %184 = fmul double %166, %183
+  %185 = fadd double %181, %184
+  %186 = call double @llvm.maxnum.f64(double %173, double %185)
+  %187 = add nuw nsw i64 %172, 1
+  %188 = icmp eq i64 %187, 3
+  br i1 %188, label %167, label %171
 
-188:                                              ; preds = %166
+189:                                              ; preds = %167
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %10) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %10, ptr noundef nonnull align 8 dereferenceable(32) %125, i64 32, i1 false)
-  %189 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %190 = load ptr, ptr %189, align 8
-  %191 = call fastcc i32 @shape_bounds(ptr noundef %15, i64 noundef %23, ptr noundef %190, i64 noundef %1, ptr noundef nonnull %9, ptr noundef nonnull %125, double noundef %51, double noundef %50, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %10, ptr noundef null)
-  %192 = icmp ne i32 %191, 0
-  %193 = load double, ptr %6, align 8
-  %194 = fcmp ugt double %193, %51
-  %195 = select i1 %192, i1 %194, i1 false
-  br i1 %195, label %200, label %196
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %10, ptr noundef nonnull align 8 dereferenceable(32) %126, i64 32, i1 false)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #15
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %11, ptr noundef nonnull align 8 dereferenceable(24) %126, i64 24, i1 false)
+  %190 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %191 = load ptr, ptr %190, align 8
+  %192 = call fastcc i32 @shape_bounds(ptr noundef %16, i64 noundef %24, ptr noundef %191, i64 noundef %1, ptr noundef nonnull %9, ptr noundef nonnull %11, double noundef %52, double noundef %51, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %10, ptr noundef null)
+  %193 = icmp ne i32 %192, 0
+  %194 = load double, ptr %6, align 8
+  %195 = fcmp ugt double %194, %52
+  %196 = select i1 %193, i1 %195, i1 false
+  br i1 %196, label %201, label %197
 
-196:                                              ; preds = %188
-  %197 = load double, ptr %7, align 8
-  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %191, double noundef %193, double noundef %197)
-  %198 = load i64, ptr %157, align 8
-  %199 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
-  store i64 %198, ptr %199, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %125, ptr noundef nonnull align 8 dereferenceable(32) %10, i64 32, i1 false)
-  br label %200
-
-200:                                              ; preds = %188, %196
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %10) #15
+197:                                              ; preds = %189
+  %198 = load double, ptr %7, align 8
+  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %192, double noundef %194, double noundef %198)
+  %199 = load i64, ptr %158, align 8
+  %200 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  store i64 %199, ptr %200, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %126, ptr noundef nonnull align 8 dereferenceable(32) %10, i64 32, i1 false)
   br label %201
 
-201:                                              ; preds = %166, %200
+201:                                              ; preds = %189, %197
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #15
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %10) #15
+  br label %202
+
+202:                                              ; preds = %167, %201
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #15
   call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %8) #15
-  br label %394
-
-202:                                              ; preds = %147
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %11) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %11, ptr noundef nonnull align 8 dereferenceable(32) %3, i64 32, i1 false)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %13) #15
-  %203 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 7
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %203, ptr noundef nonnull align 16 dereferenceable(72) @box_core.straight, i64 72, i1 false)
-  br label %204
-
-204:                                              ; preds = %204, %202
-  %205 = phi i64 [ 0, %202 ], [ %220, %204 ]
-  %206 = getelementptr inbounds double, ptr %19, i64 %205
-  %207 = load double, ptr %206, align 8
-  %208 = add nuw nsw i64 %205, 3
-  %209 = getelementptr inbounds double, ptr %19, i64 %208
-  %210 = load double, ptr %209, align 8
-  %211 = fadd double %207, %210
-  %212 = fmul double %211, 5.000000e-01
-  %213 = add nuw nsw i64 %205, 9
-  %214 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 7, i64 %213
-  store double %212, ptr %214, align 8
-  %215 = load double, ptr %209, align 8
-  %216 = load double, ptr %206, align 8
-  %217 = fsub double %215, %216
-  %218 = fmul double %217, 5.000000e-01
-  %219 = getelementptr inbounds double, ptr %12, i64 %205
-  store double %218, ptr %219, align 8
-  %220 = add nuw nsw i64 %205, 1
-  %221 = icmp eq i64 %220, 3
-  br i1 %221, label %222, label %204
-
-222:                                              ; preds = %204
-  store i64 1, ptr %13, align 8
-  %223 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 5
-  store ptr %203, ptr %223, align 8
-  %224 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 6
-  store ptr %12, ptr %224, align 8
-  %225 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 7, i64 9
-  %226 = load double, ptr %12, align 16
-  %227 = fmul double %226, %226
-  %228 = getelementptr inbounds double, ptr %12, i64 1
-  %229 = load double, ptr %228, align 8
-  %230 = fmul double %229, %229
-  %231 = fadd double %227, %230
-  %232 = getelementptr inbounds double, ptr %12, i64 2
-  %233 = load double, ptr %232, align 16
-  %234 = fmul double %233, %233
-  %235 = fadd double %231, %234
-  %236 = call double @llvm.sqrt.f64(double %235)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
-  %237 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 31
-  %238 = load ptr, ptr %237, align 8
-  %239 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 5
-  %240 = load ptr, ptr %239, align 8
-  %241 = getelementptr inbounds i64, ptr %240, i64 %23
-  %242 = load i64, ptr %241, align 8
-  %243 = mul nsw i64 %242, 12
-  %244 = getelementptr inbounds double, ptr %238, i64 %243
-  %245 = load double, ptr %225, align 8
-  %246 = getelementptr inbounds double, ptr %244, i64 9
-  %247 = load double, ptr %246, align 8
-  %248 = fsub double %245, %247
-  %249 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 7, i64 10
-  %250 = load double, ptr %249, align 8
-  %251 = getelementptr inbounds double, ptr %244, i64 10
-  %252 = load double, ptr %251, align 8
-  %253 = fsub double %250, %252
-  %254 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 7, i64 11
-  %255 = load double, ptr %254, align 8
-  %256 = getelementptr inbounds double, ptr %244, i64 11
-  %257 = load double, ptr %256, align 8
-  %258 = fsub double %255, %257
-  br label %259
-
-259:                                              ; preds = %259, %222
-  %260 = phi i64 [ 0, %222 ], [ %275, %259 ]
-  %261 = getelementptr inbounds double, ptr %244, i64 %260
-  %262 = load double, ptr %261, align 8
-  %263 = fmul double %248, %262
-  %264 = add nuw nsw i64 %260, 3
-  %265 = getelementptr inbounds double, ptr %244, i64 %264
-  %266 = load double, ptr %265, align 8
-  %267 = fmul double %253, %266
-  %268 = fadd double %263, %267
-  %269 = add nuw nsw i64 %260, 6
-  %270 = getelementptr inbounds double, ptr %244, i64 %269
-  %271 = load double, ptr %270, align 8
-  %272 = fmul double %258, %271
-  %273 = fadd double %268, %272
-  %274 = getelementptr inbounds double, ptr %5, i64 %260
-  store double %273, ptr %274, align 8
-  %275 = add nuw nsw i64 %260, 1
-  %276 = icmp eq i64 %275, 3
-  br i1 %276, label %277, label %259
-
-277:                                              ; preds = %259
-  %278 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 13
-  %279 = load ptr, ptr %278, align 8
-  %280 = mul nsw i64 %23, 6
-  %281 = getelementptr inbounds double, ptr %279, i64 %280
-  br label %282
-
-282:                                              ; preds = %282, %277
-  %283 = phi i64 [ 0, %277 ], [ %300, %282 ]
-  %284 = phi double [ 0.000000e+00, %277 ], [ %299, %282 ]
-  %285 = getelementptr inbounds double, ptr %281, i64 %283
-  %286 = load double, ptr %285, align 8
-  %287 = getelementptr inbounds double, ptr %5, i64 %283
-  %288 = load double, ptr %287, align 8
-  %289 = fsub double %286, %288
-  %290 = add nuw nsw i64 %283, 3
-  %291 = getelementptr inbounds double, ptr %281, i64 %290
-  %292 = load double, ptr %291, align 8
-  %293 = fsub double %288, %292
-  %294 = fcmp ogt double %289, %293
-  %295 = select i1 %294, double %289, double %293
-  %296 = fcmp ogt double %295, 0.000000e+00
-  %297 = select i1 %296, double %295, double 0.000000e+00
-  %298 = fmul double %297, %297
-  %299 = fadd double %284, %298
-  %300 = add nuw nsw i64 %283, 1
-  %301 = icmp eq i64 %300, 3
-  br i1 %301, label %302, label %282
-
-302:                                              ; preds = %282
-  %303 = fadd double %29, %51
-  %304 = fadd double %303, %236
-  %305 = fmul double %304, %304
-  %306 = fcmp ule double %299, %305
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
-  br i1 %306, label %307, label %393
-
-307:                                              ; preds = %302
-  %308 = fadd double %226, %229
-  %309 = fadd double %308, %233
-  %310 = load ptr, ptr %78, align 8
-  %311 = getelementptr inbounds double, ptr %310, i64 %81
-  %312 = load double, ptr %311, align 8
-  %313 = fmul double %312, 2.000000e+00
-  %314 = fcmp olt double %309, %313
-  br i1 %314, label %315, label %340
-
-315:                                              ; preds = %307
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #15
-  br label %322
-
-316:                                              ; preds = %322
-  %317 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %318 = load ptr, ptr %317, align 8
-  %319 = fsub double %51, %76
-  %320 = call fastcc i32 @bounds(ptr noundef %318, ptr noundef nonnull %13, ptr noundef nonnull %14, double noundef %319, double noundef %319, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %11, ptr noundef null)
-  %321 = icmp eq i32 %320, 0
-  br i1 %321, label %337, label %333
-
-322:                                              ; preds = %315, %322
-  %323 = phi i64 [ 0, %315 ], [ %331, %322 ]
-  %324 = getelementptr inbounds double, ptr %25, i64 %323
-  %325 = load double, ptr %324, align 8
-  %326 = add nuw nsw i64 %323, 9
-  %327 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 7, i64 %326
-  %328 = load double, ptr %327, align 8
-  %329 = fsub double %325, %328
-  %330 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %323
-  store double %329, ptr %330, align 8
-  %331 = add nuw nsw i64 %323, 1
-  %332 = icmp eq i64 %331, 3
-  br i1 %332, label %316, label %322
-
-333:                                              ; preds = %316
-  %334 = load double, ptr %6, align 8
-  %335 = fadd double %76, %334
-  %336 = fcmp ogt double %335, %51
-  br i1 %336, label %339, label %337
-
-337:                                              ; preds = %333, %316
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #15
-  %338 = load ptr, ptr %16, align 8
-  br label %340
-
-339:                                              ; preds = %333
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #15
-  br label %393
-
-340:                                              ; preds = %337, %307
-  %341 = phi ptr [ %338, %337 ], [ %17, %307 ]
-  %342 = load i64, ptr %151, align 8
-  %343 = mul nsw i64 %342, 6
-  %344 = getelementptr inbounds double, ptr %341, i64 %343
-  br label %345
-
-345:                                              ; preds = %345, %340
-  %346 = phi i64 [ 0, %340 ], [ %358, %345 ]
-  %347 = phi double [ 0.000000e+00, %340 ], [ %357, %345 ]
-  %348 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %346
-  %349 = load double, ptr %348, align 8
-  %350 = fcmp ogt double %349, 0.000000e+00
-  %351 = add nuw nsw i64 %346, 3
-  %352 = select i1 %350, i64 %351, i64 %346
-  %353 = and i64 %352, 4294967295
-  %354 = getelementptr inbounds double, ptr %344, i64 %353
-  %355 = load double, ptr %354, align 8
-  %356 = fmul double %349, %355
-  %357 = fadd double %347, %356
-  %358 = add nuw nsw i64 %346, 1
-  %359 = icmp eq i64 %358, 3
-  br i1 %359, label %360, label %345
-
-360:                                              ; preds = %345
-  %361 = getelementptr inbounds %struct.Plane, ptr %11, i64 0, i32 1
-  %362 = load double, ptr %361, align 8
-  %363 = getelementptr inbounds i64, ptr %151, i64 1
-  %364 = load i64, ptr %363, align 8
-  %365 = mul nsw i64 %364, 6
-  %366 = getelementptr inbounds double, ptr %341, i64 %365
-  br label %367
-
-367:                                              ; preds = %367, %360
-  %368 = phi i64 [ 0, %360 ], [ %380, %367 ]
-  %369 = phi double [ 0.000000e+00, %360 ], [ %379, %367 ]
-  %370 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %368
-  %371 = load double, ptr %370, align 8
-  %372 = fcmp ogt double %371, 0.000000e+00
-  %373 = add nuw nsw i64 %368, 3
-  %374 = select i1 %372, i64 %373, i64 %368
-  %375 = and i64 %374, 4294967295
-  %376 = getelementptr inbounds double, ptr %366, i64 %375
-  %377 = load double, ptr %376, align 8
-  %378 = fmul double %371, %377
-  %379 = fadd double %369, %378
-  %380 = add nuw nsw i64 %368, 1
-  %381 = icmp eq i64 %380, 3
-  br i1 %381, label %382, label %367
-
-382:                                              ; preds = %367
-  %383 = fsub double %362, %357
-  %384 = fsub double %362, %379
-  %385 = fcmp olt double %384, %383
-  %386 = zext i1 %385 to i64
-  %387 = getelementptr inbounds i64, ptr %151, i64 %386
-  %388 = load i64, ptr %387, align 8
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %388, ptr noundef nonnull %11)
-  %389 = xor i1 %385, true
-  %390 = zext i1 %389 to i64
-  %391 = getelementptr inbounds i64, ptr %151, i64 %390
-  %392 = load i64, ptr %391, align 8
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %392, ptr noundef nonnull %11)
-  br label %393
-
-393:                                              ; preds = %339, %302, %382
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %11) #15
-  br label %394
-
-394:                                              ; preds = %393, %201
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #15
   br label %395
 
-395:                                              ; preds = %84, %118, %141, %95, %99, %394
-  ret void
-}
+203:                                              ; preds = %148
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %12) #15
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %12, ptr noundef nonnull align 8 dereferenceable(32) %3, i64 32, i1 false)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #15
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %14) #15
+  %204 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %204, ptr noundef nonnull align 16 dereferenceable(72) @box_core.straight, i64 72, i1 false)
+  br label %205
 
-define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef writeonly %2) unnamed_addr #10 {
-  %4 = alloca [64 x double], align 16
-  %5 = alloca [3 x double], align 16
-  %6 = alloca [3 x double], align 16
+205:                                              ; preds = %205, %203
+  %206 = phi i64 [ 0, %203 ], [ %221, %205 ]
+  %207 = getelementptr inbounds double, ptr %20, i64 %206
+  %208 = load double, ptr %207, align 8
+  %209 = add nuw nsw i64 %206, 3
+  %210 = getelementptr inbounds double, ptr %20, i64 %209
+  %211 = load double, ptr %210, align 8
+  %212 = fadd double %208, %211
+  %213 = fmul double %212, 5.000000e-01
+  %214 = add nuw nsw i64 %206, 9
+  %215 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 %214
+  store double %213, ptr %215, align 8
+  %216 = load double, ptr %210, align 8
+  %217 = load double, ptr %207, align 8
+  %218 = fsub double %216, %217
+  %219 = fmul double %218, 5.000000e-01
+  %220 = getelementptr inbounds double, ptr %13, i64 %206
+  store double %219, ptr %220, align 8
+  %221 = add nuw nsw i64 %206, 1
+  %222 = icmp eq i64 %221, 3
+  br i1 %222, label %223, label %205
+
+223:                                              ; preds = %205
+  store i64 1, ptr %14, align 8
+  %224 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 5
+  store ptr %204, ptr %224, align 8
+  %225 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 6
+  store ptr %13, ptr %225, align 8
+  %226 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 9
+  %227 = load double, ptr %13, align 16
+  %228 = fmul double %227, %227
+  %229 = getelementptr inbounds double, ptr %13, i64 1
+  %230 = load double, ptr %229, align 8
+  %231 = fmul double %230, %230
+  %232 = fadd double %228, %231
+  %233 = getelementptr inbounds double, ptr %13, i64 2
+  %234 = load double, ptr %233, align 16
+  %235 = fmul double %234, %234
+  %236 = fadd double %232, %235
+  %237 = call double @llvm.sqrt.f64(double %236)
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  %7 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 5
-  %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr inbounds double, ptr %1, i64 1
-  %10 = getelementptr inbounds double, ptr %1, i64 2
-  %11 = load double, ptr %1, align 8
-  %12 = load double, ptr %9, align 8
-  %13 = load double, ptr %10, align 8
-  br label %14
+  %238 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 31
+  %239 = load ptr, ptr %238, align 8
+  %240 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 5
+  %241 = load ptr, ptr %240, align 8
+  %242 = getelementptr inbounds i64, ptr %241, i64 %24
+  %243 = load i64, ptr %242, align 8
+  %244 = mul nsw i64 %243, 12
+  %245 = getelementptr inbounds double, ptr %239, i64 %244
+  %246 = load double, ptr %226, align 8
+  %247 = getelementptr inbounds double, ptr %245, i64 9
+  %248 = load double, ptr %247, align 8
+  %249 = fsub double %246, %248
+  %250 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 10
+  %251 = load double, ptr %250, align 8
+  %252 = getelementptr inbounds double, ptr %245, i64 10
+  %253 = load double, ptr %252, align 8
+  %254 = fsub double %251, %253
+  %255 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 11
+  %256 = load double, ptr %255, align 8
+  %257 = getelementptr inbounds double, ptr %245, i64 11
+  %258 = load double, ptr %257, align 8
+  %259 = fsub double %256, %258
+  br label %260
 
-14:                                               ; preds = %14, %3
-  %15 = phi i64 [ 0, %3 ], [ %30, %14 ]
-  %16 = getelementptr inbounds double, ptr %8, i64 %15
-  %17 = load double, ptr %16, align 8
-  %18 = fmul double %17, %11
-  %19 = add nuw nsw i64 %15, 3
-  %20 = getelementptr inbounds double, ptr %8, i64 %19
-  %21 = load double, ptr %20, align 8
-  %22 = fmul double %21, %12
-  %23 = fadd double %18, %22
-  %24 = add nuw nsw i64 %15, 6
-  %25 = getelementptr inbounds double, ptr %8, i64 %24
-  %26 = load double, ptr %25, align 8
-  %27 = fmul double %26, %13
-  %28 = fadd double %23, %27
-  %29 = getelementptr inbounds double, ptr %5, i64 %15
-  store double %28, ptr %29, align 8
-  %30 = add nuw nsw i64 %15, 1
-  %31 = icmp eq i64 %30, 3
-  br i1 %31, label %32, label %14
+260:                                              ; preds = %260, %223
+  %261 = phi i64 [ 0, %223 ], [ %276, %260 ]
+  %262 = getelementptr inbounds double, ptr %245, i64 %261
+  %263 = load double, ptr %262, align 8
+  %264 = fmul double %249, %263
+  %265 = add nuw nsw i64 %261, 3
+  %266 = getelementptr inbounds double, ptr %245, i64 %265
+  %267 = load double, ptr %266, align 8
+  %268 = fmul double %254, %267
+  %269 = fadd double %264, %268
+  %270 = add nuw nsw i64 %261, 6
+  %271 = getelementptr inbounds double, ptr %245, i64 %270
+  %272 = load double, ptr %271, align 8
+  %273 = fmul double %259, %272
+  %274 = fadd double %269, %273
+  %275 = getelementptr inbounds double, ptr %5, i64 %261
+  store double %274, ptr %275, align 8
+  %276 = add nuw nsw i64 %261, 1
+  %277 = icmp eq i64 %276, 3
+  br i1 %277, label %278, label %260
 
-32:                                               ; preds = %14
-  %33 = load i64, ptr %0, align 8
-  switch i64 %33, label %127 [
-    i64 0, label %37
-    i64 1, label %34
-  ]
+278:                                              ; preds = %260
+  %279 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 13
+  %280 = load ptr, ptr %279, align 8
+  %281 = mul nsw i64 %24, 6
+  %282 = getelementptr inbounds double, ptr %280, i64 %281
+  br label %283
 
-34:                                               ; preds = %32
-  %35 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
-  %36 = load ptr, ptr %35, align 8
-  br label %115
+283:                                              ; preds = %283, %278
+  %284 = phi i64 [ 0, %278 ], [ %301, %283 ]
+  %285 = phi double [ 0.000000e+00, %278 ], [ %300, %283 ]
+  %286 = getelementptr inbounds double, ptr %282, i64 %284
+  %287 = load double, ptr %286, align 8
+  %288 = getelementptr inbounds double, ptr %5, i64 %284
+  %289 = load double, ptr %288, align 8
+  %290 = fsub double %287, %289
+  %291 = add nuw nsw i64 %284, 3
+  %292 = getelementptr inbounds double, ptr %282, i64 %291
+  %293 = load double, ptr %292, align 8
+  %294 = fsub double %289, %293
+  %295 = fcmp ogt double %290, %294
+  %296 = select i1 %295, double %290, double %294
+  %297 = fcmp ogt double %296, 0.000000e+00
+  %298 = select i1 %297, double %296, double 0.000000e+00
+  %299 = fmul double %298, %298
+  %300 = fadd double %285, %299
+  %301 = add nuw nsw i64 %284, 1
+  %302 = icmp eq i64 %301, 3
+  br i1 %302, label %303, label %283
 
-37:                                               ; preds = %32
-  %38 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 2
-  %39 = load ptr, ptr %38, align 8
-  %40 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 3
-  %41 = load ptr, ptr %40, align 8
-  %42 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 4
-  %43 = load ptr, ptr %42, align 8
-  %44 = load double, ptr %5, align 16
-  %45 = load double, ptr %39, align 8
-  %46 = getelementptr inbounds double, ptr %5, i64 1
-  %47 = load double, ptr %46, align 8
-  %48 = load double, ptr %41, align 8
-  %49 = getelementptr inbounds double, ptr %5, i64 2
-  %50 = load double, ptr %49, align 16
-  %51 = load double, ptr %43, align 8
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #15
-  %52 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 1
-  %53 = load i64, ptr %52, align 8
-  %54 = icmp sgt i64 %53, 1
-  br i1 %54, label %55, label %111
-
-55:                                               ; preds = %37
-  %56 = fmul double %44, %45
-  %57 = fmul double %47, %48
-  %58 = fadd double %56, %57
-  %59 = fmul double %50, %51
-  %60 = fadd double %58, %59
-  br label %61
-
-61:                                               ; preds = %87, %55
-  %62 = phi double [ %89, %87 ], [ %60, %55 ]
-  %63 = phi i64 [ %90, %87 ], [ 1, %55 ]
-  %64 = phi i64 [ %88, %87 ], [ 0, %55 ]
-  %65 = sub nsw i64 %53, %63
-  %66 = tail call i64 @llvm.smin.i64(i64 %65, i64 64)
-  %67 = icmp sgt i64 %65, 0
-  br i1 %67, label %68, label %87
-
-68:                                               ; preds = %61
-  %69 = tail call i64 @llvm.smax.i64(i64 %66, i64 1)
-  br label %70
-
-70:                                               ; preds = %70, %68
-  %71 = phi i64 [ %85, %70 ], [ 0, %68 ]
-  %72 = add nsw i64 %71, %63
-  %73 = getelementptr inbounds double, ptr %39, i64 %72
-  %74 = load double, ptr %73, align 8
-  %75 = fmul double %44, %74
-  %76 = getelementptr inbounds double, ptr %41, i64 %72
-  %77 = load double, ptr %76, align 8
-  %78 = fmul double %47, %77
-  %79 = fadd double %75, %78
-  %80 = getelementptr inbounds double, ptr %43, i64 %72
-  %81 = load double, ptr %80, align 8
-  %82 = fmul double %50, %81
-  %83 = fadd double %79, %82
-  %84 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %71
-  store double %83, ptr %84, align 8
-  %85 = add nuw nsw i64 %71, 1
-  %86 = icmp eq i64 %85, %69
-  br i1 %86, label %92, label %70
-
-87:                                               ; preds = %92, %61
-  %88 = phi i64 [ %64, %61 ], [ %100, %92 ]
-  %89 = phi double [ %62, %61 ], [ %101, %92 ]
-  %90 = add nsw i64 %66, %63
-  %91 = icmp sgt i64 %53, %90
-  br i1 %91, label %61, label %104
-
-92:                                               ; preds = %70, %92
-  %93 = phi i64 [ %102, %92 ], [ 0, %70 ]
-  %94 = phi double [ %101, %92 ], [ %62, %70 ]
-  %95 = phi i64 [ %100, %92 ], [ %64, %70 ]
-  %96 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %93
-  %97 = load double, ptr %96, align 8
-  %98 = fcmp ogt double %97, %94
-  %99 = add nsw i64 %93, %63
-  %100 = select i1 %98, i64 %99, i64 %95
-  %101 = select i1 %98, double %97, double %94
-  %102 = add nuw nsw i64 %93, 1
-  %103 = icmp eq i64 %102, %69
-  br i1 %103, label %87, label %92
-
-104:                                              ; preds = %87
-  %105 = getelementptr inbounds double, ptr %39, i64 %88
-  %106 = load double, ptr %105, align 8
-  %107 = getelementptr inbounds double, ptr %41, i64 %88
-  %108 = load double, ptr %107, align 8
-  %109 = getelementptr inbounds double, ptr %43, i64 %88
-  %110 = load double, ptr %109, align 8
-  br label %111
-
-111:                                              ; preds = %104, %37
-  %112 = phi double [ %51, %37 ], [ %110, %104 ]
-  %113 = phi double [ %48, %37 ], [ %108, %104 ]
-  %114 = phi double [ %45, %37 ], [ %106, %104 ]
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #15
-  br label %160
-
-115:                                              ; preds = %34, %115
-  %116 = phi i64 [ 0, %34 ], [ %125, %115 ]
-  %117 = getelementptr inbounds [3 x double], ptr %5, i64 0, i64 %116
-  %118 = load double, ptr %117, align 8
-  %119 = fcmp ult double %118, 0.000000e+00
-  %120 = getelementptr inbounds double, ptr %36, i64 %116
-  %121 = load double, ptr %120, align 8
-  %122 = fneg double %121
-  %123 = select i1 %119, double %122, double %121
-  %124 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %116
-  store double %123, ptr %124, align 8
-  %125 = add nuw nsw i64 %116, 1
-  %126 = icmp eq i64 %125, 3
-  br i1 %126, label %154, label %115
-
-127:                                              ; preds = %32
-  %128 = load double, ptr %5, align 16
-  %129 = fmul double %128, %128
-  %130 = getelementptr inbounds [3 x double], ptr %5, i64 0, i64 1
-  %131 = load double, ptr %130, align 8
-  %132 = fmul double %131, %131
-  %133 = fadd double %129, %132
-  %134 = tail call double @llvm.sqrt.f64(double %133)
-  %135 = fcmp ogt double %134, 0.000000e+00
-  br i1 %135, label %136, label %141
-
-136:                                              ; preds = %127
-  %137 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
-  %138 = load ptr, ptr %137, align 8
-  %139 = load double, ptr %138, align 8
-  %140 = fdiv double %139, %134
-  br label %141
-
-141:                                              ; preds = %127, %136
-  %142 = phi double [ %140, %136 ], [ 0.000000e+00, %127 ]
-  %143 = fmul double %128, %142
-  %144 = fmul double %131, %142
-  %145 = getelementptr inbounds [3 x double], ptr %5, i64 0, i64 2
-  %146 = load double, ptr %145, align 16
-  %147 = fcmp ult double %146, 0.000000e+00
-  %148 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
-  %149 = load ptr, ptr %148, align 8
-  %150 = getelementptr inbounds double, ptr %149, i64 1
-  %151 = load double, ptr %150, align 8
-  %152 = fneg double %151
-  %153 = select i1 %147, double %152, double %151
-  br label %160
-
-154:                                              ; preds = %115
-  %155 = load double, ptr %6, align 16
-  %156 = getelementptr inbounds double, ptr %6, i64 1
-  %157 = load double, ptr %156, align 8
-  %158 = getelementptr inbounds double, ptr %6, i64 2
-  %159 = load double, ptr %158, align 16
-  br label %160
-
-160:                                              ; preds = %154, %141, %111
-  %161 = phi double [ %159, %154 ], [ %153, %141 ], [ %112, %111 ]
-  %162 = phi double [ %157, %154 ], [ %144, %141 ], [ %113, %111 ]
-  %163 = phi double [ %155, %154 ], [ %143, %141 ], [ %114, %111 ]
-  br label %164
-
-164:                                              ; preds = %164, %160
-  %165 = phi i64 [ 0, %160 ], [ %185, %164 ]
-  %166 = mul nuw nsw i64 %165, 3
-  %167 = getelementptr inbounds double, ptr %8, i64 %166
-  %168 = load double, ptr %167, align 8
-  %169 = fmul double %168, %163
-  %170 = add nuw nsw i64 %166, 1
-  %171 = getelementptr inbounds double, ptr %8, i64 %170
-  %172 = load double, ptr %171, align 8
-  %173 = fmul double %172, %162
-  %174 = fadd double %169, %173
-  %175 = add nuw nsw i64 %166, 2
-  %176 = getelementptr inbounds double, ptr %8, i64 %175
-  %177 = load double, ptr %176, align 8
-  %178 = fmul double %177, %161
-  %179 = fadd double %174, %178
-  %180 = add nuw nsw i64 %165, 9
-  %181 = getelementptr inbounds double, ptr %8, i64 %180
-  %182 = load double, ptr %181, align 8
-  %183 = fadd double %182, %179
-  %184 = getelementptr inbounds double, ptr %2, i64 %165
-  store double %183, ptr %184, align 8
-  %185 = add nuw nsw i64 %165, 1
-  %186 = icmp eq i64 %185, 3
-  br i1 %186, label %187, label %164
-
-187:                                              ; preds = %164
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+303:                                              ; preds = %283
+  %304 = fadd double %30, %52
+  %305 = fadd double %304, %237
+  %306 = fmul double %305, %305
+  %307 = fcmp ule double %300, %306
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
+  br i1 %307, label %308, label %394
+
+308:                                              ; preds = %303
+  %309 = fadd double %227, %230
+  %310 = fadd double %309, %234
+  %311 = load ptr, ptr %79, align 8
+  %312 = getelementptr inbounds double, ptr %311, i64 %82
+  %313 = load double, ptr %312, align 8
+  %314 = fmul double %313, 2.000000e+00
+  %315 = fcmp olt double %310, %314
+  br i1 %315, label %316, label %341
+
+316:                                              ; preds = %308
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %15) #15
+  br label %323
+
+317:                                              ; preds = %323
+  %318 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %319 = load ptr, ptr %318, align 8
+  %320 = fsub double %52, %77
+  %321 = call fastcc i32 @bounds(ptr noundef %319, ptr noundef nonnull %14, ptr noundef nonnull %15, double noundef %320, double noundef %320, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %12, ptr noundef null)
+  %322 = icmp eq i32 %321, 0
+  br i1 %322, label %338, label %334
+
+323:                                              ; preds = %316, %323
+  %324 = phi i64 [ 0, %316 ], [ %332, %323 ]
+  %325 = getelementptr inbounds double, ptr %26, i64 %324
+  %326 = load double, ptr %325, align 8
+  %327 = add nuw nsw i64 %324, 9
+  %328 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 %327
+  %329 = load double, ptr %328, align 8
+  %330 = fsub double %326, %329
+  %331 = getelementptr inbounds [3 x double], ptr %15, i64 0, i64 %324
+  store double %330, ptr %331, align 8
+  %332 = add nuw nsw i64 %324, 1
+  %333 = icmp eq i64 %332, 3
+  br i1 %333, label %317, label %323
+
+334:                                              ; preds = %317
+  %335 = load double, ptr %6, align 8
+  %336 = fadd double %77, %335
+  %337 = fcmp ogt double %336, %52
+  br i1 %337, label %340, label %338
+
+338:                                              ; preds = %334, %317
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #15
+  %339 = load ptr, ptr %17, align 8
+  br label %341
+
+340:                                              ; preds = %334
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #15
+  br label %394
+
+341:                                              ; preds = %338, %308
+  %342 = phi ptr [ %339, %338 ], [ %18, %308 ]
+  %343 = load i64, ptr %152, align 8
+  %344 = mul nsw i64 %343, 6
+  %345 = getelementptr inbounds double, ptr %342, i64 %344
+  br label %346
+
+346:                                              ; preds = %346, %341
+  %347 = phi i64 [ 0, %341 ], [ %359, %346 ]
+  %348 = phi double [ 0.000000e+00, %341 ], [ %358, %346 ]
+  %349 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %347
+  %350 = load double, ptr %349, align 8
+  %351 = fcmp ogt double %350, 0.000000e+00
+  %352 = add nuw nsw i64 %347, 3
+  %353 = select i1 %351, i64 %352, i64 %347
+  %354 = and i64 %353, 4294967295
+  %355 = getelementptr inbounds double, ptr %345, i64 %354
+  %356 = load double, ptr %355, align 8
+  %357 = fmul double %350, %356
+  %358 = fadd double %348, %357
+  %359 = add nuw nsw i64 %347, 1
+  %360 = icmp eq i64 %359, 3
+  br i1 %360, label %361, label %346
+
+361:                                              ; preds = %346
+  %362 = getelementptr inbounds %struct.Plane, ptr %12, i64 0, i32 1
+  %363 = load double, ptr %362, align 8
+  %364 = getelementptr inbounds i64, ptr %152, i64 1
+  %365 = load i64, ptr %364, align 8
+  %366 = mul nsw i64 %365, 6
+  %367 = getelementptr inbounds double, ptr %342, i64 %366
+  br label %368
+
+368:                                              ; preds = %368, %361
+  %369 = phi i64 [ 0, %361 ], [ %381, %368 ]
+  %370 = phi double [ 0.000000e+00, %361 ], [ %380, %368 ]
+  %371 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %369
+  %372 = load double, ptr %371, align 8
+  %373 = fcmp ogt double %372, 0.000000e+00
+  %374 = add nuw nsw i64 %369, 3
+  %375 = select i1 %373, i64 %374, i64 %369
+  %376 = and i64 %375, 4294967295
+  %377 = getelementptr inbounds double, ptr %367, i64 %376
+  %378 = load double, ptr %377, align 8
+  %379 = fmul double %372, %378
+  %380 = fadd double %370, %379
+  %381 = add nuw nsw i64 %369, 1
+  %382 = icmp eq i64 %381, 3
+  br i1 %382, label %383, label %368
+
+383:                                              ; preds = %368
+  %384 = fsub double %363, %358
+  %385 = fsub double %363, %380
+  %386 = fcmp olt double %385, %384
+  %387 = zext i1 %386 to i64
+  %388 = getelementptr inbounds i64, ptr %152, i64 %387
+  %389 = load i64, ptr %388, align 8
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %389, ptr noundef nonnull %12)
+  %390 = xor i1 %386, true
+  %391 = zext i1 %390 to i64
+  %392 = getelementptr inbounds i64, ptr %152, i64 %391
+  %393 = load i64, ptr %392, align 8
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %393, ptr noundef nonnull %12)
+  br label %394
+
+394:                                              ; preds = %340, %303, %383
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %14) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #15
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %12) #15
+  br label %395
+
+395:                                              ; preds = %394, %202
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #15
+  br label %396
+
+396:                                              ; preds = %85, %119, %142, %96, %100, %395
   ret void
 }
 
-define internal fastcc i32 @within(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #8 {
+define internal fastcc i32 @within(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #9 {
   %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
   %5 = load ptr, ptr %4, align 8
   %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
@@ -3986,7 +4835,7 @@ define internal fastcc i32 @within(ptr noundef readonly %0, i64 noundef %1, ptr 
   ret i32 %49
 }
 
-define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, double noundef %2, i64 noundef %3, double noundef %4) unnamed_addr #8 {
+define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, double noundef %2, i64 noundef %3, double noundef %4) unnamed_addr #9 {
   %6 = alloca [3 x double], align 16
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
   %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
@@ -4070,26 +4919,6 @@ define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr noc
   %76 = zext i1 %75 to i32
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
   ret i32 %76
-}
-
-define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, double noundef %6, double noundef %7, ptr nocapture noundef %8, ptr nocapture noundef %9, ptr noundef %10, ptr noundef %11) unnamed_addr #0 {
-  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
-  %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr inbounds double, ptr %14, i64 %1
-  %16 = load double, ptr %15, align 8
-  %17 = getelementptr inbounds double, ptr %14, i64 %3
-  %18 = load double, ptr %17, align 8
-  %19 = fadd double %16, %18
-  %20 = fadd double %19, %6
-  %21 = fadd double %19, %7
-  %22 = tail call fastcc i32 @bounds(ptr noundef %2, ptr noundef %4, ptr noundef %5, double noundef %20, double noundef %21, double noundef 0x3DA5FD7FE1796495, ptr noundef %8, ptr noundef %9, ptr noundef %10, ptr noundef %11)
-  %23 = load double, ptr %8, align 8
-  %24 = fsub double %23, %19
-  store double %24, ptr %8, align 8
-  %25 = load double, ptr %9, align 8
-  %26 = fsub double %25, %19
-  store double %26, ptr %9, align 8
-  ret i32 %22
 }
 
 define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr nocapture noundef %3, ptr noundef %4, ptr nocapture noundef %5, ptr nocapture noundef writeonly %6) unnamed_addr #11 {
@@ -5129,11 +5958,11 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   ret i32 %749
 }
 
-declare double @llvm.minnum.f64(double, double) #2
+declare double @llvm.minnum.f64(double, double) #3
 
-declare double @llvm.sqrt.f64(double) #2
+declare double @llvm.sqrt.f64(double) #3
 
-define internal fastcc void @leaf_core(ptr nocapture noundef readonly %0, ptr noundef %1, ptr nocapture noundef writeonly %2) unnamed_addr #6 {
+define internal fastcc void @leaf_core(ptr nocapture noundef readonly %0, ptr noundef %1, ptr nocapture noundef writeonly %2) unnamed_addr #7 {
   br label %4
 
 4:                                                ; preds = %3, %44
@@ -5202,9 +6031,9 @@ define internal fastcc void @leaf_core(ptr nocapture noundef readonly %0, ptr no
   br i1 %49, label %8, label %4
 }
 
-declare double @llvm.maxnum.f64(double, double) #2
+declare double @llvm.maxnum.f64(double, double) #3
 
-define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, double noundef %3, double noundef %4, double noundef %5, ptr nocapture noundef %6, ptr nocapture noundef %7, ptr noundef %8, ptr noundef %9) unnamed_addr #0 {
+define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef %2, double noundef %3, double noundef %4, double noundef %5, ptr nocapture noundef %6, ptr nocapture noundef %7, ptr noundef %8, ptr noundef %9) unnamed_addr #0 {
   %11 = alloca [3 x double], align 16
   %12 = alloca [3 x double], align 16
   %13 = alloca [3 x double], align 16
@@ -5327,6 +6156,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 108:                                              ; preds = %41, %622
   %109 = phi i32 [ 0, %41 ], [ %618, %622 ]
   %110 = phi i32 [ 0, %41 ], [ %623, %622 ]
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %2, ptr noundef nonnull align 16 dereferenceable(24) %23, i64 24, i1 false)
   br label %138
 
 111:                                              ; preds = %138
@@ -6087,7 +6917,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   ret i32 %626
 }
 
-define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %2, ptr noundef %3) unnamed_addr #8 {
+define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %2, ptr noundef %3) unnamed_addr #9 {
   %5 = alloca [3 x double], align 16
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
@@ -6287,7 +7117,7 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   ret i32 %163
 }
 
-define internal fastcc i32 @make_face(ptr nocapture noundef readonly %0, i32 noundef %1, i32 noundef %2, i32 noundef %3, ptr nocapture noundef %4) unnamed_addr #6 {
+define internal fastcc i32 @make_face(ptr nocapture noundef readonly %0, i32 noundef %1, i32 noundef %2, i32 noundef %3, ptr nocapture noundef %4) unnamed_addr #7 {
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
@@ -6415,15 +7245,15 @@ declare i64 @llvm.smax.i64(i64, i64) #13
 
 attributes #0 = { nofree nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #1 = { mustprogress nocallback nofree nosync nounwind willreturn memory(argmem: readwrite) }
-attributes #2 = { mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #3 = { nofree nosync nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #4 = { nofree norecurse nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #5 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: write) }
-attributes #6 = { nofree nosync nounwind memory(argmem: readwrite) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #7 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: readwrite) }
-attributes #8 = { nofree nosync nounwind memory(read, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #9 = { mustprogress nofree nosync nounwind willreturn memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #10 = { nofree nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #2 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: write) }
+attributes #3 = { mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none) }
+attributes #4 = { nofree nosync nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #5 = { nofree norecurse nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #6 = { nofree nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #7 = { nofree nosync nounwind memory(argmem: readwrite) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #8 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: readwrite) }
+attributes #9 = { nofree nosync nounwind memory(read, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #10 = { mustprogress nofree nosync nounwind willreturn memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #11 = { nofree nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #12 = { nofree nounwind willreturn memory(argmem: read) }
 attributes #13 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }

@@ -41,7 +41,7 @@ class _World(ctypes.Structure):
             *("n", "fixed", "axes", "slides", "bodies", "joint", "kind", "first", "count", "radius", "pose", "size", "ball"),
             "local",
             *("x", "y", "z", "selves", "self", "movers", "mover", "pair_of", "groups", "group", "group_ball", "pairs", "top"),
-            *("node_box", "node", "root", "corners", "frames", "centres", "least", "found"),
+            *("node_box", "node", "root", "corners", "frames", "centres", "least", "found", "guess"),
         )
     ]
 
@@ -52,6 +52,7 @@ SIGNATURES: dict[str, tuple[Any, ...]] = {
     "check": (None, _P, _P, _N, ctypes.c_double, _P),
     "distances": (None, _P, _P, _N, _P, _P),
     "pairs": (None, _P, _P, _N, _P, _P, _P, _P),
+    "intervals": (None, _P, _P, _P, _N, *[_P] * 5),
     "witnesses": (None, _P, _P, _N, _P, _P),
     "near": (_N, _P, _P, _N, _P, _N, _P, _P),
     "tree": (_N, _P, _P, _N, _P, _N, _P, _P),
@@ -114,6 +115,7 @@ class DistanceKernel:
             "centres": arrays["ball"][:, :3].copy(),
             "least": np.full(len(self._bodies), np.inf),
             "found": np.empty(len(self._bodies), dtype=np.int64),
+            "guess": np.zeros((len(self._bodies), 3)),
         }
         numbers = {
             "n": self._n,
@@ -198,6 +200,17 @@ class DistanceKernel:
         nan where this kernel cannot tell.
         """
         return self._pairs(np.ascontiguousarray(q, dtype=float), self.bodies(pairs), reach)[0]
+
+    def interval_bounds(self, q: Array, slopes: Array, pairs: Numbers, reach: Array, bends: Array) -> tuple[Array, Array]:
+        """The same, with lower bounds (m,) of the distances while the joints move, as `manipplan_intervals` says."""
+        arrays = [np.ascontiguousarray(each, dtype=float) for each in (q, slopes, reach, bends)]
+        places, bodies = [each.ctypes.data for each in arrays], self.bodies(pairs)
+        found, bound = np.empty(len(q)), np.empty(len(q))
+        with self._lock:
+            self._call["intervals"](
+                self._at, *places[:2], len(q), bodies.ctypes.data, *places[2:], found.ctypes.data, bound.ctypes.data
+            )
+        return found, bound
 
     def witnesses(self, q: Array, pairs: Numbers) -> Array:
         """For pairs (m,) at q (m, n), (m, 13 + n): as `manipplan_witnesses` says; nan where this kernel cannot tell."""

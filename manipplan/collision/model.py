@@ -170,6 +170,27 @@ class CollisionModel:
             found[k] = self._distance(q[k], int(chosen[k]))
         return np.asarray(np.minimum(found, reach))
 
+    def interval_bounds(self, q: Array, slopes: Array, pairs: ArrayLike, *, beyond: Array, bends: Array) -> tuple[Array, Array]:
+        """Distances of one pair at each configuration, as `pair_distances`, and lower bounds while the joints move, (m,) each.
+
+        Args:
+            q: (m, n).
+            slopes: (m, n); the joints move by t slopes with |t| <= 1, and further as `bends` says [rad or m].
+            pairs: (m,).
+            beyond: (m,) distances above it are cut off there [m].
+            bends: (m,) largest motion of a point of one of the bodies relative to the other beyond that by the slopes [m].
+
+        Returns:
+            The distances, and the bounds [m]; -inf where none is known.
+        """
+        chosen = np.asarray(pairs, dtype=np.int64)
+        if self._kernel is None or (beyond < 0).any():
+            return self.pair_distances(q, chosen, beyond=beyond), np.full(len(q), -np.inf)
+        found, bounds = self._kernel.interval_bounds(q, slopes, chosen, beyond, bends)
+        for k in np.flatnonzero(np.isnan(found)):
+            found[k] = min(self._distance(q[k], int(chosen[k])), beyond[k])
+        return found, bounds
+
     def least_distance(self, q: Array) -> tuple[float, int, int]:
         """The smallest distance at all q (m, n) [m], its row, and the index of its pair; inf, 0, -1 if nothing is checked."""
         if not self.pair_names:

@@ -1,8 +1,10 @@
 """The clearance of a whole curve, proven and not sampled, by conservative bisection with the bounds of `body_motion`.
 
 The distance of a pair of bodies at the middle of an interval of the curve, minus the largest motion of the two towards each
-other on it, is a lower bound of their distance on the interval. The motion of each joint comes from the control points of that
-interval, whose hull contains it. Where the bound is too low the interval is halved, for the pairs that are still open.
+other on it, is a lower bound of their distance on the interval. A second one comes from the plane between the two at the middle:
+no point of either passes it by more than its velocity there and the largest acceleration on the interval allow. It decides where
+the two slide along each other. Motion, speed and acceleration of each joint come from the control points of the interval and of
+its derivatives, whose hulls contain them. Where both bounds are too low the interval is halved, for the pairs still open.
 """
 
 from dataclasses import dataclass
@@ -108,9 +110,8 @@ class _Search:
         rows, pairs, known = self._begin(control, breaks)
         while len(rows) and not self.decided:
             halves = split(control)
-            q, middles = halves[0][:, -1], edges.mean(axis=1)
-            change = np.abs(control - q[:, None]).max(axis=1)
-            cut, bounds = self._look(q, change, middles, rows, pairs, known)
+            middles = edges.mean(axis=1)
+            cut, bounds = self._look(_Intervals.of(control, *halves), middles, rows, pairs, known)
             kept, position = np.unique(rows[cut], return_inverse=True)
             control = np.concatenate([half[kept] for half in halves])
             low, high = edges[kept].T
@@ -173,14 +174,18 @@ class _Search:
         return near.rows[cut], near.pairs[cut], bounds[cut]
 
     def _look(
-        self, q: Array, change: Array, middles: Array, rows: BodyIndices, pairs: BodyIndices, known: Array
+        self, on: "_Intervals", middles: Array, rows: BodyIndices, pairs: BodyIndices, known: Array
     ) -> tuple[NDArray[np.bool_], Array]:
-        """Measure pairs at the middles q (m, n) of intervals; returns which to cut, and all bounds. The others are closed.
+        """Measure pairs at the middles of intervals; returns which to cut, and all bounds. The others are closed.
 
         `known` holds the bounds from the parent interval.
         """
-        motion = self.motion.motion(q, change, rows, pairs)
-        return self._judge(self._distances(q, motion, rows, pairs), motion, change, middles, rows, pairs, known)
+        motion, bend = self.motion.motion_and_bend(on.q, on.change, (on.speed, on.acceleration), rows, pairs)
+        beyond = np.maximum(self._target + motion + 2 * SLACK, self.upper)  # what is farther is closed
+        self.checks += len(rows)
+        found = self.model.interval_bounds(on.q[rows], on.slope[rows], pairs, beyond=beyond, bends=bend)
+        distances, bounds = found[0], np.maximum(known, found[1] - SLACK)
+        return self._judge(distances, motion, on.change, middles, rows, pairs, bounds)
 
     def _judge(
         self,
@@ -211,11 +216,37 @@ class _Search:
             least = int(bounds.argmin())
             self.lower, self.lowest = float(bounds[least]), (float(middles[rows[least]]), int(pairs[least]))
 
-    def _distances(self, q: Array, motion: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
-        """Distances (e,) of pairs at rows of q (m, n); cut off where that closes the pair."""
-        beyond = np.maximum(self._target + motion + 2 * SLACK, self.upper)
-        self.checks += len(rows)
-        return self.model.pair_distances(q[rows], pairs, beyond=beyond)
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Intervals:
+    """Motion of the joints on intervals of a curve, (m, n) each, where u - 1/2 runs from -1/2 to 1/2.
+
+    Attributes:
+        q: the configuration in the middle.
+        change: largest distance from there.
+        slope: q' / 2 in the middle: the change on half an interval at that speed.
+        speed, acceleration: largest |q'| / √8 and |q''| / 8, so that a point's acceleration bounds its motion beyond the slope.
+    """
+
+    q: Array
+    change: Array
+    slope: Array
+    speed: Array
+    acceleration: Array
+
+    @classmethod
+    def of(cls, control: Array, left: Array, right: Array) -> "_Intervals":
+        """From control points (m, k + 1, n) and those of both halves."""
+        k, q = control.shape[1] - 1, left[:, -1]
+        velocity = k / 2 * np.diff(control, axis=1)
+        acceleration = (k - 1) * np.diff(velocity, axis=1) / 4 if k > 1 else np.zeros_like(velocity)
+        return cls(
+            q=q,
+            change=np.abs(control - q[:, None]).max(axis=1),
+            slope=k * (right[:, 1] - q),
+            speed=np.abs(velocity).max(axis=1) / np.sqrt(2),
+            acceleration=np.abs(acceleration).max(axis=1),
+        )
 
 
 def _halved(control: Array, breaks: Array) -> tuple[Array, Array]:

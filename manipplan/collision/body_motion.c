@@ -1,0 +1,111 @@
+/* Bounds on the motion of bodies when joints move, see body_motion.py. All arrays belong to the caller. */
+
+#include <math.h>
+#include <string.h>
+
+enum { CORE_POINTS = 8, MOST_JOINTS = 64 };  /* as in body_motion.py */
+
+typedef struct {
+    long n;                 /* number of joints */
+    const double *fixed;    /* (n, 12) rotation and origin of each joint in the frame of the joint before it, at q = 0 */
+    const double *axes;     /* (n, 3) axis in the joint's frame */
+    const long *slides;     /* (n) whether the joint is prismatic */
+    long bodies;            /* number of bodies */
+    const long *joint;      /* (bodies) the joint that carries each; 0: the world */
+    const double *points;   /* (bodies, CORE_POINTS, 3) in the joint's frame */
+    const double *radii;    /* (bodies) around the points */
+    const long *body;       /* (pairs) the body of each pair that is farther from the base */
+    const long *below;      /* (pairs) the joint of the other body */
+    double *moved;          /* (bodies, n + 1) work: the motion by all joints above each */
+    double *lever;          /* (bodies, n + 1) work: the largest speed of a point of the body by each joint; no entry 0 */
+    long *row;              /* (bodies) work: where `moved` was computed */
+} Arm;
+
+static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* Rotation a times b, both (3, 3) by rows. */
+static void turn(const double *a, const double *b, double *out) {
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) out[3 * i + j] = a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
+}
+
+static void act(const double *frame, const double *p, double *out) {
+    for (int i = 0; i < 3; i++) out[i] = dot(frame + 3 * i, p) + frame[9 + i];
+}
+
+/* Rotation and origin of each joint (n + 1, 12) and its axis (n + 1, 3), in the world. */
+static void place(const Arm *arm, const double *q, double (*frame)[12], double (*axis)[3]) {
+    static const double still[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+    memcpy(frame[0], still, sizeof still);
+    for (long j = 0; j < arm->n; j++) {
+        const double *a = arm->axes + 3 * j, *fixed = arm->fixed + 12 * j;
+        double *own = frame[j + 1], before[9];
+        turn(frame[j], fixed, before);
+        act(frame[j], fixed + 9, own + 9);
+        for (int i = 0; i < 3; i++) axis[j + 1][i] = dot(before + 3 * i, a);
+        if (arm->slides[j]) {
+            memcpy(own, before, sizeof before);
+            for (int i = 0; i < 3; i++) own[9 + i] += q[j] * axis[j + 1][i];
+            continue;
+        }
+        double s = sin(q[j]), c = cos(q[j]), k = 1 - c;
+        double about[9] = {c + k * a[0] * a[0],        k * a[0] * a[1] - s * a[2], k * a[0] * a[2] + s * a[1],
+                           k * a[1] * a[0] + s * a[2], c + k * a[1] * a[1],        k * a[1] * a[2] - s * a[0],
+                           k * a[2] * a[0] - s * a[1], k * a[2] * a[1] + s * a[0], c + k * a[2] * a[2]};
+        turn(before, about, own);
+    }
+}
+
+/* The largest distance of the points (CORE_POINTS, 3) from an axis. */
+static double reach(const double (*point)[3], const double *origin, const double *axis) {
+    double most = 0;
+    for (int k = 0; k < CORE_POINTS; k++) {
+        double lever[3] = {point[k][0] - origin[0], point[k][1] - origin[1], point[k][2] - origin[2]}, along = dot(lever, axis);
+        most = fmax(most, dot(lever, lever) - along * along);
+    }
+    return sqrt(most);
+}
+
+/* Upper bound on the acceleration of a point of the body of a pair in the frame of the other's joint, for joints with at most these
+   speeds and accelerations (n): (3) in body_motion.py. */
+static double acceleration(const Arm *arm, long pair, const double *lever, const double *speed, const double *change) {
+    double sum = 0, turning = 0;
+    for (long j = arm->below[pair] + 1; j <= arm->joint[arm->body[pair]]; j++) {
+        double v = speed[j - 1], own = arm->slides[j - 1] ? 0 : v;
+        sum += lever[j] * (v * (own + 2 * turning) + change[j - 1]);
+        turning += own;
+    }
+    return sum;
+}
+
+/* Upper bounds (e) on the motion of the two bodies of pairs (e) towards each other, for joints that move at most change (m, n)
+   from q (m, n); rows (e) say from which. Rows that follow each other and are equal share their work. With speeds and
+   accelerations (m, n) of the joints also upper bounds (e) on the accelerations of the bodies' points; both may be 0. */
+void manipplan_motion(const Arm *arm, const double *q, const double *change, const double *speeds, const double *accelerations,
+                      const long *rows, const long *pairs, long e, double *out, double *bends) {
+    double frame[MOST_JOINTS + 1][12], axis[MOST_JOINTS + 1][3];
+    long n = arm->n, here = -1;
+    for (long k = 0; k < e; k++) {
+        long body = arm->body[pairs[k]], joint = arm->joint[body];
+        double *moved = arm->moved + body * (n + 1), *lever = arm->lever + body * (n + 1);
+        if (rows[k] != here) {
+            here = rows[k];
+            place(arm, q + here * n, frame, axis);
+            for (long b = 0; b < arm->bodies; b++) arm->row[b] = -1;
+        }
+        if (arm->row[body] != here) {
+            double point[CORE_POINTS][3];
+            for (int p = 0; p < CORE_POINTS; p++) act(frame[joint], arm->points + 3 * (CORE_POINTS * body + p), point[p]);
+            for (long j = joint; j <= n; j++) moved[j] = 0;
+            for (long j = joint; j > 0; j--) {
+                lever[j] = 1;
+                if (!arm->slides[j - 1])
+                    lever[j] = reach((const double (*)[3])point, frame[j] + 9, axis[j]) + arm->radii[body] + moved[j];
+                moved[j - 1] = moved[j] + change[here * n + j - 1] * lever[j];
+            }
+            arm->row[body] = here;
+        }
+        out[k] = moved[arm->below[pairs[k]]];
+        if (bends) bends[k] = acceleration(arm, pairs[k], lever, speeds + here * n, accelerations + here * n);
+    }
+}
