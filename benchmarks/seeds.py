@@ -20,7 +20,7 @@ from rich.progress import track
 import manipplan as mp
 from manipplan.cost.crossings import least_crossings
 from manipplan.kinematics.sides import sides_of
-from manipplan.seeds.seed import SIDES_STEP
+from manipplan.seeds.acceptance import SIDES_STEP
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "seeds.md"
 PLANNERS = {"auto": "ours", "RRTConnect": "OMPL"}

@@ -1,7 +1,7 @@
 """JointPath: a curve q(s), s in [0, 1], through joint space, as pieces in Bernstein form."""
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from math import comb
 
 import numpy as np
@@ -154,7 +154,7 @@ class JointPath:
 
     def quadrature(self, *, panels: int = 40, points: int = 10) -> tuple[Array, Array]:
         """Gauss points and weights over [0, 1], (m,) each; every piece is divided into about its share of `panels`."""
-        nodes, weights = np.polynomial.legendre.leggauss(points)
+        nodes, weights = _gauss_rule(points)
         counts = np.maximum(1, np.ceil(panels * np.diff(self.breaks)).astype(int))
         edges = np.concatenate(
             [np.linspace(a, b, k + 1)[:-1] for a, b, k in zip(self.breaks, self.breaks[1:], counts, strict=False)] + [[1.0]]
@@ -191,6 +191,13 @@ class JointPath:
             if not len(wide):
                 return samples
             samples = np.insert(samples, wide + 1, (samples[wide] + samples[wide + 1]) / 2)
+
+
+@cache
+def _gauss_rule(points: int) -> tuple[Array, Array]:
+    """Gauss points and weights over [-1, 1]."""
+    nodes, weights = np.polynomial.legendre.leggauss(points)
+    return nodes, weights
 
 
 def split(control: Array, u: float = 0.5) -> tuple[Array, Array]:

@@ -1,116 +1,120 @@
-; connect.c 0f21ea27dbd4b8ee95c21e1531517912f490058f19aab1bc69bf815cf49599ee: written by make kernel
+; connect.c 9cd6701fb670ca508bf20255e614462683fc698681db2c06491846e74dae98f4: written by make kernel
 
 %struct.Side = type { i8, i8, i64 }
-%struct.Search = type { i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, double, double, [2 x double], double, double, double, i64, ptr, ptr, i64, i64, i64, [2 x ptr], [2 x ptr], [2 x ptr], [2 x i64], [2 x i64], i64, i64 }
+%struct.Search = type { i64, ptr, ptr, double, double, ptr, ptr, ptr, double, i64, ptr, ptr, [2 x double], double, ptr, i64, double, i64, ptr, ptr, i64, i64, i64, [2 x ptr], [2 x ptr], [2 x ptr], [2 x i64], [2 x i64], i64, i64 }
 
 define dso_local i32 @manipplan_state(ptr nocapture noundef %0, ptr noundef %1) local_unnamed_addr #0 {
   %3 = alloca %struct.Side, align 8
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %3) #8
-  %4 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
+  %4 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25
   %5 = load ptr, ptr %4, align 8
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %3, ptr noundef nonnull align 8 dereferenceable(16) %5, i64 16, i1 false)
-  %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
   %7 = load i64, ptr %6, align 8
   %8 = icmp eq i64 %7, 0
   br i1 %8, label %18, label %9
 
 9:                                                ; preds = %2
-  %10 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 1
+  %10 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25, i64 1
   %11 = load ptr, ptr %10, align 8
   %12 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %1, ptr noundef nonnull %3, ptr noundef %11)
   %13 = icmp eq i32 %12, 0
   br i1 %13, label %14, label %18
 
 14:                                               ; preds = %9
-  %15 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
+  %15 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29
   %16 = load i64, ptr %15, align 8
   %17 = add nsw i64 %16, 1
   store i64 %17, ptr %15, align 8
-  br label %78
+  br label %82
 
 18:                                               ; preds = %9, %2
-  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
-  %20 = load double, ptr %19, align 8
-  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
-  br label %35
+  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  %22 = load i64, ptr %21, align 8
+  %23 = getelementptr inbounds double, ptr %20, i64 %22
+  %24 = load double, ptr %23, align 8
+  %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
+  br label %39
 
-22:                                               ; preds = %66
-  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
-  %24 = load i64, ptr %23, align 8
-  %25 = add nsw i64 %24, 1
-  store i64 %25, ptr %23, align 8
-  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %27 = load ptr, ptr %26, align 8
-  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %29 = load ptr, ptr %28, align 8
-  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %31 = load double, ptr %30, align 8
-  %32 = fadd double %67, %31
-  %33 = tail call i32 %27(ptr noundef %29, ptr noundef %1, double noundef %32) #8
-  %34 = icmp eq i32 %33, 2
-  br i1 %34, label %68, label %74
+26:                                               ; preds = %70
+  %27 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29
+  %28 = load i64, ptr %27, align 8
+  %29 = add nsw i64 %28, 1
+  store i64 %29, ptr %27, align 8
+  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %31 = load ptr, ptr %30, align 8
+  %32 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %33 = load ptr, ptr %32, align 8
+  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %35 = load double, ptr %34, align 8
+  %36 = fadd double %71, %35
+  %37 = tail call i32 %31(ptr noundef %33, ptr noundef %1, double noundef %36) #8
+  %38 = icmp eq i32 %37, 2
+  br i1 %38, label %72, label %78
 
-35:                                               ; preds = %66, %18
-  %36 = phi i1 [ true, %18 ], [ false, %66 ]
-  %37 = phi i64 [ 0, %18 ], [ 1, %66 ]
-  %38 = phi double [ %20, %18 ], [ %67, %66 ]
-  %39 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i64 %37
-  %40 = load double, ptr %39, align 8
-  %41 = fcmp ogt double %38, %40
-  br i1 %41, label %42, label %66
+39:                                               ; preds = %70, %18
+  %40 = phi i1 [ true, %18 ], [ false, %70 ]
+  %41 = phi i64 [ 0, %18 ], [ 1, %70 ]
+  %42 = phi double [ %24, %18 ], [ %71, %70 ]
+  %43 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12, i64 %41
+  %44 = load double, ptr %43, align 8
+  %45 = fcmp ogt double %42, %44
+  br i1 %45, label %46, label %70
 
-42:                                               ; preds = %35
-  %43 = load double, ptr %21, align 8
-  %44 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %37
-  %45 = load ptr, ptr %44, align 8
-  %46 = load i64, ptr %0, align 8
-  %47 = icmp sgt i64 %46, 0
-  br i1 %47, label %48, label %60
+46:                                               ; preds = %39
+  %47 = load double, ptr %25, align 8
+  %48 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %41
+  %49 = load ptr, ptr %48, align 8
+  %50 = load i64, ptr %0, align 8
+  %51 = icmp sgt i64 %50, 0
+  br i1 %51, label %52, label %64
 
-48:                                               ; preds = %42, %48
-  %49 = phi i64 [ %58, %48 ], [ 0, %42 ]
-  %50 = phi double [ %57, %48 ], [ 0.000000e+00, %42 ]
-  %51 = getelementptr inbounds double, ptr %45, i64 %49
-  %52 = load double, ptr %51, align 8
-  %53 = getelementptr inbounds double, ptr %1, i64 %49
-  %54 = load double, ptr %53, align 8
-  %55 = fsub double %52, %54
-  %56 = fmul double %55, %55
-  %57 = fadd double %50, %56
-  %58 = add nuw nsw i64 %49, 1
-  %59 = icmp eq i64 %58, %46
-  br i1 %59, label %60, label %48
+52:                                               ; preds = %46, %52
+  %53 = phi i64 [ %62, %52 ], [ 0, %46 ]
+  %54 = phi double [ %61, %52 ], [ 0.000000e+00, %46 ]
+  %55 = getelementptr inbounds double, ptr %49, i64 %53
+  %56 = load double, ptr %55, align 8
+  %57 = getelementptr inbounds double, ptr %1, i64 %53
+  %58 = load double, ptr %57, align 8
+  %59 = fsub double %56, %58
+  %60 = fmul double %59, %59
+  %61 = fadd double %54, %60
+  %62 = add nuw nsw i64 %53, 1
+  %63 = icmp eq i64 %62, %50
+  br i1 %63, label %64, label %52
 
-60:                                               ; preds = %48, %42
-  %61 = phi double [ 0.000000e+00, %42 ], [ %57, %48 ]
-  %62 = tail call double @llvm.sqrt.f64(double %61)
-  %63 = fmul double %43, %62
-  %64 = fadd double %40, %63
-  %65 = tail call double @llvm.minnum.f64(double %38, double %64)
-  br label %66
+64:                                               ; preds = %52, %46
+  %65 = phi double [ 0.000000e+00, %46 ], [ %61, %52 ]
+  %66 = tail call double @llvm.sqrt.f64(double %65)
+  %67 = fmul double %47, %66
+  %68 = fadd double %44, %67
+  %69 = tail call double @llvm.minnum.f64(double %42, double %68)
+  br label %70
 
-66:                                               ; preds = %60, %35
-  %67 = phi double [ %65, %60 ], [ %38, %35 ]
-  br i1 %36, label %35, label %22
+70:                                               ; preds = %64, %39
+  %71 = phi double [ %69, %64 ], [ %42, %39 ]
+  br i1 %40, label %39, label %26
 
-68:                                               ; preds = %22
-  %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  %70 = load ptr, ptr %69, align 8
-  %71 = load double, ptr %30, align 8
-  %72 = fadd double %67, %71
-  %73 = tail call i32 %70(ptr noundef %1, double noundef %72) #8
-  br label %74
-
-74:                                               ; preds = %22, %68
-  %75 = phi i32 [ %73, %68 ], [ %33, %22 ]
-  %76 = icmp eq i32 %75, 0
-  %77 = zext i1 %76 to i32
+72:                                               ; preds = %26
+  %73 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %74 = load ptr, ptr %73, align 8
+  %75 = load double, ptr %34, align 8
+  %76 = fadd double %71, %75
+  %77 = tail call i32 %74(ptr noundef %1, double noundef %76) #8
   br label %78
 
-78:                                               ; preds = %74, %14
-  %79 = phi i32 [ %77, %74 ], [ 0, %14 ]
+78:                                               ; preds = %26, %72
+  %79 = phi i32 [ %77, %72 ], [ %37, %26 ]
+  %80 = icmp eq i32 %79, 0
+  %81 = zext i1 %80 to i32
+  br label %82
+
+82:                                               ; preds = %78, %14
+  %83 = phi i32 [ %81, %78 ], [ 0, %14 ]
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %3) #8
-  ret i32 %79
+  ret i32 %83
 }
 
 declare void @llvm.lifetime.start.p0(i64 immarg, ptr nocapture) #1
@@ -142,222 +146,256 @@ define internal fastcc i32 @carry(ptr nocapture noundef readonly %0, ptr nocaptu
 
 22:                                               ; preds = %10, %5
   %23 = phi double [ 0.000000e+00, %5 ], [ %19, %10 ]
-  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
-  %25 = load double, ptr %24, align 8
-  %26 = fdiv double %23, %25
-  %27 = tail call double @llvm.ceil.f64(double %26)
-  %28 = fptosi double %27 to i64
-  %29 = tail call i64 @llvm.smax.i64(i64 %28, i64 1)
-  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
-  %31 = add nuw nsw i64 %29, 1
-  %32 = sitofp i64 %29 to double
-  %33 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
-  %35 = getelementptr inbounds %struct.Side, ptr %3, i64 0, i32 1
-  %36 = getelementptr inbounds %struct.Side, ptr %3, i64 0, i32 2
-  %37 = getelementptr inbounds %struct.Side, ptr %4, i64 0, i32 1
-  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
-  br label %43
+  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  %25 = load ptr, ptr %24, align 8
+  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  %27 = load i64, ptr %26, align 8
+  %28 = getelementptr inbounds double, ptr %25, i64 %27
+  %29 = load double, ptr %28, align 8
+  %30 = fdiv double %23, %29
+  %31 = tail call double @llvm.ceil.f64(double %30)
+  %32 = fptosi double %31 to i64
+  %33 = tail call i64 @llvm.smax.i64(i64 %32, i64 1)
+  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 18
+  %35 = add nuw nsw i64 %33, 1
+  %36 = sitofp i64 %33 to double
+  %37 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 19
+  %39 = getelementptr inbounds %struct.Side, ptr %3, i64 0, i32 1
+  %40 = getelementptr inbounds %struct.Side, ptr %3, i64 0, i32 2
+  %41 = getelementptr inbounds %struct.Side, ptr %4, i64 0, i32 1
+  %42 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20
+  br label %47
 
-39:                                               ; preds = %110
-  %40 = add nuw nsw i64 %45, 64
-  %41 = icmp ugt i64 %40, %29
-  %42 = add nsw i64 %44, -64
-  br i1 %41, label %154, label %43
+43:                                               ; preds = %114
+  %44 = add nuw nsw i64 %49, 64
+  %45 = icmp ugt i64 %44, %33
+  %46 = add nsw i64 %48, -64
+  br i1 %45, label %158, label %47
 
-43:                                               ; preds = %22, %39
-  %44 = phi i64 [ %29, %22 ], [ %42, %39 ]
-  %45 = phi i64 [ 1, %22 ], [ %40, %39 ]
-  %46 = call i64 @llvm.smin.i64(i64 %44, i64 64)
-  %47 = call i64 @llvm.smax.i64(i64 %46, i64 1)
-  %48 = sub nsw i64 %31, %45
-  %49 = call i64 @llvm.smin.i64(i64 %48, i64 64)
-  %50 = icmp sgt i64 %48, 0
-  br i1 %50, label %51, label %58
+47:                                               ; preds = %22, %43
+  %48 = phi i64 [ %33, %22 ], [ %46, %43 ]
+  %49 = phi i64 [ 1, %22 ], [ %44, %43 ]
+  %50 = call i64 @llvm.smin.i64(i64 %48, i64 64)
+  %51 = call i64 @llvm.smax.i64(i64 %50, i64 1)
+  %52 = sub nsw i64 %35, %49
+  %53 = call i64 @llvm.smin.i64(i64 %52, i64 64)
+  %54 = icmp sgt i64 %52, 0
+  br i1 %54, label %55, label %62
 
-51:                                               ; preds = %43
-  %52 = load i64, ptr %0, align 8
-  %53 = icmp sgt i64 %52, 0
-  br label %66
+55:                                               ; preds = %47
+  %56 = load i64, ptr %0, align 8
+  %57 = icmp sgt i64 %56, 0
+  br label %70
 
-54:                                               ; preds = %85
-  %55 = load ptr, ptr %30, align 8
-  %56 = call i32 %55(ptr noundef nonnull %6, ptr noundef nonnull %7, i64 noundef %49) #8
-  %57 = icmp eq i32 %56, 0
-  br i1 %57, label %62, label %154
-
-58:                                               ; preds = %43
-  %59 = load ptr, ptr %30, align 8
-  %60 = call i32 %59(ptr noundef nonnull %6, ptr noundef nonnull %7, i64 noundef %49) #8
+58:                                               ; preds = %89
+  %59 = load ptr, ptr %34, align 8
+  %60 = call i32 %59(ptr noundef nonnull %6, ptr noundef nonnull %7, i64 noundef %53) #8
   %61 = icmp eq i32 %60, 0
-  br i1 %61, label %93, label %154
+  br i1 %61, label %66, label %158
 
-62:                                               ; preds = %54
-  br i1 %50, label %63, label %93
+62:                                               ; preds = %47
+  %63 = load ptr, ptr %34, align 8
+  %64 = call i32 %63(ptr noundef nonnull %6, ptr noundef nonnull %7, i64 noundef %53) #8
+  %65 = icmp eq i32 %64, 0
+  br i1 %65, label %97, label %158
 
-63:                                               ; preds = %62
-  %64 = load i64, ptr %33, align 8
-  %65 = icmp sgt i64 %64, 0
-  br label %88
+66:                                               ; preds = %58
+  br i1 %54, label %67, label %97
 
-66:                                               ; preds = %51, %85
-  %67 = phi i64 [ 0, %51 ], [ %86, %85 ]
-  %68 = add nuw nsw i64 %67, %45
-  %69 = sitofp i64 %68 to double
-  %70 = fdiv double %69, %32
-  %71 = mul nsw i64 %52, %67
-  %72 = getelementptr inbounds double, ptr %6, i64 %71
-  br i1 %53, label %73, label %85
+67:                                               ; preds = %66
+  %68 = load i64, ptr %37, align 8
+  %69 = icmp sgt i64 %68, 0
+  br label %92
 
-73:                                               ; preds = %66, %73
-  %74 = phi i64 [ %83, %73 ], [ 0, %66 ]
-  %75 = getelementptr inbounds double, ptr %1, i64 %74
-  %76 = load double, ptr %75, align 8
-  %77 = getelementptr inbounds double, ptr %2, i64 %74
-  %78 = load double, ptr %77, align 8
-  %79 = fsub double %78, %76
-  %80 = fmul double %70, %79
-  %81 = fadd double %76, %80
-  %82 = getelementptr inbounds double, ptr %72, i64 %74
-  store double %81, ptr %82, align 8
-  %83 = add nuw nsw i64 %74, 1
-  %84 = icmp eq i64 %83, %52
-  br i1 %84, label %85, label %73
+70:                                               ; preds = %55, %89
+  %71 = phi i64 [ 0, %55 ], [ %90, %89 ]
+  %72 = add nuw nsw i64 %71, %49
+  %73 = sitofp i64 %72 to double
+  %74 = fdiv double %73, %36
+  %75 = mul nsw i64 %56, %71
+  %76 = getelementptr inbounds double, ptr %6, i64 %75
+  br i1 %57, label %77, label %89
 
-85:                                               ; preds = %73, %66
-  %86 = add nuw nsw i64 %67, 1
-  %87 = icmp eq i64 %86, %47
-  br i1 %87, label %54, label %66
+77:                                               ; preds = %70, %77
+  %78 = phi i64 [ %87, %77 ], [ 0, %70 ]
+  %79 = getelementptr inbounds double, ptr %1, i64 %78
+  %80 = load double, ptr %79, align 8
+  %81 = getelementptr inbounds double, ptr %2, i64 %78
+  %82 = load double, ptr %81, align 8
+  %83 = fsub double %82, %80
+  %84 = fmul double %74, %83
+  %85 = fadd double %80, %84
+  %86 = getelementptr inbounds double, ptr %76, i64 %78
+  store double %85, ptr %86, align 8
+  %87 = add nuw nsw i64 %78, 1
+  %88 = icmp eq i64 %87, %56
+  br i1 %88, label %89, label %77
 
-88:                                               ; preds = %63, %116
-  %89 = phi i64 [ 0, %63 ], [ %117, %116 ]
-  br i1 %65, label %90, label %116
+89:                                               ; preds = %77, %70
+  %90 = add nuw nsw i64 %71, 1
+  %91 = icmp eq i64 %90, %51
+  br i1 %91, label %58, label %70
 
-90:                                               ; preds = %88
-  %91 = mul nsw i64 %64, %89
-  %92 = load ptr, ptr %34, align 8
-  br label %119
+92:                                               ; preds = %67, %120
+  %93 = phi i64 [ 0, %67 ], [ %121, %120 ]
+  br i1 %69, label %94, label %120
 
-93:                                               ; preds = %116, %58, %62
-  %94 = load i64, ptr %36, align 8
-  %95 = load i8, ptr %3, align 8
-  %96 = load i8, ptr %4, align 8
-  %97 = xor i8 %96, %95
-  %98 = load i8, ptr %35, align 1
-  %99 = and i8 %97, %98
-  %100 = load i8, ptr %37, align 1
-  %101 = and i8 %99, %100
-  %102 = icmp eq i8 %101, 0
-  br i1 %102, label %110, label %103
+94:                                               ; preds = %92
+  %95 = mul nsw i64 %68, %93
+  %96 = load ptr, ptr %38, align 8
+  br label %123
 
-103:                                              ; preds = %93, %103
-  %104 = phi i32 [ %106, %103 ], [ 0, %93 ]
-  %105 = phi i8 [ %108, %103 ], [ %101, %93 ]
-  %106 = add nuw nsw i32 %104, 1
-  %107 = add i8 %105, -1
-  %108 = and i8 %107, %105
-  %109 = icmp eq i8 %108, 0
-  br i1 %109, label %110, label %103
+97:                                               ; preds = %120, %62, %66
+  %98 = load i64, ptr %40, align 8
+  %99 = load i8, ptr %3, align 8
+  %100 = load i8, ptr %4, align 8
+  %101 = xor i8 %100, %99
+  %102 = load i8, ptr %39, align 1
+  %103 = and i8 %101, %102
+  %104 = load i8, ptr %41, align 1
+  %105 = and i8 %103, %104
+  %106 = icmp eq i8 %105, 0
+  br i1 %106, label %114, label %107
 
-110:                                              ; preds = %103, %93
-  %111 = phi i32 [ 0, %93 ], [ %106, %103 ]
-  %112 = sext i32 %111 to i64
-  %113 = add nsw i64 %94, %112
-  %114 = load i64, ptr %38, align 8
-  %115 = icmp sgt i64 %113, %114
-  br i1 %115, label %154, label %39
+107:                                              ; preds = %97, %107
+  %108 = phi i32 [ %110, %107 ], [ 0, %97 ]
+  %109 = phi i8 [ %112, %107 ], [ %105, %97 ]
+  %110 = add nuw nsw i32 %108, 1
+  %111 = add i8 %109, -1
+  %112 = and i8 %111, %109
+  %113 = icmp eq i8 %112, 0
+  br i1 %113, label %114, label %107
 
-116:                                              ; preds = %151, %88
-  %117 = add nuw nsw i64 %89, 1
-  %118 = icmp eq i64 %117, %47
-  br i1 %118, label %93, label %88
+114:                                              ; preds = %107, %97
+  %115 = phi i32 [ 0, %97 ], [ %110, %107 ]
+  %116 = sext i32 %115 to i64
+  %117 = add nsw i64 %98, %116
+  %118 = load i64, ptr %42, align 8
+  %119 = icmp sgt i64 %117, %118
+  br i1 %119, label %158, label %43
 
-119:                                              ; preds = %90, %151
-  %120 = phi i64 [ 0, %90 ], [ %152, %151 ]
-  %121 = add nsw i64 %91, %120
-  %122 = getelementptr inbounds [512 x double], ptr %7, i64 0, i64 %121
-  %123 = load double, ptr %122, align 8
-  %124 = call double @llvm.fabs.f64(double %123)
-  %125 = getelementptr inbounds double, ptr %92, i64 %120
-  %126 = load double, ptr %125, align 8
-  %127 = fcmp olt double %124, %126
-  br i1 %127, label %151, label %128
+120:                                              ; preds = %155, %92
+  %121 = add nuw nsw i64 %93, 1
+  %122 = icmp eq i64 %121, %51
+  br i1 %122, label %97, label %92
 
-128:                                              ; preds = %119
-  %129 = fcmp oge double %123, 0.000000e+00
-  %130 = trunc i64 %120 to i32
-  %131 = shl nuw i32 1, %130
-  %132 = trunc i32 %131 to i8
-  %133 = select i1 %129, i8 %132, i8 0
-  %134 = load i8, ptr %35, align 1
-  %135 = zext i8 %134 to i32
-  %136 = and i32 %131, %135
-  %137 = icmp ne i32 %136, 0
-  %138 = load i8, ptr %3, align 8
+123:                                              ; preds = %94, %155
+  %124 = phi i64 [ 0, %94 ], [ %156, %155 ]
+  %125 = add nsw i64 %95, %124
+  %126 = getelementptr inbounds [512 x double], ptr %7, i64 0, i64 %125
+  %127 = load double, ptr %126, align 8
+  %128 = call double @llvm.fabs.f64(double %127)
+  %129 = getelementptr inbounds double, ptr %96, i64 %124
+  %130 = load double, ptr %129, align 8
+  %131 = fcmp olt double %128, %130
+  br i1 %131, label %155, label %132
+
+132:                                              ; preds = %123
+  %133 = fcmp oge double %127, 0.000000e+00
+  %134 = trunc i64 %124 to i32
+  %135 = shl nuw i32 1, %134
+  %136 = trunc i32 %135 to i8
+  %137 = select i1 %133, i8 %136, i8 0
+  %138 = load i8, ptr %39, align 1
   %139 = zext i8 %138 to i32
-  %140 = and i32 %131, %139
-  %141 = zext i8 %133 to i32
-  %142 = icmp ne i32 %140, %141
-  %143 = select i1 %137, i1 %142, i1 false
-  %144 = zext i1 %143 to i64
-  %145 = load i64, ptr %36, align 8
-  %146 = add nsw i64 %145, %144
-  store i64 %146, ptr %36, align 8
-  %147 = xor i8 %132, -1
-  %148 = and i8 %138, %147
-  %149 = or i8 %148, %133
-  store i8 %149, ptr %3, align 8
-  %150 = or i8 %134, %132
-  store i8 %150, ptr %35, align 1
-  br label %151
+  %140 = and i32 %135, %139
+  %141 = icmp ne i32 %140, 0
+  %142 = load i8, ptr %3, align 8
+  %143 = zext i8 %142 to i32
+  %144 = and i32 %135, %143
+  %145 = zext i8 %137 to i32
+  %146 = icmp ne i32 %144, %145
+  %147 = select i1 %141, i1 %146, i1 false
+  %148 = zext i1 %147 to i64
+  %149 = load i64, ptr %40, align 8
+  %150 = add nsw i64 %149, %148
+  store i64 %150, ptr %40, align 8
+  %151 = xor i8 %136, -1
+  %152 = and i8 %142, %151
+  %153 = or i8 %152, %137
+  store i8 %153, ptr %3, align 8
+  %154 = or i8 %138, %136
+  store i8 %154, ptr %39, align 1
+  br label %155
 
-151:                                              ; preds = %119, %128
-  %152 = add nuw nsw i64 %120, 1
-  %153 = icmp eq i64 %152, %64
-  br i1 %153, label %116, label %119
+155:                                              ; preds = %123, %132
+  %156 = add nuw nsw i64 %124, 1
+  %157 = icmp eq i64 %156, %68
+  br i1 %157, label %120, label %123
 
-154:                                              ; preds = %58, %54, %39, %110
-  %155 = phi i32 [ 0, %54 ], [ 1, %39 ], [ 0, %110 ], [ 0, %58 ]
+158:                                              ; preds = %62, %58, %43, %114
+  %159 = phi i32 [ 0, %58 ], [ 1, %43 ], [ 0, %114 ], [ 0, %62 ]
   call void @llvm.lifetime.end.p0(i64 4096, ptr nonnull %7) #8
   call void @llvm.lifetime.end.p0(i64 32768, ptr nonnull %6) #8
-  ret i32 %155
+  ret i32 %159
 }
 
 declare void @llvm.lifetime.end.p0(i64 immarg, ptr nocapture) #1
 
 define dso_local i32 @manipplan_motion(ptr nocapture noundef %0, ptr nocapture noundef readonly %1, ptr noundef %2) local_unnamed_addr #0 {
   %4 = alloca %struct.Side, align 8
+  %5 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  %7 = load i64, ptr %6, align 8
+  %8 = load i64, ptr %5, align 8
+  %9 = add nsw i64 %8, 1
+  %10 = icmp slt i64 %9, %7
+  br i1 %10, label %11, label %25
+
+11:                                               ; preds = %3
+  %12 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  %15 = load ptr, ptr %14, align 8
+  br label %16
+
+16:                                               ; preds = %22, %11
+  %17 = phi i64 [ %9, %11 ], [ %23, %22 ]
+  %18 = phi i64 [ %8, %11 ], [ %17, %22 ]
+  %19 = getelementptr inbounds i64, ptr %15, i64 %18
+  %20 = load i64, ptr %19, align 8
+  %21 = icmp slt i64 %13, %20
+  br i1 %21, label %25, label %22
+
+22:                                               ; preds = %16
+  store i64 %17, ptr %5, align 8
+  %23 = add i64 %17, 1
+  %24 = icmp eq i64 %23, %7
+  br i1 %24, label %25, label %16
+
+25:                                               ; preds = %16, %22, %3
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %4) #8
-  %5 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
-  %6 = load ptr, ptr %5, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %4, ptr noundef nonnull align 8 dereferenceable(16) %6, i64 16, i1 false)
-  %7 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
-  %8 = load i64, ptr %7, align 8
-  %9 = icmp eq i64 %8, 0
-  br i1 %9, label %19, label %10
+  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25
+  %27 = load ptr, ptr %26, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %4, ptr noundef nonnull align 8 dereferenceable(16) %27, i64 16, i1 false)
+  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %29 = load i64, ptr %28, align 8
+  %30 = icmp eq i64 %29, 0
+  br i1 %30, label %40, label %31
 
-10:                                               ; preds = %3
-  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 1
-  %12 = load ptr, ptr %11, align 8
-  %13 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %2, ptr noundef nonnull %4, ptr noundef %12)
-  %14 = icmp eq i32 %13, 0
-  br i1 %14, label %15, label %19
+31:                                               ; preds = %25
+  %32 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25, i64 1
+  %33 = load ptr, ptr %32, align 8
+  %34 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %2, ptr noundef nonnull %4, ptr noundef %33)
+  %35 = icmp eq i32 %34, 0
+  br i1 %35, label %36, label %40
 
-15:                                               ; preds = %10
-  %16 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
-  %17 = load i64, ptr %16, align 8
-  %18 = add nsw i64 %17, 1
-  store i64 %18, ptr %16, align 8
-  br label %21
+36:                                               ; preds = %31
+  %37 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29
+  %38 = load i64, ptr %37, align 8
+  %39 = add nsw i64 %38, 1
+  store i64 %39, ptr %37, align 8
+  br label %42
 
-19:                                               ; preds = %10, %3
-  %20 = tail call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %2)
-  br label %21
+40:                                               ; preds = %31, %25
+  %41 = tail call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %2)
+  br label %42
 
-21:                                               ; preds = %19, %15
-  %22 = phi i32 [ %20, %19 ], [ 0, %15 ]
+42:                                               ; preds = %40, %36
+  %43 = phi i32 [ %41, %40 ], [ 0, %36 ]
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %4) #8
-  ret i32 %22
+  ret i32 %43
 }
 
 define internal fastcc i32 @motion_is_free(ptr nocapture noundef %0, ptr nocapture noundef readonly %1, ptr noundef %2) unnamed_addr #0 {
@@ -383,524 +421,627 @@ define internal fastcc i32 @motion_is_free(ptr nocapture noundef %0, ptr nocaptu
 
 19:                                               ; preds = %7, %3
   %20 = phi double [ 0.000000e+00, %3 ], [ %16, %7 ]
-  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
-  %22 = load double, ptr %21, align 8
-  %23 = fdiv double %20, %22
-  %24 = tail call double @llvm.ceil.f64(double %23)
-  %25 = fptosi double %24 to i64
-  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
-  %27 = load double, ptr %26, align 8
-  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
-  br label %43
+  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr inbounds double, ptr %22, i64 %24
+  %26 = load double, ptr %25, align 8
+  %27 = fdiv double %20, %26
+  %28 = tail call double @llvm.ceil.f64(double %27)
+  %29 = fptosi double %28 to i64
+  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  %31 = load ptr, ptr %30, align 8
+  %32 = getelementptr inbounds double, ptr %31, i64 %24
+  %33 = load double, ptr %32, align 8
+  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
+  br label %49
 
-29:                                               ; preds = %72
-  %30 = tail call i64 @llvm.smax.i64(i64 %25, i64 1)
-  %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
-  %32 = load i64, ptr %31, align 8
-  %33 = add nsw i64 %32, 1
-  store i64 %33, ptr %31, align 8
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %35 = load ptr, ptr %34, align 8
-  %36 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %37 = load ptr, ptr %36, align 8
-  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %39 = load double, ptr %38, align 8
-  %40 = fadd double %73, %39
-  %41 = tail call i32 %35(ptr noundef %37, ptr noundef %2, double noundef %40) #8
-  %42 = icmp eq i32 %41, 2
-  br i1 %42, label %74, label %80
+35:                                               ; preds = %78
+  %36 = tail call i64 @llvm.smax.i64(i64 %29, i64 1)
+  %37 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29
+  %38 = load i64, ptr %37, align 8
+  %39 = add nsw i64 %38, 1
+  store i64 %39, ptr %37, align 8
+  %40 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %43 = load ptr, ptr %42, align 8
+  %44 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %45 = load double, ptr %44, align 8
+  %46 = fadd double %79, %45
+  %47 = tail call i32 %41(ptr noundef %43, ptr noundef %2, double noundef %46) #8
+  %48 = icmp eq i32 %47, 2
+  br i1 %48, label %80, label %86
 
-43:                                               ; preds = %72, %19
-  %44 = phi i1 [ true, %19 ], [ false, %72 ]
-  %45 = phi i64 [ 0, %19 ], [ 1, %72 ]
-  %46 = phi double [ %27, %19 ], [ %73, %72 ]
-  %47 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i64 %45
-  %48 = load double, ptr %47, align 8
-  %49 = fcmp ogt double %46, %48
-  br i1 %49, label %50, label %72
+49:                                               ; preds = %78, %19
+  %50 = phi i1 [ true, %19 ], [ false, %78 ]
+  %51 = phi i64 [ 0, %19 ], [ 1, %78 ]
+  %52 = phi double [ %33, %19 ], [ %79, %78 ]
+  %53 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12, i64 %51
+  %54 = load double, ptr %53, align 8
+  %55 = fcmp ogt double %52, %54
+  br i1 %55, label %56, label %78
 
-50:                                               ; preds = %43
-  %51 = load double, ptr %28, align 8
-  %52 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %45
-  %53 = load ptr, ptr %52, align 8
-  br i1 %6, label %54, label %66
+56:                                               ; preds = %49
+  %57 = load double, ptr %34, align 8
+  %58 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %51
+  %59 = load ptr, ptr %58, align 8
+  br i1 %6, label %60, label %72
 
-54:                                               ; preds = %50, %54
-  %55 = phi i64 [ %64, %54 ], [ 0, %50 ]
-  %56 = phi double [ %63, %54 ], [ 0.000000e+00, %50 ]
-  %57 = getelementptr inbounds double, ptr %53, i64 %55
-  %58 = load double, ptr %57, align 8
-  %59 = getelementptr inbounds double, ptr %2, i64 %55
-  %60 = load double, ptr %59, align 8
-  %61 = fsub double %58, %60
-  %62 = fmul double %61, %61
-  %63 = fadd double %56, %62
-  %64 = add nuw nsw i64 %55, 1
-  %65 = icmp eq i64 %64, %5
-  br i1 %65, label %66, label %54
+60:                                               ; preds = %56, %60
+  %61 = phi i64 [ %70, %60 ], [ 0, %56 ]
+  %62 = phi double [ %69, %60 ], [ 0.000000e+00, %56 ]
+  %63 = getelementptr inbounds double, ptr %59, i64 %61
+  %64 = load double, ptr %63, align 8
+  %65 = getelementptr inbounds double, ptr %2, i64 %61
+  %66 = load double, ptr %65, align 8
+  %67 = fsub double %64, %66
+  %68 = fmul double %67, %67
+  %69 = fadd double %62, %68
+  %70 = add nuw nsw i64 %61, 1
+  %71 = icmp eq i64 %70, %5
+  br i1 %71, label %72, label %60
 
-66:                                               ; preds = %54, %50
-  %67 = phi double [ 0.000000e+00, %50 ], [ %63, %54 ]
-  %68 = tail call double @llvm.sqrt.f64(double %67)
-  %69 = fmul double %51, %68
-  %70 = fadd double %48, %69
-  %71 = tail call double @llvm.minnum.f64(double %46, double %70)
-  br label %72
+72:                                               ; preds = %60, %56
+  %73 = phi double [ 0.000000e+00, %56 ], [ %69, %60 ]
+  %74 = tail call double @llvm.sqrt.f64(double %73)
+  %75 = fmul double %57, %74
+  %76 = fadd double %54, %75
+  %77 = tail call double @llvm.minnum.f64(double %52, double %76)
+  br label %78
 
-72:                                               ; preds = %66, %43
-  %73 = phi double [ %71, %66 ], [ %46, %43 ]
-  br i1 %44, label %43, label %29
+78:                                               ; preds = %72, %49
+  %79 = phi double [ %77, %72 ], [ %52, %49 ]
+  br i1 %50, label %49, label %35
 
-74:                                               ; preds = %29
-  %75 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  %76 = load ptr, ptr %75, align 8
-  %77 = load double, ptr %38, align 8
-  %78 = fadd double %73, %77
-  %79 = tail call i32 %76(ptr noundef %2, double noundef %78) #8
-  br label %80
+80:                                               ; preds = %35
+  %81 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %82 = load ptr, ptr %81, align 8
+  %83 = load double, ptr %44, align 8
+  %84 = fadd double %79, %83
+  %85 = tail call i32 %82(ptr noundef %2, double noundef %84) #8
+  br label %86
 
-80:                                               ; preds = %29, %74
-  %81 = phi i32 [ %79, %74 ], [ %41, %29 ]
-  %82 = icmp eq i32 %81, 0
-  br i1 %82, label %83, label %173
+86:                                               ; preds = %35, %80
+  %87 = phi i32 [ %85, %80 ], [ %47, %35 ]
+  %88 = icmp eq i32 %87, 0
+  br i1 %88, label %89, label %182
 
-83:                                               ; preds = %80, %83
-  %84 = phi i64 [ %85, %83 ], [ 1, %80 ]
-  %85 = shl nsw i64 %84, 1
-  %86 = icmp slt i64 %85, %30
-  br i1 %86, label %83, label %87
+89:                                               ; preds = %86, %89
+  %90 = phi i64 [ %91, %89 ], [ 1, %86 ]
+  %91 = shl nsw i64 %90, 1
+  %92 = icmp slt i64 %91, %36
+  br i1 %92, label %89, label %93
 
-87:                                               ; preds = %83
-  %88 = icmp ugt i64 %30, 1
-  %89 = icmp sgt i64 %84, 0
-  %90 = select i1 %89, i1 %88, i1 false
-  br i1 %90, label %91, label %173
+93:                                               ; preds = %89
+  %94 = icmp ugt i64 %36, 1
+  %95 = icmp sgt i64 %90, 0
+  %96 = select i1 %95, i1 %94, i1 false
+  br i1 %96, label %97, label %182
 
-91:                                               ; preds = %87
-  %92 = sitofp i64 %30 to double
-  %93 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  br label %94
+97:                                               ; preds = %93
+  %98 = sitofp i64 %36 to double
+  %99 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  br label %100
 
-94:                                               ; preds = %91, %170
-  %95 = phi i64 [ %84, %91 ], [ %171, %170 ]
-  %96 = icmp slt i64 %95, %30
-  br i1 %96, label %97, label %170
+100:                                              ; preds = %97, %179
+  %101 = phi i64 [ %90, %97 ], [ %180, %179 ]
+  %102 = icmp slt i64 %101, %36
+  br i1 %102, label %103, label %179
 
-97:                                               ; preds = %94
-  %98 = shl nuw nsw i64 %95, 1
-  br label %99
+103:                                              ; preds = %100
+  %104 = shl nuw nsw i64 %101, 1
+  br label %105
 
-99:                                               ; preds = %97, %167
-  %100 = phi i64 [ %95, %97 ], [ %168, %167 ]
-  %101 = sitofp i64 %100 to double
-  %102 = fdiv double %101, %92
-  %103 = load i64, ptr %0, align 8
-  %104 = icmp sgt i64 %103, 0
-  br i1 %104, label %105, label %117
+105:                                              ; preds = %103, %176
+  %106 = phi i64 [ %101, %103 ], [ %177, %176 ]
+  %107 = sitofp i64 %106 to double
+  %108 = fdiv double %107, %98
+  %109 = load i64, ptr %0, align 8
+  %110 = icmp sgt i64 %109, 0
+  br i1 %110, label %111, label %123
 
-105:                                              ; preds = %99, %105
-  %106 = phi i64 [ %115, %105 ], [ 0, %99 ]
-  %107 = getelementptr inbounds double, ptr %1, i64 %106
-  %108 = load double, ptr %107, align 8
-  %109 = getelementptr inbounds double, ptr %2, i64 %106
-  %110 = load double, ptr %109, align 8
-  %111 = fsub double %110, %108
-  %112 = fmul double %102, %111
-  %113 = fadd double %108, %112
-  %114 = getelementptr inbounds double, ptr %4, i64 %106
-  store double %113, ptr %114, align 8
-  %115 = add nuw nsw i64 %106, 1
-  %116 = icmp eq i64 %115, %103
-  br i1 %116, label %117, label %105
+111:                                              ; preds = %105, %111
+  %112 = phi i64 [ %121, %111 ], [ 0, %105 ]
+  %113 = getelementptr inbounds double, ptr %1, i64 %112
+  %114 = load double, ptr %113, align 8
+  %115 = getelementptr inbounds double, ptr %2, i64 %112
+  %116 = load double, ptr %115, align 8
+  %117 = fsub double %116, %114
+  %118 = fmul double %108, %117
+  %119 = fadd double %114, %118
+  %120 = getelementptr inbounds double, ptr %4, i64 %112
+  store double %119, ptr %120, align 8
+  %121 = add nuw nsw i64 %112, 1
+  %122 = icmp eq i64 %121, %109
+  br i1 %122, label %123, label %111
 
-117:                                              ; preds = %105, %99
-  %118 = load double, ptr %26, align 8
-  br label %128
+123:                                              ; preds = %111, %105
+  %124 = load ptr, ptr %30, align 8
+  %125 = load i64, ptr %23, align 8
+  %126 = getelementptr inbounds double, ptr %124, i64 %125
+  %127 = load double, ptr %126, align 8
+  br label %137
 
-119:                                              ; preds = %157
-  %120 = load i64, ptr %31, align 8
-  %121 = add nsw i64 %120, 1
-  store i64 %121, ptr %31, align 8
-  %122 = load ptr, ptr %34, align 8
-  %123 = load ptr, ptr %36, align 8
-  %124 = load double, ptr %38, align 8
-  %125 = fadd double %158, %124
-  %126 = call i32 %122(ptr noundef %123, ptr noundef nonnull %4, double noundef %125) #8
-  %127 = icmp eq i32 %126, 2
-  br i1 %127, label %159, label %164
+128:                                              ; preds = %166
+  %129 = load i64, ptr %37, align 8
+  %130 = add nsw i64 %129, 1
+  store i64 %130, ptr %37, align 8
+  %131 = load ptr, ptr %40, align 8
+  %132 = load ptr, ptr %42, align 8
+  %133 = load double, ptr %44, align 8
+  %134 = fadd double %167, %133
+  %135 = call i32 %131(ptr noundef %132, ptr noundef nonnull %4, double noundef %134) #8
+  %136 = icmp eq i32 %135, 2
+  br i1 %136, label %168, label %173
 
-128:                                              ; preds = %157, %117
-  %129 = phi i1 [ true, %117 ], [ false, %157 ]
-  %130 = phi i64 [ 0, %117 ], [ 1, %157 ]
-  %131 = phi double [ %118, %117 ], [ %158, %157 ]
-  %132 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i64 %130
-  %133 = load double, ptr %132, align 8
-  %134 = fcmp ogt double %131, %133
-  br i1 %134, label %135, label %157
+137:                                              ; preds = %166, %123
+  %138 = phi i1 [ true, %123 ], [ false, %166 ]
+  %139 = phi i64 [ 0, %123 ], [ 1, %166 ]
+  %140 = phi double [ %127, %123 ], [ %167, %166 ]
+  %141 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12, i64 %139
+  %142 = load double, ptr %141, align 8
+  %143 = fcmp ogt double %140, %142
+  br i1 %143, label %144, label %166
 
-135:                                              ; preds = %128
-  %136 = load double, ptr %28, align 8
-  %137 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %130
-  %138 = load ptr, ptr %137, align 8
-  br i1 %104, label %139, label %151
+144:                                              ; preds = %137
+  %145 = load double, ptr %34, align 8
+  %146 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %139
+  %147 = load ptr, ptr %146, align 8
+  br i1 %110, label %148, label %160
 
-139:                                              ; preds = %135, %139
-  %140 = phi i64 [ %149, %139 ], [ 0, %135 ]
-  %141 = phi double [ %148, %139 ], [ 0.000000e+00, %135 ]
-  %142 = getelementptr inbounds double, ptr %138, i64 %140
-  %143 = load double, ptr %142, align 8
-  %144 = getelementptr inbounds double, ptr %4, i64 %140
-  %145 = load double, ptr %144, align 8
-  %146 = fsub double %143, %145
-  %147 = fmul double %146, %146
-  %148 = fadd double %141, %147
-  %149 = add nuw nsw i64 %140, 1
-  %150 = icmp eq i64 %149, %103
-  br i1 %150, label %151, label %139
+148:                                              ; preds = %144, %148
+  %149 = phi i64 [ %158, %148 ], [ 0, %144 ]
+  %150 = phi double [ %157, %148 ], [ 0.000000e+00, %144 ]
+  %151 = getelementptr inbounds double, ptr %147, i64 %149
+  %152 = load double, ptr %151, align 8
+  %153 = getelementptr inbounds double, ptr %4, i64 %149
+  %154 = load double, ptr %153, align 8
+  %155 = fsub double %152, %154
+  %156 = fmul double %155, %155
+  %157 = fadd double %150, %156
+  %158 = add nuw nsw i64 %149, 1
+  %159 = icmp eq i64 %158, %109
+  br i1 %159, label %160, label %148
 
-151:                                              ; preds = %139, %135
-  %152 = phi double [ 0.000000e+00, %135 ], [ %148, %139 ]
-  %153 = call double @llvm.sqrt.f64(double %152)
-  %154 = fmul double %136, %153
-  %155 = fadd double %133, %154
-  %156 = call double @llvm.minnum.f64(double %131, double %155)
-  br label %157
+160:                                              ; preds = %148, %144
+  %161 = phi double [ 0.000000e+00, %144 ], [ %157, %148 ]
+  %162 = call double @llvm.sqrt.f64(double %161)
+  %163 = fmul double %145, %162
+  %164 = fadd double %142, %163
+  %165 = call double @llvm.minnum.f64(double %140, double %164)
+  br label %166
 
-157:                                              ; preds = %151, %128
-  %158 = phi double [ %156, %151 ], [ %131, %128 ]
-  br i1 %129, label %128, label %119
+166:                                              ; preds = %160, %137
+  %167 = phi double [ %165, %160 ], [ %140, %137 ]
+  br i1 %138, label %137, label %128
 
-159:                                              ; preds = %119
-  %160 = load ptr, ptr %93, align 8
-  %161 = load double, ptr %38, align 8
-  %162 = fadd double %158, %161
-  %163 = call i32 %160(ptr noundef nonnull %4, double noundef %162) #8
-  br label %164
+168:                                              ; preds = %128
+  %169 = load ptr, ptr %99, align 8
+  %170 = load double, ptr %44, align 8
+  %171 = fadd double %167, %170
+  %172 = call i32 %169(ptr noundef nonnull %4, double noundef %171) #8
+  br label %173
 
-164:                                              ; preds = %119, %159
-  %165 = phi i32 [ %163, %159 ], [ %126, %119 ]
-  %166 = icmp eq i32 %165, 0
-  br i1 %166, label %167, label %173
+173:                                              ; preds = %128, %168
+  %174 = phi i32 [ %172, %168 ], [ %135, %128 ]
+  %175 = icmp eq i32 %174, 0
+  br i1 %175, label %176, label %182
 
-167:                                              ; preds = %164
-  %168 = add nsw i64 %100, %98
-  %169 = icmp slt i64 %168, %30
-  br i1 %169, label %99, label %170
+176:                                              ; preds = %173
+  %177 = add nsw i64 %106, %104
+  %178 = icmp slt i64 %177, %36
+  br i1 %178, label %105, label %179
 
-170:                                              ; preds = %167, %94
-  %171 = lshr i64 %95, 1
-  %172 = icmp ugt i64 %95, 1
-  br i1 %172, label %94, label %173
+179:                                              ; preds = %176, %100
+  %180 = lshr i64 %101, 1
+  %181 = icmp ugt i64 %101, 1
+  br i1 %181, label %100, label %182
 
-173:                                              ; preds = %170, %164, %87, %80
-  %174 = phi i32 [ 0, %80 ], [ 1, %87 ], [ 0, %164 ], [ 1, %170 ]
+182:                                              ; preds = %179, %173, %93, %86
+  %183 = phi i32 [ 0, %86 ], [ 1, %93 ], [ 0, %173 ], [ 1, %179 ]
   call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #8
-  ret i32 %174
+  ret i32 %183
 }
 
 define dso_local i32 @manipplan_connect(ptr nocapture noundef %0, i64 noundef %1) local_unnamed_addr #0 {
   %3 = alloca [64 x double], align 16
-  %4 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
+  %4 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29
   %5 = load i64, ptr %4, align 8
   %6 = add nsw i64 %5, %1
   %7 = icmp sgt i64 %1, 0
-  br i1 %7, label %8, label %221
+  br i1 %7, label %8, label %295
 
 8:                                                ; preds = %2
-  %9 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25
-  %10 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 18
-  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %12 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
-  %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %14 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %15 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23
-  %16 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 19
-  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
-  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
-  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 1
-  br label %20
+  %9 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  %10 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  %12 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %14 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
+  %15 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
+  %16 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
+  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26, i64 1
+  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 28
+  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21
+  %20 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23
+  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 1
+  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20
+  br label %26
 
-20:                                               ; preds = %8, %218
-  %21 = phi i64 [ %5, %8 ], [ %219, %218 ]
-  %22 = load i64, ptr %9, align 8
-  %23 = sub nsw i64 1, %22
+26:                                               ; preds = %8, %292
+  %27 = phi i64 [ %5, %8 ], [ %293, %292 ]
+  %28 = load i64, ptr %10, align 8
+  %29 = load i64, ptr %9, align 8
+  %30 = add nsw i64 %29, 1
+  %31 = icmp slt i64 %30, %28
+  br i1 %31, label %32, label %43
+
+32:                                               ; preds = %26
+  %33 = load ptr, ptr %11, align 8
+  br label %34
+
+34:                                               ; preds = %40, %32
+  %35 = phi i64 [ %30, %32 ], [ %41, %40 ]
+  %36 = phi i64 [ %29, %32 ], [ %35, %40 ]
+  %37 = getelementptr inbounds i64, ptr %33, i64 %36
+  %38 = load i64, ptr %37, align 8
+  %39 = icmp slt i64 %27, %38
+  br i1 %39, label %43, label %40
+
+40:                                               ; preds = %34
+  store i64 %35, ptr %9, align 8
+  %41 = add i64 %35, 1
+  %42 = icmp eq i64 %41, %28
+  br i1 %42, label %43, label %34
+
+43:                                               ; preds = %34, %40, %26
+  %44 = load i64, ptr %0, align 8
+  %45 = icmp sgt i64 %44, 0
+  br i1 %45, label %46, label %49
+
+46:                                               ; preds = %43
+  %47 = load ptr, ptr %12, align 8
+  %48 = load ptr, ptr %13, align 8
+  br label %60
+
+49:                                               ; preds = %60, %43
+  %50 = phi double [ 0.000000e+00, %43 ], [ %69, %60 ]
+  %51 = tail call double @llvm.sqrt.f64(double %50)
+  %52 = load double, ptr %14, align 8
+  %53 = fdiv double %51, %52
+  %54 = fptosi double %53 to i64
+  %55 = add nsw i64 %54, 3
+  %56 = load i64, ptr %15, align 8
+  %57 = add nsw i64 %55, %56
+  %58 = load i64, ptr %16, align 8
+  %59 = icmp sgt i64 %57, %58
+  br i1 %59, label %295, label %72
+
+60:                                               ; preds = %60, %46
+  %61 = phi double [ 0.000000e+00, %46 ], [ %69, %60 ]
+  %62 = phi i64 [ 0, %46 ], [ %70, %60 ]
+  %63 = getelementptr inbounds double, ptr %47, i64 %62
+  %64 = load double, ptr %63, align 8
+  %65 = getelementptr inbounds double, ptr %48, i64 %62
+  %66 = load double, ptr %65, align 8
+  %67 = fsub double %64, %66
+  %68 = fmul double %67, %67
+  %69 = fadd double %61, %68
+  %70 = add nuw nsw i64 %62, 1
+  %71 = icmp eq i64 %70, %44
+  br i1 %71, label %49, label %60
+
+72:                                               ; preds = %49
+  %73 = load i64, ptr %17, align 8
+  %74 = add nsw i64 %73, %55
+  %75 = icmp sgt i64 %74, %58
+  br i1 %75, label %295, label %76
+
+76:                                               ; preds = %72
+  %77 = load i64, ptr %18, align 8
+  %78 = sub nsw i64 1, %77
   call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %3) #8
-  %24 = load i64, ptr %10, align 8
-  %25 = add i64 %24, -7046029254386353131
-  store i64 %25, ptr %10, align 8
-  %26 = lshr i64 %25, 30
-  %27 = xor i64 %26, %25
-  %28 = mul i64 %27, -4658895280553007687
-  %29 = lshr i64 %28, 27
-  %30 = xor i64 %29, %28
-  %31 = mul i64 %30, -7723592293110705685
-  %32 = lshr i64 %31, 42
-  %33 = lshr i64 %31, 11
-  %34 = xor i64 %32, %33
-  %35 = uitofp i64 %34 to double
-  %36 = fmul double %35, 0x3CA0000000000000
-  %37 = fcmp olt double %36, 5.000000e-01
-  %38 = select i1 %37, ptr %11, ptr %12
-  %39 = load ptr, ptr %38, align 8
-  %40 = select i1 %37, ptr %13, ptr %14
-  %41 = load ptr, ptr %40, align 8
-  %42 = load i64, ptr %0, align 8
-  %43 = icmp sgt i64 %42, 0
-  br i1 %43, label %51, label %45
+  %79 = load i64, ptr %19, align 8
+  %80 = add i64 %79, -7046029254386353131
+  store i64 %80, ptr %19, align 8
+  %81 = lshr i64 %80, 30
+  %82 = xor i64 %81, %80
+  %83 = mul i64 %82, -4658895280553007687
+  %84 = lshr i64 %83, 27
+  %85 = xor i64 %84, %83
+  %86 = mul i64 %85, -7723592293110705685
+  %87 = lshr i64 %86, 42
+  %88 = lshr i64 %86, 11
+  %89 = xor i64 %87, %88
+  %90 = uitofp i64 %89 to double
+  %91 = fmul double %90, 0x3CA0000000000000
+  %92 = load double, ptr %20, align 8
+  %93 = fcmp olt double %91, %92
+  br i1 %93, label %94, label %109
 
-44:                                               ; preds = %51
-  store i64 %56, ptr %10, align 8
-  br label %45
+94:                                               ; preds = %76
+  %95 = load double, ptr %21, align 8
+  %96 = add i64 %79, 4354685564936845354
+  store i64 %96, ptr %19, align 8
+  %97 = lshr i64 %96, 30
+  %98 = xor i64 %97, %96
+  %99 = mul i64 %98, -4658895280553007687
+  %100 = lshr i64 %99, 27
+  %101 = xor i64 %100, %99
+  %102 = mul i64 %101, -7723592293110705685
+  %103 = lshr i64 %102, 42
+  %104 = lshr i64 %102, 11
+  %105 = xor i64 %103, %104
+  %106 = uitofp i64 %105 to double
+  %107 = fmul double %106, 0x3CA0000000000000
+  %108 = fmul double %107, %95
+  br label %109
 
-45:                                               ; preds = %44, %20
-  %46 = add nsw i64 %21, 1
-  store i64 %46, ptr %4, align 8
-  %47 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %22
-  %48 = load i64, ptr %47, align 8
-  %49 = load i64, ptr %16, align 8
-  %50 = icmp slt i64 %48, %49
-  br i1 %50, label %76, label %216
+109:                                              ; preds = %94, %76
+  %110 = phi i64 [ %96, %94 ], [ %80, %76 ]
+  %111 = phi double [ %108, %94 ], [ 0x7FF0000000000000, %76 ]
+  br i1 %45, label %112, label %153
 
-51:                                               ; preds = %20, %51
-  %52 = phi i64 [ %56, %51 ], [ %25, %20 ]
-  %53 = phi i64 [ %74, %51 ], [ 0, %20 ]
-  %54 = getelementptr inbounds double, ptr %39, i64 %53
-  %55 = load double, ptr %54, align 8
-  %56 = add i64 %52, -7046029254386353131
-  %57 = lshr i64 %56, 30
-  %58 = xor i64 %57, %56
-  %59 = mul i64 %58, -4658895280553007687
-  %60 = lshr i64 %59, 27
-  %61 = xor i64 %60, %59
-  %62 = mul i64 %61, -7723592293110705685
-  %63 = lshr i64 %62, 42
-  %64 = lshr i64 %62, 11
-  %65 = xor i64 %63, %64
-  %66 = uitofp i64 %65 to double
-  %67 = fmul double %66, 0x3CA0000000000000
-  %68 = getelementptr inbounds double, ptr %41, i64 %53
-  %69 = load double, ptr %68, align 8
-  %70 = fsub double %69, %55
-  %71 = fmul double %70, %67
-  %72 = fadd double %55, %71
-  %73 = getelementptr inbounds [64 x double], ptr %3, i64 0, i64 %53
-  store double %72, ptr %73, align 8
-  %74 = add nuw nsw i64 %53, 1
-  %75 = icmp eq i64 %74, %42
-  br i1 %75, label %44, label %51
+112:                                              ; preds = %109
+  %113 = load ptr, ptr %22, align 8
+  %114 = load ptr, ptr %23, align 8
+  %115 = load ptr, ptr %13, align 8
+  %116 = load ptr, ptr %12, align 8
+  br label %118
 
-76:                                               ; preds = %45
-  %77 = icmp sgt i64 %48, 0
-  br i1 %77, label %78, label %106
+117:                                              ; preds = %118
+  store i64 %135, ptr %19, align 8
+  br label %153
 
-78:                                               ; preds = %76
-  %79 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %22
-  %80 = load ptr, ptr %79, align 8
-  br label %81
+118:                                              ; preds = %118, %112
+  %119 = phi i64 [ %110, %112 ], [ %135, %118 ]
+  %120 = phi i64 [ 0, %112 ], [ %151, %118 ]
+  %121 = getelementptr inbounds double, ptr %113, i64 %120
+  %122 = load double, ptr %121, align 8
+  %123 = getelementptr inbounds double, ptr %114, i64 %120
+  %124 = load double, ptr %123, align 8
+  %125 = getelementptr inbounds double, ptr %115, i64 %120
+  %126 = load double, ptr %125, align 8
+  %127 = tail call double @llvm.minnum.f64(double %122, double %124)
+  %128 = fsub double %127, %111
+  %129 = tail call double @llvm.maxnum.f64(double %126, double %128)
+  %130 = getelementptr inbounds double, ptr %116, i64 %120
+  %131 = load double, ptr %130, align 8
+  %132 = tail call double @llvm.maxnum.f64(double %122, double %124)
+  %133 = fadd double %111, %132
+  %134 = tail call double @llvm.minnum.f64(double %131, double %133)
+  %135 = add i64 %119, -7046029254386353131
+  %136 = lshr i64 %135, 30
+  %137 = xor i64 %136, %135
+  %138 = mul i64 %137, -4658895280553007687
+  %139 = lshr i64 %138, 27
+  %140 = xor i64 %139, %138
+  %141 = mul i64 %140, -7723592293110705685
+  %142 = lshr i64 %141, 42
+  %143 = lshr i64 %141, 11
+  %144 = xor i64 %142, %143
+  %145 = uitofp i64 %144 to double
+  %146 = fmul double %145, 0x3CA0000000000000
+  %147 = fsub double %134, %129
+  %148 = fmul double %147, %146
+  %149 = fadd double %129, %148
+  %150 = getelementptr inbounds double, ptr %3, i64 %120
+  store double %149, ptr %150, align 8
+  %151 = add nuw nsw i64 %120, 1
+  %152 = icmp eq i64 %151, %44
+  br i1 %152, label %117, label %118
 
-81:                                               ; preds = %87, %78
-  %82 = phi i64 [ 0, %78 ], [ %91, %87 ]
-  %83 = phi i64 [ 0, %78 ], [ %92, %87 ]
-  %84 = phi double [ 0x7FF0000000000000, %78 ], [ %90, %87 ]
-  %85 = mul nsw i64 %83, %42
-  %86 = getelementptr inbounds double, ptr %80, i64 %85
-  br i1 %43, label %94, label %87
+153:                                              ; preds = %109, %117
+  %154 = add nsw i64 %27, 1
+  store i64 %154, ptr %4, align 8
+  %155 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26, i64 %77
+  %156 = load i64, ptr %155, align 8
+  %157 = icmp sgt i64 %156, 0
+  br i1 %157, label %158, label %186
 
-87:                                               ; preds = %94, %81
-  %88 = phi double [ 0.000000e+00, %81 ], [ %103, %94 ]
-  %89 = fcmp olt double %88, %84
-  %90 = select i1 %89, double %88, double %84
-  %91 = select i1 %89, i64 %83, i64 %82
-  %92 = add nuw nsw i64 %83, 1
-  %93 = icmp eq i64 %92, %48
-  br i1 %93, label %106, label %81
+158:                                              ; preds = %153
+  %159 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %77
+  %160 = load ptr, ptr %159, align 8
+  br label %161
 
-94:                                               ; preds = %81, %94
-  %95 = phi i64 [ %104, %94 ], [ 0, %81 ]
-  %96 = phi double [ %103, %94 ], [ 0.000000e+00, %81 ]
-  %97 = getelementptr inbounds double, ptr %3, i64 %95
-  %98 = load double, ptr %97, align 8
-  %99 = getelementptr inbounds double, ptr %86, i64 %95
-  %100 = load double, ptr %99, align 8
-  %101 = fsub double %98, %100
-  %102 = fmul double %101, %101
-  %103 = fadd double %96, %102
-  %104 = add nuw nsw i64 %95, 1
-  %105 = icmp eq i64 %104, %42
-  br i1 %105, label %87, label %94
+161:                                              ; preds = %167, %158
+  %162 = phi i64 [ 0, %158 ], [ %171, %167 ]
+  %163 = phi i64 [ 0, %158 ], [ %172, %167 ]
+  %164 = phi double [ 0x7FF0000000000000, %158 ], [ %170, %167 ]
+  %165 = mul nsw i64 %163, %44
+  %166 = getelementptr inbounds double, ptr %160, i64 %165
+  br i1 %45, label %174, label %167
 
-106:                                              ; preds = %87, %76
-  %107 = phi i64 [ 0, %76 ], [ %91, %87 ]
-  %108 = call fastcc i64 @extend(ptr noundef nonnull %0, i64 noundef %22, i64 noundef %107, ptr noundef nonnull %3)
-  %109 = icmp slt i64 %108, 0
-  br i1 %109, label %218, label %110
+167:                                              ; preds = %174, %161
+  %168 = phi double [ 0.000000e+00, %161 ], [ %183, %174 ]
+  %169 = fcmp olt double %168, %164
+  %170 = select i1 %169, double %168, double %164
+  %171 = select i1 %169, i64 %163, i64 %162
+  %172 = add nuw nsw i64 %163, 1
+  %173 = icmp eq i64 %172, %156
+  br i1 %173, label %186, label %161
 
-110:                                              ; preds = %106
-  %111 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %22
-  %112 = load ptr, ptr %111, align 8
-  %113 = load i64, ptr %0, align 8
-  %114 = mul nsw i64 %113, %108
-  %115 = getelementptr inbounds double, ptr %112, i64 %114
-  %116 = shl i64 %113, 3
-  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 16 %3, ptr align 8 %115, i64 %116, i1 false)
-  %117 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %23
-  %118 = load i64, ptr %117, align 8
-  %119 = icmp sgt i64 %118, 0
-  br i1 %119, label %120, label %151
+174:                                              ; preds = %161, %174
+  %175 = phi i64 [ %184, %174 ], [ 0, %161 ]
+  %176 = phi double [ %183, %174 ], [ 0.000000e+00, %161 ]
+  %177 = getelementptr inbounds double, ptr %3, i64 %175
+  %178 = load double, ptr %177, align 8
+  %179 = getelementptr inbounds double, ptr %166, i64 %175
+  %180 = load double, ptr %179, align 8
+  %181 = fsub double %178, %180
+  %182 = fmul double %181, %181
+  %183 = fadd double %176, %182
+  %184 = add nuw nsw i64 %175, 1
+  %185 = icmp eq i64 %184, %44
+  br i1 %185, label %167, label %174
 
-120:                                              ; preds = %110
-  %121 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %23
-  %122 = load ptr, ptr %121, align 8
-  %123 = icmp sgt i64 %113, 0
-  br label %124
+186:                                              ; preds = %167, %153
+  %187 = phi i64 [ 0, %153 ], [ %171, %167 ]
+  %188 = call fastcc i64 @extend(ptr noundef nonnull %0, i64 noundef %77, i64 noundef %187, ptr noundef nonnull %3)
+  %189 = icmp slt i64 %188, 0
+  br i1 %189, label %292, label %190
 
-124:                                              ; preds = %130, %120
-  %125 = phi i64 [ 0, %120 ], [ %134, %130 ]
-  %126 = phi i64 [ 0, %120 ], [ %135, %130 ]
-  %127 = phi double [ 0x7FF0000000000000, %120 ], [ %133, %130 ]
-  %128 = mul nsw i64 %126, %113
-  %129 = getelementptr inbounds double, ptr %122, i64 %128
-  br i1 %123, label %137, label %130
+190:                                              ; preds = %186
+  %191 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %77
+  %192 = load ptr, ptr %191, align 8
+  %193 = load i64, ptr %0, align 8
+  %194 = mul nsw i64 %193, %188
+  %195 = getelementptr inbounds double, ptr %192, i64 %194
+  %196 = shl i64 %193, 3
+  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 16 %3, ptr align 8 %195, i64 %196, i1 false)
+  %197 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26, i64 %78
+  %198 = load i64, ptr %197, align 8
+  %199 = icmp sgt i64 %198, 0
+  br i1 %199, label %200, label %231
 
-130:                                              ; preds = %137, %124
-  %131 = phi double [ 0.000000e+00, %124 ], [ %146, %137 ]
-  %132 = fcmp olt double %131, %127
-  %133 = select i1 %132, double %131, double %127
-  %134 = select i1 %132, i64 %126, i64 %125
-  %135 = add nuw nsw i64 %126, 1
-  %136 = icmp eq i64 %135, %118
-  br i1 %136, label %149, label %124
+200:                                              ; preds = %190
+  %201 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %78
+  %202 = load ptr, ptr %201, align 8
+  %203 = icmp sgt i64 %193, 0
+  br label %204
 
-137:                                              ; preds = %124, %137
-  %138 = phi i64 [ %147, %137 ], [ 0, %124 ]
-  %139 = phi double [ %146, %137 ], [ 0.000000e+00, %124 ]
-  %140 = getelementptr inbounds double, ptr %3, i64 %138
-  %141 = load double, ptr %140, align 8
-  %142 = getelementptr inbounds double, ptr %129, i64 %138
-  %143 = load double, ptr %142, align 8
-  %144 = fsub double %141, %143
-  %145 = fmul double %144, %144
-  %146 = fadd double %139, %145
-  %147 = add nuw nsw i64 %138, 1
-  %148 = icmp eq i64 %147, %113
-  br i1 %148, label %130, label %137
+204:                                              ; preds = %210, %200
+  %205 = phi i64 [ 0, %200 ], [ %214, %210 ]
+  %206 = phi i64 [ 0, %200 ], [ %215, %210 ]
+  %207 = phi double [ 0x7FF0000000000000, %200 ], [ %213, %210 ]
+  %208 = mul nsw i64 %206, %193
+  %209 = getelementptr inbounds double, ptr %202, i64 %208
+  br i1 %203, label %217, label %210
 
-149:                                              ; preds = %130
-  %150 = icmp sgt i64 %134, -1
-  br i1 %150, label %151, label %211
+210:                                              ; preds = %217, %204
+  %211 = phi double [ 0.000000e+00, %204 ], [ %226, %217 ]
+  %212 = fcmp olt double %211, %207
+  %213 = select i1 %212, double %211, double %207
+  %214 = select i1 %212, i64 %206, i64 %205
+  %215 = add nuw nsw i64 %206, 1
+  %216 = icmp eq i64 %215, %198
+  br i1 %216, label %229, label %204
 
-151:                                              ; preds = %110, %149
-  %152 = phi i64 [ %134, %149 ], [ 0, %110 ]
-  %153 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %23
-  br label %154
+217:                                              ; preds = %204, %217
+  %218 = phi i64 [ %227, %217 ], [ 0, %204 ]
+  %219 = phi double [ %226, %217 ], [ 0.000000e+00, %204 ]
+  %220 = getelementptr inbounds double, ptr %3, i64 %218
+  %221 = load double, ptr %220, align 8
+  %222 = getelementptr inbounds double, ptr %209, i64 %218
+  %223 = load double, ptr %222, align 8
+  %224 = fsub double %221, %223
+  %225 = fmul double %224, %224
+  %226 = fadd double %219, %225
+  %227 = add nuw nsw i64 %218, 1
+  %228 = icmp eq i64 %227, %193
+  br i1 %228, label %210, label %217
 
-154:                                              ; preds = %151, %208
-  %155 = phi i64 [ %152, %151 ], [ %209, %208 ]
-  %156 = load ptr, ptr %153, align 8
-  %157 = load i64, ptr %0, align 8
-  %158 = mul nsw i64 %157, %155
-  %159 = getelementptr inbounds double, ptr %156, i64 %158
-  %160 = shl i64 %157, 3
-  %161 = call i32 @bcmp(ptr %159, ptr nonnull %3, i64 %160)
-  %162 = icmp eq i32 %161, 0
-  br i1 %162, label %163, label %204
+229:                                              ; preds = %210
+  %230 = icmp sgt i64 %214, -1
+  br i1 %230, label %231, label %287
 
-163:                                              ; preds = %154
-  %164 = load i64, ptr %17, align 8
-  %165 = icmp eq i64 %164, 0
-  br i1 %165, label %201, label %166
+231:                                              ; preds = %190, %229
+  %232 = phi i64 [ %214, %229 ], [ 0, %190 ]
+  %233 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %78
+  br label %234
 
-166:                                              ; preds = %163
-  %167 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 %23
-  %168 = load ptr, ptr %167, align 8
-  %169 = getelementptr inbounds %struct.Side, ptr %168, i64 %155
-  %170 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 %22
-  %171 = load ptr, ptr %170, align 8
-  %172 = getelementptr inbounds %struct.Side, ptr %171, i64 %108
-  %173 = getelementptr inbounds %struct.Side, ptr %171, i64 %108, i32 2
-  %174 = load i64, ptr %173, align 8
-  %175 = getelementptr inbounds %struct.Side, ptr %168, i64 %155, i32 2
-  %176 = load i64, ptr %175, align 8
-  %177 = add nsw i64 %176, %174
-  %178 = load i8, ptr %172, align 8
-  %179 = load i8, ptr %169, align 8
-  %180 = xor i8 %179, %178
-  %181 = getelementptr inbounds %struct.Side, ptr %171, i64 %108, i32 1
-  %182 = load i8, ptr %181, align 1
-  %183 = and i8 %180, %182
-  %184 = getelementptr inbounds %struct.Side, ptr %168, i64 %155, i32 1
-  %185 = load i8, ptr %184, align 1
-  %186 = and i8 %183, %185
-  %187 = icmp eq i8 %186, 0
-  br i1 %187, label %195, label %188
+234:                                              ; preds = %231, %284
+  %235 = phi i64 [ %232, %231 ], [ %285, %284 ]
+  %236 = load ptr, ptr %233, align 8
+  %237 = load i64, ptr %0, align 8
+  %238 = mul nsw i64 %237, %235
+  %239 = getelementptr inbounds double, ptr %236, i64 %238
+  %240 = shl i64 %237, 3
+  %241 = call i32 @bcmp(ptr %239, ptr nonnull %3, i64 %240)
+  %242 = icmp eq i32 %241, 0
+  br i1 %242, label %243, label %284
 
-188:                                              ; preds = %166, %188
-  %189 = phi i32 [ %191, %188 ], [ 0, %166 ]
-  %190 = phi i8 [ %193, %188 ], [ %186, %166 ]
-  %191 = add nuw nsw i32 %189, 1
-  %192 = add i8 %190, -1
-  %193 = and i8 %192, %190
-  %194 = icmp eq i8 %193, 0
-  br i1 %194, label %195, label %188
+243:                                              ; preds = %234
+  %244 = load i64, ptr %24, align 8
+  %245 = icmp eq i64 %244, 0
+  br i1 %245, label %281, label %246
 
-195:                                              ; preds = %188, %166
-  %196 = phi i32 [ 0, %166 ], [ %191, %188 ]
-  %197 = sext i32 %196 to i64
-  %198 = add nsw i64 %177, %197
-  %199 = load i64, ptr %18, align 8
-  %200 = icmp sgt i64 %198, %199
-  br i1 %200, label %211, label %201
+246:                                              ; preds = %243
+  %247 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25, i64 %78
+  %248 = load ptr, ptr %247, align 8
+  %249 = getelementptr inbounds %struct.Side, ptr %248, i64 %235
+  %250 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25, i64 %77
+  %251 = load ptr, ptr %250, align 8
+  %252 = getelementptr inbounds %struct.Side, ptr %251, i64 %188
+  %253 = getelementptr inbounds %struct.Side, ptr %251, i64 %188, i32 2
+  %254 = load i64, ptr %253, align 8
+  %255 = getelementptr inbounds %struct.Side, ptr %248, i64 %235, i32 2
+  %256 = load i64, ptr %255, align 8
+  %257 = add nsw i64 %256, %254
+  %258 = load i8, ptr %252, align 8
+  %259 = load i8, ptr %249, align 8
+  %260 = xor i8 %259, %258
+  %261 = getelementptr inbounds %struct.Side, ptr %251, i64 %188, i32 1
+  %262 = load i8, ptr %261, align 1
+  %263 = and i8 %260, %262
+  %264 = getelementptr inbounds %struct.Side, ptr %248, i64 %235, i32 1
+  %265 = load i8, ptr %264, align 1
+  %266 = and i8 %263, %265
+  %267 = icmp eq i8 %266, 0
+  br i1 %267, label %275, label %268
 
-201:                                              ; preds = %195, %163
-  %202 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24, i64 %22
-  store i64 %108, ptr %202, align 8
-  %203 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24, i64 %23
-  store i64 %155, ptr %203, align 8
-  br label %216
+268:                                              ; preds = %246, %268
+  %269 = phi i32 [ %271, %268 ], [ 0, %246 ]
+  %270 = phi i8 [ %273, %268 ], [ %266, %246 ]
+  %271 = add nuw nsw i32 %269, 1
+  %272 = add i8 %270, -1
+  %273 = and i8 %272, %270
+  %274 = icmp eq i8 %273, 0
+  br i1 %274, label %275, label %268
 
-204:                                              ; preds = %154
-  %205 = load i64, ptr %117, align 8
-  %206 = load i64, ptr %16, align 8
-  %207 = icmp slt i64 %205, %206
-  br i1 %207, label %208, label %216
+275:                                              ; preds = %268, %246
+  %276 = phi i32 [ 0, %246 ], [ %271, %268 ]
+  %277 = sext i32 %276 to i64
+  %278 = add nsw i64 %257, %277
+  %279 = load i64, ptr %25, align 8
+  %280 = icmp sgt i64 %278, %279
+  br i1 %280, label %287, label %281
 
-208:                                              ; preds = %204
-  %209 = call fastcc i64 @extend(ptr noundef nonnull %0, i64 noundef %23, i64 noundef %155, ptr noundef nonnull %3)
-  %210 = icmp sgt i64 %209, -1
-  br i1 %210, label %154, label %211
-
-211:                                              ; preds = %208, %149, %195
-  %212 = load i64, ptr %15, align 8
-  %213 = load i64, ptr %19, align 8
-  %214 = icmp sgt i64 %212, %213
-  %215 = zext i1 %214 to i64
-  store i64 %215, ptr %9, align 8
-  br label %218
-
-216:                                              ; preds = %45, %204, %201
-  %217 = phi i32 [ 1, %201 ], [ 2, %204 ], [ 2, %45 ]
+281:                                              ; preds = %275, %243
+  %282 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %77
+  store i64 %188, ptr %282, align 8
+  %283 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %78
+  store i64 %235, ptr %283, align 8
   call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %3) #8
-  br label %221
+  br label %295
 
-218:                                              ; preds = %211, %106
+284:                                              ; preds = %234
+  %285 = call fastcc i64 @extend(ptr noundef nonnull %0, i64 noundef %78, i64 noundef %235, ptr noundef nonnull %3)
+  %286 = icmp sgt i64 %285, -1
+  br i1 %286, label %234, label %287
+
+287:                                              ; preds = %284, %229, %275
+  %288 = load i64, ptr %15, align 8
+  %289 = load i64, ptr %17, align 8
+  %290 = icmp sgt i64 %288, %289
+  %291 = zext i1 %290 to i64
+  store i64 %291, ptr %18, align 8
+  br label %292
+
+292:                                              ; preds = %186, %287
   call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %3) #8
-  %219 = load i64, ptr %4, align 8
-  %220 = icmp slt i64 %219, %6
-  br i1 %220, label %20, label %221
+  %293 = load i64, ptr %4, align 8
+  %294 = icmp slt i64 %293, %6
+  br i1 %294, label %26, label %295
 
-221:                                              ; preds = %218, %2, %216
-  %222 = phi i32 [ %217, %216 ], [ 0, %2 ], [ 0, %218 ]
-  ret i32 %222
+295:                                              ; preds = %72, %292, %49, %2, %281
+  %296 = phi i32 [ 1, %281 ], [ 0, %2 ], [ 2, %72 ], [ 0, %292 ], [ 2, %49 ]
+  ret i32 %296
 }
 
 define internal fastcc i64 @extend(ptr nocapture noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #0 {
   %5 = alloca %struct.Side, align 8
-  %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %1
+  %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %1
   %7 = load ptr, ptr %6, align 8
   %8 = load i64, ptr %0, align 8
   %9 = mul nsw i64 %8, %2
   %10 = getelementptr inbounds double, ptr %7, i64 %9
-  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %1
+  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26, i64 %1
   %12 = load i64, ptr %11, align 8
   %13 = mul nsw i64 %12, %8
   %14 = getelementptr inbounds double, ptr %7, i64 %13
@@ -923,13 +1064,13 @@ define internal fastcc i64 @extend(ptr nocapture noundef %0, i64 noundef %1, i64
 
 28:                                               ; preds = %16
   %29 = tail call double @llvm.sqrt.f64(double %25)
-  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
+  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
   %31 = load double, ptr %30, align 8
   %32 = fcmp ogt double %29, %31
   br i1 %32, label %37, label %51
 
 33:                                               ; preds = %4
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
+  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
   %35 = load double, ptr %34, align 8
   %36 = fcmp olt double %35, 0.000000e+00
   br i1 %36, label %53, label %51
@@ -960,18 +1101,18 @@ define internal fastcc i64 @extend(ptr nocapture noundef %0, i64 noundef %1, i64
 
 53:                                               ; preds = %39, %33, %51
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %5) #8
-  %54 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 %1
+  %54 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25, i64 %1
   %55 = load ptr, ptr %54, align 8
   %56 = getelementptr inbounds %struct.Side, ptr %55, i64 %2
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %5, ptr noundef nonnull align 8 dereferenceable(16) %56, i64 16, i1 false)
-  %57 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  %57 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
   %58 = load i64, ptr %57, align 8
   %59 = icmp eq i64 %58, 0
   br i1 %59, label %66, label %60
 
 60:                                               ; preds = %53
   %61 = sub nsw i64 1, %1
-  %62 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 %61
+  %62 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25, i64 %61
   %63 = load ptr, ptr %62, align 8
   %64 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %10, ptr noundef %14, ptr noundef nonnull %5, ptr noundef %63)
   %65 = icmp eq i32 %64, 0
@@ -983,7 +1124,7 @@ define internal fastcc i64 @extend(ptr nocapture noundef %0, i64 noundef %1, i64
   br i1 %68, label %77, label %69
 
 69:                                               ; preds = %66
-  %70 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21, i64 %1
+  %70 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24, i64 %1
   %71 = load ptr, ptr %70, align 8
   %72 = getelementptr inbounds i64, ptr %71, i64 %12
   store i64 %2, ptr %72, align 8
@@ -1018,13 +1159,13 @@ define dso_local i64 @manipplan_way(ptr nocapture noundef readonly %0, ptr nound
   %11 = phi i64 [ 0, %2 ], [ 1, %20 ]
   %12 = getelementptr inbounds [2 x i64], ptr %3, i64 0, i64 %11
   store i64 0, ptr %12, align 8
-  %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24, i64 %11
+  %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %11
   %14 = load i64, ptr %13, align 8
   %15 = icmp sgt i64 %14, -1
   br i1 %15, label %16, label %20
 
 16:                                               ; preds = %9
-  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21, i64 %11
+  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24, i64 %11
   %18 = load ptr, ptr %17, align 8
   br label %21
 
@@ -1045,20 +1186,20 @@ define dso_local i64 @manipplan_way(ptr nocapture noundef readonly %0, ptr nound
   br i1 %27, label %21, label %19
 
 28:                                               ; preds = %4
-  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24
+  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27
   %30 = load i64, ptr %29, align 8
   %31 = icmp sgt i64 %30, -1
   br i1 %31, label %32, label %35
 
 32:                                               ; preds = %28
-  %33 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21
+  %33 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23
+  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24
   br label %45
 
 35:                                               ; preds = %45, %28
-  %36 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21, i64 1
+  %36 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24, i64 1
   %37 = load ptr, ptr %36, align 8
-  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24, i64 1
+  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 1
   %39 = load i64, ptr %38, align 8
   %40 = getelementptr inbounds i64, ptr %37, i64 %39
   %41 = load i64, ptr %40, align 8
@@ -1066,7 +1207,7 @@ define dso_local i64 @manipplan_way(ptr nocapture noundef readonly %0, ptr nound
   br i1 %42, label %43, label %75
 
 43:                                               ; preds = %35
-  %44 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 1
+  %44 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 1
   br label %60
 
 45:                                               ; preds = %32, %45
@@ -1114,477 +1255,564 @@ define dso_local i64 @manipplan_way(ptr nocapture noundef readonly %0, ptr nound
 
 define dso_local i64 @manipplan_skip(ptr nocapture noundef %0, ptr noundef %1, ptr nocapture noundef %2, i64 noundef %3) local_unnamed_addr #0 {
   %5 = alloca %struct.Side, align 8
-  %6 = load i64, ptr %0, align 8
-  %7 = shl i64 %6, 3
-  %8 = icmp sgt i64 %3, 2
-  br i1 %8, label %9, label %21
+  %6 = alloca %struct.Side, align 8
+  %7 = alloca %struct.Side, align 8
+  %8 = load i64, ptr %0, align 8
+  %9 = shl i64 %8, 3
+  %10 = icmp sgt i64 %3, 2
+  br i1 %10, label %11, label %24
 
-9:                                                ; preds = %4
-  %10 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
-  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
-  %12 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 1
-  br label %13
+11:                                               ; preds = %4
+  %12 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %13 = getelementptr inbounds %struct.Side, ptr %6, i64 0, i32 2
+  %14 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25
+  %15 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25, i64 1
+  br label %16
 
-13:                                               ; preds = %9, %70
-  %14 = phi i64 [ 0, %9 ], [ %16, %70 ]
-  %15 = phi i64 [ %3, %9 ], [ %71, %70 ]
-  %16 = add nuw nsw i64 %14, 1
-  %17 = add nsw i64 %15, -1
-  %18 = icmp sgt i64 %17, %16
-  br i1 %18, label %19, label %70
+16:                                               ; preds = %11, %92
+  %17 = phi i64 [ 0, %11 ], [ %19, %92 ]
+  %18 = phi i64 [ %3, %11 ], [ %93, %92 ]
+  %19 = add nuw nsw i64 %17, 1
+  %20 = add nsw i64 %18, -1
+  %21 = icmp sgt i64 %20, %19
+  br i1 %21, label %22, label %92
 
-19:                                               ; preds = %13
-  %20 = mul i64 %16, %7
-  br label %23
+22:                                               ; preds = %16
+  %23 = mul i64 %19, %9
+  br label %26
 
-21:                                               ; preds = %70, %4
-  %22 = phi i64 [ %3, %4 ], [ %71, %70 ]
-  ret i64 %22
+24:                                               ; preds = %92, %4
+  %25 = phi i64 [ %3, %4 ], [ %93, %92 ]
+  ret i64 %25
 
-23:                                               ; preds = %19, %67
-  %24 = phi i64 [ %17, %19 ], [ %68, %67 ]
-  %25 = load i64, ptr %0, align 8
-  %26 = mul nsw i64 %25, %14
-  %27 = getelementptr inbounds double, ptr %1, i64 %26
-  %28 = mul nsw i64 %25, %24
-  %29 = getelementptr inbounds double, ptr %1, i64 %28
-  %30 = tail call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef %27, ptr noundef %29)
-  %31 = icmp eq i32 %30, 0
-  br i1 %31, label %67, label %32
-
-32:                                               ; preds = %23
-  tail call void @llvm.memcpy.p0.p0.i64(ptr align 8 %2, ptr align 8 %1, i64 %20, i1 false)
-  %33 = load i64, ptr %0, align 8
-  %34 = mul nsw i64 %33, %16
-  %35 = getelementptr inbounds double, ptr %2, i64 %34
-  %36 = mul nsw i64 %33, %24
+26:                                               ; preds = %22, %89
+  %27 = phi i64 [ %20, %22 ], [ %90, %89 ]
+  tail call void @llvm.memcpy.p0.p0.i64(ptr align 8 %2, ptr align 8 %1, i64 %23, i1 false)
+  %28 = load i64, ptr %0, align 8
+  %29 = mul nsw i64 %28, %19
+  %30 = getelementptr inbounds double, ptr %2, i64 %29
+  %31 = mul nsw i64 %28, %27
+  %32 = getelementptr inbounds double, ptr %1, i64 %31
+  %33 = sub nsw i64 %18, %27
+  %34 = mul i64 %33, %9
+  tail call void @llvm.memcpy.p0.p0.i64(ptr align 8 %30, ptr align 8 %32, i64 %34, i1 false)
+  %35 = load i64, ptr %0, align 8
+  %36 = mul nsw i64 %35, %17
   %37 = getelementptr inbounds double, ptr %1, i64 %36
-  %38 = sub nsw i64 %15, %24
-  %39 = mul i64 %38, %7
-  tail call void @llvm.memcpy.p0.p0.i64(ptr align 8 %35, ptr align 8 %37, i64 %39, i1 false)
-  %40 = add nuw nsw i64 %38, %14
+  %38 = mul nsw i64 %35, %27
+  %39 = getelementptr inbounds double, ptr %1, i64 %38
+  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %6) #8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %6, i8 0, i64 16, i1 false)
+  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %7) #8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %7, i8 0, i64 16, i1 false)
+  %40 = load i64, ptr %12, align 8
+  %41 = icmp eq i64 %40, 0
+  br i1 %41, label %42, label %43
+
+42:                                               ; preds = %26
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %6) #8
+  br label %77
+
+43:                                               ; preds = %26
+  %44 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %37, ptr noundef %37, ptr noundef nonnull %6, ptr noundef nonnull %7)
+  %45 = icmp eq i32 %44, 0
+  br i1 %45, label %49, label %46
+
+46:                                               ; preds = %43
+  %47 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %37, ptr noundef %39, ptr noundef nonnull %6, ptr noundef nonnull %7)
+  %48 = icmp eq i32 %47, 0
+  br i1 %48, label %49, label %50
+
+49:                                               ; preds = %46, %43
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %6) #8
+  br label %53
+
+50:                                               ; preds = %46
+  %51 = load i64, ptr %13, align 8
+  %52 = icmp eq i64 %51, 0
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %6) #8
+  br i1 %52, label %77, label %53
+
+53:                                               ; preds = %49, %50
+  %54 = add nuw nsw i64 %33, %17
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %5) #8
-  %41 = load ptr, ptr %10, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %5, ptr noundef nonnull align 8 dereferenceable(16) %41, i64 16, i1 false)
-  %42 = load i64, ptr %11, align 8
-  %43 = icmp eq i64 %42, 0
-  br i1 %43, label %44, label %45
+  %55 = load ptr, ptr %14, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %5, ptr noundef nonnull align 8 dereferenceable(16) %55, i64 16, i1 false)
+  %56 = load i64, ptr %12, align 8
+  %57 = icmp eq i64 %56, 0
+  br i1 %57, label %58, label %59
 
-44:                                               ; preds = %32
+58:                                               ; preds = %53
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %5) #8
-  br label %63
+  br label %77
 
-45:                                               ; preds = %32
-  %46 = tail call i64 @llvm.smax.i64(i64 %40, i64 0)
-  br label %47
+59:                                               ; preds = %53
+  %60 = tail call i64 @llvm.smax.i64(i64 %54, i64 0)
+  br label %61
 
-47:                                               ; preds = %51, %45
-  %48 = phi i64 [ %52, %51 ], [ 0, %45 ]
-  %49 = icmp eq i64 %48, %46
-  br i1 %49, label %50, label %51
+61:                                               ; preds = %65, %59
+  %62 = phi i64 [ %66, %65 ], [ 0, %59 ]
+  %63 = icmp eq i64 %62, %60
+  br i1 %63, label %64, label %65
 
-50:                                               ; preds = %47
+64:                                               ; preds = %61
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %5) #8
-  br label %63
+  br label %77
 
-51:                                               ; preds = %47
-  %52 = add nuw nsw i64 %48, 1
-  %53 = load i64, ptr %0, align 8
-  %54 = mul nsw i64 %53, %48
-  %55 = getelementptr inbounds double, ptr %2, i64 %54
-  %56 = mul nsw i64 %53, %52
-  %57 = getelementptr inbounds double, ptr %2, i64 %56
-  %58 = load ptr, ptr %12, align 8
-  %59 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %55, ptr noundef %57, ptr noundef nonnull %5, ptr noundef %58)
-  %60 = icmp eq i32 %59, 0
-  br i1 %60, label %61, label %47
+65:                                               ; preds = %61
+  %66 = add nuw nsw i64 %62, 1
+  %67 = load i64, ptr %0, align 8
+  %68 = mul nsw i64 %67, %62
+  %69 = getelementptr inbounds double, ptr %2, i64 %68
+  %70 = mul nsw i64 %67, %66
+  %71 = getelementptr inbounds double, ptr %2, i64 %70
+  %72 = load ptr, ptr %15, align 8
+  %73 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %69, ptr noundef %71, ptr noundef nonnull %5, ptr noundef %72)
+  %74 = icmp eq i32 %73, 0
+  br i1 %74, label %75, label %61
 
-61:                                               ; preds = %51
-  %62 = icmp slt i64 %48, %40
+75:                                               ; preds = %65
+  %76 = icmp slt i64 %62, %54
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %5) #8
-  br i1 %62, label %67, label %63
+  br i1 %76, label %89, label %77
 
-63:                                               ; preds = %61, %50, %44
-  %64 = add i64 %16, %15
-  %65 = sub i64 %64, %24
-  %66 = mul i64 %65, %7
-  tail call void @llvm.memcpy.p0.p0.i64(ptr align 8 %1, ptr align 8 %2, i64 %66, i1 false)
-  br label %70
+77:                                               ; preds = %64, %58, %42, %75, %50
+  %78 = load i64, ptr %0, align 8
+  %79 = mul nsw i64 %78, %17
+  %80 = getelementptr inbounds double, ptr %1, i64 %79
+  %81 = mul nsw i64 %78, %27
+  %82 = getelementptr inbounds double, ptr %1, i64 %81
+  %83 = tail call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef %80, ptr noundef %82)
+  %84 = icmp eq i32 %83, 0
+  br i1 %84, label %89, label %85
 
-67:                                               ; preds = %61, %23
-  %68 = add nsw i64 %24, -1
-  %69 = icmp sgt i64 %68, %16
-  br i1 %69, label %23, label %70
+85:                                               ; preds = %77
+  %86 = add i64 %19, %18
+  %87 = sub i64 %86, %27
+  %88 = mul i64 %87, %9
+  tail call void @llvm.memcpy.p0.p0.i64(ptr align 8 %1, ptr align 8 %2, i64 %88, i1 false)
+  br label %92
 
-70:                                               ; preds = %67, %13, %63
-  %71 = phi i64 [ %65, %63 ], [ %15, %13 ], [ %15, %67 ]
-  %72 = add nuw nsw i64 %14, 3
-  %73 = icmp slt i64 %72, %71
-  br i1 %73, label %13, label %21
+89:                                               ; preds = %77, %75
+  %90 = add nsw i64 %27, -1
+  %91 = icmp sgt i64 %90, %19
+  br i1 %91, label %26, label %92
+
+92:                                               ; preds = %89, %16, %85
+  %93 = phi i64 [ %87, %85 ], [ %18, %16 ], [ %18, %89 ]
+  %94 = add nuw nsw i64 %17, 3
+  %95 = icmp slt i64 %94, %93
+  br i1 %95, label %16, label %24
 }
 
 define dso_local i64 @manipplan_shorten(ptr nocapture noundef %0, ptr nocapture noundef %1, ptr nocapture noundef %2, i64 noundef %3, i64 noundef %4) local_unnamed_addr #0 {
   %6 = alloca %struct.Side, align 8
-  %7 = alloca [2 x double], align 16
-  %8 = alloca [2 x [64 x double]], align 16
-  %9 = alloca [2 x i64], align 16
-  %10 = load i64, ptr %0, align 8
-  %11 = shl i64 %10, 3
-  %12 = icmp sgt i64 %4, 0
-  %13 = icmp sgt i64 %3, 2
-  %14 = and i1 %12, %13
-  br i1 %14, label %15, label %35
+  %7 = alloca %struct.Side, align 8
+  %8 = alloca %struct.Side, align 8
+  %9 = alloca [2 x double], align 16
+  %10 = alloca [2 x [64 x double]], align 16
+  %11 = alloca [2 x i64], align 16
+  %12 = load i64, ptr %0, align 8
+  %13 = shl i64 %12, 3
+  %14 = icmp sgt i64 %4, 0
+  %15 = icmp sgt i64 %3, 2
+  %16 = and i1 %14, %15
+  br i1 %16, label %17, label %39
 
-15:                                               ; preds = %5
-  %16 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 18
-  %17 = getelementptr inbounds double, ptr %7, i64 1
-  %18 = getelementptr inbounds [2 x i64], ptr %9, i64 0, i64 1
-  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
-  %20 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
-  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
-  %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  %26 = getelementptr inbounds [2 x [64 x double]], ptr %8, i64 0, i64 1
-  %27 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
-  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
-  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22, i64 1
-  br label %30
+17:                                               ; preds = %5
+  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21
+  %19 = getelementptr inbounds double, ptr %9, i64 1
+  %20 = getelementptr inbounds [2 x i64], ptr %11, i64 0, i64 1
+  %21 = getelementptr inbounds [2 x [64 x double]], ptr %10, i64 0, i64 1
+  %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %23 = getelementptr inbounds %struct.Side, ptr %7, i64 0, i32 2
+  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25
+  %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25, i64 1
+  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  %27 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
+  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29
+  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %32 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %33 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  br label %34
 
-30:                                               ; preds = %262, %15
-  %31 = phi i64 [ %3, %15 ], [ %263, %262 ]
-  %32 = phi i64 [ 0, %15 ], [ %264, %262 ]
-  %33 = load i64, ptr %0, align 8
-  %34 = icmp sgt i64 %33, 0
-  br label %66
+34:                                               ; preds = %283, %17
+  %35 = phi i64 [ %3, %17 ], [ %284, %283 ]
+  %36 = phi i64 [ 0, %17 ], [ %285, %283 ]
+  %37 = load i64, ptr %0, align 8
+  %38 = icmp sgt i64 %37, 0
+  br label %70
 
-35:                                               ; preds = %262, %5
-  %36 = phi i64 [ %3, %5 ], [ %263, %262 ]
-  ret i64 %36
+39:                                               ; preds = %283, %5
+  %40 = phi i64 [ %3, %5 ], [ %284, %283 ]
+  ret i64 %40
 
-37:                                               ; preds = %86
-  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %7) #8
-  %38 = load i64, ptr %16, align 8
-  %39 = add i64 %38, -7046029254386353131
-  %40 = lshr i64 %39, 30
-  %41 = xor i64 %40, %39
-  %42 = mul i64 %41, -4658895280553007687
-  %43 = lshr i64 %42, 27
-  %44 = xor i64 %43, %42
-  %45 = mul i64 %44, -7723592293110705685
-  %46 = lshr i64 %45, 42
-  %47 = lshr i64 %45, 11
-  %48 = xor i64 %46, %47
-  %49 = uitofp i64 %48 to double
-  %50 = fmul double %49, 0x3CA0000000000000
-  %51 = fmul double %89, %50
-  store double %51, ptr %7, align 16
-  %52 = add i64 %38, 4354685564936845354
-  store i64 %52, ptr %16, align 8
-  %53 = lshr i64 %52, 30
-  %54 = xor i64 %53, %52
-  %55 = mul i64 %54, -4658895280553007687
-  %56 = lshr i64 %55, 27
-  %57 = xor i64 %56, %55
-  %58 = mul i64 %57, -7723592293110705685
-  %59 = lshr i64 %58, 42
-  %60 = lshr i64 %58, 11
-  %61 = xor i64 %59, %60
-  %62 = uitofp i64 %61 to double
-  %63 = fmul double %62, 0x3CA0000000000000
-  %64 = fmul double %89, %63
-  store double %64, ptr %17, align 8
-  call void @llvm.lifetime.start.p0(i64 1024, ptr nonnull %8) #8
-  %65 = fcmp ogt double %51, %64
-  br i1 %65, label %92, label %93
-
-66:                                               ; preds = %30, %86
-  %67 = phi i64 [ 1, %30 ], [ %90, %86 ]
-  %68 = phi double [ 0.000000e+00, %30 ], [ %89, %86 ]
-  %69 = phi i64 [ 0, %30 ], [ %67, %86 ]
-  %70 = mul nsw i64 %33, %69
-  %71 = getelementptr inbounds double, ptr %1, i64 %70
-  %72 = mul nsw i64 %33, %67
-  %73 = getelementptr inbounds double, ptr %1, i64 %72
-  br i1 %34, label %74, label %86
-
-74:                                               ; preds = %66, %74
-  %75 = phi i64 [ %84, %74 ], [ 0, %66 ]
-  %76 = phi double [ %83, %74 ], [ 0.000000e+00, %66 ]
-  %77 = getelementptr inbounds double, ptr %73, i64 %75
-  %78 = load double, ptr %77, align 8
-  %79 = getelementptr inbounds double, ptr %71, i64 %75
-  %80 = load double, ptr %79, align 8
-  %81 = fsub double %78, %80
-  %82 = fmul double %81, %81
-  %83 = fadd double %76, %82
-  %84 = add nuw nsw i64 %75, 1
-  %85 = icmp eq i64 %84, %33
-  br i1 %85, label %86, label %74
-
-86:                                               ; preds = %74, %66
-  %87 = phi double [ 0.000000e+00, %66 ], [ %83, %74 ]
-  %88 = call double @llvm.sqrt.f64(double %87)
-  %89 = fadd double %68, %88
-  %90 = add nuw nsw i64 %67, 1
-  %91 = icmp eq i64 %90, %31
-  br i1 %91, label %37, label %66
-
-92:                                               ; preds = %37
-  store double %64, ptr %7, align 16
-  store double %51, ptr %17, align 8
-  br label %93
-
-93:                                               ; preds = %37, %92
+41:                                               ; preds = %90
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %9) #8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(16) %9, i8 -1, i64 16, i1 false)
-  %94 = load i64, ptr %0, align 8
-  %95 = icmp sgt i64 %94, 0
-  br label %99
+  %42 = load i64, ptr %18, align 8
+  %43 = add i64 %42, -7046029254386353131
+  %44 = lshr i64 %43, 30
+  %45 = xor i64 %44, %43
+  %46 = mul i64 %45, -4658895280553007687
+  %47 = lshr i64 %46, 27
+  %48 = xor i64 %47, %46
+  %49 = mul i64 %48, -7723592293110705685
+  %50 = lshr i64 %49, 42
+  %51 = lshr i64 %49, 11
+  %52 = xor i64 %50, %51
+  %53 = uitofp i64 %52 to double
+  %54 = fmul double %53, 0x3CA0000000000000
+  %55 = fmul double %93, %54
+  store double %55, ptr %9, align 16
+  %56 = add i64 %42, 4354685564936845354
+  store i64 %56, ptr %18, align 8
+  %57 = lshr i64 %56, 30
+  %58 = xor i64 %57, %56
+  %59 = mul i64 %58, -4658895280553007687
+  %60 = lshr i64 %59, 27
+  %61 = xor i64 %60, %59
+  %62 = mul i64 %61, -7723592293110705685
+  %63 = lshr i64 %62, 42
+  %64 = lshr i64 %62, 11
+  %65 = xor i64 %63, %64
+  %66 = uitofp i64 %65 to double
+  %67 = fmul double %66, 0x3CA0000000000000
+  %68 = fmul double %93, %67
+  store double %68, ptr %19, align 8
+  call void @llvm.lifetime.start.p0(i64 1024, ptr nonnull %10) #8
+  %69 = fcmp ogt double %55, %68
+  br i1 %69, label %96, label %97
 
-96:                                               ; preds = %125
-  %97 = load i64, ptr %9, align 16
-  %98 = icmp eq i64 %97, %128
-  br i1 %98, label %262, label %162
+70:                                               ; preds = %34, %90
+  %71 = phi i64 [ 1, %34 ], [ %94, %90 ]
+  %72 = phi double [ 0.000000e+00, %34 ], [ %93, %90 ]
+  %73 = phi i64 [ 0, %34 ], [ %71, %90 ]
+  %74 = mul nsw i64 %37, %73
+  %75 = getelementptr inbounds double, ptr %1, i64 %74
+  %76 = mul nsw i64 %37, %71
+  %77 = getelementptr inbounds double, ptr %1, i64 %76
+  br i1 %38, label %78, label %90
 
-99:                                               ; preds = %93, %125
-  %100 = phi i64 [ 1, %93 ], [ %126, %125 ]
-  %101 = phi i64 [ 0, %93 ], [ %100, %125 ]
-  %102 = phi double [ 0.000000e+00, %93 ], [ %121, %125 ]
-  %103 = mul nsw i64 %94, %101
-  %104 = getelementptr inbounds double, ptr %1, i64 %103
-  %105 = getelementptr inbounds double, ptr %104, i64 %94
-  br i1 %95, label %106, label %118
+78:                                               ; preds = %70, %78
+  %79 = phi i64 [ %88, %78 ], [ 0, %70 ]
+  %80 = phi double [ %87, %78 ], [ 0.000000e+00, %70 ]
+  %81 = getelementptr inbounds double, ptr %77, i64 %79
+  %82 = load double, ptr %81, align 8
+  %83 = getelementptr inbounds double, ptr %75, i64 %79
+  %84 = load double, ptr %83, align 8
+  %85 = fsub double %82, %84
+  %86 = fmul double %85, %85
+  %87 = fadd double %80, %86
+  %88 = add nuw nsw i64 %79, 1
+  %89 = icmp eq i64 %88, %37
+  br i1 %89, label %90, label %78
 
-106:                                              ; preds = %99, %106
-  %107 = phi i64 [ %116, %106 ], [ 0, %99 ]
-  %108 = phi double [ %115, %106 ], [ 0.000000e+00, %99 ]
-  %109 = getelementptr inbounds double, ptr %105, i64 %107
-  %110 = load double, ptr %109, align 8
-  %111 = getelementptr inbounds double, ptr %104, i64 %107
-  %112 = load double, ptr %111, align 8
-  %113 = fsub double %110, %112
-  %114 = fmul double %113, %113
-  %115 = fadd double %108, %114
-  %116 = add nuw nsw i64 %107, 1
-  %117 = icmp eq i64 %116, %94
-  br i1 %117, label %118, label %106
+90:                                               ; preds = %78, %70
+  %91 = phi double [ 0.000000e+00, %70 ], [ %87, %78 ]
+  %92 = call double @llvm.sqrt.f64(double %91)
+  %93 = fadd double %72, %92
+  %94 = add nuw nsw i64 %71, 1
+  %95 = icmp eq i64 %94, %35
+  br i1 %95, label %41, label %70
 
-118:                                              ; preds = %106, %99
-  %119 = phi double [ 0.000000e+00, %99 ], [ %115, %106 ]
-  %120 = call double @llvm.sqrt.f64(double %119)
-  %121 = fadd double %102, %120
-  %122 = add nuw nsw i64 %101, 2
-  %123 = icmp eq i64 %122, %31
-  %124 = fcmp ogt double %120, 0.000000e+00
-  br label %131
+96:                                               ; preds = %41
+  store double %68, ptr %9, align 16
+  store double %55, ptr %19, align 8
+  br label %97
 
-125:                                              ; preds = %161
-  %126 = add nuw nsw i64 %100, 1
-  %127 = icmp slt i64 %126, %31
-  %128 = load i64, ptr %18, align 8
-  %129 = icmp slt i64 %128, 0
-  %130 = select i1 %127, i1 %129, i1 false
-  br i1 %130, label %99, label %96
+97:                                               ; preds = %41, %96
+  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %11) #8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(16) %11, i8 -1, i64 16, i1 false)
+  %98 = load i64, ptr %0, align 8
+  %99 = icmp sgt i64 %98, 0
+  br label %103
 
-131:                                              ; preds = %118, %161
-  %132 = phi i1 [ true, %118 ], [ false, %161 ]
-  %133 = phi i64 [ 0, %118 ], [ 1, %161 ]
-  %134 = getelementptr inbounds [2 x i64], ptr %9, i64 0, i64 %133
-  %135 = load i64, ptr %134, align 8
-  %136 = icmp slt i64 %135, 0
-  br i1 %136, label %137, label %161
+100:                                              ; preds = %129
+  %101 = load i64, ptr %11, align 16
+  %102 = icmp eq i64 %101, %132
+  br i1 %102, label %283, label %166
 
-137:                                              ; preds = %131
-  %138 = getelementptr inbounds [2 x double], ptr %7, i64 0, i64 %133
-  %139 = load double, ptr %138, align 8
-  %140 = fcmp olt double %139, %121
-  %141 = select i1 %140, i1 true, i1 %123
-  br i1 %141, label %142, label %161
+103:                                              ; preds = %97, %129
+  %104 = phi i64 [ 1, %97 ], [ %130, %129 ]
+  %105 = phi i64 [ 0, %97 ], [ %104, %129 ]
+  %106 = phi double [ 0.000000e+00, %97 ], [ %125, %129 ]
+  %107 = mul nsw i64 %98, %105
+  %108 = getelementptr inbounds double, ptr %1, i64 %107
+  %109 = getelementptr inbounds double, ptr %108, i64 %98
+  br i1 %99, label %110, label %122
 
-142:                                              ; preds = %137
-  %143 = fsub double %139, %102
-  %144 = fdiv double %143, %120
-  %145 = select i1 %124, double %144, double 0.000000e+00
-  store i64 %101, ptr %134, align 8
-  %146 = call double @llvm.maxnum.f64(double %145, double 0.000000e+00)
-  %147 = call double @llvm.minnum.f64(double %146, double 1.000000e+00)
-  %148 = getelementptr inbounds [2 x [64 x double]], ptr %8, i64 0, i64 %133
-  br i1 %95, label %149, label %161
+110:                                              ; preds = %103, %110
+  %111 = phi i64 [ %120, %110 ], [ 0, %103 ]
+  %112 = phi double [ %119, %110 ], [ 0.000000e+00, %103 ]
+  %113 = getelementptr inbounds double, ptr %109, i64 %111
+  %114 = load double, ptr %113, align 8
+  %115 = getelementptr inbounds double, ptr %108, i64 %111
+  %116 = load double, ptr %115, align 8
+  %117 = fsub double %114, %116
+  %118 = fmul double %117, %117
+  %119 = fadd double %112, %118
+  %120 = add nuw nsw i64 %111, 1
+  %121 = icmp eq i64 %120, %98
+  br i1 %121, label %122, label %110
 
-149:                                              ; preds = %142, %149
-  %150 = phi i64 [ %159, %149 ], [ 0, %142 ]
-  %151 = getelementptr inbounds double, ptr %104, i64 %150
-  %152 = load double, ptr %151, align 8
-  %153 = getelementptr inbounds double, ptr %105, i64 %150
-  %154 = load double, ptr %153, align 8
-  %155 = fsub double %154, %152
-  %156 = fmul double %147, %155
-  %157 = fadd double %152, %156
-  %158 = getelementptr inbounds double, ptr %148, i64 %150
-  store double %157, ptr %158, align 8
-  %159 = add nuw nsw i64 %150, 1
-  %160 = icmp eq i64 %159, %94
-  br i1 %160, label %161, label %149
+122:                                              ; preds = %110, %103
+  %123 = phi double [ 0.000000e+00, %103 ], [ %119, %110 ]
+  %124 = call double @llvm.sqrt.f64(double %123)
+  %125 = fadd double %106, %124
+  %126 = add nuw nsw i64 %105, 2
+  %127 = icmp eq i64 %126, %35
+  %128 = fcmp ogt double %124, 0.000000e+00
+  br label %135
 
-161:                                              ; preds = %149, %142, %137, %131
-  br i1 %132, label %131, label %125
+129:                                              ; preds = %165
+  %130 = add nuw nsw i64 %104, 1
+  %131 = icmp slt i64 %130, %35
+  %132 = load i64, ptr %20, align 8
+  %133 = icmp slt i64 %132, 0
+  %134 = select i1 %131, i1 %133, i1 false
+  br i1 %134, label %103, label %100
 
-162:                                              ; preds = %96
-  %163 = load double, ptr %19, align 8
-  br label %173
+135:                                              ; preds = %122, %165
+  %136 = phi i1 [ true, %122 ], [ false, %165 ]
+  %137 = phi i64 [ 0, %122 ], [ 1, %165 ]
+  %138 = getelementptr inbounds [2 x i64], ptr %11, i64 0, i64 %137
+  %139 = load i64, ptr %138, align 8
+  %140 = icmp slt i64 %139, 0
+  br i1 %140, label %141, label %165
 
-164:                                              ; preds = %204
-  %165 = load i64, ptr %21, align 8
-  %166 = add nsw i64 %165, 1
-  store i64 %166, ptr %21, align 8
-  %167 = load ptr, ptr %22, align 8
-  %168 = load ptr, ptr %23, align 8
-  %169 = load double, ptr %24, align 8
-  %170 = fadd double %205, %169
-  %171 = call i32 %167(ptr noundef %168, ptr noundef nonnull %8, double noundef %170) #8
-  %172 = icmp eq i32 %171, 2
-  br i1 %172, label %206, label %211
+141:                                              ; preds = %135
+  %142 = getelementptr inbounds [2 x double], ptr %9, i64 0, i64 %137
+  %143 = load double, ptr %142, align 8
+  %144 = fcmp olt double %143, %125
+  %145 = select i1 %144, i1 true, i1 %127
+  br i1 %145, label %146, label %165
 
-173:                                              ; preds = %204, %162
-  %174 = phi i1 [ true, %162 ], [ false, %204 ]
-  %175 = phi i64 [ 0, %162 ], [ 1, %204 ]
-  %176 = phi double [ %163, %162 ], [ %205, %204 ]
-  %177 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i64 %175
-  %178 = load double, ptr %177, align 8
-  %179 = fcmp ogt double %176, %178
-  br i1 %179, label %180, label %204
+146:                                              ; preds = %141
+  %147 = fsub double %143, %106
+  %148 = fdiv double %147, %124
+  %149 = select i1 %128, double %148, double 0.000000e+00
+  store i64 %105, ptr %138, align 8
+  %150 = call double @llvm.maxnum.f64(double %149, double 0.000000e+00)
+  %151 = call double @llvm.minnum.f64(double %150, double 1.000000e+00)
+  %152 = getelementptr inbounds [2 x [64 x double]], ptr %10, i64 0, i64 %137
+  br i1 %99, label %153, label %165
 
-180:                                              ; preds = %173
-  %181 = load double, ptr %20, align 8
-  %182 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20, i64 %175
-  %183 = load ptr, ptr %182, align 8
-  %184 = load i64, ptr %0, align 8
-  %185 = icmp sgt i64 %184, 0
-  br i1 %185, label %186, label %198
+153:                                              ; preds = %146, %153
+  %154 = phi i64 [ %163, %153 ], [ 0, %146 ]
+  %155 = getelementptr inbounds double, ptr %108, i64 %154
+  %156 = load double, ptr %155, align 8
+  %157 = getelementptr inbounds double, ptr %109, i64 %154
+  %158 = load double, ptr %157, align 8
+  %159 = fsub double %158, %156
+  %160 = fmul double %151, %159
+  %161 = fadd double %156, %160
+  %162 = getelementptr inbounds double, ptr %152, i64 %154
+  store double %161, ptr %162, align 8
+  %163 = add nuw nsw i64 %154, 1
+  %164 = icmp eq i64 %163, %98
+  br i1 %164, label %165, label %153
 
-186:                                              ; preds = %180, %186
-  %187 = phi i64 [ %196, %186 ], [ 0, %180 ]
-  %188 = phi double [ %195, %186 ], [ 0.000000e+00, %180 ]
-  %189 = getelementptr inbounds double, ptr %183, i64 %187
-  %190 = load double, ptr %189, align 8
-  %191 = getelementptr inbounds double, ptr %8, i64 %187
-  %192 = load double, ptr %191, align 8
-  %193 = fsub double %190, %192
-  %194 = fmul double %193, %193
-  %195 = fadd double %188, %194
-  %196 = add nuw nsw i64 %187, 1
-  %197 = icmp eq i64 %196, %184
-  br i1 %197, label %198, label %186
+165:                                              ; preds = %153, %146, %141, %135
+  br i1 %136, label %135, label %129
 
-198:                                              ; preds = %186, %180
-  %199 = phi double [ 0.000000e+00, %180 ], [ %195, %186 ]
-  %200 = call double @llvm.sqrt.f64(double %199)
-  %201 = fmul double %181, %200
-  %202 = fadd double %178, %201
-  %203 = call double @llvm.minnum.f64(double %176, double %202)
-  br label %204
+166:                                              ; preds = %100
+  %167 = add nsw i64 %101, 1
+  %168 = mul i64 %167, %13
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %2, ptr align 8 %1, i64 %168, i1 false)
+  %169 = add nsw i64 %101, 2
+  %170 = load i64, ptr %0, align 8
+  %171 = mul nsw i64 %170, %167
+  %172 = getelementptr inbounds double, ptr %2, i64 %171
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %172, ptr nonnull align 16 %10, i64 %13, i1 false)
+  %173 = add nsw i64 %101, 3
+  %174 = load i64, ptr %0, align 8
+  %175 = mul nsw i64 %174, %169
+  %176 = getelementptr inbounds double, ptr %2, i64 %175
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %176, ptr nonnull align 16 %21, i64 %13, i1 false)
+  %177 = load i64, ptr %0, align 8
+  %178 = mul nsw i64 %177, %173
+  %179 = getelementptr inbounds double, ptr %2, i64 %178
+  %180 = add nsw i64 %132, 1
+  %181 = mul nsw i64 %177, %180
+  %182 = getelementptr inbounds double, ptr %1, i64 %181
+  %183 = xor i64 %132, -1
+  %184 = add i64 %35, %183
+  %185 = mul i64 %184, %13
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %179, ptr align 8 %182, i64 %185, i1 false)
+  %186 = add nsw i64 %173, %184
+  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %7) #8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %7, i8 0, i64 16, i1 false)
+  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %8) #8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %8, i8 0, i64 16, i1 false)
+  %187 = load i64, ptr %22, align 8
+  %188 = icmp eq i64 %187, 0
+  br i1 %188, label %189, label %190
 
-204:                                              ; preds = %198, %173
-  %205 = phi double [ %203, %198 ], [ %176, %173 ]
-  br i1 %174, label %173, label %164
-
-206:                                              ; preds = %164
-  %207 = load ptr, ptr %25, align 8
-  %208 = load double, ptr %24, align 8
-  %209 = fadd double %205, %208
-  %210 = call i32 %207(ptr noundef nonnull %8, double noundef %209) #8
-  br label %211
-
-211:                                              ; preds = %164, %206
-  %212 = phi i32 [ %210, %206 ], [ %171, %164 ]
-  %213 = icmp eq i32 %212, 0
-  br i1 %213, label %214, label %262
-
-214:                                              ; preds = %211
-  %215 = call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef nonnull %8, ptr noundef nonnull %26)
-  %216 = icmp eq i32 %215, 0
-  br i1 %216, label %262, label %217
-
-217:                                              ; preds = %214
-  %218 = add nsw i64 %97, 1
-  %219 = mul i64 %218, %11
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %2, ptr align 8 %1, i64 %219, i1 false)
-  %220 = add nsw i64 %97, 2
-  %221 = load i64, ptr %0, align 8
-  %222 = mul nsw i64 %221, %218
-  %223 = getelementptr inbounds double, ptr %2, i64 %222
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %223, ptr nonnull align 16 %8, i64 %11, i1 false)
-  %224 = add nsw i64 %97, 3
-  %225 = load i64, ptr %0, align 8
-  %226 = mul nsw i64 %225, %220
-  %227 = getelementptr inbounds double, ptr %2, i64 %226
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %227, ptr nonnull align 16 %26, i64 %11, i1 false)
-  %228 = load i64, ptr %0, align 8
-  %229 = mul nsw i64 %228, %224
-  %230 = getelementptr inbounds double, ptr %2, i64 %229
-  %231 = add nsw i64 %128, 1
-  %232 = mul nsw i64 %228, %231
-  %233 = getelementptr inbounds double, ptr %1, i64 %232
-  %234 = xor i64 %128, -1
-  %235 = add i64 %31, %234
-  %236 = mul i64 %235, %11
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %230, ptr align 8 %233, i64 %236, i1 false)
-  %237 = add nsw i64 %224, %235
-  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %6) #8
-  %238 = load ptr, ptr %27, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %6, ptr noundef nonnull align 8 dereferenceable(16) %238, i64 16, i1 false)
-  %239 = load i64, ptr %28, align 8
-  %240 = icmp eq i64 %239, 0
-  br i1 %240, label %241, label %242
-
-241:                                              ; preds = %217
-  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %6) #8
-  br label %260
-
-242:                                              ; preds = %217
-  %243 = call i64 @llvm.smax.i64(i64 %237, i64 1)
-  %244 = add nsw i64 %243, -1
-  br label %245
-
-245:                                              ; preds = %249, %242
-  %246 = phi i64 [ %247, %249 ], [ 0, %242 ]
-  %247 = add nuw nsw i64 %246, 1
-  %248 = icmp eq i64 %246, %244
-  br i1 %248, label %258, label %249
-
-249:                                              ; preds = %245
-  %250 = load i64, ptr %0, align 8
-  %251 = mul nsw i64 %250, %246
-  %252 = getelementptr inbounds double, ptr %2, i64 %251
-  %253 = mul nsw i64 %250, %247
-  %254 = getelementptr inbounds double, ptr %2, i64 %253
-  %255 = load ptr, ptr %29, align 8
-  %256 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %252, ptr noundef %254, ptr noundef nonnull %6, ptr noundef %255)
-  %257 = icmp eq i32 %256, 0
-  br i1 %257, label %258, label %245
-
-258:                                              ; preds = %245, %249
-  %259 = icmp slt i64 %247, %237
-  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %6) #8
-  br i1 %259, label %262, label %260
-
-260:                                              ; preds = %241, %258
-  %261 = mul i64 %237, %11
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %1, ptr align 8 %2, i64 %261, i1 false)
-  br label %262
-
-262:                                              ; preds = %260, %258, %211, %214, %96
-  %263 = phi i64 [ %31, %96 ], [ %31, %214 ], [ %31, %211 ], [ %237, %260 ], [ %31, %258 ]
-  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %9) #8
-  call void @llvm.lifetime.end.p0(i64 1024, ptr nonnull %8) #8
+189:                                              ; preds = %166
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %8) #8
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
-  %264 = add nuw nsw i64 %32, 1
-  %265 = icmp slt i64 %264, %4
-  %266 = icmp sgt i64 %263, 2
-  %267 = select i1 %265, i1 %266, i1 false
-  br i1 %267, label %30, label %35
+  br label %223
+
+190:                                              ; preds = %166
+  %191 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef nonnull %10, ptr noundef nonnull %10, ptr noundef nonnull %7, ptr noundef nonnull %8)
+  %192 = icmp eq i32 %191, 0
+  br i1 %192, label %196, label %193
+
+193:                                              ; preds = %190
+  %194 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef nonnull %10, ptr noundef nonnull %21, ptr noundef nonnull %7, ptr noundef nonnull %8)
+  %195 = icmp eq i32 %194, 0
+  br i1 %195, label %196, label %197
+
+196:                                              ; preds = %193, %190
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %8) #8
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
+  br label %200
+
+197:                                              ; preds = %193
+  %198 = load i64, ptr %23, align 8
+  %199 = icmp eq i64 %198, 0
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %8) #8
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
+  br i1 %199, label %223, label %200
+
+200:                                              ; preds = %196, %197
+  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %6) #8
+  %201 = load ptr, ptr %24, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %6, ptr noundef nonnull align 8 dereferenceable(16) %201, i64 16, i1 false)
+  %202 = load i64, ptr %22, align 8
+  %203 = icmp eq i64 %202, 0
+  br i1 %203, label %204, label %205
+
+204:                                              ; preds = %200
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %6) #8
+  br label %223
+
+205:                                              ; preds = %200
+  %206 = call i64 @llvm.smax.i64(i64 %186, i64 1)
+  %207 = add nsw i64 %206, -1
+  br label %208
+
+208:                                              ; preds = %212, %205
+  %209 = phi i64 [ %210, %212 ], [ 0, %205 ]
+  %210 = add nuw nsw i64 %209, 1
+  %211 = icmp eq i64 %209, %207
+  br i1 %211, label %221, label %212
+
+212:                                              ; preds = %208
+  %213 = load i64, ptr %0, align 8
+  %214 = mul nsw i64 %213, %209
+  %215 = getelementptr inbounds double, ptr %2, i64 %214
+  %216 = mul nsw i64 %213, %210
+  %217 = getelementptr inbounds double, ptr %2, i64 %216
+  %218 = load ptr, ptr %25, align 8
+  %219 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %215, ptr noundef %217, ptr noundef nonnull %6, ptr noundef %218)
+  %220 = icmp eq i32 %219, 0
+  br i1 %220, label %221, label %208
+
+221:                                              ; preds = %208, %212
+  %222 = icmp slt i64 %210, %186
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %6) #8
+  br i1 %222, label %283, label %223
+
+223:                                              ; preds = %204, %189, %221, %197
+  %224 = load ptr, ptr %26, align 8
+  %225 = load i64, ptr %27, align 8
+  %226 = getelementptr inbounds double, ptr %224, i64 %225
+  %227 = load double, ptr %226, align 8
+  br label %237
+
+228:                                              ; preds = %268
+  %229 = load i64, ptr %29, align 8
+  %230 = add nsw i64 %229, 1
+  store i64 %230, ptr %29, align 8
+  %231 = load ptr, ptr %30, align 8
+  %232 = load ptr, ptr %31, align 8
+  %233 = load double, ptr %32, align 8
+  %234 = fadd double %269, %233
+  %235 = call i32 %231(ptr noundef %232, ptr noundef nonnull %10, double noundef %234) #8
+  %236 = icmp eq i32 %235, 2
+  br i1 %236, label %270, label %275
+
+237:                                              ; preds = %268, %223
+  %238 = phi i1 [ true, %223 ], [ false, %268 ]
+  %239 = phi i64 [ 0, %223 ], [ 1, %268 ]
+  %240 = phi double [ %227, %223 ], [ %269, %268 ]
+  %241 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12, i64 %239
+  %242 = load double, ptr %241, align 8
+  %243 = fcmp ogt double %240, %242
+  br i1 %243, label %244, label %268
+
+244:                                              ; preds = %237
+  %245 = load double, ptr %28, align 8
+  %246 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23, i64 %239
+  %247 = load ptr, ptr %246, align 8
+  %248 = load i64, ptr %0, align 8
+  %249 = icmp sgt i64 %248, 0
+  br i1 %249, label %250, label %262
+
+250:                                              ; preds = %244, %250
+  %251 = phi i64 [ %260, %250 ], [ 0, %244 ]
+  %252 = phi double [ %259, %250 ], [ 0.000000e+00, %244 ]
+  %253 = getelementptr inbounds double, ptr %247, i64 %251
+  %254 = load double, ptr %253, align 8
+  %255 = getelementptr inbounds double, ptr %10, i64 %251
+  %256 = load double, ptr %255, align 8
+  %257 = fsub double %254, %256
+  %258 = fmul double %257, %257
+  %259 = fadd double %252, %258
+  %260 = add nuw nsw i64 %251, 1
+  %261 = icmp eq i64 %260, %248
+  br i1 %261, label %262, label %250
+
+262:                                              ; preds = %250, %244
+  %263 = phi double [ 0.000000e+00, %244 ], [ %259, %250 ]
+  %264 = call double @llvm.sqrt.f64(double %263)
+  %265 = fmul double %245, %264
+  %266 = fadd double %242, %265
+  %267 = call double @llvm.minnum.f64(double %240, double %266)
+  br label %268
+
+268:                                              ; preds = %262, %237
+  %269 = phi double [ %267, %262 ], [ %240, %237 ]
+  br i1 %238, label %237, label %228
+
+270:                                              ; preds = %228
+  %271 = load ptr, ptr %33, align 8
+  %272 = load double, ptr %32, align 8
+  %273 = fadd double %269, %272
+  %274 = call i32 %271(ptr noundef nonnull %10, double noundef %273) #8
+  br label %275
+
+275:                                              ; preds = %228, %270
+  %276 = phi i32 [ %274, %270 ], [ %235, %228 ]
+  %277 = icmp eq i32 %276, 0
+  br i1 %277, label %278, label %283
+
+278:                                              ; preds = %275
+  %279 = call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef nonnull %10, ptr noundef nonnull %21)
+  %280 = icmp eq i32 %279, 0
+  br i1 %280, label %283, label %281
+
+281:                                              ; preds = %278
+  %282 = mul i64 %186, %13
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %1, ptr align 8 %2, i64 %282, i1 false)
+  br label %283
+
+283:                                              ; preds = %281, %221, %278, %275, %100
+  %284 = phi i64 [ %35, %100 ], [ %186, %281 ], [ %35, %221 ], [ %35, %278 ], [ %35, %275 ]
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %11) #8
+  call void @llvm.lifetime.end.p0(i64 1024, ptr nonnull %10) #8
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %9) #8
+  %285 = add nuw nsw i64 %36, 1
+  %286 = icmp slt i64 %285, %4
+  %287 = icmp sgt i64 %284, 2
+  %288 = select i1 %286, i1 %287, i1 false
+  br i1 %288, label %34, label %39
 }
 
 declare double @llvm.maxnum.f64(double, double) #4
@@ -1597,22 +1825,22 @@ declare double @llvm.ceil.f64(double) #4
 
 declare double @llvm.sqrt.f64(double) #4
 
-declare i64 @llvm.smin.i64(i64, i64) #5
+declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #5
 
-declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #6
+declare i64 @llvm.smin.i64(i64, i64) #6
 
-declare i64 @llvm.smax.i64(i64, i64) #5
+declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #7
 
-declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #7
+declare i64 @llvm.smax.i64(i64, i64) #6
 
 attributes #0 = { nounwind uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #1 = { mustprogress nocallback nofree nosync nounwind willreturn memory(argmem: readwrite) }
 attributes #2 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: readwrite) }
 attributes #3 = { nofree nosync nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #4 = { mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #5 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #6 = { nofree nounwind willreturn memory(argmem: read) }
-attributes #7 = { nocallback nofree nounwind willreturn memory(argmem: write) }
+attributes #5 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: write) }
+attributes #6 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
+attributes #7 = { nofree nounwind willreturn memory(argmem: read) }
 attributes #8 = { nounwind }
 
 

@@ -1,11 +1,12 @@
 """RRT-Connect in compiled code, which counts crossings of singularities: `connect.c` on the collision kernel."""
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from manipplan.seeds.motions import SIDE, MotionCheck, P
+from manipplan.seeds.motions import SIDE, Level, MotionCheck, P
 from manipplan.seeds.task import GRACE, SeedTask
 from manipplan.support.checks import Array
 
@@ -25,19 +26,16 @@ class TreeSearch:
 
     task: SeedTask
 
-    def run(self, step: float, margin: float) -> Array | None:
-        """Waypoints (k, n) of a path, or None when none was found.
-
-        Motions are checked every `step` [rad or m], with `margin` [m] more than the clearance, but less near start and goal.
-        """
-        return _Run(self.task, step, margin).path()
+    def run(self, levels: Sequence[Level]) -> Array | None:
+        """Waypoints (k, n) of a path, or None when none was found. Motions are checked as `levels` tell, one after another."""
+        return _Run(self.task, levels).path()
 
 
 class _Run:
     """The data of one search."""
 
-    def __init__(self, task: SeedTask, step: float, margin: float) -> None:
-        self.task, self.check = task, MotionCheck(task, step, margin)
+    def __init__(self, task: SeedTask, levels: Sequence[Level]) -> None:
+        self.task, self.check = task, MotionCheck(task, levels)
         self.n, self.search, self.call = self.check.n, self.check.data, self.check.call
         self.nodes = np.empty((2, ROOM, self.n))
         self.nodes[:, 0] = self.check.roots

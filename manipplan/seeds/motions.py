@@ -2,7 +2,8 @@
 
 import ctypes
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -20,8 +21,10 @@ from manipplan.support.compiling.native import native_code
 
 #: As in connect.c.
 MOST_SIDES, MOST_JOINTS = 8, 64
-#: Maximum length of an edge, and distance around start and goal from which every second configuration comes [rad or m].
-RANGE, AROUND = 1.0, 1.0
+#: Maximum length of an edge [rad or m].
+RANGE = 1.0
+#: Share of the random configurations that come from a box around start and goal, and its maximum distance from them [rad or m].
+NEAR, AROUND = 0.8, 3.0
 #: Share of the distances of start and goal beyond the clearance that counts as margin, and margin per rad or m away from them.
 SPARE, GROWTH = 0.9, 0.05
 #: A number of crossings that no path has.
@@ -41,15 +44,39 @@ SIGNATURES: dict[str, tuple[Any, ...]] = {
 SHORT: dict[str, tuple[Any, ...]] = {"state": (ctypes.c_int, P, P), "motion": (ctypes.c_int, P, P, P)}
 
 
+@dataclass(frozen=True, kw_only=True)
+class Level:
+    """How motions are checked until `checks` further configurations were checked; the last level goes on.
+
+    Attributes:
+        step: maximum motion of a joint between two checks [rad or m].
+        margin: distance beyond the clearance [m]; less near start and goal, where they have less.
+        checks: number of configurations.
+    """
+
+    step: float
+    margin: float
+    checks: int = 0
+
+
 class Search(ctypes.Structure):
     """`Search` of connect.c."""
 
     _fields_ = [
         ("n", N),
-        *((name, P) for name in ("low", "high", "near_low", "near_high", "world", "check", "decide")),
-        *((name, D) for name in ("clearance", "margin")),
+        *((name, P) for name in ("low", "high")),
+        ("near", D),
+        ("around", D),
+        *((name, P) for name in ("world", "check", "decide")),
+        ("clearance", D),
+        ("levels", N),
+        ("step", P),
+        ("margin", P),
         ("spare", D * 2),
-        *((name, D) for name in ("growth", "step", "range")),
+        ("growth", D),
+        ("until", P),
+        ("level", N),
+        ("range", D),
         ("sides", N),
         *((name, P) for name in ("values", "zero")),
         ("most_changes", N),
@@ -86,20 +113,18 @@ class MotionCheck:
         deadline: in time.monotonic() [s]; past it, what only coal can decide counts as touching.
     """
 
-    def __init__(self, task: SeedTask, step: float, margin: float) -> None:
-        """Motions are checked every `step` [rad or m], with `margin` [m] beyond the clearance, but less near start and goal."""
+    def __init__(self, task: SeedTask, levels: Sequence[Level]) -> None:
         model, kernel = task.model, task.model.kernel_copy()
         self.call, self._task, self.n = functions(), task, model.robot.n
         assert self.call is not None and kernel is not None
         self.deadline = task.deadline
         self._failure: BaseException | None = None
         low, high = task.bounds()
-        first, last = np.minimum(task.start, task.goal), np.maximum(task.start, task.goal)
         sides = task.sides if task.most_crossings is not None else None
-        vectors = {"low": low, "high": high}
-        vectors |= {"near_low": np.maximum(low, first - AROUND), "near_high": np.minimum(high, last + AROUND)}
-        vectors["zero"] = np.zeros(0) if sides is None else sides.zero
+        vectors: dict[str, Any] = {"low": low, "high": high, "zero": np.zeros(0) if sides is None else sides.zero}
+        vectors |= {"step": [each.step for each in levels], "margin": [each.margin for each in levels]}
         vectors = {name: np.ascontiguousarray(vector, dtype=float) for name, vector in vectors.items()}
+        vectors["until"] = np.cumsum([each.checks for each in levels])
         self.roots = np.array([task.start, task.goal], dtype=float)
         self.root_sides = np.zeros(2, dtype=SIDE)
         if sides is not None:
@@ -111,14 +136,15 @@ class MotionCheck:
         self._kept = vectors, kernel
         self.data = Search(
             n=self.n,
+            near=NEAR,
+            around=AROUND,
             world=kernel.world,
             check=kernel.check_address,
             decide=ctypes.cast(self._decide, P),
             clearance=task.clearance,
-            margin=margin,
-            spare=(D * 2)(*(SPARE * (model.least_distance(q[None])[0] - task.clearance) for q in self.roots)),
+            levels=len(levels),
+            spare=(D * 2)(*(SPARE * (distance - task.clearance) for distance in task.distances)),
             growth=GROWTH,
-            step=step,
             range=RANGE,
             sides=0 if sides is None else len(sides.names),
             values=None if self._values is None else ctypes.cast(self._values, P),

@@ -2,13 +2,14 @@
 
 import threading
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from manipplan.cost.integral import PathIntegral
-from manipplan.seeds.motions import RANGE, SPARE, MotionCheck, can_check
+from manipplan.seeds.motions import RANGE, SPARE, Level, MotionCheck, can_check
 from manipplan.seeds.objective import ompl_objective
 from manipplan.seeds.seeding import FEASIBLE
 from manipplan.seeds.task import GRACE, SeedTask
@@ -31,17 +32,16 @@ class OmplSearch:
     planner: str
     integral: PathIntegral | None
 
-    def run(self, step: float, margin: float) -> Array | None:
+    def run(self, levels: Sequence[Level]) -> Array | None:
         """Waypoints (k, n) of OMPL's path, or None when none was found.
 
-        Motions are checked every `step` [rad or m], with `margin` [m] more than the clearance, but less near start and goal.
+        Motions are checked as `levels` tell, one after another; without compiled code only as the last one tells.
         """
         with _ONE_AT_A_TIME:
             if time.monotonic() >= self.task.deadline:
                 return None
-            return self._run(
-                _Compiled(self.task, step, margin) if can_check(self.task.model) else _Sampled(self.task, margin), step
-            )
+            compiled, last = can_check(self.task.model), levels[-1]
+            return self._run(_Compiled(self.task, levels) if compiled else _Sampled(self.task, last.margin), last.step)
 
     def _run(self, check: "_Compiled | _Sampled", step: float) -> Array | None:
         from ompl import base, geometric, util
@@ -99,10 +99,10 @@ class _Compiled:
         late: past it nothing is valid, so that a search ends soon; in time.monotonic() [s].
     """
 
-    def __init__(self, task: SeedTask, step: float, margin: float) -> None:
+    def __init__(self, task: SeedTask, levels: Sequence[Level]) -> None:
         if task.most_crossings != 0:  # a motion alone cannot tell how many crossings its path has
             task = replace(task, most_crossings=None)
-        self._check, self._n = MotionCheck(task, step, margin), task.model.robot.n
+        self._check, self._n = MotionCheck(task, levels), task.model.robot.n
 
     @property
     def late(self) -> float:
@@ -143,7 +143,7 @@ class _Sampled:
     """
 
     def __init__(self, task: SeedTask, margin: float) -> None:
-        spare = task.model.least_distance(np.array([task.start, task.goal]))[0] - task.clearance
+        spare = min(task.distances) - task.clearance
         self._task, self._n, self._clearance = task, task.model.robot.n, task.clearance + min(margin, SPARE * spare)
         self.late, self.done = task.deadline, 0
 

@@ -123,6 +123,7 @@ def test_the_time_limit_holds_where_checks_are_slow(planar, planner, monkeypatch
         time.sleep(0.02)
         return quick(model, q, **options)
 
+    mp.seed_path(planar, START, GOAL, POST, seeding=mp.Seeding(planner="RRTConnect"))  # loads and compiles
     monkeypatch.setattr(CollisionModel, "in_collision", slow)
     monkeypatch.setattr(motions, "functions", lambda: None)  # the compiled check does not ask it
     began = time.monotonic()
