@@ -59,7 +59,7 @@ pictures: $(READY)
 
 # The compiled kernels in LLVM's language, for machines without a C compiler; needs clang 16.
 KERNELS := manipplan/collision/distances manipplan/collision/bottoms manipplan/collision/body_motion manipplan/paths/curves \
-    manipplan/cost/panels manipplan/seeds/connect
+    manipplan/cost/panels manipplan/seeds/connect manipplan/seeds/star
 kernel: $(KERNELS:=.ll)
 %.ll: %.c
 	{ echo "; $(<F) $$(sha256sum $< | cut -d' ' -f1): written by make kernel"; \

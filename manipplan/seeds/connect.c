@@ -9,6 +9,7 @@
 
 enum { FREE, TOUCHING, UNDECIDED };
 enum { SEARCHING, FOUND, FULL };
+static const double LEAST_GAIN = 0.01; /* share of a way's length that a shortcut must save */
 enum { MOST_SIDES = 8, BLOCK = 64, MOST_JOINTS = 64 };
 
 typedef struct {
@@ -39,11 +40,16 @@ typedef struct {
     int (*values)(const double *, double *, long); /* their values (count, sides) at configurations (count, n) */
     const double *zero;     /* (sides) absolute values that count as zero */
     long most_changes;      /* on a path */
+    double bound;           /* only paths of less cost are looked for; infinite: any */
+    double rate;            /* lower bound of the cost per length */
+    double (*cost_of)(const void *, const double *, const double *); /* the cost of a straight motion, */
+    const void *star;       /* which takes this */
     unsigned long long random; /* state of the generator */
     long room;              /* for nodes of each tree */
     double *node[2];        /* (room, n) the tree of the start, and that of the goal; the first node is the root */
     long *parent[2];        /* (room) */
     Side *side[2];          /* (room) */
+    double *cost[2];        /* (room) from the root, with a bound */
     long size[2];
     long met[2];            /* the nodes at which they met */
     long turn;              /* the tree that grows next */
@@ -151,14 +157,15 @@ int manipplan_motion(Search *s, const double *a, const double *b) {
     return motion_is_free(s, a, b);
 }
 
-static long nearest(const Search *s, long tree, const double *q) {
+/* The node nearest to q; with a bound, of those from which q can be reached for at most `most`, or the root. */
+static long nearest(const Search *s, long tree, const double *q, double most) {
     long best = 0;
     double least = INFINITY;
     for (long k = 0; k < s->size[tree]; k++) {
         const double *node = s->node[tree] + k * s->n;
         double sum = 0;
         for (long j = 0; j < s->n; j++) sum += (q[j] - node[j]) * (q[j] - node[j]);
-        if (sum < least) least = sum, best = k;
+        if (sum < least && (!k || s->bound == INFINITY || s->cost[tree][k] + s->rate * sqrt(sum) <= most)) least = sum, best = k;
     }
     return best;
 }
@@ -171,6 +178,10 @@ static long extend(Search *s, long tree, long from, const double *target) {
     if (far > s->range) between(s, a, target, s->range / far, b);
     else memcpy(b, target, (size_t)s->n * sizeof *b);
     Side side = s->side[tree][from];
+    if (s->bound < INFINITY) {
+        s->cost[tree][made] = s->cost[tree][from] + s->cost_of(s->star, a, b);
+        if (!(s->cost[tree][made] + s->rate * distance(s, b, s->node[1 - tree]) < s->bound)) return -1;
+    }
     if (s->sides && !carry(s, a, b, &side, s->side[1 - tree])) return -1;
     if (!motion_is_free(s, a, b)) return -1;
     s->parent[tree][made] = from, s->side[tree][made] = side;
@@ -186,8 +197,33 @@ static int is_full(const Search *s) {
     return s->size[0] + longest > s->room || s->size[1] + longest > s->room;
 }
 
+/* A random configuration of the ellipsoid of all paths shorter than `length` [gammell2014]; one of its limits where it is outside. */
+static void sample_inside(Search *s, double length, double *q) {
+    double x[MOST_JOINTS], axis[MOST_JOINTS], square = 2, far = distance(s, s->node[0], s->node[1]), along = 0;
+    for (int k = 0; square > 1 && k < 1000; k++) {
+        square = 0;
+        for (long j = 0; j < s->n; j++) x[j] = 2 * uniform(s) - 1, square += x[j] * x[j];
+    }
+    double across = sqrt(fmax(length * length - far * far, 0)) / 2, size = square > 1 ? 1 / sqrt(square) : 1;
+    for (long j = 0; j < s->n; j++) {                       /* a reflection turns the first axis towards the goal */
+        x[j] *= size * (j ? across : length / 2);
+        axis[j] = (s->node[1][j] - s->node[0][j]) / far - (j == 0);
+        along += axis[j] * x[j];
+    }
+    double axes = 0;
+    for (long j = 0; j < s->n; j++) axes += axis[j] * axis[j];
+    for (long j = 0; j < s->n; j++) {
+        q[j] = (s->node[0][j] + s->node[1][j]) / 2 + x[j] - (axes > 0 ? 2 * along / axes * axis[j] : 0);
+        q[j] = fmin(fmax(q[j], s->low[j]), s->high[j]);
+    }
+}
+
 /* A random configuration, most often from a box of random size around start and goal. */
 static void sample(Search *s, double *q) {
+    if (s->bound < INFINITY && s->rate > 0 && uniform(s) < s->near) {
+        sample_inside(s, s->bound / s->rate, q);
+        return;
+    }
     double around = uniform(s) < s->near ? s->around * uniform(s) : INFINITY;
     for (long j = 0; j < s->n; j++) {
         double a = s->node[0][j], b = s->node[1][j];
@@ -205,14 +241,17 @@ int manipplan_connect(Search *s, long checks) {
         long tree = s->turn, other = 1 - tree, at;
         double target[MOST_JOINTS];
         sample(s, target);
+        double most = s->bound < INFINITY ? uniform(s) * s->bound : 0;
         s->checks++; /* so that it ends even where no motion is checked */
-        long made = extend(s, tree, nearest(s, tree, target), target);
+        long made = extend(s, tree, nearest(s, tree, target, most), target);
         if (made < 0) continue;
         memcpy(target, s->node[tree] + made * s->n, (size_t)s->n * sizeof *target);
-        for (at = nearest(s, other, target); at >= 0; ) {
+        double left = s->bound < INFINITY ? s->bound - s->cost[tree][made] : 0;
+        for (at = nearest(s, other, target, left); at >= 0; ) {
             const double *here = s->node[other] + at * s->n;
             if (memcmp(here, target, (size_t)s->n * sizeof *here) == 0) {
                 const Side *one = s->side[tree] + made, *two = s->side[other] + at;
+                if (s->bound < INFINITY && !(s->cost[other][at] < left)) break;
                 if (s->sides && one->changes + two->changes + differences(one, two) > s->most_changes) break;
                 s->met[tree] = made, s->met[other] = at;
                 return FOUND;
@@ -256,6 +295,10 @@ static int keeps_sides(const Search *s, const double *a, const double *b) {
     return !s->sides || (carry(s, a, a, &side, &any) && carry(s, a, b, &side, &any) && side.changes == 0);
 }
 
+/* The same for other code, and whether a motion is free, but for its begin. */
+int manipplan_allowed(const Search *s, const double *way, long count) { return way_is_allowed(s, way, count); }
+int manipplan_clear(Search *s, const double *a, const double *b) { return motion_is_free(s, a, b); }
+
 /* Leave out waypoints of a way (count, n) that a straight motion can skip, those that skip most first. `work` has as much room.
    Returns the number of its waypoints. */
 long manipplan_skip(Search *s, double *way, double *work, long count) {
@@ -294,7 +337,7 @@ long manipplan_shorten(Search *s, double *way, double *work, long count, long at
                 }
             gone += edge_length;
         }
-        if (edge[0] == edge[1]) continue;
+        if (edge[0] == edge[1] || place[1] - place[0] - distance(s, ends[0], ends[1]) < LEAST_GAIN * length) continue;
         long made = edge[0] + 1;
         memcpy(work, way, (size_t)made * row);
         memcpy(work + made++ * s->n, ends[0], row), memcpy(work + made++ * s->n, ends[1], row);

@@ -28,10 +28,10 @@ class TreeSearch:
 
     def run(self, levels: Sequence[Level]) -> Array | None:
         """Waypoints (k, n) of a path, or None when none was found. Motions are checked as `levels` tell, one after another."""
-        return _Run(self.task, levels).path()
+        return Run(self.task, levels).path()
 
 
-class _Run:
+class Run:
     """The data of one search."""
 
     def __init__(self, task: SeedTask, levels: Sequence[Level]) -> None:
@@ -39,6 +39,7 @@ class _Run:
         self.n, self.search, self.call = self.check.n, self.check.data, self.check.call
         self.nodes = np.empty((2, ROOM, self.n))
         self.nodes[:, 0] = self.check.roots
+        self.costs = np.zeros((2, ROOM))
         self.parents = np.full((2, ROOM), -1)
         self.sides = np.zeros((2, ROOM), dtype=SIDE)
         self.sides[:, 0] = self.check.root_sides
@@ -56,7 +57,7 @@ class _Run:
             status = call["connect"](at, left)
             self.check.raise_failure()
             if status == FULL:
-                self._grow()
+                self.grow()
         self.check.deadline = task.deadline + GRACE
         count = call["way"](at, None)
         way = np.empty((count + SHORTCUTS, self.n))
@@ -70,11 +71,14 @@ class _Run:
         self.check.raise_failure()
         return way[:count].copy()
 
-    def _grow(self) -> None:
-        self.nodes, self.parents, self.sides = (np.concatenate([a, a], axis=1) for a in (self.nodes, self.parents, self.sides))
+    def grow(self) -> None:
+        """Make room for twice as many nodes."""
+        arrays = self.nodes, self.parents, self.sides, self.costs
+        self.nodes, self.parents, self.sides, self.costs = (np.concatenate([a, a], axis=1) for a in arrays)
         self._set_room()
 
     def _set_room(self) -> None:
         self.search.room = self.nodes.shape[1]
-        for name, arrays in (("node", self.nodes), ("parent", self.parents), ("side", self.sides)):
+        named = {"node": self.nodes, "parent": self.parents, "side": self.sides, "cost": self.costs}
+        for name, arrays in named.items():
             setattr(self.search, name, (P * 2)(*(each.ctypes.data for each in arrays)))

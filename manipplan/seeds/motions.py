@@ -17,7 +17,7 @@ from manipplan.kinematics.batch import BATCH
 from manipplan.kinematics.sides import Sides
 from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
-from manipplan.support.compiling.native import native_code
+from manipplan.support.compiling.native import NativeCode, native_code
 
 #: As in connect.c.
 MOST_SIDES, MOST_JOINTS = 8, 64
@@ -80,9 +80,13 @@ class Search(ctypes.Structure):
         ("sides", N),
         *((name, P) for name in ("values", "zero")),
         ("most_changes", N),
+        ("bound", D),
+        ("rate", D),
+        ("cost_of", P),
+        ("star", P),
         ("random", ctypes.c_uint64),
         ("room", N),
-        *((name, P * 2) for name in ("node", "parent", "side")),
+        *((name, P * 2) for name in ("node", "parent", "side", "cost")),
         ("size", N * 2),
         ("met", N * 2),
         ("turn", N),
@@ -91,9 +95,15 @@ class Search(ctypes.Structure):
 
 
 @cache
+def search_code() -> NativeCode | None:
+    """The machine code of connect.c; None where it cannot be compiled."""
+    return native_code(Path(__file__).with_name("connect.c"), "searches for paths")
+
+
+@cache
 def functions() -> dict[str, Callable[..., Any]] | None:
     """The functions of connect.c by their names without prefix; None where it cannot be compiled."""
-    code = native_code(Path(__file__).with_name("connect.c"), "searches for paths")
+    code = search_code()
     if code is None:
         return None
     short = {name: ctypes.PYFUNCTYPE(*types)(code.address(f"manipplan_{name}")) for name, types in SHORT.items()}
@@ -149,6 +159,7 @@ class MotionCheck:
             sides=0 if sides is None else len(sides.names),
             values=None if self._values is None else ctypes.cast(self._values, P),
             most_changes=ANY if task.most_crossings is None else task.most_crossings,
+            bound=np.inf,
             random=task.seed,
             size=(N * 2)(1, 1),
             node=(P * 2)(*(each.ctypes.data for each in self.roots)),

@@ -25,7 +25,8 @@ from manipplan.seeds.acceptance import acceptance, crossing_limit, is_free, look
 from manipplan.seeds.connect import TreeSearch
 from manipplan.seeds.motions import Level, can_check
 from manipplan.seeds.ompl import OmplSearch
-from manipplan.seeds.seeding import AUTO, OPTIMISING, Seeding
+from manipplan.seeds.seeding import AUTO, OPTIMISING, STAR, Seeding
+from manipplan.seeds.star import StarSearch, star_code
 from manipplan.seeds.task import GRACE, SeedTask
 from manipplan.support.checks import Array, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
@@ -66,7 +67,8 @@ def seed_path(
         start, goal: (n,) [rad or m].
         scene: obstacles; None: only self-collision is checked.
         seeding: planner, random seed and time limit; the other fields keep their defaults.
-        objective: the cost that the optimising planners (RRTstar, InformedRRTstar, SORRTstar, BITstar) lower; None: the length.
+        objective: the cost that the optimising planners (connect-star, RRTstar, InformedRRTstar, SORRTstar, BITstar) lower;
+            None: the length.
             With an objective the straight line is returned only if no lower g is found, and the path is simplified only where
             that does not raise g. The other planners ignore it.
         same_aspect: only accept a path on which no factor of det J changes its sign, so that it crosses no singularity of the
@@ -97,7 +99,9 @@ def seed_path(
     q_start = model.free_configuration("start", start, clearance)
     q_goal = model.free_configuration("goal", goal, clearance)
     check_apart(q_start, q_goal)
-    compiled = seeding.planner == "auto" and can_check(model)  # before time counts, since code may have to be compiled
+    compiled = can_check(model) and seeding.planner in ("auto", STAR)  # before time counts, since code may have to be compiled
+    if seeding.planner == STAR and not (compiled and star_code()):
+        raise InvalidInputError("seeding.planner", STAR, "another one: here its code cannot be compiled")
     kinematics = integral.kinematics
     task = SeedTask(
         model=model,
@@ -225,17 +229,20 @@ class _Finder:
 
     @property
     def planner(self) -> str:
-        """The name of OMPL's planner."""
+        """The name of the planner, with that of OMPL for "auto"."""
         return AUTO if self.seeding.planner == "auto" else self.seeding.planner
 
     def _waypoints(self, task: SeedTask) -> Iterator[Array]:
         """The paths (k, n) of searches with finer and finer motion checks."""
-        search: TreeSearch | OmplSearch = TreeSearch(task=task)
+        search: TreeSearch | StarSearch | OmplSearch = TreeSearch(task=task)
         levels: Sequence[Level] = LEVELS
-        if not self.compiled:
+        if self.planner == STAR:
+            checks = self.checks if task.checks is None else min(self.checks, task.checks)
+            search = StarSearch(task=replace(task, checks=checks), integral=self.integral)
+        elif not self.compiled:
             optimises = self.planner in OPTIMISING
-            checks = self.checks if optimises else task.checks
-            search = OmplSearch(task=replace(task, checks=checks), planner=self.planner, integral=self.integral)
+            limited = replace(task, checks=self.checks) if optimises else task
+            search = OmplSearch(task=limited, planner=self.planner, integral=self.integral)
             levels = LEVELS[-1:] if optimises else LEVELS  # an optimising planner does not check a motion again
         for share in FINER:
             waypoints = search.run([replace(level, step=share * level.step) for level in levels])
@@ -246,12 +253,12 @@ class _Finder:
 
     def failure(self) -> str:
         """Why no path was found."""
-        limit = self.seeding.time_limit
+        limit, is_auto = self.seeding.time_limit, self.compiled and self.seeding.planner == "auto"
         spent, remedy = f"in {limit:g} s", "allow more time (Seeding.time_limit)"
         if self.spent and self.planner in OPTIMISING:
             spent, remedy = f"with {self.checks} checks", "allow more of them (checks)"
         return (
-            f"no path from start to goal was found by {'RRT-Connect' if self.compiled else self.planner} {spent}; "
+            f"no path from start to goal was found by {'RRT-Connect' if is_auto else self.planner} {spent}; "
             f"{remedy}, reduce the clearance, or check that the goal can be reached"
         )
 
