@@ -59,13 +59,16 @@ pictures: $(READY)
 
 # The compiled kernels in LLVM's language, for machines without a C compiler; needs clang 16.
 KERNELS := manipplan/collision/distances manipplan/collision/bottoms manipplan/collision/body_motion manipplan/paths/curves \
-    manipplan/cost/panels manipplan/seeds/connect manipplan/seeds/star
+    manipplan/cost/panels manipplan/seeds/connect manipplan/seeds/star manipplan/timing/barrier manipplan/ik/inverse \
+    manipplan/search/sweep manipplan/search/restarts
 kernel: $(KERNELS:=.ll)
+manipplan/ik/inverse.ll: $(wildcard manipplan/ik/*.h)
+manipplan/search/sweep.ll manipplan/search/restarts.ll: $(wildcard manipplan/search/*.h)
 %.ll: %.c
-	{ echo "; $(<F) $$(sha256sum $< | cut -d' ' -f1): written by make kernel"; \
+	{ echo "; $(<F) $$(cat $< $(sort $(wildcard $(<D)/*.h)) | sha256sum | cut -d' ' -f1): written by make kernel"; \
 	  clang-16 -O2 -fno-vectorize -fno-slp-vectorize -fno-unroll-loops -ffp-contract=off -fno-math-errno -fno-trapping-math \
-	    -S -emit-llvm -o - $< | sed -E -e '/^(target|source_filename|!|;)/d' -e 's/"(target|tune)-[a-z]+"="[^"]*"//g' \
-	    -e 's/, !(tbaa|tbaa\.struct|llvm\.loop) ![0-9]+//g'; } > $@
+	    -S -emit-llvm -o - $< | sed -E -e '/^(target|source_filename|!|;)|noalias\.scope\.decl/d' -e 's/"(target|tune)-[a-z]+"="[^"]*"//g' \
+	    -e 's/, !(tbaa|tbaa\.struct|llvm\.loop|noalias|alias\.scope) ![0-9]+//g'; } > $@
 
 # Edited files for every loader, 10,000 each: half an hour. Files at fault are kept in .faults.
 fuzz: $(READY)
@@ -76,12 +79,14 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/panda_pairs.py
 	$(BIN)/python benchmarks/kinematics.py
 	$(BIN)/python benchmarks/import_time.py
+	$(BIN)/python benchmarks/cold_start.py
 	$(BIN)/python benchmarks/random_steps.py
 	$(BIN)/python benchmarks/control_step.py
 	$(BIN)/python benchmarks/six_joint_arms.py
 	$(BIN)/python benchmarks/motionbenchmaker.py
 	$(BIN)/python benchmarks/motionbenchmaker.py --arm ur5
 	$(BIN)/python benchmarks/first_paths.py
+	$(BIN)/python benchmarks/plan_many.py
 	$(BIN)/python benchmarks/seeds.py
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py
@@ -93,6 +98,7 @@ benchmark: $(READY)
 benchmark-peers: $(READY)
 	$(BIN)/python benchmarks/tracking.py
 	$(BIN)/python benchmarks/inverse_kinematics.py
+	$(BIN)/python benchmarks/demo_timing.py
 
 benchmark-paths: $(READY)
 	$(BIN)/python benchmarks/path_suite.py

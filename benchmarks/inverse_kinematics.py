@@ -24,8 +24,8 @@ import manipplan as mp
 from manipplan.ik.distinct import distinct
 from manipplan.ik.form import closed_form
 from manipplan.ik.geometry import Screws
+from manipplan.ik.native import swivels_of
 from manipplan.ik.solver import REACHED, Solver
-from manipplan.ik.swivel import swivel_of
 
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT / "benchmarks" / "peers"))
@@ -46,8 +46,8 @@ def parameters(robot: mp.Robot, q: np.ndarray) -> np.ndarray:
     if form.name == "swivel":
         free = list(form.free)
         axes, points = form.screws.axes[free], form.screws.points[free]
-        wrist, shoulder = map(tuple, form.meeting)
-        values = np.column_stack([values, [swivel_of(axes, points, shoulder, wrist, each[free]) for each in q]])
+        wrist, shoulder = form.meeting
+        values = np.column_stack([values, swivels_of(axes, points, shoulder, wrist, q[:, free])])
     return np.ascontiguousarray(values)
 
 

@@ -160,7 +160,7 @@ def one(robot: mp.Robot, seed: int, count: Count) -> tuple[str, str]:
         ]
     speeds = 10 ** rng.uniform(-2, 0.5, 2) if "speeds" in extra else None
     count.paths += 1
-    began = time.perf_counter()
+    began = time.process_time()
     try:
         for attempt in range(12):  # speeds that limits do not allow are refused: halve them
             if speeds is not None:
@@ -176,7 +176,7 @@ def one(robot: mp.Robot, seed: int, count: Count) -> tuple[str, str]:
     except Exception as error:  # each kind is counted and told
         count.failures.append(f"{type(error).__name__}: {error} (seed {seed}, {robot.name}, {kind}, {extra})")
         return kind, extra
-    count.seconds.append(time.perf_counter() - began)
+    count.seconds.append(time.process_time() - began)
     excess = judge(trajectory, limits, model)
     if speeds is not None:
         wanted = [float(np.linalg.norm(trajectory.qd[k])) for k in (0, -1)]
@@ -258,7 +258,7 @@ def page(counts: dict[str, Count], ratios: list[float]) -> str:
     kinds = ("velocity", "acceleration", "jerk", "torque", "segment")
     lines = [
         "| asked beside velocity and acceleration | paths | failed | over a limit by more than 1e-6 | worst: velocity, "
-        "acceleration, jerk, torque, segment [share over the limit] | median, worst time of computing [s] |",
+        "acceleration, jerk, torque, segment [share over the limit] | median, worst processor time [s] |",
         "|---|---|---|---|---|---|",
     ]
     for extra in EXTRAS:

@@ -24,6 +24,8 @@ from manipplan.jobs.follow import follow
 from manipplan.jobs.improve import improve
 from manipplan.jobs.other_goals import OtherGoal, other_goals
 from manipplan.jobs.plan import plan
+from manipplan.jobs.plan_many import plan_many
+from manipplan.jobs.problem import Problem
 from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.kinematics import Kinematics
@@ -138,6 +140,7 @@ __all__ = [
     "PlanningError",
     "PointCloud",
     "Posture",
+    "Problem",
     "Refinement",
     "Report",
     "Robot",
@@ -179,6 +182,7 @@ __all__ = [
     "path_cost",
     "pinocchio_casadi",
     "plan",
+    "plan_many",
     "planar_arm",
     "refine",
     "retime",

@@ -39,7 +39,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     log.setFormatter(_Printable())
     logging.basicConfig(level=logging.WARNING, handlers=[log])
     logging.getLogger("toppra").setLevel(logging.ERROR)
-    logging.getLogger("manipplan.support.compiling.kernels").setLevel(logging.INFO)
+    logging.getLogger("manipplan.support.compiling.patience").setLevel(logging.INFO)
     errors = Console(stderr=True)
     try:
         code = tyro.extras.subcommand_cli_from_dict(

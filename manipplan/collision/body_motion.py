@@ -9,8 +9,8 @@ first, joint j moves the point by at most
 with ρ_j the largest distance of the body's points from axis j at q: the joints that moved before have moved the point by
 at most the sum. The distance of the pair decreases by at most Σ_j D_j. (1)
 
-On a curve q(u) with |q_j'| <= v_j and |q_j''| <= a_j the same distance λ_j from axis j, ρ_j + Σ_{i > j} D_i or 1 for a prismatic
-joint, bounds a point's acceleration: its part by joints i < j is |z_i x (z_j x r_j)| <= λ_j, so that (2)
+On a curve q(u) with |q_j'| <= v_j and |q_j''| <= a_j the same distance λ_j from axis j, ρ_j + Σ_{i > j} D_i or 1 for a
+prismatic joint, bounds a point's acceleration: its part by joints i < j is |z_i x (z_j x r_j)| <= λ_j, so that (2)
 
     |p''| <= Σ_j λ_j (v_j² + 2 v_j Σ_{i < j} v_i + a_j),   (3)
 

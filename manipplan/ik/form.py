@@ -7,14 +7,14 @@ from itertools import combinations
 import numpy as np
 
 from manipplan.ik.geometry import EXACT, MEETS, Screws
-from manipplan.ik.spherical import SKEW, lie
+from manipplan.ik.native import SKEW, arrangement
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.task import Task
 
-#: Solver of a closed form.
+#: Solver of a closed form; as in inverse.c.
 SPHERICAL, PARALLEL, SWIVEL = range(3)
 NAMES = ("spherical", "parallel", "swivel")
 
@@ -154,7 +154,7 @@ def _six_joints(screws: Screws, held: tuple[int, ...]) -> list[ClosedForm]:
                     continue
                 miss = max(miss, screws.askew(*middle))
             else:
-                miss = max(miss, lie(screws.axes[list(order)], screws.points[list(order)])[2])
+                miss = max(miss, arrangement(screws.axes[list(order)], screws.points[list(order)])[2])
             forms.append(
                 ClosedForm(
                     screws=screws,
@@ -178,5 +178,6 @@ def _meeting(screws: Screws, joints: tuple[int, ...]) -> tuple[Array, float] | N
 
 def _effort(form: ClosedForm) -> tuple[int, int, int, int]:
     """Sort key, fastest form first: axes to be moved, a quartic, a backward chain, joints held far from the base."""
-    skew = form.solver == SPHERICAL and lie(form.screws.axes[list(form.free)], form.screws.points[list(form.free)])[0] == SKEW
+    free = list(form.free)
+    skew = form.solver == SPHERICAL and arrangement(form.screws.axes[free], form.screws.points[free])[0] == SKEW
     return int(form.moves_axes), int(skew), int(form.backward), sum(form.held)

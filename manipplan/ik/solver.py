@@ -8,18 +8,19 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.ik.enumeration import answers
+from manipplan.ik.enumeration import Enumeration
 from manipplan.ik.form import SWIVEL, ClosedForm, closed_form, held_indices
 from manipplan.ik.geometry import Screws
-from manipplan.ik.newton import refine
+from manipplan.ik.native import swivels_of
+from manipplan.ik.newton import MovingArm
 from manipplan.ik.solutions import Completeness
 from manipplan.ik.statistical import Sampled, best_held, random_answers
-from manipplan.ik.swivel import swivels_of
 from manipplan.ik.verify import residuals
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, random_seed, whole_number
 from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.task import Task
 
 #: A configuration reaches a pose when no entry of the two matrices differs by more than this [m or 1].
@@ -115,6 +116,23 @@ class Solver:
         swivel = ("swivel",) if self.form is not None and self.form.solver == SWIVEL else ()
         return held + swivel + (("tool rotation",) if self.axis is not None else ())
 
+    @cached_property
+    def _enumeration(self) -> Enumeration:
+        assert self.form is not None
+        return _enumeration(self.robot, self.form, None if self.axis is None else tuple(self.axis.tolist()))
+
+    @cached_property
+    def _whole(self) -> MovingArm:
+        """All joints move."""
+        return MovingArm(self.screws, np.ones(self.robot.n, dtype=np.bool_))
+
+    @cached_property
+    def _holding(self) -> MovingArm:
+        """All joints move but those that are held."""
+        moves = np.ones(self.robot.n, dtype=np.bool_)
+        moves[list(self.held)] = False
+        return MovingArm(self.screws, moves)
+
     def values(self, parameters: ArrayLike | None, samples: int | Sequence[int] | None) -> tuple[Array, Completeness]:
         """Parameters (s, r): the given ones, or a grid."""
         r = len(self.names)
@@ -163,19 +181,16 @@ class Solver:
         targets = poses
         if self.axis is not None:
             targets = poses @ turns_about(self.axis, self._tool_turns(q, poses))
-        moved, screws = q.copy(), self.screws
-        rows, moves = np.arange(len(q)), np.ones(self.robot.n, dtype=np.bool_)
-        refine(screws.axes, screws.points, screws.slides, screws.home, targets, rows, moves, moved, STEPS, REACHED / 100)
+        moved = self._whole.refine(q, targets, np.arange(len(q)), steps=STEPS, tolerance=REACHED / 100)
         return np.clip(moved, self.robot.limits.lower, self.robot.limits.upper)
 
     def solve(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
         """All solutions for samples (s, r), with duplicates; `owners` (s,) is the pose index of each sample."""
         if self.form is None:
             return self._by_search(poses, owners, samples)
-        limits = self.robot.limits
         blocks = [
             self._judged(q, source, *self._targets(poses, owners, samples, source))
-            for q, source in answers(self.form, poses, owners, samples, limits.lower, limits.upper, self.axis)
+            for q, source in self._enumeration(poses, owners, samples)
         ]
         return _joined(blocks, self.robot.n)
 
@@ -194,21 +209,7 @@ class Solver:
         if self.form is not None and self.form.exact:
             off &= residual < ROUNDED
         if off.any():
-            moves = np.ones(self.robot.n, dtype=bool)
-            moves[list(self.held)] = False
-            better, screws = q[off], self.screws
-            refine(
-                screws.axes,
-                screws.points,
-                screws.slides,
-                screws.home,
-                targets,
-                rows[off],
-                moves,
-                better,
-                STEPS,
-                REACHED / 100,
-            )
+            better = self._holding.refine(q[off], targets, rows[off], steps=STEPS, tolerance=REACHED / 100)
             q = q.copy()
             q[off] = np.clip(better, self.robot.limits.lower, self.robot.limits.upper)
             residual[off] = self._residual(q[off], targets, rows[off])
@@ -246,6 +247,11 @@ def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...], u
         wanted = f"one whole number, or one for each of {', '.join(names) or 'no parameters'}"
         raise InvalidInputError("samples", samples, wanted)
     return tuple(whole_number(f"samples[{k}] ({names[k]})", each, least=1) for k, each in enumerate(samples))
+
+
+@once_per_owner
+def _enumeration(robot: Robot, form: ClosedForm, axis: tuple[float, ...] | None) -> Enumeration:
+    return Enumeration(form, robot.limits.lower, robot.limits.upper, None if axis is None else np.array(axis))
 
 
 def turns_about(axis: Array, angles: Array) -> Array:

@@ -6,7 +6,7 @@ from itertools import combinations
 import numpy as np
 
 from manipplan.ik.geometry import Screws
-from manipplan.ik.newton import search
+from manipplan.ik.newton import MovingArm
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -60,31 +60,21 @@ def random_answers(setup: Sampled, target: Array, rng: np.random.Generator) -> t
     found, hits, starts = np.zeros((0, screws.n)), np.zeros(0), 0
     near = np.zeros((0, screws.n))
 
-    def advance(q: Array, steps: int) -> Array:
-        return search(
-            screws.axes,
-            screws.points,
-            screws.slides,
-            screws.home,
-            target,
-            moves,
-            limits.lower,
-            limits.upper,
-            q,
-            steps,
-            TOLERANCE,
-        )
+    arm = MovingArm(screws, moves)
+
+    def advance(q: Array, steps: int) -> tuple[Array, Array]:
+        return arm.search(q, target, limits.lower, limits.upper, steps=steps, tolerance=TOLERANCE)
 
     while starts < MOST:
         if len(found) or starts < FRUITLESS:
             q = rng.uniform(lower, upper, (ROUND, screws.n))
             q[:, held] = setup.values
-            miss = advance(q, STEPS)
+            q, miss = advance(q, STEPS)
             starts += ROUND
             near = np.vstack([near, q[(miss > TOLERANCE) & (miss < NEAR)]])
         elif len(near):
-            q, near = near[:ROUND].copy(), near[:0]
-            miss = advance(q, MORE_STEPS)
+            q, miss = advance(near[:ROUND], MORE_STEPS)
+            near = near[:0]
         else:
             break
         for each in _in_range(q[miss <= TOLERANCE], limits):

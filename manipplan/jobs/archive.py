@@ -36,7 +36,7 @@ from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
-    from manipplan.jobs.result import Plan
+    from manipplan.jobs.result import PartialPlan, Plan
 
 log = logging.getLogger("manipplan")
 
@@ -45,29 +45,22 @@ FORMAT, VERSION = "manipplan-plan", 1
 NAME = "plan.json"
 
 
-def write_plan(plan: "Plan", file: Path) -> None:
-    """Write a plan that has a trajectory. Parts that cannot be written are logged, now and when the file is read."""
+def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None) -> None:
+    """Write a plan, with the key of its problem. Parts that cannot be written are logged, now and when the file is read."""
     import manipplan
 
-    result = plan.result
     folder = file.expanduser().resolve().parent
-    figures = ("g", "length", "min_manipulability", "min_at", "status", "seed_cost", "certificate", "first_paths", "missing")
     data = {
         "format": FORMAT,
         "version": VERSION,
         "manipplan": manipplan.__version__,
         "robot": robot_data(plan.robot, folder),
         "scene": scene_data(plan.scene, folder),
-        "task": result.task,
-        "measure": measure_data(result.measure),
-        "power": result.power,
-        "floor": result.floor,
-        "metric": result.metric,
+        "problem": problem,
+        **_result_data(plan.result),
         "status": plan.status,
         "message": plan.message,
         "path": plan.path,
-        "seed": result.seed,
-        "result": {name: getattr(result, name) for name in figures},
         "trajectory": plan.trajectory,
         "report": plan.report,
         "workspace_path": _workspace_data(plan.workspace_path),
@@ -76,10 +69,26 @@ def write_plan(plan: "Plan", file: Path) -> None:
         "deviation": plan.deviation,
     }
     for part in ("robot", "scene", "measure", "workspace_path"):
-        if isinstance(data[part], dict) and "missing" in data[part]:
-            log.warning("%s: not written: %s, %s", file, part, data[part]["missing"])
+        lost = data.get(part)
+        if isinstance(lost, dict) and "missing" in lost:
+            log.warning("%s: not written: %s, %s", file, part, lost["missing"])
     plain = json_ready(data)
     write_text(file, json.dumps({**plain, "sha256": checksum(plain)}, allow_nan=False) + "\n")
+
+
+def _result_data(result: PathResult | None) -> dict[str, Any]:
+    if result is None:
+        return {"result": None}
+    figures = ("g", "length", "min_manipulability", "min_at", "status", "seed_cost", "certificate", "first_paths", "missing")
+    return {
+        "task": result.task,
+        "measure": measure_data(result.measure),
+        "power": result.power,
+        "floor": result.floor,
+        "metric": result.metric,
+        "seed": result.seed,
+        "result": {name: getattr(result, name) for name in figures},
+    }
 
 
 def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, measure: Measure | None) -> "Plan":
@@ -87,54 +96,70 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
     from manipplan.jobs.result import Plan
 
     path = _plan_file(file)
-    data = _checked_json(path)
+    plan = plan_of(path, checked_json(path), robot=robot, scene=scene, measure=measure)
+    if not isinstance(plan, Plan):
+        wanted = f"a plan with a trajectory; this one has none, with status {plan.status.name}: {plan.message}"
+        raise FileFormatError("file", str(path), wanted)
+    return plan
+
+
+def plan_of(
+    path: Path, data: Mapping[str, Any], *, robot: Robot | None, scene: Scene | None, measure: Measure | None
+) -> "PartialPlan":
+    """The plan of a file's data, a Plan if it has a trajectory."""
+    from manipplan.jobs.result import PartialPlan, Plan
+
     folder = path.resolve().parent
     try:
         arm = robot_of(path, data["robot"], folder, robot)
         world = scene_of(path, data["scene"], folder, scene)
-        restored = measure_of(path, data["measure"], measure)
-        joints = from_json(data["path"], JointPath)
-        # a seed that is the path itself remains the same object, by which pictures know that there is only one path
-        seed = joints if data["seed"] == data["path"] else from_json(data["seed"], JointPath)
-        numbers = data["result"]
-        result = PathResult(
-            path=joints,
-            seed=seed,
-            g=float(numbers["g"]),
-            length=float(numbers["length"]),
-            min_manipulability=float(numbers["min_manipulability"]),
-            min_at=float(numbers["min_at"]),
-            power=float(data["power"]),
-            floor=float(data.get("floor", 0.0)),  # files of version 0.1 have none
-            task=from_json(data["task"], Task),
-            measure=restored,
-            metric=_maybe(data["metric"], stored_array),
-            seed_cost=from_json(numbers["seed_cost"], PathCost),
-            history=(),
-            status=Status[numbers["status"]],
-            certificate=from_json(numbers["certificate"], Certificate),
-            first_paths=int(numbers.get("first_paths", 1)),  # older files have none
-            missing=float(numbers.get("missing", "nan")),
-        )
-        return Plan(
-            robot=arm,
-            scene=world,
-            status=Status[data["status"]],
-            message=str(data["message"]),
-            path=joints,
-            trajectory=from_json(data["trajectory"], Trajectory),
-            report=from_json(data["report"], Report),
-            result=result,
-            workspace_path=_maybe(data["workspace_path"], _workspace),
-            tolerance=_maybe(data["tolerance"], lambda each: from_json(each, Tolerance)),
-            refinement=_maybe(data["refinement"], lambda each: from_json(each, Refinement)),
-            deviation=_maybe(data["deviation"], lambda each: from_json(each, Deviation)),
-        )
+        joints = _maybe(data["path"], lambda each: from_json(each, JointPath))
+        parts: dict[str, Any] = {
+            "robot": arm,
+            "scene": world,
+            "status": Status[data["status"]],
+            "message": str(data["message"]),
+            "path": joints,
+            "trajectory": _maybe(data["trajectory"], lambda each: from_json(each, Trajectory)),
+            "report": _maybe(data["report"], lambda each: from_json(each, Report)),
+            "result": _maybe(data["result"], lambda numbers: _path_result(path, data, numbers, joints, measure)),
+            "workspace_path": _maybe(data["workspace_path"], _workspace),
+            "tolerance": _maybe(data["tolerance"], lambda each: from_json(each, Tolerance)),
+            "refinement": _maybe(data["refinement"], lambda each: from_json(each, Refinement)),
+            "deviation": _maybe(data["deviation"], lambda each: from_json(each, Deviation)),
+        }
+        complete = all(parts[name] is not None for name in ("path", "trajectory", "report", "result"))
+        return Plan(**parts) if complete else PartialPlan(**parts)
     except FileFormatError:
         raise
     except (InvalidInputError, KeyError, TypeError, ValueError, AttributeError, OverflowError, OSError) as error:
         reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
         raise FileFormatError("file", str(path), f"a result written by Plan.save, unchanged since ({reason})") from error
+
+
+def _path_result(
+    path: Path, data: Mapping[str, Any], numbers: Mapping[str, Any], joints: JointPath, measure: Measure | None
+) -> PathResult:
+    return PathResult(
+        path=joints,
+        # a seed that is the path itself remains the same object, by which pictures know that there is only one path
+        seed=joints if data["seed"] == data["path"] else from_json(data["seed"], JointPath),
+        g=float(numbers["g"]),
+        length=float(numbers["length"]),
+        min_manipulability=float(numbers["min_manipulability"]),
+        min_at=float(numbers["min_at"]),
+        power=float(data["power"]),
+        floor=float(data.get("floor", 0.0)),  # files of version 0.1 have none
+        task=from_json(data["task"], Task),
+        measure=measure_of(path, data["measure"], measure),
+        metric=_maybe(data["metric"], stored_array),
+        seed_cost=from_json(numbers["seed_cost"], PathCost),
+        history=(),
+        status=Status[numbers["status"]],
+        certificate=from_json(numbers["certificate"], Certificate),
+        first_paths=int(numbers.get("first_paths", 1)),  # older files have none
+        missing=float(numbers.get("missing", "nan")),
+    )
 
 
 def checksum(data: Mapping[str, Any]) -> str:
@@ -176,7 +201,8 @@ def _plan_file(file: str | Path) -> Path:
     return existing_file("file", file)
 
 
-def _checked_json(path: Path) -> dict[str, Any]:
+def checked_json(path: Path) -> dict[str, Any]:
+    """The data of a file, of this format and version and unchanged."""
     try:
         data = json.loads(path.read_text())
     except (ValueError, OSError, RecursionError) as error:

@@ -27,6 +27,7 @@ from manipplan.search.refine import Refinement, refine
 from manipplan.search.sampling import sample_layers
 from manipplan.search.steps import check_epsilon
 from manipplan.support.checks import Array, instance, number
+from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.errors import PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.progress import Progress, part, teller
@@ -42,6 +43,8 @@ AT_POSITIONS, IN_TUBE = 0.9, 0.97
 AT_KNOTS = 0.5
 #: Clearance that candidates keep beyond the required one, for the motion between positions [m].
 SPARE = 0.003
+#: C sources of this job that are compiled while inverse kinematics is, at the first call ever.
+SOURCES = ("collision/distances.c", "search/sweep.c", "cost/panels.c", "paths/curves.c", "timing/barrier.c")
 #: Number of times at which the tool is compared with the path.
 TIMES = 1500
 
@@ -149,6 +152,7 @@ def follow(
     epsilon = check_epsilon(epsilon, robot.endless)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
+    compile_ahead(*SOURCES)
     layers = sample_layers(
         robot,
         path,

@@ -16,14 +16,21 @@ from manipplan.paths.basis import MOST_DEGREE, PathShape
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import instance
+from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.errors import PlanningError
 from manipplan.support.interrupts import interruptible
+from manipplan.support.one_thread import one_thread
 from manipplan.support.progress import Progress, part, teller
 from manipplan.support.status import Status
 from manipplan.timing.retime import check_timing_limits, retime
 
 #: Degrees that are added where a path of the given degree fails, and number of pieces of the cubic B-spline tried after that.
 MORE_DEGREES, SPLINE_PIECES = 3, 8
+#: C sources of this job that are compiled while it prepares collision shapes and generates code, at the first call ever.
+SOURCES = (
+    *("collision/distances.c", "paths/curves.c", "seeds/connect.c", "cost/panels.c", "collision/bottoms.c"),
+    *("collision/body_motion.c", "timing/barrier.c"),
+)
 
 
 @overload
@@ -63,6 +70,7 @@ def plan(
 
 
 @interruptible()
+@one_thread()
 def plan(
     robot: Robot,
     start: ArrayLike,
@@ -107,6 +115,7 @@ def plan(
     tell = teller(progress)
     check_timing_limits(robot.limits)
     draft = PartialPlan(robot=robot, scene=scene, status=Status.NO_PATH)
+    compile_ahead(*SOURCES)
     try:
         result = optimize_path(
             robot,

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 QUANTITIES = ("pose", "jacobian", "manipulability", "gradient", "hessian")
 
-#: Minimum batch size for numba, whose compilation takes time.
+#: Minimum batch size for LLVM, whose compilation takes time.
 MANY = 300_000
 
 
@@ -239,7 +239,7 @@ class Kinematics:
         return values.reshape(*q.shape[:-1], *shape)
 
     def _kernel(self, quantity: str, count: int) -> Kernel | None:
-        """Generated C if there is a compiler, else a numba kernel for large batches; None: CasADi's virtual machine."""
+        """Generated C if there is a compiler, else code by LLVM for large batches; None: CasADi's virtual machine."""
         function = getattr(self.symbolic, quantity)
         if quantity not in self._kernels:
             self._kernels[quantity] = None
@@ -249,9 +249,9 @@ class Kinematics:
                     self._kernels[quantity] = simd_kernel(function, subject)
                 except CompilerError as error:
                     do_without(error, self.compiled)
-        by_numba = self.compiled == "auto" and count >= MANY
-        if self._kernels[quantity] is None and by_numba and expressible(function, jit.OPERATIONS):
-            self._kernels[quantity] = jit.jit_kernel(function)
+        by_llvm = self.compiled == "auto" and count >= MANY
+        if self._kernels[quantity] is None and by_llvm and expressible(function, jit.OPERATIONS):
+            self._kernels[quantity] = jit.JitKernel(function)
         return self._kernels[quantity]
 
     def _shape(self, quantity: str) -> tuple[int, ...]:

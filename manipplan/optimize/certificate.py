@@ -76,8 +76,12 @@ def measure_optimality(program: DescentProgram, z: Array) -> Optimality:
     close = _fitted(program, z, ACTIVE)
     if program.surroundings is None or close.projected_gradient <= GRADIENT:
         return close
-    further = (_fitted(program, z, reach) for reach in KEPT_AWAY)
-    return next((each for each in further if each.projected_gradient <= GRADIENT), close)
+    *nearer, furthest = KEPT_AWAY  # what the furthest pairs do not balance, fewer do not balance either
+    last = _fitted(program, z, furthest)
+    if last.projected_gradient > GRADIENT:
+        return close
+    further = (_fitted(program, z, reach) for reach in nearer)
+    return next((each for each in further if each.projected_gradient <= GRADIENT), last)
 
 
 def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
@@ -92,7 +96,7 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
         near, further = program.surroundings, reach - ACTIVE
         margin = near.margin
         looking = replace(program, surroundings=replace(near, clearance=near.clearance + further))
-        table = looking.table(z, looking.look(z, 0.0))
+        table = looking.measured(z, looking.look(z, 0.0))
         beyond = table.linear(z, z).value + further
         jacobian, owner = table.gradients_nearby(z, np.flatnonzero(beyond < reach - margin), KINK)
     whole = np.concatenate([limits.jacobian, jacobian])

@@ -145,8 +145,8 @@ POINTS = 2
 Place = tuple[float, int]
 
 
-def distance_profile(model: CollisionModel, q: Array, beyond: float) -> NearPairs:
-    """The pairs nearer than `beyond` [m] at the configurations q (m, n) along a path."""
+def distance_profile(model: CollisionModel, q: Array, beyond: float | Array) -> NearPairs:
+    """The pairs nearer than `beyond`, a number or (m,), at the configurations q (m, n) along a path [m]."""
     found = model.near_pairs(on_grid(q, FINE), beyond)
     return replace(found, distances=on_grid(found.distances, FINE_DISTANCE))
 

@@ -28,10 +28,11 @@ STRICT = 1e-7
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RowFunctions:
-    """Distance (m, 1, 1) and gradient (m, n, 1) in q of m clearance rows, each at its own configuration."""
+    """Distance (m, 1, 1), gradient (m, n, 1) and Hessian (m, n, n) in q of m clearance rows, each at its own configuration."""
 
     value: BatchFunction
     gradient: BatchFunction
+    hessian: BatchFunction
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

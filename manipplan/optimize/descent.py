@@ -16,6 +16,7 @@ import daqp
 import numpy as np
 
 from manipplan.optimize.constraints import ClearanceTable, LimitRows, LinearRows, RowFunctions
+from manipplan.optimize.fixed_rows import FixedRows
 from manipplan.optimize.step_models import LengthModel, Look, Surroundings
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import on_grid, with_bits
@@ -31,9 +32,10 @@ RADIUS, LARGEST_RADIUS, SMALLEST_RADIUS = 0.1, 0.8, 1e-8
 #: The descent ends when the model predicts that the merit function falls by less than this share of g: with collision checks,
 #: and without.
 TOLERANCE, FREE_TOLERANCE = 5e-7, 1e-9
-#: Before it ends, the radius is set back to RADIUS for at most this number of steps. At a saddle of g the gradient is zero, and
-#: only a long step along negative curvature lowers g.
-WIDE_STEPS = 3
+#: Before it ends, the radius is set back to its first value for at most this number of steps. At a saddle of g the gradient is
+#: zero, and only a long step along negative curvature lowers g. A descent with a larger tolerance than this ends at once:
+#: another one follows it.
+WIDE_STEPS, MOST_TOLERANCE = 3, 1e-5
 #: While the violation is above the first value, a radius below the second one is set back as well [rad or m]: deep in an
 #: obstacle short steps lead nowhere.
 DEEP, SHORT = 5e-3, 1e-3
@@ -49,8 +51,8 @@ EXACT = 1e-9
 LEAST_CURVATURE = 1e-6
 #: When no step meets all rows: curvature that is added to the model, as a share of its largest and of ν, and the minimum ν.
 SOFT, SOFT_PENALTY = 1e-5, 1e3
-#: First, smallest and largest penalty parameter ν, in units of g per metre or radian.
-PENALTY, LEAST_PENALTY, LARGEST_PENALTY = 10.0, 10.0, 1e6
+#: Smallest, which is also the first, and largest penalty parameter ν, in units of g per metre or radian.
+LEAST_PENALTY, LARGEST_PENALTY = 10.0, 1e6
 #: 1 - ρ in (18.36) of nocedal2006: the share of ν times the restored violation that g may rise by.
 MENDED = 0.7
 #: Rows are made for bodies within this distance of the target: metres per radian of the radius, at least and at most [m].
@@ -60,6 +62,8 @@ BAND, LEAST_BAND, MOST_BAND = 1.0, 2e-3, 0.1
 QP_BITS, ROW_SPACING, STEP_BITS = 24, 2.0**-30, 12
 #: For DAQP: the value of an absent bound, the tolerances that are tried in turn, and the maximum number of iterations.
 NONE, QP_TOLERANCES, QP_STEPS = 1e30, (1e-10, 1e-8), 3000
+#: Why a descent ended whose model DAQP could not minimise, or is not finite.
+FAILED = "the quadratic program failed"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,12 +94,14 @@ class DescentProgram:
         limits: the joint limits.
         functions: functions of the clearance rows.
         surroundings: distances of the true bodies; None: nothing is checked for collision.
+        rows: without surroundings, clearance rows that stay where they are; None: there are none.
     """
 
     length: LengthModel
     limits: LimitRows
     functions: RowFunctions
     surroundings: Surroundings | None
+    rows: FixedRows | None = None
 
     def path(self, z: Array) -> JointPath:
         """The path of unknowns z (f, n)."""
@@ -111,7 +117,8 @@ class DescentProgram:
     def violation(self, z: Array, look: Look) -> float:
         """The largest violation of limits and target clearance at z (f, n) [rad or m]."""
         short = 0.0 if self.surroundings is None else max(self.surroundings.target - look.least, 0.0)
-        return max(short, self.limits.violation(z))
+        fixed = 0.0 if self.rows is None else self.rows.violation(z)
+        return max(short, fixed, self.limits.violation(z))
 
     def rejected_rows(self, here: "_Point", there: "_Point") -> ClearanceTable | None:
         """Rows with the separating planes of a rejected path `there`, except those too strict at `here`."""
@@ -122,8 +129,12 @@ class DescentProgram:
         )
         return table.usable(here.z)
 
-    def table(self, z: Array, look: Look) -> ClearanceTable:
+    def table(self, z: Array, look: Look) -> ClearanceTable | FixedRows:
         """The clearance rows at z (f, n)."""
+        return self.measured(z, look) if self.rows is None else self.rows
+
+    def measured(self, z: Array, look: Look) -> ClearanceTable:
+        """The clearance rows at z (f, n) of the bodies near there."""
         return ClearanceTable.of(self.functions, self.length.curves, self.surroundings, self.path(z), look)
 
 
@@ -222,7 +233,16 @@ class _Model:
 
 
 @interruptible()
-def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None, patient: bool = False) -> Descent:
+def descend(
+    program: DescentProgram,
+    z: Array,
+    *,
+    tolerance: float | None = None,
+    steps: int | None = None,
+    first_radius: float = RADIUS,
+    least_penalty: float = LEAST_PENALTY,
+    patient: bool = False,
+) -> Descent:
     """Minimise g from z (f, n) to a local optimum of the true problem.
 
     Args:
@@ -230,15 +250,20 @@ def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None
         z: first unknowns (f, n).
         tolerance: the descent ends when the predicted decrease of the merit function is below this share of g; default
             TOLERANCE, or FREE_TOLERANCE without collision checks.
+        steps: maximum number of steps; default: STEPS, or FREE_STEPS without collision checks.
+        first_radius: first radius of the trust region [rad or m].
+        least_penalty: first and smallest penalty parameter ν.
         patient: the descent goes on where the violation hardly falls; a few come out of an obstacle only after many steps.
     """
     is_unchecked = program.surroundings is None
-    steps, usual_tolerance = (FREE_STEPS, FREE_TOLERANCE) if is_unchecked else (STEPS, TOLERANCE)
+    usual_steps, usual_tolerance = (FREE_STEPS, FREE_TOLERANCE) if is_unchecked else (STEPS, TOLERANCE)
+    steps = usual_steps if steps is None else steps
     tolerance = usual_tolerance if tolerance is None else tolerance
-    radius, penalty = RADIUS, PENALTY
+    radius, penalty = first_radius, least_penalty
     here = _Point.of(program, z, radius)
     model: _Model | None = None
     curvature = np.zeros((z.size, z.size))
+    widens = tolerance <= MOST_TOLERANCE
     choice = 0  # which of model.convex gives the step
     wide_steps = 0  # steps left since the radius was set back to RADIUS, 0 before that
     violations = deque([here.violation], maxlen=WINDOW + 1)
@@ -251,12 +276,12 @@ def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None
         if model is None:
             model, choice = _Model.of(program, here, radius, penalty, curvature), 0
             if model is None:
-                return ended(count, "the quadratic program failed")
+                return ended(count, FAILED)
             curvature = model.curvature
         rows = program.limits.near(here.z, radius).with_rows(model.clearance)
         step = _solve(*model.convex[choice], rows, radius, penalty)
         if step is None:
-            return ended(count, "the quadratic program failed")
+            return ended(count, FAILED)
         if step.slack == 0.0:  # φ is exact where ν is larger than Σ λ [nocedal2006, sec. 17.2]
             penalty = max(penalty, min(2 * float(step.multipliers.sum()), LARGEST_PENALTY))
         restored = here.violation - step.slack
@@ -266,8 +291,8 @@ def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None
         if predicted < tolerance * here.value or (here.violation > DEEP and radius < SHORT):
             if choice + 1 < len(model.convex):
                 choice += 1
-            elif wide_steps == 0:
-                radius, wide_steps = RADIUS, WIDE_STEPS
+            elif widens and wide_steps == 0:
+                radius, wide_steps = first_radius, WIDE_STEPS
                 here, model = _Point.of(program, here.z, radius), None
             else:
                 return ended(count, "no step lowers g")
@@ -278,7 +303,7 @@ def descend(program: DescentProgram, z: Array, *, tolerance: float | None = None
             model = model.with_rejected(program, here, new)
         else:
             here, model, wide_steps = new, None, 0
-            penalty = max(penalty / 2, LEAST_PENALTY)
+            penalty = max(penalty / 2, least_penalty)
             if decrease > 0.5 * predicted and size > 0.7 * radius:
                 radius = min(2 * radius, LARGEST_RADIUS)
         violations.append(here.violation)

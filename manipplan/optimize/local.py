@@ -262,7 +262,7 @@ class LocalSearch(ProvenDescents):
             coefficients=solution.coefficients,
             cost=self.program.integral.cost(path),
             optimality=UNKNOWN,
-            solver=f"no descent on g gave a collision-free path; this one has a low energy (IPOPT: {solution.status})",
+            solver=f"no descent on g gave a collision-free path; this one has a low energy ({solution.status})",
         )
         self.accepted.append(candidate)
         return [candidate]

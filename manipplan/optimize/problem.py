@@ -31,6 +31,7 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.memo import once_per_owner
+from manipplan.support.one_thread import one_thread
 from manipplan.support.status import Status
 
 log = logging.getLogger("manipplan")
@@ -105,6 +106,7 @@ class PathProblem:
         return replace(self, shape=replace(self.shape, basis=basis, degree=degree, pieces=1), compares=False)
 
 
+@one_thread()
 def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPath, *, straight: bool = True) -> PathResult:
     """The best path near `first`, which is free and inside the limits, and with `straight` also near the straight line."""
     integral, model, clearance = problem.integral(), problem.model(), problem.clearance

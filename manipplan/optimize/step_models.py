@@ -173,8 +173,8 @@ class MovingLengthModel(LengthModel):
 INTERVALS, SPACING = 160, 4
 #: Margin kept beyond the required distance, so that the proof, whose bounds are not exact, succeeds [m].
 MARGIN = 5e-5
-#: Minimum distance above the target at which distances are cut off [m]; a wider band of rows raises it.
-FARTHEST = 0.05
+#: Distance above the target at which distances are cut off [m]; at every SPACING-th place a wider band of rows raises it.
+FARTHEST = 0.03
 #: Distance above the target below which dips are located [m].
 DEEP = 1e-3
 #: Distance above the target below which every place of the grid gets a row [m].
@@ -252,8 +252,9 @@ class Surroundings:
         """
         s = np.linspace(0.0, 1.0, INTERVALS + 1)
         q = configurations(path, s)
-        most = self.target + max(band, FARTHEST)
-        profile = distance_profile(self.model, q, most)
+        reach = np.full(len(s), self.target + FARTHEST)
+        reach[::SPACING] = self.target + max(band, FARTHEST)
+        profile = distance_profile(self.model, q, reach)
         wanted = profile.distances < self.target + CLOSE
         wanted |= (profile.rows % SPACING == 0) & (profile.distances < self.target + band)
         near = Look(
@@ -262,7 +263,7 @@ class Surroundings:
             pairs=profile.pairs[wanted],
             is_bottom=np.zeros(int(wanted.sum()), dtype=bool),
         )
-        found = [near, self._dips(path, s, profile, most)]
+        found = [near, self._dips(path, s, profile)]
         if self.always:
             at, known = np.array([x for x, _ in self.always]), np.array([pair for _, pair in self.always])
             bracket = np.maximum(at - 1 / INTERVALS, 0.0), np.minimum(at + 1 / INTERVALS, 1.0)
@@ -301,10 +302,11 @@ class Surroundings:
         hessians = (gradients[:, 1:] - gradients[:, :1]) / JOINT_STEP
         return gradients[:, 0], (hessians + hessians.transpose(0, 2, 1)) / 2
 
-    def _dips(self, path: JointPath, s: Array, profile: NearPairs, most: float) -> Look:
-        """The bottom of every dip of a profile, cut off at `most` [m], that may be near the target."""
-        before, after = profile.beside(most)
-        here, sides = profile.distances, np.stack([before, after])
+    def _dips(self, path: JointPath, s: Array, profile: NearPairs) -> Look:
+        """The bottom of every dip of a profile that may be near the target."""
+        most = self.target + FARTHEST
+        before, after = (np.where(np.isfinite(side), np.minimum(side, most), side) for side in profile.beside(most))
+        here, sides = np.minimum(profile.distances, most), np.stack([before, after])
         # a dip between places is rarely further below its middle than the higher side is above it
         rise = np.where(np.isfinite(sides), sides, -np.inf).max(axis=0) - here
         dip = (before >= here) & (after > here) & (here - rise < self.target + DEEP)

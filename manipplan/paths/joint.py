@@ -154,7 +154,7 @@ class JointPath:
 
     def quadrature(self, *, panels: int = 40, points: int = 10) -> tuple[Array, Array]:
         """Gauss points and weights over [0, 1], (m,) each; every piece is divided into about its share of `panels`."""
-        nodes, weights = _gauss_rule(points)
+        nodes, weights = _gauss_points(points)
         counts = np.maximum(1, np.ceil(panels * np.diff(self.breaks)).astype(int))
         edges = np.concatenate(
             [np.linspace(a, b, k + 1)[:-1] for a, b, k in zip(self.breaks, self.breaks[1:], counts, strict=False)] + [[1.0]]
@@ -193,13 +193,6 @@ class JointPath:
             samples = np.insert(samples, wide + 1, (samples[wide] + samples[wide + 1]) / 2)
 
 
-@cache
-def _gauss_rule(points: int) -> tuple[Array, Array]:
-    """Gauss points and weights over [-1, 1]."""
-    nodes, weights = np.polynomial.legendre.leggauss(points)
-    return nodes, weights
-
-
 def split(control: Array, u: float = 0.5) -> tuple[Array, Array]:
     """Control points (..., k + 1, n) of the two parts of each curve, split at u by de Casteljau's algorithm."""
     left, right = [control[..., 0, :]], [control[..., -1, :]]
@@ -208,6 +201,14 @@ def split(control: Array, u: float = 0.5) -> tuple[Array, Array]:
         left.append(control[..., 0, :])
         right.append(control[..., -1, :])
     return np.stack(left, axis=-2), np.stack(right[::-1], axis=-2)
+
+
+@cache
+def _gauss_points(count: int) -> tuple[Array, Array]:
+    """Gauss points on [-1, 1] and their weights, (count,) each; read-only."""
+    nodes, weights = legendre.leggauss(count)
+    nodes.flags.writeable = weights.flags.writeable = False
+    return nodes, weights
 
 
 def _power_basis(control: Array) -> Array:

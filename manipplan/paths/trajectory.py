@@ -193,6 +193,8 @@ class Trajectory(Pictured):
 
 def joined(parts: Sequence[Trajectory]) -> Trajectory:
     """Concatenate trajectories, each of which begins where the previous one ends."""
+    if len(parts) == 1:
+        return parts[0]
     t, q, qd = [parts[0].t], [parts[0].q], [parts[0].qd]
     for part in parts[1:]:
         t.append(part.t[1:] + t[-1][-1])

@@ -10,7 +10,12 @@ are independent. Without memoisation the time of the search grows exponentially 
 for one start, the candidates that were dead ends.
 """
 
+import ctypes
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from manipplan.search.layers import Layers
 from manipplan.search.steps import check_epsilon, exclusive, without_jumps
 from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.compiling.native import needed_code
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.status import Status
@@ -76,8 +82,6 @@ def guilamo_search(
 
     Raises InvalidInputError for bad arguments, including closed layers.
     """
-    from manipplan.search.kernels import EXHAUSTED, FOUND, STATE, UNFINISHED, search_restarts
-
     instance("layers", layers, Layers)
     if layers.closed:
         raise InvalidInputError("layers", "closed layers", "open layers; for cycles use max_min_search")
@@ -85,7 +89,7 @@ def guilamo_search(
     for name, value in {"memoised": memoised, "strict": strict, "throw": throw}.items():
         if not isinstance(value, bool | np.bool_):
             raise InvalidInputError(name, value, "True or False")
-    most = np.iinfo(np.int64).max if most_branches is None else whole_number("most_branches", most_branches, least=0)
+    most = int(np.iinfo(np.int64).max) if most_branches is None else whole_number("most_branches", most_branches, least=0)
     orders = [np.argsort(-m, kind="stable") for m in layers.m]
     q = np.concatenate([each[order] for each, order in zip(layers.q, orders, strict=True)])
     m = np.concatenate([each[order] for each, order in zip(layers.m, orders, strict=True)])
@@ -95,18 +99,23 @@ def guilamo_search(
     lower = np.argsort(-m, kind="stable")
     # a path's minimum manipulability is at most that of the first start; others of equal manipulability can be its start, too
     starts = np.concatenate([[first], lower[(m[lower] <= m[first]) & (lower != first)]])
-    state = np.zeros(STATE, dtype=np.int64)
-    path, pointer = np.zeros(len(orders), dtype=np.int64), np.zeros(len(orders), dtype=np.int64)
-    seen = np.zeros(len(m), dtype=np.int64)
-    reach, turns = np.array(exclusive(steps, strict=bool(strict))), np.array(layers.continuous)
+    search = Restarts(
+        q,
+        m,
+        offset=offset,
+        starts=starts,
+        layer_of=layer_of,
+        reach=exclusive(steps, strict=bool(strict)),
+        turns=layers.continuous,
+        memoised=bool(memoised),
+        most_branches=most,
+    )
     code = UNFINISHED
     while code == UNFINISHED:
-        code = search_restarts(
-            q, m, offset, starts, layer_of, reach, turns, bool(memoised), most, BUDGET, state, path, pointer, seen
-        )
+        code = search(BUDGET)
     names = {FOUND: Status.PROVEN_OPTIMAL, EXHAUSTED: Status.NOT_CONNECTED}
     status = names.get(code, Status.GAVE_UP)
-    _, _, new_starts, branches, comparisons = (int(each) for each in state)
+    path, (new_starts, branches, comparisons) = search.path, search.counts
     last = int(starts[max(new_starts, 1) - 1])
     found = [order[place - low] for order, place, low in zip(orders, path, offset[:-1], strict=True)] if status.ok else []
     result = GuilamoResult(
@@ -123,3 +132,83 @@ def guilamo_search(
     if throw and not status.ok:
         raise PlanningError(f"{status.value} ({new_starts} starts, {branches} branches)", result)
     return result
+
+
+#: Return status of a call of `Restarts`; as in restarts.c.
+UNFINISHED, FOUND, EXHAUSTED, TOO_MANY = 0, 1, 2, 3
+
+_P, _N = ctypes.c_void_p, ctypes.c_long
+
+
+class _Problem(ctypes.Structure):
+    """`Problem` of restarts.c."""
+
+    _fields_ = [
+        *((name, _N) for name in ("n", "layers", "count")),
+        *((name, _P) for name in ("q", "m", "offset", "starts", "layer_of", "reach", "turns")),
+        *((name, _N) for name in ("starting", "memoised", "most_branches")),
+    ]
+
+
+class _State(ctypes.Structure):
+    """`State` of restarts.c."""
+
+    _fields_ = [
+        *((name, _N) for name in ("phase", "level", "starts", "branches", "comparisons")),
+        *((name, _P) for name in ("path", "pointer", "seen")),
+    ]
+
+
+@cache
+def _call() -> Callable[..., int]:
+    code = needed_code(Path(__file__).with_name("restarts.c"), "searches by restarts")
+    return code.functions("manipplan_", {"restarts": (_N, _P, _N, _P)})["restarts"]
+
+
+class Restarts:
+    """A search by restarts in progress.
+
+    Args:
+        q, m: (N, n), (N,) candidates of all layers, each layer in descending order of manipulability.
+        offset: (L + 1,) start of each layer.
+        starts: candidates in the order in which they start a path.
+        layer_of: (N,) their layers.
+        reach: (n,) upper bound on a step, exclusive.
+        turns: (n,) whether each joint is continuous.
+        memoised: whether a candidate that was in the path before is skipped, within one start.
+        most_branches: maximum number of branches.
+
+    Attributes:
+        path: (L,) the candidate of each layer once a path is found.
+    """
+
+    def __init__(
+        self,
+        q: Array,
+        m: Array,
+        *,
+        offset: NDArray[np.int64],
+        starts: NDArray[np.int64],
+        layer_of: NDArray[np.int64],
+        reach: Array,
+        turns: NDArray[np.bool_],
+        memoised: bool,
+        most_branches: int,
+    ) -> None:
+        layers = len(offset) - 1
+        arrays: tuple[NDArray[Any], ...] = tuple(np.ascontiguousarray(each) for each in (q, m, offset, starts, layer_of, reach))
+        self._arrays = (*arrays, np.ascontiguousarray(turns))
+        addresses = (each.ctypes.data for each in self._arrays)
+        self._problem = _Problem(q.shape[1], layers, len(m), *addresses, len(starts), memoised, most_branches)
+        self.path, self._pointer = np.zeros(layers, dtype=np.int64), np.zeros(layers, dtype=np.int64)
+        self._seen = np.zeros(len(m), dtype=np.int64)
+        self._state = _State(0, 0, 0, 0, 0, *(each.ctypes.data for each in (self.path, self._pointer, self._seen)))
+
+    def __call__(self, budget: int) -> int:
+        """Continue for about `budget` comparisons of configurations; returns UNFINISHED, FOUND, EXHAUSTED or TOO_MANY."""
+        return _call()(ctypes.addressof(self._problem), budget, ctypes.addressof(self._state))
+
+    @property
+    def counts(self) -> tuple[int, int, int]:
+        """Numbers of starts, branches and comparisons so far."""
+        return self._state.starts, self._state.branches, self._state.comparisons

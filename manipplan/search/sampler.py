@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from manipplan.ik.enumeration import CHUNK
-from manipplan.ik.newton import search
+from manipplan.ik.newton import MovingArm
 from manipplan.ik.solver import Solver, turns_about
 from manipplan.paths.deviation import angles_between
 from manipplan.search.sampling import SamplingSpec
@@ -59,25 +59,13 @@ class CandidateSampler:
         solver, robot = self.solver, self.spec.robot
         rng = np.random.default_rng(0)
         q = robot.random_configuration(rng, size=STARTS)
-        screws, limits = solver.screws, robot.limits
+        limits = robot.limits
         targets = np.broadcast_to(pose, (STARTS, 4, 4))
         if solver.axis is not None:
             targets = pose @ turns_about(solver.axis, rng.uniform(-np.pi, np.pi, STARTS))
-        moves = np.ones(robot.n, dtype=np.bool_)
+        arm = MovingArm(solver.screws, np.ones(robot.n, dtype=np.bool_))
         for k in range(STARTS):
-            search(
-                screws.axes,
-                screws.points,
-                screws.slides,
-                screws.home,
-                np.ascontiguousarray(targets[k]),
-                moves,
-                limits.lower,
-                limits.upper,
-                q[k : k + 1],
-                STEPS,
-                1e-9,
-            )
+            q[k], _ = arm.search(q[k : k + 1], targets[k], limits.lower, limits.upper, steps=STEPS, tolerance=1e-9)
         reached = solver.kinematics.pose(q)
         far = np.linalg.norm(reached[:, :3, 3] - targets[:, :3, 3], axis=1)
         angle = angles_between(reached[:, :3, :3], targets[:, :3, :3])

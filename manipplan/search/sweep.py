@@ -146,16 +146,10 @@ class Part:
 
 def sort_stage(stage: Stage, part: Part, grid: Grid) -> Cells:
     """The candidates of a stage that take part, sorted by cell."""
-    from manipplan.search.kernels import sort_into_cells
+    from manipplan.search.kernels import sorted_into_cells
 
-    q, m = stage.q.view(), stage.m.view()
-    q.flags.writeable = m.flags.writeable = False  # the kernel compiles for one array type only
-    share = min(1.0, max(part.share, LEAST / len(m)))
-    return Cells(
-        *sort_into_cells(
-            q, m, part.threshold, share, part.cap, grid.joints, grid.low, grid.per, grid.count, grid.wraps, grid.order
-        )
-    )
+    share = min(1.0, max(part.share, LEAST / len(stage.m)))
+    return sorted_into_cells(stage.q, stage.m, part.threshold, share, part.cap, grid)
 
 
 def sweep(
@@ -215,18 +209,11 @@ class Widest:
         return _reached(cells, cells.m)
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
-        from manipplan.search.kernels import widest_step
+        from manipplan.search.kernels import StepKernel
 
-        value, source, top = _results(cells)
-
-        def piece(first: int, last: int) -> None:
-            widest_step(
-                old.rows, reached.value, reached.top, old.start, cells.rows, cells.m, cells.start, first, last,
-                grid.reach, grid.turns, grid.count, grid.wraps, value, source, top,
-            )  # fmt: skip
-
-        share(piece, cells)
-        return Reached(value, top), source
+        made = StepKernel("widest", old, reached.value, reached.top, cells, grid)
+        share(made, cells)
+        return Reached(made.value, made.top), made.source
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -237,8 +224,11 @@ class Shortest:
         return _reached(cells, np.zeros(len(cells.ids)))
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
-        value, source, top = _shortest(old, reached, cells, grid, share, np.empty(0, np.int64))
-        return Reached(value, top), source
+        from manipplan.search.kernels import StepKernel
+
+        made = StepKernel("shortest", old, reached.value, reached.top, cells, grid)
+        share(made, cells)
+        return Reached(made.value, made.top), made.source
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -255,11 +245,14 @@ class Lexicographic:
         return _reached(cells, value)._replace(rank=_ranks(codes, value), vectors=codes)
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
+        from manipplan.search.kernels import StepKernel
+
         assert reached.rank is not None and reached.vectors is not None
-        value, source, top = _shortest(old, reached, cells, grid, share, reached.rank)
-        before = reached.vectors[np.maximum(source, 0)]
+        made = StepKernel("shortest", old, reached.value, reached.top, cells, grid, rank=reached.rank)
+        share(made, cells)
+        before = reached.vectors[np.maximum(made.source, 0)]
         vectors = np.sort(np.column_stack([before, _codes(cells.m)]), axis=1)
-        return Reached(value, top, _ranks(vectors, value), vectors), source
+        return Reached(made.value, made.top, _ranks(vectors, made.value), vectors), made.source
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -272,47 +265,18 @@ class Closest:
         return _reached(cells, np.zeros(len(cells.ids)))
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
-        from manipplan.search.kernels import closest_step
+        from manipplan.search.kernels import StepKernel
 
-        value, source, top = _results(cells)
         epsilon = np.ascontiguousarray(self.epsilon[grid.order])
-
-        def piece(first: int, last: int) -> None:
-            closest_step(
-                old.rows, reached.value, reached.top, old.start, cells.rows, epsilon, cells.start, first, last,
-                grid.reach, grid.turns, grid.count, grid.wraps, value, source, top,
-            )  # fmt: skip
-
-        share(piece, cells)
-        return Reached(value, top), source
-
-
-def _results(cells: Cells) -> tuple[Array, NDArray[np.int32], Array]:
-    count = len(cells.ids)
-    return np.empty(count), np.empty(count, dtype=np.int32), np.empty(len(cells.start) - 1)
+        made = StepKernel("closest", old, reached.value, reached.top, cells, grid, epsilon=epsilon)
+        share(made, cells)
+        return Reached(made.value, made.top), made.source
 
 
 def _reached(cells: Cells, value: Array) -> Reached:
     from manipplan.search.kernels import largest_of_each
 
     return Reached(value, largest_of_each(cells.start, value))
-
-
-def _shortest(
-    old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share, rank: NDArray[np.int64]
-) -> tuple[Array, NDArray[np.int32], Array]:
-    from manipplan.search.kernels import shortest_step
-
-    value, source, top = _results(cells)
-
-    def piece(first: int, last: int) -> None:
-        shortest_step(
-            old.rows, reached.value, reached.top, old.start, cells.rows, rank, len(rank) > 0, cells.start, first, last,
-            grid.reach, grid.turns, grid.count, grid.wraps, value, source, top,
-        )  # fmt: skip
-
-    share(piece, cells)
-    return value, source, top
 
 
 def _codes(m: Array) -> NDArray[np.uint64]:

@@ -58,6 +58,16 @@ class Status(Enum):
         "failed: the finished trajectory did not pass its own check of limits, collisions or goal; "
         "please report it with the robot, start and goal"
     )
+    # one of many problems
+    NOT_VALID = (
+        "failed: this robot and scene do not allow the start, the goal or the first path; the message names the joint or the "
+        "bodies"
+    )
+    WORKER_LOST = (
+        "failed: the process that planned this died each time, perhaps for want of memory; start fewer processes, or plan it "
+        "alone"
+    )
+    ERROR = "failed: an unexpected error, which the message names; please report it with the robot, start and goal"
     # searches among candidates; NOT_CONNECTED, too
     PROVEN_OPTIMAL = "optimal: no continuous path through these candidates has a larger minimum manipulability"
     IMPROVING = "improving: the search goes on; certified_gap tells how far the optimum can still be above the minimum"

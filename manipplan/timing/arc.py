@@ -3,6 +3,7 @@
 import numpy as np
 
 from manipplan.paths.joint import JointPath
+from manipplan.paths.rounding import gauss_rule
 from manipplan.support.checks import Array
 
 #: Grid points closer to a break than this share of the mean grid spacing are dropped.
@@ -19,10 +20,10 @@ class ArcLength:
         nodes_along = max(1200, 12 * len(path.control))
         # dense near the ends, where a path may start from q' = 0
         s = a + (b - a) * (1 - np.cos(np.linspace(0.0, np.pi, nodes_along + 1))) / 2
-        nodes, weights = np.polynomial.legendre.leggauss(6)
+        nodes, weights = gauss_rule(6)
         half = np.diff(s) / 2
         inside = (s[:-1] + s[1:])[:, None] / 2 + half[:, None] * nodes
-        length = np.concatenate([[0.0], np.cumsum(half * (np.linalg.norm(path(inside, 1), axis=2) @ weights))])
+        length = np.concatenate([[0.0], np.cumsum(half * (_norms(path(inside, 1)) @ weights))])
         self.length = float(length[-1])
         rises = np.concatenate([[True], np.diff(length) > 1e-14 * self.length])
         rises[-1] = True
@@ -32,6 +33,7 @@ class ArcLength:
         # derivatives are evaluated slightly inside, since q' may vanish at the ends
         margin = 1e-6 * (b - a)
         self._inside = (a + margin, b - margin)
+        self._shares: dict[int, tuple[Array, Array]] = {}
 
     def s(self, length: Array) -> Array:
         """Path parameter at lengths."""
@@ -44,25 +46,26 @@ class ArcLength:
     def tangent(self, length: Array) -> Array:
         """dq/dl, a unit vector."""
         derivative = self.path(np.clip(self.s(length), *self._inside), 1)
-        norm = np.linalg.norm(derivative, axis=-1, keepdims=True)
-        return np.asarray(derivative / np.maximum(norm, 1e-300))
+        return np.asarray(derivative / np.maximum(_norms(derivative), 1e-300)[..., None])
 
-    def curvature(self, length: Array) -> Array:
-        """d²q/dl² = (q'' - t (t·q'')) / ‖q'‖² with the unit tangent t."""
-        s = np.clip(self.s(length), *self._inside)
+    def bends(self, s: Array) -> tuple[Array, Array]:
+        """Unit tangents t and curvatures d²q/dl² = (q'' - t (t·q'')) / ‖q'‖² at path parameters (k,), (k, n) each."""
+        s = np.clip(s, *self._inside)
         first, second = self.path(s, 1), self.path(s, 2)
-        norm = np.maximum(np.linalg.norm(first, axis=-1, keepdims=True), 1e-300)
+        norm = np.maximum(_norms(first), 1e-300)[..., None]
         tangent = first / norm
-        along = (tangent * second).sum(axis=-1, keepdims=True)
-        return np.asarray((second - along * tangent) / norm**2)
+        along = np.einsum("...i,...i->...", tangent, second)[..., None]
+        return tangent, (second - along * tangent) / norm**2
 
     def lengths_of(self, s: Array) -> Array:
         """Lengths at which the path parameter is s, for each s strictly between the ends."""
         s = s[(s > self.ends[0]) & (s < self.ends[1])]
+        if not len(s):
+            return s
         even = np.linspace(0, self.length, 4001)
         length = np.interp(s, self.s(even), even)
         for _ in range(3):
-            length += (s - self.s(length)) * np.linalg.norm(self.path(s, 1), axis=-1)
+            length += (s - self.s(length)) * _norms(self.path(s, 1))
             length = np.clip(length, 0.0, self.length)
         return np.asarray(length)
 
@@ -72,23 +75,41 @@ class ArcLength:
         They include the ends of the polynomial pieces, where the curvature may jump, and `edges` (path parameters), where
         limits change.
         """
-        points = self._even(count)
+        return self._marked(self._even(count, max(4000, 10 * count)), edges)
+
+    def fine(self, count: int) -> Array:
+        """The same without edges, for `count` far above what is needed to tell where the path turns."""
+        return self._marked(self._even(count, max(4000, 1000 * len(self.path.control))), np.empty(0))
+
+    def _marked(self, points: Array, edges: Array) -> Array:
+        """The points, and breaks and edges instead of those close to them."""
         marks = self.lengths_of(np.union1d(self.path.breaks, edges))
         if len(marks):  # a motion would pass points very close to a mark in less time than samples resolve
-            beside = np.abs(points[:, None] - marks).min(axis=1) < BESIDE * self.length / count
+            beside = np.abs(points[:, None] - marks).min(axis=1) < BESIDE * self.length / (len(points) - 1)
             beside[[0, -1]] = False
             points = np.union1d(points[~beside], marks)
         points = points[np.concatenate([[True], np.diff(points) > 1e-7 * self.length])]
         points[-1] = self.length
         return np.asarray(points)
 
-    def _even(self, count: int) -> Array:
-        s = np.linspace(*self._inside, max(4000, 10 * count))
-        tangent = self.path(s, 1)
-        tangent /= np.maximum(np.linalg.norm(tangent, axis=1, keepdims=True), 1e-300)
-        turned = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(tangent, axis=0), axis=1))])
-        length = np.interp(s, self._s(self._at), self._at)
-        share = length / self.length + turned / max(turned[-1], 0.1)
+    def _even(self, count: int, samples: int) -> Array:
+        if samples not in self._shares:
+            self._shares[samples] = self._measured(samples)
+        share, length = self._shares[samples]
         points = np.asarray(np.interp(np.linspace(share[0], share[-1], count + 1), share, length), dtype=float)
         points[0], points[-1] = 0.0, self.length
         return points
+
+    def _measured(self, samples: int) -> tuple[Array, Array]:
+        """The sum of the shares of length and turn up to each of the samples, in which a grid is even, and lengths there."""
+        s = np.linspace(*self._inside, samples)
+        tangent = self.path(s, 1)
+        tangent /= np.maximum(_norms(tangent), 1e-300)[:, None]
+        turned = np.concatenate([[0.0], np.cumsum(_norms(np.diff(tangent, axis=0)))])
+        length = np.interp(s, self._s(self._at), self._at)
+        return length / self.length + turned / max(turned[-1], 0.1), length
+
+
+def _norms(vectors: Array) -> Array:
+    """Euclidean norms of vectors (..., n), (...)."""
+    return np.asarray(np.sqrt(np.einsum("...i,...i->...", vectors, vectors)))

@@ -1,19 +1,51 @@
 """Barrier method for limited jerk: it descends from a motion within all limits to a locally fastest one.
 
 Newton steps minimise weight · time - Σ log of the slacks. Each step linearises the jerk limits again (the successive
-linearisation of Verscheure and of TOPP3, within one interior-point method). This is repeated with larger weights.
+linearisation of Verscheure and of TOPP3, within one interior-point method). This is repeated with larger weights. The steps
+are those of the compiled `barrier.c`, otherwise NumPy's.
 """
+
+import ctypes
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from manipplan.support.checks import Array
+from manipplan.support.compiling.native import native_code
 from manipplan.timing.jerk import UNLIMITED, JerkProblem, Rows, Slacks, SquaredSpeed
 
 #: Maximum number of linear programs in the search for a motion within the limits when speeds are given at the ends.
 SEARCHES = 12
+#: Maximum share by which the motion is slower than the local optimum on its grid.
+GAP = 1e-3
+#: First weight of time as a multiple of the number of slacks over the time, and the factor by which it grows per round.
+FIRST, HEAVIER = 10.0, 512**0.5
+#: Maximum number of Newton steps per round.
+STEPS = 40
+#: A round ends when a step lowers the merit function by less than this: all rounds but the last, and the last one.
+ROUGH, CENTRED = 1.0, 1e-2
+#: A step must lower the merit function by this share of what its Newton decrement predicts.
+SUFFICIENT = 1e-2
+
+#: What stands beyond the last grid point.
+BEYOND = {"h": 1.0, "d": 0.0, "w": 0.5, "fastest": np.inf, "most_c": np.inf}
+
+_P, _N, _D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
+#: Result and arguments of the functions of barrier.c.
+SIGNATURES: dict[str, tuple[Any, ...]] = {"descend": (_N, _P, _P, _P), "enter": (_N, _P, _P, _D, _N)}
 
 
-def motion_inside(problem: JerkProblem, guess: Array | None) -> Array | None:
+def fastest_motion(problem: JerkProblem, guess: Array | None = None) -> SquaredSpeed | None:
+    """The fastest motion found; None when none within the limits is found. `guess`: a at the grid points."""
+    centring = Centring(problem)
+    z = motion_inside(problem, guess, centring)
+    return None if z is None else problem.motion(centring.descended(z))
+
+
+def motion_inside(problem: JerkProblem, guess: Array | None, centring: "Centring | None" = None) -> Array | None:
     """Free coefficients of a motion within the limits; None when none is found.
 
     From stop to stop the guess is slowed down, since a slower motion always exceeds limits by less. Between given speeds
@@ -28,11 +60,8 @@ def motion_inside(problem: JerkProblem, guess: Array | None) -> Array | None:
     z = np.maximum(shape[1:-1], 1e-9 * shape.max())
     start, end = problem.fixed
     if not (start or end):
-        for _ in range(400):
-            if problem.slacks(problem.coefficients(z)) is not None:
-                return np.asarray(0.95 * z)
-            z = 0.8 * z
-        return None
+        entered = (centring or Centring(problem)).entered(z, 0.8, 400)
+        return None if entered is None else 0.95 * entered
     nearest: Array | None = np.maximum(z / z.max() * max(start, end), np.interp(greville[1:-1], [0, 1], [start, end]) * 0.999)
     for _ in range(SEARCHES):
         if nearest is None or problem.slacks(problem.coefficients(nearest)) is not None:
@@ -90,37 +119,108 @@ def _nearer(problem: JerkProblem, z: Array) -> Array | None:
     return np.asarray(np.maximum(answer.x[1:-2], 1e-12 * c.max()), dtype=float)
 
 
-#: Maximum share by which the motion is slower than the local optimum on its grid.
-GAP = 1e-3
-#: Factor by which the weight of time grows per round.
-HEAVIER = 8.0
-#: Maximum number of Newton steps per round.
-STEPS = 40
-#: A round ends when a step lowers the merit function by less than this.
-CENTRED = 1e-2
-#: A step must lower the merit function by this share of what its Newton decrement predicts.
-SUFFICIENT = 1e-2
+class _Motion(ctypes.Structure):
+    """`Motion` of barrier.c."""
+
+    _fields_ = [
+        *((name, _N) for name in ("points", "rows", "limited", "stride")),
+        *((name, _P) for name in ("h", "w", "d", "fastest", "most_c", "left", "right", "constant", "before", "after", "jerk")),
+        *((name, _D * 2) for name in ("fixed", "tied", "outer", "most_b")),
+    ]
 
 
-def fastest_motion(problem: JerkProblem, guess: Array | None = None) -> SquaredSpeed | None:
-    """The fastest motion found; None when none within the limits is found. `guess`: a at the grid points."""
-    z = motion_inside(problem, guess)
-    if z is None:
-        return None
-    weight = problem.count / problem.time(_inside(problem, z).pace) * (10.0 if guess is not None else 1.0)
+class _Descent(ctypes.Structure):
+    """`Descent` of barrier.c."""
+
+    _fields_ = [*((name, _D) for name in ("count", "begin", "heavier", "gap", "rough", "centred", "sufficient")), ("steps", _N)]
+
+
+@cache
+def _calls() -> dict[str, Callable[..., Any]] | None:
+    """The compiled functions; None where they cannot be compiled."""
+    code = native_code(Path(__file__).with_name("barrier.c"), "timing with jerk limits")
+    return None if code is None else code.functions("manipplan_", SIGNATURES)
+
+
+class Centring:
+    """Newton's method on the merit function of one problem."""
+
+    def __init__(self, problem: JerkProblem) -> None:
+        self._problem = problem
+        self._functions = _calls()
+        if self._functions is None:
+            return
+        stride = 8 * (len(problem.fastest) // 8 + 1)
+        rows = {"left": problem.demand_rows[0], "right": problem.demand_rows[1], "constant": problem.constant}
+        rows |= {"before": problem.qdd_rows[0], "after": problem.qdd_rows[1], "jerk": problem.jerk}
+        lines = {name: getattr(problem, name) for name in ("h", "d", "fastest", "most_c")} | {"w": problem.a_rows[0]}
+        self._arrays = {name: _filled(each.T, stride, 0.0) for name, each in rows.items()}
+        self._arrays |= {name: _filled(each[None], stride, BEYOND[name]) for name, each in lines.items()}
+        self._motion = _Motion(
+            points=len(problem.fastest),
+            rows=problem.constant.shape[1],
+            limited=problem.jerk.shape[1],
+            stride=stride,
+            **{name: each.ctypes.data for name, each in self._arrays.items()},
+            **{name: (_D * 2)(*getattr(problem, name)) for name in ("fixed", "tied", "outer", "most_b")},
+        )
+
+    def entered(self, z: Array, factor: float, most: int) -> Array | None:
+        """Free coefficients z multiplied by `factor` until they are inside the limits; None when `most` times are too few."""
+        z = z.copy()
+        if self._functions is None:
+            for _ in range(most):
+                if self._problem.slacks(self._problem.coefficients(z)) is not None:
+                    return z
+                z *= factor
+            return None
+        times = self._functions["enter"](ctypes.addressof(self._motion), z.ctypes.data, factor, most)
+        return z if _done(times) else None
+
+    def descended(self, z: Array) -> Array:
+        """The fastest motion near z, which is inside the limits; both are free coefficients."""
+        z, count = z.copy(), self._problem.count
+        if self._functions is None:
+            return _by_numpy(self._problem, z)
+        how = _Descent(count, FIRST, HEAVIER, GAP, ROUGH, CENTRED, SUFFICIENT, STEPS)
+        if not _done(self._functions["descend"](ctypes.addressof(self._motion), ctypes.addressof(how), z.ctypes.data)):
+            raise ValueError("z is not inside the limits")
+        return z
+
+
+def _filled(rows: Array, stride: int, beyond: float) -> Array:
+    """Rows (r, k) one after the other, each filled up to `stride`, and eight more numbers."""
+    out = np.full(rows.shape[0] * stride + 8, beyond)
+    out[: rows.shape[0] * stride].reshape(-1, stride)[:, : rows.shape[1]] = rows
+    return out
+
+
+def _done(answer: int) -> bool:
+    """Whether compiled code found what was asked; MemoryError where it had no memory."""
+    if answer < -1:
+        raise MemoryError("timing with jerk limits")
+    return answer >= 0
+
+
+def _by_numpy(problem: JerkProblem, z: Array) -> Array:
+    """The same without compiled code."""
+    time = problem.time(_inside(problem, z).pace)
+    weight = FIRST * problem.count / time
     while True:
-        z = _centred(problem, z, weight)
-        if problem.count / weight < GAP * problem.time(_inside(problem, z).pace):
-            return problem.motion(z)
+        last = problem.count / weight < GAP * time
+        z = _centred(problem, z, weight, CENTRED if last else ROUGH)
+        time = problem.time(_inside(problem, z).pace)
+        if last and problem.count / weight < GAP * time:
+            return z
         weight *= HEAVIER
 
 
-def _centred(problem: JerkProblem, z: Array, weight: float) -> Array:
-    """Minimise the merit function from z inside the limits."""
+def _centred(problem: JerkProblem, z: Array, weight: float, enough: float) -> Array:
+    """Minimise the merit function from z inside the limits, until a step gains less than `enough`."""
     value = _merit(problem, z, weight)
     for _ in range(STEPS):
         step, decrement = problem.model(_inside(problem, z), weight).newton_step()
-        if not np.isfinite(decrement) or decrement < CENTRED:
+        if not np.isfinite(decrement) or decrement < enough:
             break
         size = 1.0
         while (after := _merit(problem, z + size * step, weight)) > value - SUFFICIENT * size * decrement:
@@ -128,7 +228,7 @@ def _centred(problem: JerkProblem, z: Array, weight: float) -> Array:
             if size <= 1e-9:
                 return z
         z, gained, value = z + size * step, value - after, after
-        if gained < CENTRED:
+        if gained < enough:
             break
     return z
 
@@ -144,5 +244,6 @@ def _merit(problem: JerkProblem, z: Array, weight: float) -> float:
 
 def _inside(problem: JerkProblem, z: Array) -> Slacks:
     found = problem.slacks(problem.coefficients(z))
-    assert found is not None
+    if found is None:
+        raise ValueError("z is not inside the limits")
     return found

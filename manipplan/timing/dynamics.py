@@ -74,11 +74,11 @@ def path_dynamics(
     curve: ArcLength, length: Array, limits: LimitsAlong, torque_model: pin.Model | None, tool: ToolSpeed | None
 ) -> PathDynamics:
     """The demand rows at the grid points `length` (k,) of a piece."""
-    tangent, curvature = curve.tangent(length), curve.curvature(length)
     s = curve.s(length)
+    tangent, curvature = curve.bends(s)
     bounds = limits.at(s, around=AT_EDGE)
-    q = curve.path(s)
     time_unit = float(np.sqrt(curve.length * (np.abs(tangent) / bounds.acceleration).max()))
+    q = curve.path(s) if torque_model is not None or tool is not None else np.empty(0)
     with np.errstate(divide="ignore"):
         speed = (bounds.velocity / np.abs(tangent)).min(axis=1)
         if tool is not None:

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from manipplan.paths.rounding import gauss_rule
 from manipplan.support.checks import Array
 from manipplan.timing.dynamics import PathDynamics
 
@@ -263,7 +264,7 @@ class JerkProblem:
         a[self.inner] = applied(self.a_rows, c)
         b[self.inner] = self.d * np.diff(c)
         # exact time of a quadratic a over each interval
-        nodes, weights = np.polynomial.legendre.leggauss(12)
+        nodes, weights = gauss_rule(12)
         x = (nodes + 1) / 2
         h = np.diff(self.demands.at)
         rise = np.diff(b)[:, None]

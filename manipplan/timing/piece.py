@@ -18,10 +18,10 @@ from manipplan.timing.barrier import fastest_motion
 from manipplan.timing.dynamics import LimitTightening, PathDynamics, Use, path_dynamics, slowdown
 from manipplan.timing.jerk import JerkProblem, SquaredSpeed
 from manipplan.timing.profile import Profile, SmoothProfile, SteppedProfile
-from manipplan.timing.segment import LimitsAlong, ToolSpeed
+from manipplan.timing.segment import Bounds, LimitsAlong, ToolSpeed
 from manipplan.timing.speeds import DIGITS, fastest_speeds
 from manipplan.timing.stops import MovingPath
-from manipplan.timing.verify import piece_use
+from manipplan.timing.verify import jerk_of_pieces, piece_use
 
 #: Grid points closer to a mark than this share of the grid spacing are dropped.
 BESIDE = 0.4
@@ -29,7 +29,7 @@ BESIDE = 0.4
 
 def first_grid(curve: ArcLength, count: int, edges: Array, stops: tuple[bool, bool]) -> Array:
     """A grid for the first solve, when no speed is known: even, denser where the path turns, and with l ~ t³ at stops."""
-    points = curve.grid(8 * count, np.empty(0))
+    points = curve.fine(8 * count)
     share = points / curve.length
     even = np.linspace(0.0, 1.0, len(points))
     near = np.cbrt(share) if stops[0] else np.ones_like(share)
@@ -40,7 +40,7 @@ def first_grid(curve: ArcLength, count: int, edges: Array, stops: tuple[bool, bo
 
 def next_grid(curve: ArcLength, profile: Profile, count: int, edges: Array) -> Array:
     """A grid that is even in the time of an earlier motion, and denser where the path turns."""
-    fine = curve.grid(8 * count, np.empty(0))
+    fine = curve.fine(8 * count)
     even = np.linspace(0.0, 1.0, len(fine))
     # l ~ t³ at stops: the cube root is interpolated there
     lengths, times = profile.length, profile.time / profile.time[-1]
@@ -50,11 +50,11 @@ def next_grid(curve: ArcLength, profile: Profile, count: int, edges: Array) -> A
             inside = fine < lengths[j] if k == 0 else fine > lengths[j]
             gone = np.abs(fine[inside] - lengths[i]) / abs(lengths[j] - lengths[i])
             at[inside] = times[i] + (times[j] - times[i]) * np.cbrt(gone)
-    dense = np.union1d(fine, np.interp(np.linspace(0, 1, 8 * count), times, lengths))
     # at a stop the first or last interval has constant jerk
-    begin, end = lengths[1] * np.linspace(0, 1, 9) ** 3, curve.length - (curve.length - lengths[-2]) * np.linspace(0, 1, 9) ** 3
-    dense = np.union1d(dense, np.concatenate([begin, end]))
-    return _thinned(curve, dense, 0.7 * np.interp(dense, fine, at) + 0.3 * np.interp(dense, fine, even), count, edges)
+    ramp = np.linspace(0, 1, 9) ** 3
+    begin, end = lengths[1] * ramp, curve.length - (curve.length - lengths[-2]) * ramp
+    dense = np.sort(np.concatenate([fine, np.interp(np.linspace(0, 1, 8 * count), times, lengths), begin, end]))
+    return _thinned(curve, dense, np.interp(dense, fine, 0.7 * at + 0.3 * even), count, edges)
 
 
 def _thinned(curve: ArcLength, points: Array, share: Array, count: int, edges: Array) -> Array:
@@ -108,8 +108,11 @@ class TimingProblem:
 
     def use(self, trajectory: Trajectory, s: Array) -> Use:
         """Largest ratio of demand to limit per piece of the trajectory, whose samples are at s."""
-        bounds = self.limits.at((s[:-1] + s[1:]) / 2)
-        return piece_use(trajectory, bounds, self.torque_model, self.tool)
+        return piece_use(*self.bounded(trajectory, s), self.torque_model, self.tool)
+
+    def bounded(self, trajectory: Trajectory, s: Array) -> tuple[Trajectory, Bounds]:
+        """A trajectory, whose samples are at s, with the limits of each piece."""
+        return trajectory, self.limits.at((s[:-1] + s[1:]) / 2)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -161,20 +164,26 @@ def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: f
         jerk = problem.limits.at(s).jerk / factors[:, None]
         return fastest_motion(JerkProblem(asked, jerk, (start / unit) ** 2, (end / unit) ** 2), guess)
 
+    def check_other_limits() -> None:
+        """Raises, with the reason, when no motion is within the limits other than jerk."""
+        fastest_speeds(asked, problem.names, problem.course.given, start, end)
+
     def failure(*_: object) -> Exception:
         if not moving:
+            check_other_limits()
             return PlanningError("no motion within the jerk limits was found")
         name, value = ("start_speed", start) if start > 0 else ("end_speed", end)
         return InvalidInputError(name, value, "a lower speed; no motion within the jerk limits was found with this one")
 
     points = first_grid(curve, grid, edges, (start == 0, end == 0))
     asked = problem.dynamics(curve, points)
-    fastest_speeds(asked, problem.names, problem.course.given, start, end)  # raises when no motion is within the limits
+    if moving:  # otherwise the motion that is found shows that there is one
+        check_other_limits()
     first = motion(asked, np.ones(len(points) - 1))
     if first is None:
         raise failure()
     profile = SmoothProfile.of(asked, first)
-    used = float(problem.use(*profile.sampled(problem.names))["jerk"].max())
+    used = float(jerk_of_pieces(*problem.bounded(*profile.sampled(problem.names))).max())
     finer = 2 * grid if used < COARSE else grid
     points = next_grid(curve, profile, int(np.clip(profile.time[-1] / SHORTEST_STEP, SMOOTH_LEAST, finer)), edges)
     asked = problem.dynamics(curve, points)

@@ -133,7 +133,7 @@ def smooth_velocities(t: Array, q: Array, ends: Array, stops: tuple[bool, bool])
         row = 2 if k == 0 else count - 3
         band[(2 if k == 0 else 0), beside] -= h[first] ** 2 / (6 * h[second])
         right[row] += sign * (mean[second] - step)
-    M = solve_banded((1, 1), band, right)
+    M = solve_banded((1, 1), band, right, overwrite_ab=True, overwrite_b=True, check_finite=False)
     for k, stop in enumerate(stops):
         if stop:
             end, beside, first = (0, 1, 0) if k == 0 else (-1, -2, -1)

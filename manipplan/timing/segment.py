@@ -89,8 +89,10 @@ class LimitsAlong:
     def at(self, s: Array, *, around: float = 0.0) -> Bounds:
         """Limits at s (k,); each segment is extended by `around` at both ends."""
         kinds = ("velocity", "acceleration", "jerk", "effort")
-        values = {kind: np.repeat(getattr(self.limits, kind)[None], len(s), axis=0) for kind in kinds}
+        values = {kind: np.broadcast_to(getattr(self.limits, kind), (len(s), self.n)) for kind in kinds}
         tool = np.full(len(s), np.inf)
+        if self.segments:
+            values = {kind: np.array(each) for kind, each in values.items()}
         for segment, row, (begin, end) in zip(self.segments, self._rows, self.places, strict=True):
             inside = (s >= begin - around) & (s <= end + around)
             for kind in kinds:

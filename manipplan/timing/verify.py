@@ -40,7 +40,7 @@ def limit_use(trajectory: Trajectory, limits: JointLimits) -> Mapping[str, Limit
     On a cubic piece velocity is a parabola and acceleration a line, so each extreme is at an end of the piece, or at
     the vertex of the parabola. For jerk see `jerk_use`.
     """
-    at, velocity, acceleration = _extremes(trajectory)
+    at, velocity, acceleration = _extremes(*trajectory.segments())
     starts = trajectory.t[:-1, None]
     names = trajectory.joint_names
     return {
@@ -58,11 +58,12 @@ def piece_use(
     Velocity, acceleration and jerk are exact, but jerk leaves out jumps of acceleration between pieces. Torque and tool
     speed are sampled at both ends and at `inside` points between, and bounded between samples by second differences.
     """
-    _, velocity, acceleration = _extremes(trajectory)
+    coefficients = trajectory.segments()
+    _, velocity, acceleration = _extremes(*coefficients)
     found = {
-        "jerk": (6 * np.abs(trajectory.segments()[1][3]) / bounds.jerk).max(axis=1),
-        "velocity": (np.abs(velocity).max(axis=0) / bounds.velocity).max(axis=1),
-        "acceleration": (np.abs(acceleration).max(axis=0) / bounds.acceleration).max(axis=1),
+        "jerk": (6 * np.abs(coefficients[1][3]) / bounds.jerk).max(axis=1),
+        "velocity": (_largest(velocity) / bounds.velocity).max(axis=1),
+        "acceleration": (_largest(acceleration) / bounds.acceleration).max(axis=1),
     }
     if model is None and tool is None:
         return found
@@ -74,6 +75,11 @@ def piece_use(
         speeds = np.stack([tool(q, qd) for _, q, qd, _ in states])
         found["tool speed"] = _bent(speeds) / bounds.tool_speed
     return found
+
+
+def jerk_of_pieces(trajectory: Trajectory, bounds: Bounds) -> Array:
+    """Largest ratio of jerk to its limit per cubic piece (k - 1,)."""
+    return np.asarray((6 * np.abs(trajectory.segments()[1][3]) / bounds.jerk).max(axis=1))
 
 
 def _bent(values: Array) -> Array:
@@ -114,16 +120,24 @@ def torque_use(trajectory: Trajectory, model: pin.Model, effort: Array, *, insid
     return worst
 
 
-def _extremes(trajectory: Trajectory) -> tuple[list[Array], list[Array], list[Array]]:
+def _extremes(widths: Array, coefficients: Array) -> tuple[list[Array], list[Array], list[Array]]:
     """Times in each piece where velocity may be largest, velocities there, and accelerations at the first two (both ends)."""
-    widths, (_, first, second, third) = trajectory.segments()
+    _, first, second, third = coefficients
     h = widths[:, None]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        vertex = np.where(third != 0, -second / (3 * third), 0.0)
-    vertex = np.clip(np.nan_to_num(vertex), 0.0, h)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        vertex = -second / (3 * third)
+        vertex = np.where((vertex > 0) & (vertex < h), vertex, 0.0)  # also where there is none
     at = [np.zeros_like(first), np.broadcast_to(h, first.shape), vertex]
-    velocity = [first + 2 * second * u + 3 * third * u**2 for u in at]
-    return at, velocity, [2 * second + 6 * third * u for u in at[:2]]
+    velocity = [first, *(first + u * (2 * second + 3 * third * u) for u in at[1:])]
+    return at, velocity, [2 * second, 2 * second + 6 * third * h]
+
+
+def _largest(values: list[Array]) -> Array:
+    """The largest magnitude of several arrays, place by place."""
+    largest = np.abs(values[0])
+    for each in values[1:]:
+        np.maximum(largest, np.abs(each), out=largest)
+    return np.asarray(largest)
 
 
 def _within(trajectory: Trajectory, inside: int) -> Iterator[tuple[Array, Array, Array, Array]]:

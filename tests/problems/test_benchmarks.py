@@ -9,9 +9,12 @@ import pytest
 import manipplan as mp
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
+import cold_start
 import control_step
+import demo_timing
 import first_paths
 import motionbenchmaker
+import plan_many
 import six_joint_arms
 import version_01
 from outside import problems
@@ -84,6 +87,18 @@ def test_twelve_first_paths_are_never_worse_than_one(tmp_path):
     assert any(each.clear for each in made["panda", "free"])
 
 
+@pytest.mark.slow
+def test_many_plans_are_the_same_on_one_process_and_two(tmp_path):
+    runs = plan_many.main(["--problems", "3", "--out", str(tmp_path / "table.md")])
+    assert len(runs) == 2 * 4
+    for kind in plan_many.KINDS:
+        digests = [each.digests for each in runs if each.kind == kind]
+        assert all(each == digests[0] for each in digests) and len(digests[0]) == 3
+    assert "| 3 of 3 |" in (tmp_path / "table.md").read_text()
+    everything = plan_many.among_obstacles(702)
+    assert np.array_equal(everything[0].start, everything[350].goal) and everything[700].seeding.seed == 1
+
+
 def test_at_rest_bounds_are_active_and_along_a_path_hardly_any(tmp_path):
     found = control_step.main(["--rounds", "1", "--interpreted", "--out", str(tmp_path / "table.md")])
     assert len(found) == 3 * len(control_step.FORMULATIONS) * 2
@@ -102,3 +117,30 @@ def test_every_call_that_is_timed_beside_version_01_runs():
 @pytest.mark.parametrize(("duration", "text"), [(2.5, "2.5 s"), (0.0123, "12.3 ms"), (4.56e-6, "4.56 µs")])
 def test_durations_are_shown_with_a_unit_that_suits_them(duration, text):
     assert version_01.shown(duration) == text
+
+
+def test_how_far_a_motion_is_away_from_a_path(rng):
+    path = mp.JointPath.line(np.zeros(3), [0.0, 0.0, 1.0])
+    along, beside = rng.random(20), rng.uniform(-0.1, 0.1, (20, 2))
+    assert demo_timing.away(path, path(along)) < 1e-12
+    assert demo_timing.away(path, np.column_stack([beside, along])) == pytest.approx(np.linalg.norm(beside, axis=1).max())
+    assert demo_timing.away(path, np.array([[0.0, 0.0, 1.5]])) == pytest.approx(0.5)
+
+
+@pytest.mark.slow
+def test_rows_of_the_demo_s_timing(panda):
+    path = mp.JointPath.line(panda.neutral, panda.neutral + 0.3)
+    scene = mp.Scene([mp.Box(size=(0.1, 0.1, 0.1), position=(0.0, 2.0, 0.0))])
+    motion = mp.retime(path, panda)
+    row = demo_timing.Row(name="ours", limits="all", duration=motion.duration, seconds=[0.003, 0.001, 0.002], q=motion.q)
+    text = demo_timing.page([row, row, row], path, scene.collision_model(panda), 3)
+    assert f"| ours | all | {motion.duration:.4f} | 0.000 | " in text
+    assert "| 2, 3 |" in text and "takes 1.00 times as long as toppra" in text
+
+
+def test_first_calls_compile_once_and_then_load(tmp_path):
+    name = "inverse_kinematics, ur5"
+    found = cold_start.main(["--runs", "1", "--jobs", name, "--out", str(tmp_path / "table.md")])[name]
+    (_, ever), (_, later), (_, again) = (samples[0] for samples in found.values())
+    assert ever > 3 * later > 3 * again > 0, "processor times"
+    assert (tmp_path / "table.md").read_text().count("inverse_kinematics, ur5") == 3

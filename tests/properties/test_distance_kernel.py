@@ -438,9 +438,10 @@ def test_llvm_s_kernel_gives_the_same(arm, wedge, rng, llvm_calls):
 
 @pytest.mark.parametrize("text", sorted(Path(mp.__file__).parent.rglob("*.ll")), ids=lambda text: text.stem)
 def test_llvm_s_code_is_made_of_the_source(text):
-    """`make kernel` writes it; the first line names the source."""
+    """`make kernel` writes it; the first line names the source, with the headers of its folder."""
     source = text.with_suffix(".c")
-    digest = hashlib.sha256(source.read_bytes()).hexdigest()
+    files = [source, *sorted(text.parent.glob("*.h"))]
+    digest = hashlib.sha256(b"".join(each.read_bytes() for each in files)).hexdigest()
     assert text.read_text(encoding="utf-8").startswith(f"; {source.name} {digest}")
     assert "target" not in text.read_text(encoding="utf-8")
 

@@ -9,8 +9,7 @@ from hypothesis import assume, given
 
 import manipplan as mp
 from manipplan.ik.form import closed_form
-from manipplan.ik.spherical import A_MEETS_B, A_PARALLEL_B, B_MEETS_C, B_PARALLEL_C, SKEW, lie
-from manipplan.ik.swivel import swivel_of
+from manipplan.ik.native import A_MEETS_B, A_PARALLEL_B, B_MEETS_C, B_PARALLEL_C, SKEW, arrangement, swivels_of
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 
@@ -110,7 +109,7 @@ def test_three_axes_that_meet(kind, backward, seed):
     robot = arm(axes[::-1], points[::-1], rng) if backward else arm(axes, points, rng)
     form = closed_form(robot)
     assert (form.name, form.backward) == ("spherical", backward)
-    assert lie(form.screws.axes[list(form.free)], form.screws.points[list(form.free)])[0] == KINDS[kind]
+    assert arrangement(form.screws.axes[list(form.free)], form.screws.points[list(form.free)])[0] == KINDS[kind]
     q = rng.uniform(-np.pi, np.pi, 6)
     assume(regular(robot, q, range(6)))
     assert found_again(robot, q)
@@ -147,7 +146,7 @@ def test_spherical_shoulder_and_wrist(seed):
     q = rng.uniform(-np.pi, np.pi, 7)
     assume(all(regular(robot, q, [k for k in range(7) if k != held]) for held in (0, 6)))
     wrist, shoulder = form.meeting
-    assert found_again(robot, q, [swivel_of(form.screws.axes, form.screws.points, tuple(shoulder), tuple(wrist), q)])
+    assert found_again(robot, q, swivels_of(form.screws.axes, form.screws.points, shoulder, wrist, q[None]))
     assert found_again(robot, q, [q[1]], ["joint2"]) or not regular(robot, q, [0, 2, 3, 4, 5, 6])
 
 

@@ -277,7 +277,7 @@ def test_no_small_change_lowers_the_energy(planar, name, rng):
 
     best = program.solve(start, goal, np.zeros((3, size)), 0.0)
     least = energy(program.basis.path(start, goal, best.coefficients))
-    assert best.status == "Solve_Succeeded"
+    assert best.converged
     for _ in range(20):
         change = 1e-3 * rng.normal(size=(3, size))
         assert energy(program.basis.path(start, goal, best.coefficients + change)) > least - 1e-7 * least

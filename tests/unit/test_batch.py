@@ -85,7 +85,7 @@ def test_index_to_ten_digits_against_pinocchio(panda, rng):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("quantity", ["pose", "manipulability", "gradient"])
-def test_without_compiler_by_numba(quantity, no_compiler, monkeypatch, rng):
+def test_without_compiler_by_llvm(quantity, no_compiler, monkeypatch, rng):
     monkeypatch.setattr(module, "MANY", 100)
     panda = mp.load_robot("panda")
     assert find_compiler() is None
@@ -113,7 +113,7 @@ def test_every_measure_runs_in_a_kernel(measure, panda, rng):
 
 @pytest.mark.compiler
 def test_every_operation_of_the_kernels(tmp_path):
-    """Each operation that the kernels in C and by numba claim to know, against CasADi's virtual machine."""
+    """Each operation that the kernels in C and by LLVM claim to know, against CasADi's virtual machine."""
     from manipplan.kinematics import jit, simd
     from manipplan.kinematics.batch import run_kernel, simd_kernel
 
@@ -131,7 +131,7 @@ def test_every_operation_of_the_kernels(tmp_path):
     assert set(jit.OPERATIONS) == set(simd.OPERATIONS)
     values = np.array([[-1.7, 0.3], [1.7, -0.3], [0.4, 0.4], [2.0, 1.0], [-0.2, -0.2], [0.0, 2.0]])
     expected = np.asarray(function(ca.DM(values.T))).T
-    for kernel in (simd_kernel(function, "a test"), jit.jit_kernel(function)):
+    for kernel in (simd_kernel(function, "a test"), jit.JitKernel(function)):
         np.testing.assert_allclose(run_kernel(kernel, values, len(expressions), threads=1), expected, rtol=1e-13, atol=1e-13)
 
 

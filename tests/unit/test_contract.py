@@ -12,6 +12,7 @@ from manipplan import formulations
 #: Arguments by position, in order; all others are by keyword only.
 POSITIONAL = {
     mp.plan: ["robot", "start", "goal", "scene"],
+    mp.plan_many: ["problems", "executor"],
     mp.optimize_path: ["robot", "start", "goal", "scene"],
     mp.seed_path: ["robot", "start", "goal", "scene"],
     mp.follow: ["robot", "path", "scene"],
@@ -31,6 +32,8 @@ POSITIONAL = {
 OPTIONS = {
     mp.plan: {"objective", "shape", "seeding", "clearance", "torque", "executor", "throw", "progress"},
     mp.optimize_path: {"objective", "shape", "seeding", "clearance", "executor", "throw", "progress"},
+    mp.plan_many: {"folder", "progress"},
+    mp.Problem: {"robot", "start", "goal", "scene", "objective", "shape", "seeding", "clearance", "torque"},
     mp.seed_path: {"seeding", "clearance"},
     mp.follow: {"positions", "objective", "epsilon", "samples", "tolerance", "clearance", "closed", "torque"},
     mp.improve: {"formulation", "objective", "duration", "tolerance"},

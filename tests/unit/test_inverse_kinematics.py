@@ -10,9 +10,9 @@ import pytest
 
 import manipplan as mp
 from manipplan.ik.form import closed_form
+from manipplan.ik.native import SKEW, arrangement, swivels_of
 from manipplan.ik.solver import Solver
-from manipplan.ik.spherical import SKEW, lie
-from manipplan.ik.swivel import swivel_of
+from manipplan.support.compiling.compiler import find_compiler
 
 CLOSED = {
     "panda": "spherical",
@@ -54,8 +54,7 @@ def parameters_of(robot, q, held=None):
     if form.name == "swivel":
         f = list(form.free)
         axes, points, (wrist, shoulder) = form.screws.axes[f], form.screws.points[f], form.meeting
-        swivels = [swivel_of(axes, points, tuple(shoulder), tuple(wrist), each[f]) for each in q]
-        values = np.column_stack([values, swivels])
+        values = np.column_stack([values, swivels_of(axes, points, shoulder, wrist, q[:, f])])
     return np.ascontiguousarray(values)
 
 
@@ -205,7 +204,7 @@ def test_any_joint_that_may_be_held(arm, rng, name, joint, skew):
     held = [robot.joint_names[joint - 1]]
     form = closed_form(robot, held)
     assert form.held == (joint - 1,) and form.moves_axes
-    assert (lie(form.screws.axes[list(form.free)], form.screws.points[list(form.free)])[0] == SKEW) == skew
+    assert (arrangement(form.screws.axes[list(form.free)], form.screws.points[list(form.free)])[0] == SKEW) == skew
     q = robot.random_configuration(rng, size=500)
     assert recall(robot, q, held) == 1.0
     found = mp.inverse_kinematics(robot, pose_of(robot, q[0]), [q[0, joint - 1]], held=held)
@@ -496,29 +495,26 @@ def test_a_robot_is_asked_for():
 
 
 @pytest.mark.slow
-def test_a_cache_folder_that_cannot_be_made(tmp_path):
-    """Kernels are compiled all the same, with one warning, and nothing is left beside the sources."""
+@pytest.mark.parametrize("place", ["file/cache", "cache"])
+def test_without_a_compiler_or_a_cache_folder_llvm_compiles(place, tmp_path):
+    """In a process of its own, with the same solutions."""
     (tmp_path / "file").write_text("")
-    code = """
-import warnings
-warnings.simplefilter("error")
-warnings.filterwarnings("always", category=__import__("manipplan").CompilerWarning)
-with warnings.catch_warnings(record=True) as told:
-    from manipplan.support.compiling.kernels import kernel
-    from manipplan.ik.subproblems import dot
-    @kernel
-    def square(x):
-        return dot((x, x, x), (x, x, x))
-    print(square(2.0), square.stats.cache_path, [each.category.__name__ for each in told], told[0].message)
+    program = """
+import sys, manipplan as mp
+ur5 = mp.load_robot("ur5")
+found = mp.inverse_kinematics(ur5, ur5.kinematics(compiled=False).pose(ur5.neutral + 0.3))
+print("llvmlite" in sys.modules, found.q.tolist())
 """
-    run = subprocess.run(
-        [sys.executable, "-c", code],
-        env=os.environ | {"MANIPPLAN_CACHE": str(tmp_path / "file" / "cache")},
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    assert run.stdout.startswith("12.0 None ['CompilerWarning']") and "cannot be written (Not a directory)" in run.stdout
+    answers = []
+    for change in ({}, {"MANIPPLAN_CACHE": str(tmp_path / place)} | ({"CC": ""} if place == "cache" else {})):
+        run = subprocess.run(
+            [sys.executable, "-c", program], env=os.environ | change, capture_output=True, text=True, check=True
+        )
+        answers.append(run.stdout.split(maxsplit=1))
+    (usual, expected), (by_llvm, found) = answers
+    assert by_llvm == "True"
+    assert usual == str(find_compiler() is None)
+    np.testing.assert_allclose(eval(found), eval(expected), rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize(("lower", "upper"), [(-1.0, np.inf), (-np.inf, 1.0)])

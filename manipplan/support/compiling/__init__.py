@@ -1,1 +1,1 @@
-"""Machine code: from C by a compiler, from LLVM's language, and from Python by numba."""
+"""Machine code: from C by a compiler, and from LLVM's language."""

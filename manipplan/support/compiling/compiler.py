@@ -16,12 +16,13 @@ import tempfile
 import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, nullcontext, suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import TypeVar
 
+from manipplan.support.compiling.patience import told_when_slow
 from manipplan.support.errors import CompilerError, CompilerWarning
 from manipplan.support.files import cache_folder, is_private, private_folder
 from manipplan.support.processes import run
@@ -140,7 +141,7 @@ def load_library(
     for earlier in _given_up(compiler, folder):
         raise CompilerError(subject, earlier.output)
     file = folder / f"{_key(source, compiler.command, flags)}.so"
-    with _announced(subject) if announce else nullcontext():
+    with _announced(subject) if announce else told_when_slow(subject):
         _build(file, source, compiler, flags, language, subject)
     try:
         return load(file)

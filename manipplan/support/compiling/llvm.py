@@ -1,4 +1,4 @@
-"""Machine code from LLVM's intermediate language, by the LLVM that numba brings, where there is no C compiler."""
+"""Machine code from LLVM's intermediate language, by the LLVM of llvmlite, where there is no C compiler."""
 
 from typing import Any
 

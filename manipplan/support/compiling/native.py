@@ -2,14 +2,19 @@
 
 import ctypes
 import logging
+import os
+import re
+import threading
+from collections import defaultdict
 from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 from typing import Any
 
-from manipplan.support.compiling.compiler import NATIVE, load_library
+from manipplan.support.compiling.compiler import NATIVE, find_compiler, load_library
 from manipplan.support.compiling.llvm import compiled_by_llvm
+from manipplan.support.compiling.patience import told_when_slow
 from manipplan.support.errors import CompilerError
 
 log = logging.getLogger("manipplan")
@@ -32,7 +37,15 @@ class NativeCode:
         return {name: ctypes.CFUNCTYPE(*types)(self.address(prefix + name)) for name, types in signatures.items()}
 
 
-@cache
+PACKAGE = Path(__file__).parents[2]
+
+#: The code of each source, None where it cannot be compiled, and locks of the sources that a thread is looking after.
+_found: dict[Path, NativeCode | None] = {}
+_locks: defaultdict[Path, threading.Lock] = defaultdict(threading.Lock)
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_locks.clear)  # the threads that hold them stay behind
+
+
 def native_code(source: Path, subject: str) -> NativeCode | None:
     """The functions of a C source, for this process; None, with a message in the log, where it cannot be compiled.
 
@@ -42,17 +55,69 @@ def native_code(source: Path, subject: str) -> NativeCode | None:
         source: the C file.
         subject: what it does, for messages.
     """
+    if source not in _found:
+        with _locks[source]:  # a second thread waits for the first one's build
+            if source not in _found:
+                _found[source] = _compiled(source, subject)
+    return _found[source]
+
+
+def _compiled(source: Path, subject: str) -> NativeCode | None:
     flags = [flag for flag in NATIVE if flag != "-O2"] + ["-O3", "-lm"]
     try:
-        return load_library(source.read_text(encoding="utf-8"), _loaded, flags=flags, subject=f"{subject}, once per machine")
+        return load_library(source_text(source), _loaded, flags=flags, subject=f"{subject}, once per machine")
     except CompilerError as error:
         log.info("%s: compiled by LLVM in each process: %s", subject, error)
     try:
-        engine = compiled_by_llvm(source.with_suffix(".ll").read_text(encoding="utf-8"))
+        with told_when_slow(f"{subject}, by LLVM in each process"):
+            engine = compiled_by_llvm(source.with_suffix(".ll").read_text(encoding="utf-8"))
     except RuntimeError as error:
         log.warning("%s: cannot be compiled, so slower code is used: %s", subject, error)
         return None
     return NativeCode(address=engine.get_function_address, owner=engine)
+
+
+def compile_ahead(*sources: str) -> None:
+    """Start to compile C sources of this package, such as "paths/curves.c", in the background, one after the other.
+
+    Whoever needs one of them earlier waits for it. Without a C compiler nothing is done ahead.
+    """
+    waiting = [PACKAGE / source for source in sources if PACKAGE / source not in _found]
+    if not waiting or find_compiler() is None:
+        return
+    pool = ThreadPoolExecutor(1, thread_name_prefix="compile")
+    for source in waiting:
+        pool.submit(native_code, source, source.name)
+    pool.shutdown(wait=False)
+
+
+def needed_code(source: Path, subject: str) -> NativeCode:
+    """The same for a source that nothing can replace; raises CompilerError where it cannot be compiled."""
+    code = native_code(source, subject)
+    if code is None:
+        raise CompilerError(subject, f"neither a C compiler nor LLVM can compile {source.name}")
+    return code
+
+
+#: A line that includes a header of ours.
+_INCLUDE = re.compile(r'^#include "(\w+\.h)"\n', re.MULTILINE)
+
+
+def source_text(source: Path) -> str:
+    """The C source with the headers of its own folder in place of the lines that include them, each once."""
+    seen: set[str] = set()
+
+    def expanded(file: Path) -> str:
+        text = file.read_text(encoding="utf-8").replace("#pragma once\n", "")
+        return _INCLUDE.sub(lambda line: included(line[1]), text)
+
+    def included(name: str) -> str:
+        if name in seen:
+            return ""
+        seen.add(name)
+        return expanded(source.with_name(name))
+
+    return expanded(source)
 
 
 def _loaded(file: Path) -> NativeCode:

@@ -1,0 +1,66 @@
+"""The content of a value as a key: equal for equal content, in every process and after pickling."""
+
+import hashlib
+from collections.abc import Mapping, Set
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from pathlib import PurePath
+from types import BuiltinFunctionType, FunctionType
+from typing import Any
+
+import numpy as np
+
+
+def content_key(value: Any) -> str:
+    """SHA-256 of the content of a value, in hexadecimal digits.
+
+    Dataclasses count by their fields, sets and mappings whatever their order, other objects by what pickle takes of them. The
+    bytes of pickle itself differ from process to process, with the order of sets and with texts that are one object.
+    """
+    return _digest(value).hex()
+
+
+def _digest(value: Any) -> bytes:
+    kind = type(value)
+    name = f"{kind.__module__}.{kind.__qualname__}"
+    if value is None or kind in (bool, int, float, complex, str, bytes):
+        return _joined(name, repr(value).encode())
+    if isinstance(value, np.generic):
+        return _digest(value.item())
+    if isinstance(value, np.ndarray) and value.dtype != object:
+        return _joined(name, f"{value.dtype.str}{value.shape}".encode(), np.ascontiguousarray(value).tobytes())
+    if isinstance(value, Enum):
+        return _joined(name, value.name.encode())
+    if isinstance(value, PurePath):
+        return _joined("path", str(value).encode())
+    if isinstance(value, type | FunctionType | BuiltinFunctionType):
+        return _joined("name", f"{value.__module__}.{value.__qualname__}".encode())
+    if isinstance(value, Mapping):
+        return _joined(name, *sorted(_digest(key) + _digest(each) for key, each in value.items()))
+    if isinstance(value, Set):
+        return _joined(name, *sorted(map(_digest, value)))
+    if isinstance(value, list | tuple):
+        return _joined(name, *map(_digest, value))
+    if is_dataclass(value) and not _pickles_itself(kind):
+        return _joined(name, *(each.name.encode() + _digest(getattr(value, each.name)) for each in fields(value)))
+    if callable(getattr(value, "computeLocalAABB", None)):  # a shape of coal, whose state has its box once it was computed
+        value.computeLocalAABB()
+    reduced = value.__reduce_ex__(4)
+    if isinstance(reduced, str):
+        return _joined(name, reduced.encode())
+    make, arguments, *state = reduced
+    lists = [list(each) if k > 0 and each is not None else each for k, each in enumerate(state)]
+    return _joined(name, _digest(make), _digest(arguments), _digest(lists))
+
+
+def _pickles_itself(kind: type) -> bool:
+    return any("__reduce__" in vars(each) or "__reduce_ex__" in vars(each) for each in kind.__mro__[:-1])
+
+
+def _joined(name: str, *parts: bytes) -> bytes:
+    """The digest of some parts: their lengths count, too, so that no two lists of parts are the same bytes."""
+    digest = hashlib.sha256()
+    for part in (name.encode(), *parts):
+        digest.update(len(part).to_bytes(8, "big"))
+        digest.update(part)
+    return digest.digest()
