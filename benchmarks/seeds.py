@@ -2,7 +2,7 @@
 
 Run with `make benchmark`. Start and goal of all problems that count are inside the limits and free; those whose straight line
 is free need no search and do not count either. Where the arm has six joints, our RRT-Connect first looks for a path with few
-crossings of singularities; OMPL only tells paths without crossings from others. All times are CPU times of one core. Writes
+crossings of singularities; OMPL only tells paths without crossings from others. All times but that limit are CPU times. Writes
 docs/benchmarks/seeds.md.
 """
 
@@ -30,7 +30,7 @@ from manipplan.seeds.ompl import OmplSearch
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "seeds.md"
 PLANNERS = {"auto": "ours", "RRTConnect": "OMPL's RRTConnect"}
-#: Planners that lower g, their CPU time per problem that is compared [s], and the checks of which they may need so many.
+#: Planners that lower g, their time limit per problem, which is wall time [s], and a number of checks that they do not reach.
 OPTIMISING, SECONDS, CHECKS = ("connect-star", "BITstar"), 0.1, 50_000_000
 
 
@@ -194,7 +194,7 @@ def main(arguments: Sequence[str] | None = None) -> dict[tuple[str, str], list[O
             for sets, wanted in (("all", (True, False)), ("bookshelves", (True,)))
         ]
     lines += ["", *(f"- {ratio(arm, made)}" for arm in ("panda", "ur5")), ""]
-    lines += [f"g after {SECONDS:g} s, as a share of that of our RRT-Connect's path:", ""]
+    lines += [f"g after {SECONDS:g} s of wall time, as a share of that of our RRT-Connect's path:", ""]
     lines += ["| arm, planner | problems | paths | median | mean |", "|---" * 5 + "|"]
     for (arm, planner), values in shares.items():
         ok = np.array(values)[np.isfinite(values)]
