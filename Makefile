@@ -59,8 +59,8 @@ pictures: $(READY)
 
 # The compiled kernels in LLVM's language, for machines without a C compiler; needs clang 16.
 KERNELS := manipplan/collision/distances manipplan/collision/bottoms manipplan/collision/body_motion manipplan/paths/curves \
-    manipplan/cost/panels manipplan/seeds/connect manipplan/timing/barrier manipplan/ik/inverse manipplan/search/sweep \
-    manipplan/search/restarts
+    manipplan/cost/panels manipplan/seeds/connect manipplan/seeds/star manipplan/timing/barrier manipplan/ik/inverse \
+    manipplan/search/sweep manipplan/search/restarts
 kernel: $(KERNELS:=.ll)
 manipplan/ik/inverse.ll: $(wildcard manipplan/ik/*.h)
 manipplan/search/sweep.ll manipplan/search/restarts.ll: $(wildcard manipplan/search/*.h)

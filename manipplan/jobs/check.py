@@ -16,7 +16,7 @@ from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.seeds.seed import CHECK_STEP
+from manipplan.seeds.acceptance import CHECK_STEP
 from manipplan.support.checks import Array, existing_file
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError

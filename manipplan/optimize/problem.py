@@ -23,8 +23,9 @@ from manipplan.paths.basis import EndConditions, PathShape, named_basis
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
+from manipplan.seeds.acceptance import CHECK_STEP, PROVABLE
 from manipplan.seeds.random_path import random_path
-from manipplan.seeds.seed import CHECK_STEP, PROVABLE, seed_path
+from manipplan.seeds.seed import seed_path
 from manipplan.seeds.seeding import MOST_SEEDS, Seeding
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, InvalidInputError, PlanningError

@@ -9,6 +9,7 @@
 
 enum { FREE, TOUCHING, UNDECIDED };
 enum { SEARCHING, FOUND, FULL };
+static const double LEAST_GAIN = 0.01; /* share of a way's length that a shortcut must save */
 enum { MOST_SIDES = 8, BLOCK = 64, MOST_JOINTS = 64 };
 
 typedef struct {
@@ -21,26 +22,34 @@ typedef struct {
     long n;                 /* number of joints */
     const double *low;      /* (n) bounds of random configurations */
     const double *high;
-    const double *near_low; /* (n) those around start and goal, from which every second one comes */
-    const double *near_high;
+    double near;            /* share of them from a box around start and goal, */
+    double around;          /* which is up to so much larger on each side than the box of both */
     const void *world;      /* what `check` takes */
     int (*check)(const void *, const double *, double);
     int (*decide)(const double *, double); /* FREE or TOUCHING where `check` cannot tell */
     double clearance;
-    double margin;          /* demanded beyond the clearance, but no more at start and goal than */
+    long levels;            /* a search begins with wide margins, and narrows them where it finds no path */
+    const double *step;     /* (levels) largest motion of a joint between two checks */
+    const double *margin;   /* (levels) demanded beyond the clearance, but no more at start and goal than */
     double spare[2];        /* what they have, */
     double growth;          /* and this more per rad or m away from them */
-    double step;            /* largest motion of a joint between two checks */
+    const long *until;      /* (levels) number of checks after which the next level begins */
+    long level;             /* that of now */
     double range;           /* longest edge */
     long sides;             /* number of functions; 0: singularities do not count */
     int (*values)(const double *, double *, long); /* their values (count, sides) at configurations (count, n) */
     const double *zero;     /* (sides) absolute values that count as zero */
     long most_changes;      /* on a path */
+    double bound;           /* only paths of less cost are looked for; infinite: any */
+    double rate;            /* lower bound of the cost per length */
+    double (*cost_of)(const void *, const double *, const double *); /* the cost of a straight motion, */
+    const void *star;       /* which takes this */
     unsigned long long random; /* state of the generator */
     long room;              /* for nodes of each tree */
     double *node[2];        /* (room, n) the tree of the start, and that of the goal; the first node is the root */
     long *parent[2];        /* (room) */
     Side *side[2];          /* (room) */
+    double *cost[2];        /* (room) from the root, with a bound */
     long size[2];
     long met[2];            /* the nodes at which they met */
     long turn;              /* the tree that grows next */
@@ -72,8 +81,13 @@ static double distance(const Search *s, const double *a, const double *b) {
     return sqrt(sum);
 }
 
+/* Go on to the level of the number of checks. What was free with a wide margin is so with a narrow one: the trees are kept. */
+static void narrow(Search *s) {
+    while (s->level + 1 < s->levels && s->checks >= s->until[s->level]) s->level++;
+}
+
 static int is_free(Search *s, const double *q) {
-    double margin = s->margin;
+    double margin = s->margin[s->level];
     for (int end = 0; end < 2; end++)
         if (margin > s->spare[end]) margin = fmin(margin, s->spare[end] + s->growth * distance(s, q, s->node[end]));
     s->checks++;
@@ -88,7 +102,7 @@ static void between(const Search *s, const double *a, const double *b, double sh
 static long steps_of(const Search *s, const double *a, const double *b) {
     double most = 0;
     for (long j = 0; j < s->n; j++) most = fmax(most, fabs(b[j] - a[j]));
-    long count = (long)ceil(most / s->step);
+    long count = (long)ceil(most / s->step[s->level]);
     return count > 1 ? count : 1;
 }
 
@@ -127,14 +141,31 @@ static int motion_is_free(Search *s, const double *a, const double *b) {
     return 1;
 }
 
-static long nearest(const Search *s, long tree, const double *q) {
+/* Whether a configuration is free and, where singularities count, no more sides from the start than a path may change. */
+int manipplan_state(Search *s, const double *q) {
+    Side side = s->side[0][0];
+    if (s->sides && !carry(s, q, q, &side, s->side[1])) { s->checks++; return 0; }
+    return is_free(s, q);
+}
+
+/* Whether the straight motion from a, for which `manipplan_state` holds, to b is free; where singularities count, it changes no
+   more sides, from those of the start on, than a path may. */
+int manipplan_motion(Search *s, const double *a, const double *b) {
+    narrow(s);
+    Side side = s->side[0][0];
+    if (s->sides && !carry(s, a, b, &side, s->side[1])) { s->checks++; return 0; }
+    return motion_is_free(s, a, b);
+}
+
+/* The node nearest to q; with a bound, of those from which q can be reached for at most `most`, or the root. */
+static long nearest(const Search *s, long tree, const double *q, double most) {
     long best = 0;
     double least = INFINITY;
     for (long k = 0; k < s->size[tree]; k++) {
         const double *node = s->node[tree] + k * s->n;
         double sum = 0;
         for (long j = 0; j < s->n; j++) sum += (q[j] - node[j]) * (q[j] - node[j]);
-        if (sum < least) least = sum, best = k;
+        if (sum < least && (!k || s->bound == INFINITY || s->cost[tree][k] + s->rate * sqrt(sum) <= most)) least = sum, best = k;
     }
     return best;
 }
@@ -147,6 +178,10 @@ static long extend(Search *s, long tree, long from, const double *target) {
     if (far > s->range) between(s, a, target, s->range / far, b);
     else memcpy(b, target, (size_t)s->n * sizeof *b);
     Side side = s->side[tree][from];
+    if (s->bound < INFINITY) {
+        s->cost[tree][made] = s->cost[tree][from] + s->cost_of(s->star, a, b);
+        if (!(s->cost[tree][made] + s->rate * distance(s, b, s->node[1 - tree]) < s->bound)) return -1;
+    }
     if (s->sides && !carry(s, a, b, &side, s->side[1 - tree])) return -1;
     if (!motion_is_free(s, a, b)) return -1;
     s->parent[tree][made] = from, s->side[tree][made] = side;
@@ -154,29 +189,73 @@ static long extend(Search *s, long tree, long from, const double *target) {
     return made;
 }
 
+/* Whether either tree may run out of room before the next try to join them ends. */
+static int is_full(const Search *s) {
+    double square = 0;
+    for (long j = 0; j < s->n; j++) square += (s->high[j] - s->low[j]) * (s->high[j] - s->low[j]);
+    long longest = (long)(sqrt(square) / s->range) + 3;
+    return s->size[0] + longest > s->room || s->size[1] + longest > s->room;
+}
+
+/* A random configuration of the ellipsoid of all paths shorter than `length` [gammell2014]; one of its limits where it is outside. */
+static void sample_inside(Search *s, double length, double *q) {
+    double x[MOST_JOINTS], axis[MOST_JOINTS], square = 2, far = distance(s, s->node[0], s->node[1]), along = 0;
+    for (int k = 0; square > 1 && k < 1000; k++) {
+        square = 0;
+        for (long j = 0; j < s->n; j++) x[j] = 2 * uniform(s) - 1, square += x[j] * x[j];
+    }
+    double across = sqrt(fmax(length * length - far * far, 0)) / 2, size = square > 1 ? 1 / sqrt(square) : 1;
+    for (long j = 0; j < s->n; j++) {                       /* a reflection turns the first axis towards the goal */
+        x[j] *= size * (j ? across : length / 2);
+        axis[j] = (s->node[1][j] - s->node[0][j]) / far - (j == 0);
+        along += axis[j] * x[j];
+    }
+    double axes = 0;
+    for (long j = 0; j < s->n; j++) axes += axis[j] * axis[j];
+    for (long j = 0; j < s->n; j++) {
+        q[j] = (s->node[0][j] + s->node[1][j]) / 2 + x[j] - (axes > 0 ? 2 * along / axes * axis[j] : 0);
+        q[j] = fmin(fmax(q[j], s->low[j]), s->high[j]);
+    }
+}
+
+/* A random configuration, most often from a box of random size around start and goal. */
+static void sample(Search *s, double *q) {
+    if (s->bound < INFINITY && s->rate > 0 && uniform(s) < s->near) {
+        sample_inside(s, s->bound / s->rate, q);
+        return;
+    }
+    double around = uniform(s) < s->near ? s->around * uniform(s) : INFINITY;
+    for (long j = 0; j < s->n; j++) {
+        double a = s->node[0][j], b = s->node[1][j];
+        double low = fmax(s->low[j], fmin(a, b) - around), high = fmin(s->high[j], fmax(a, b) + around);
+        q[j] = low + uniform(s) * (high - low);
+    }
+}
+
 /* Grow until the trees meet (FOUND), the arrays are full (FULL), or `checks` further configurations were checked (SEARCHING). */
 int manipplan_connect(Search *s, long checks) {
     long end = s->checks + checks;
     while (s->checks < end) {
+        narrow(s);
+        if (is_full(s)) return FULL;
         long tree = s->turn, other = 1 - tree, at;
         double target[MOST_JOINTS];
-        int near = uniform(s) < 0.5;
-        const double *low = near ? s->near_low : s->low, *high = near ? s->near_high : s->high;
-        for (long j = 0; j < s->n; j++) target[j] = low[j] + uniform(s) * (high[j] - low[j]);
+        sample(s, target);
+        double most = s->bound < INFINITY ? uniform(s) * s->bound : 0;
         s->checks++; /* so that it ends even where no motion is checked */
-        if (s->size[tree] >= s->room) return FULL;
-        long made = extend(s, tree, nearest(s, tree, target), target);
+        long made = extend(s, tree, nearest(s, tree, target, most), target);
         if (made < 0) continue;
         memcpy(target, s->node[tree] + made * s->n, (size_t)s->n * sizeof *target);
-        for (at = nearest(s, other, target); at >= 0; ) {
+        double left = s->bound < INFINITY ? s->bound - s->cost[tree][made] : 0;
+        for (at = nearest(s, other, target, left); at >= 0; ) {
             const double *here = s->node[other] + at * s->n;
             if (memcmp(here, target, (size_t)s->n * sizeof *here) == 0) {
                 const Side *one = s->side[tree] + made, *two = s->side[other] + at;
+                if (s->bound < INFINITY && !(s->cost[other][at] < left)) break;
                 if (s->sides && one->changes + two->changes + differences(one, two) > s->most_changes) break;
                 s->met[tree] = made, s->met[other] = at;
                 return FOUND;
             }
-            if (s->size[other] >= s->room) return FULL;
             at = extend(s, other, at, target);
         }
         s->turn = s->size[0] <= s->size[1] ? 0 : 1;
@@ -210,16 +289,26 @@ static int way_is_allowed(const Search *s, const double *way, long count) {
     return 1;
 }
 
+/* Whether no sign changes on the straight motion from a to b: where it replaces a part of a way, that does not change more sides. */
+static int keeps_sides(const Search *s, const double *a, const double *b) {
+    Side side = {0, 0, 0}, any = {0, 0, 0};
+    return !s->sides || (carry(s, a, a, &side, &any) && carry(s, a, b, &side, &any) && side.changes == 0);
+}
+
+/* The same for other code, and whether a motion is free, but for its begin. */
+int manipplan_allowed(const Search *s, const double *way, long count) { return way_is_allowed(s, way, count); }
+int manipplan_clear(Search *s, const double *a, const double *b) { return motion_is_free(s, a, b); }
+
 /* Leave out waypoints of a way (count, n) that a straight motion can skip, those that skip most first. `work` has as much room.
    Returns the number of its waypoints. */
 long manipplan_skip(Search *s, double *way, double *work, long count) {
     size_t row = (size_t)s->n * sizeof *way;
     for (long k = 0; k + 2 < count; k++)
         for (long far = count - 1; far > k + 1; far--) {
-            if (!motion_is_free(s, way + k * s->n, way + far * s->n)) continue;
             memcpy(work, way, (size_t)(k + 1) * row);
             memcpy(work + (k + 1) * s->n, way + far * s->n, (size_t)(count - far) * row);
-            if (!way_is_allowed(s, work, count - far + k + 1)) continue;
+            if (!keeps_sides(s, way + k * s->n, way + far * s->n) && !way_is_allowed(s, work, count - far + k + 1)) continue;
+            if (!motion_is_free(s, way + k * s->n, way + far * s->n)) continue;
             count -= far - k - 1;
             memcpy(way, work, (size_t)count * row);
             break;
@@ -248,14 +337,14 @@ long manipplan_shorten(Search *s, double *way, double *work, long count, long at
                 }
             gone += edge_length;
         }
-        if (edge[0] == edge[1]) continue;
-        if (!is_free(s, ends[0]) || !motion_is_free(s, ends[0], ends[1])) continue;
+        if (edge[0] == edge[1] || place[1] - place[0] - distance(s, ends[0], ends[1]) < LEAST_GAIN * length) continue;
         long made = edge[0] + 1;
         memcpy(work, way, (size_t)made * row);
         memcpy(work + made++ * s->n, ends[0], row), memcpy(work + made++ * s->n, ends[1], row);
         memcpy(work + made * s->n, way + (edge[1] + 1) * s->n, (size_t)(count - edge[1] - 1) * row);
         made += count - edge[1] - 1;
-        if (!way_is_allowed(s, work, made)) continue;
+        if (!keeps_sides(s, ends[0], ends[1]) && !way_is_allowed(s, work, made)) continue;
+        if (!is_free(s, ends[0]) || !motion_is_free(s, ends[0], ends[1])) continue;
         memcpy(way, work, (size_t)made * row);
         count = made;
     }

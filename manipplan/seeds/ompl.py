@@ -1,19 +1,20 @@
-"""Searches by the planners of OMPL; their motion check samples configurations."""
+"""Searches by the planners of OMPL. Each motion is checked by one call of the compiled check of `motions`."""
 
 import threading
 import time
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from manipplan.cost.integral import PathIntegral
+from manipplan.seeds.motions import RANGE, SPARE, Level, MotionCheck, can_check
 from manipplan.seeds.objective import ompl_objective
+from manipplan.seeds.seeding import FEASIBLE
 from manipplan.seeds.task import GRACE, SeedTask
 from manipplan.support.checks import Array
 
-#: Share of the distances of start and goal beyond the clearance up to which a margin is demanded.
-SPARE = 0.9
 #: OMPL has one random seed per process, so searches in several threads would not be repeatable.
 _ONE_AT_A_TIME = threading.Lock()
 
@@ -25,27 +26,24 @@ class OmplSearch:
     Attributes:
         planner: its name.
         integral: the cost; None: the length.
-        checks: maximum number of checks of an optimising planner; None: the first path ends the search.
     """
 
     task: SeedTask
     planner: str
     integral: PathIntegral | None
-    checks: int | None
 
-    def run(self, step: float, margin: float) -> Array | None:
+    def run(self, levels: Sequence[Level]) -> Array | None:
         """Waypoints (k, n) of OMPL's path, or None when none was found.
 
-        Motions are checked every `step` [rad or m], with `margin` [m] more than the clearance.
+        Motions are checked as `levels` tell, one after another; without compiled code only as the last one tells.
         """
         with _ONE_AT_A_TIME:
             if time.monotonic() >= self.task.deadline:
                 return None
-            task = self.task
-            spare = task.model.least_distance(np.array([task.start, task.goal]))[0] - task.clearance
-            return self._run(step, task.clearance + min(margin, SPARE * spare))
+            compiled, last = can_check(self.task.model), levels[-1]
+            return self._run(_Compiled(self.task, levels) if compiled else _Sampled(self.task, last.margin), last.step)
 
-    def _run(self, step: float, clearance: float) -> Array | None:
+    def _run(self, check: "_Compiled | _Sampled", step: float) -> Array | None:
         from ompl import base, geometric, util
 
         task = self.task
@@ -60,29 +58,23 @@ class OmplSearch:
             bounds.setHigh(joint, float(high[joint]))
         space.setBounds(bounds)
         information = base.SpaceInformation(space)
-        done = 0
-        late = task.deadline
-
-        def is_valid(state: Any) -> bool:
-            nonlocal done
-            done += 1
-            q = np.array(state[0:n])
-            # past the deadline nothing is valid, so that a motion with many checks ends at once
-            if time.monotonic() >= late or task.model.in_collision(q, clearance=clearance):
-                return False
-            return task.sides is None or task.most_crossings != 0 or task.sides.changes(np.array([task.start, q])) == 0
+        information.setStateValidityChecker(check.is_valid)
+        information.setStateValidityCheckingResolution(step / float(space.getMaximumExtent()))
+        validator = check.validator(information)
+        if validator is not None:
+            information.setMotionValidator(validator)
+        information.setup()
 
         def is_over() -> bool:
-            return time.monotonic() >= task.deadline or (self.checks is not None and done >= self.checks)
+            return time.monotonic() >= task.deadline or (task.checks is not None and check.done >= task.checks)
 
-        information.setStateValidityChecker(is_valid)
-        information.setStateValidityCheckingResolution(step / float(space.getMaximumExtent()))
-        information.setup()
         problem = base.ProblemDefinition(information)
         problem.setStartAndGoalStates(_state(space, task.start), _state(space, task.goal), 1e-9)
         if self.integral is not None:
             problem.setOptimizationObjective(ompl_objective(information, self.integral))
         solver = getattr(geometric, self.planner)(information)
+        if self.planner in FEASIBLE:  # by default a fifth of the space's extent, with two to four times as many checks
+            solver.setRange(RANGE)
         solver.setProblemDefinition(problem)
         solver.setup()
         solver.solve(base.PlannerTerminationCondition(is_over))
@@ -90,7 +82,7 @@ class OmplSearch:
             return None
         path = problem.getSolutionPath()
         if self.integral is None:
-            late = task.deadline + GRACE
+            check.late = task.deadline + GRACE
             simplifier = geometric.PathSimplifier(information)
             simplifier.reduceVertices(path)
             simplifier.partialShortcutPath(path)
@@ -98,6 +90,73 @@ class OmplSearch:
         points = np.array([path.getState(i)[0:n] for i in range(path.getStateCount())])
         points[0], points[-1] = task.start, task.goal
         return points
+
+
+class _Compiled:
+    """The compiled check for OMPL.
+
+    Attributes:
+        late: past it nothing is valid, so that a search ends soon; in time.monotonic() [s].
+    """
+
+    def __init__(self, task: SeedTask, levels: Sequence[Level]) -> None:
+        if task.most_crossings != 0:  # a motion alone cannot tell how many crossings its path has
+            task = replace(task, most_crossings=None)
+        self._check, self._n = MotionCheck(task, levels), task.model.robot.n
+
+    @property
+    def late(self) -> float:
+        return self._check.deadline
+
+    @late.setter
+    def late(self, late: float) -> None:
+        self._check.deadline = late
+
+    @property
+    def done(self) -> int:
+        """Number of configurations checked."""
+        return self._check.checks
+
+    def is_valid(self, state: Any) -> bool:
+        """Whether a configuration is free."""
+        return time.monotonic() < self._check.deadline and self._check.configuration(state[0 : self._n])
+
+    def validator(self, information: object) -> object:
+        """The MotionValidator of OMPL that asks the compiled check. No planner of ours asks where a motion becomes invalid."""
+        from ompl import base
+
+        check, n = self._check, self._n
+
+        class Motions(base.MotionValidator):  # type: ignore[misc]  # ompl has no stubs
+            def checkMotion(self, first: Any, last: Any) -> bool:  # noqa: N802  # OMPL's name
+                return time.monotonic() < check.deadline and check.motion(first[0:n], last[0:n])
+
+        return Motions(information)
+
+
+class _Sampled:
+    """The check where it cannot be compiled: OMPL asks for one configuration after the other.
+
+    Attributes:
+        late: past it nothing is valid, so that a search ends soon; in time.monotonic() [s].
+        done: number of configurations checked.
+    """
+
+    def __init__(self, task: SeedTask, margin: float) -> None:
+        spare = min(task.distances) - task.clearance
+        self._task, self._n, self._clearance = task, task.model.robot.n, task.clearance + min(margin, SPARE * spare)
+        self.late, self.done = task.deadline, 0
+
+    def is_valid(self, state: Any) -> bool:
+        """Whether a configuration is free."""
+        task, q = self._task, np.array(state[0 : self._n])
+        self.done += 1
+        if time.monotonic() >= self.late or task.model.in_collision(q, clearance=self._clearance):
+            return False
+        return task.sides is None or task.most_crossings != 0 or task.sides.changes(np.array([task.start, q])) == 0
+
+    def validator(self, _information: object) -> None:
+        """None: OMPL's own check of motions, in steps, is used."""
 
 
 def _state(space: object, q: Array) -> object:

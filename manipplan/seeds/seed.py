@@ -6,14 +6,12 @@ or, where it comes too close to contact for a proof, checked at every milliradia
 
 import logging
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.collision.model import CollisionModel
-from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene
 from manipplan.cost.crossings import least_crossings
 from manipplan.cost.integral import PathIntegral
@@ -23,24 +21,28 @@ from manipplan.kinematics.sides import sides_of
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.smooth import rounded
 from manipplan.robots.robot import Robot
-from manipplan.seeds.connect import TreeSearch, can_search
+from manipplan.seeds.acceptance import acceptance, crossing_limit, is_free, looks_free
+from manipplan.seeds.connect import TreeSearch
+from manipplan.seeds.motions import Level, can_check
 from manipplan.seeds.ompl import OmplSearch
-from manipplan.seeds.seeding import AUTO, OPTIMISING, Seeding
+from manipplan.seeds.seeding import AUTO, OPTIMISING, STAR, Seeding
+from manipplan.seeds.star import StarSearch, star_code
 from manipplan.seeds.task import GRACE, SeedTask
 from manipplan.support.checks import Array, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
 
 log = logging.getLogger("manipplan")
 
-#: Maximum joint motion between two checks of a finished path [rad or m].
-CHECK_STEP = 1e-3
-#: Maximum joint motion between two configurations whose sides of the singularities are compared [rad or m].
-SIDES_STEP = 5e-3
-#: Minimum distance of the ends beyond the clearance for a proof [m]; the proof's own tolerances take as much.
-PROVABLE = 1e-4
-#: Steps of the motion checks [rad or m] and their margins beyond the clearance [m], tried in turn until a path is proven.
-MOTION_STEPS = ((0.02, 0.0), (0.008, 0.002), (0.003, 0.005))
-WIDE_STEPS, WIDE_CHECKS = ((0.02, 0.02), (0.02, 0.005)), 20_000
+#: How the motions of a search are checked, one level after another; and shares of their steps, tried in turn until a path is
+#: proven.
+LEVELS = (
+    Level(step=0.05, margin=0.02, checks=1000),
+    Level(step=0.05, margin=0.01, checks=1000),
+    Level(step=0.03, margin=0.005, checks=1000),
+    Level(step=0.02, margin=0.002, checks=20_000),
+    Level(step=0.02, margin=0.0),
+)
+FINER = (1.0, 0.3, 0.1)
 #: Checks of the search for a path with the fewest crossings, and of the one that allows `MORE` of them.
 FEWEST_CHECKS, MORE_CHECKS, MORE = 100_000, 50_000, 2
 
@@ -65,7 +67,8 @@ def seed_path(
         start, goal: (n,) [rad or m].
         scene: obstacles; None: only self-collision is checked.
         seeding: planner, random seed and time limit; the other fields keep their defaults.
-        objective: the cost that the optimising planners (RRTstar, InformedRRTstar, SORRTstar, BITstar) lower; None: the length.
+        objective: the cost that the optimising planners (connect-star, RRTstar, InformedRRTstar, SORRTstar, BITstar) lower;
+            None: the length.
             With an objective the straight line is returned only if no lower g is found, and the path is simplified only where
             that does not raise g. The other planners ignore it.
         same_aspect: only accept a path on which no factor of det J changes its sign, so that it crosses no singularity of the
@@ -73,7 +76,8 @@ def seed_path(
         fewest_crossings: look first for a path that crosses singularities no more often than it must, then for one with two
             crossings more, and then for any. The planners of OMPL only tell paths without crossings from others. No effect on
             arms with more joints than the task has rows.
-        checks: maximum number of configurations that an optimising planner checks, about 60 µs each.
+        checks: maximum number of configurations that an optimising planner checks, about 3 µs each; of connect-star, together
+            with the random changes of its path.
         clearance: minimum distance [m] to every obstacle and between the arm's own links.
 
     Returns:
@@ -96,11 +100,15 @@ def seed_path(
     q_start = model.free_configuration("start", start, clearance)
     q_goal = model.free_configuration("goal", goal, clearance)
     check_apart(q_start, q_goal)
+    compiled = can_check(model) and seeding.planner in ("auto", STAR)  # before time counts, since code may have to be compiled
+    if seeding.planner == STAR and not (compiled and star_code()):
+        raise InvalidInputError("seeding.planner", STAR, "another one: here its code cannot be compiled")
     kinematics = integral.kinematics
     task = SeedTask(
         model=model,
         start=q_start,
         goal=q_goal,
+        distances=(model.least_distance(q_start[None])[0], model.least_distance(q_goal[None])[0]),
         seed=seeding.seed,
         clearance=clearance,
         sides=sides_of(kinematics),
@@ -112,8 +120,8 @@ def seed_path(
         seeding=seeding,
         integral=integral if lowers_g else None,
         checks=checks,
-        compiled=seeding.planner == "auto" and can_search(model),
-        free=_acceptance(model, (q_start, q_goal), clearance),
+        compiled=compiled,
+        free=acceptance(task),
     )
     if same_aspect:
         _check_aspect(task, kinematics)
@@ -181,7 +189,7 @@ class _Finder:
     def find(self, task: SeedTask) -> JointPath | None:
         """The path of a search; None if none is found in time."""
         line = JointPath.line(task.start, task.goal)
-        is_allowed, cost = _crossing_limit(task), self.cost
+        is_allowed, cost = crossing_limit(task), self.cost
 
         def accept(path: JointPath) -> bool:
             return is_allowed(path) and self.free(path)
@@ -197,11 +205,13 @@ class _Finder:
             apart = np.abs(np.diff(found, axis=0)).max(axis=1) > 1e-9
             waypoints = np.vstack([found[:-1][apart], found[-1:]])
             points = waypoints if self.compiled else _shortened(waypoints, accept_in_time, cost)
-            if accept(JointPath.through(points)):
+            path = self._smooth(points, accept, lambda path: looks_free(task, path))
+            if path is None and accept(JointPath.through(points)):
                 path = _rounded(points, accept_in_time, cost)
+            if path is not None:
                 return line if line_is_free and cost(line) <= cost(path) else path
             sharp = JointPath.through(waypoints)
-            if checked is None and is_allowed(sharp) and _is_free(task.model, sharp, task.clearance):
+            if checked is None and is_allowed(sharp) and is_free(task, sharp):
                 checked = sharp
         self.spent = time.monotonic() < task.deadline
         if line_is_free:
@@ -210,45 +220,48 @@ class _Finder:
             log.info("no path was proven collision-free in time; this one is free at every milliradian")
         return checked
 
+    def _smooth(
+        self, points: Array, accept: Callable[[JointPath], bool], is_free: Callable[[JointPath], bool]
+    ) -> JointPath | None:
+        """The path with corners as wide as `is_free` allows, if that is accepted and costs no more; one proof is enough."""
+        path = rounded(points, is_free)
+        is_cheap = self.integral is None or self.cost(path) <= self.cost(JointPath.through(points))  # it is never longer
+        return path if is_cheap and accept(path) else None
+
     @property
     def planner(self) -> str:
-        """The name of OMPL's planner."""
+        """The name of the planner, with that of OMPL for "auto"."""
         return AUTO if self.seeding.planner == "auto" else self.seeding.planner
 
     def _waypoints(self, task: SeedTask) -> Iterator[Array]:
         """The paths (k, n) of searches with finer and finer motion checks."""
-        checks = self.checks if self.planner in OPTIMISING else None
-        ompl = OmplSearch(task=task, planner=self.planner, integral=self.integral, checks=checks)
-        search = TreeSearch(task=task) if self.compiled else ompl
-        for step, margin in WIDE_STEPS if self.compiled else ():
-            waypoints = TreeSearch(task=replace(task, checks=WIDE_CHECKS)).run(step, margin)
-            if waypoints is not None:
-                yield waypoints
-        for step, margin in MOTION_STEPS:
-            waypoints = search.run(step, margin)
+        search: TreeSearch | StarSearch | OmplSearch = TreeSearch(task=task)
+        levels: Sequence[Level] = LEVELS
+        if self.planner == STAR:
+            checks = self.checks if task.checks is None else min(self.checks, task.checks)
+            search = StarSearch(task=replace(task, checks=checks), integral=self.integral)
+        elif not self.compiled:
+            optimises = self.planner in OPTIMISING
+            limited = replace(task, checks=self.checks) if optimises else task
+            search = OmplSearch(task=limited, planner=self.planner, integral=self.integral)
+            levels = LEVELS[-1:] if optimises else LEVELS  # an optimising planner does not check a motion again
+        for share in FINER:
+            waypoints = search.run([replace(level, step=share * level.step) for level in levels])
             if waypoints is None:
                 return
             yield waypoints
-            log.info("the path is not proven free with checks %g rad apart; checking finer", step)
+            log.info("the path is not proven free; looking for another one with checks nearer to each other")
 
     def failure(self) -> str:
         """Why no path was found."""
-        limit = self.seeding.time_limit
+        limit, is_auto = self.seeding.time_limit, self.compiled and self.seeding.planner == "auto"
         spent, remedy = f"in {limit:g} s", "allow more time (Seeding.time_limit)"
         if self.spent and self.planner in OPTIMISING:
             spent, remedy = f"with {self.checks} checks", "allow more of them (checks)"
         return (
-            f"no path from start to goal was found by {'RRT-Connect' if self.compiled else self.planner} {spent}; "
+            f"no path from start to goal was found by {'RRT-Connect' if is_auto else self.planner} {spent}; "
             f"{remedy}, reduce the clearance, or check that the goal can be reached"
         )
-
-
-def _crossing_limit(task: SeedTask) -> Callable[[JointPath], bool]:
-    """Whether a path crosses singularities no more often than allowed."""
-    sides, most = task.sides, task.most_crossings
-    if sides is None or most is None:
-        return lambda _: True
-    return lambda path: sides.changes(path(path.fine_samples(SIDES_STEP))) <= most
 
 
 def _check_seeding(seeding: Seeding) -> None:
@@ -266,23 +279,6 @@ def _rounded(waypoints: Array, accept: Callable[[JointPath], bool], cost: Callab
     """The path through waypoints, with rounded corners where that is accepted and costs no more."""
     sharp, smooth = JointPath.through(waypoints), rounded(waypoints, accept)
     return smooth if accept(smooth) and cost(smooth) <= cost(sharp) else sharp
-
-
-def _acceptance(model: CollisionModel, ends: tuple[Array, Array], clearance: float) -> Callable[[JointPath], bool]:
-    """The acceptance test of a seed: proven free, or free at every milliradian if an end is too near contact for a proof."""
-    for q in ends:
-        if model.least_distance(np.asarray(q)[None])[0] <= clearance + PROVABLE:
-            log.info("start or goal is too close to contact for a proof; the seed is checked at every milliradian")
-            return lambda path: _is_free(model, path, clearance)
-    return lambda path: path_clearance(model, path, clearance=clearance, tolerance=None).proven
-
-
-def _is_free(model: CollisionModel, path: JointPath, clearance: float) -> bool:
-    """Whether the path is free at every milliradian, and the proof found no contact in between."""
-    return (
-        model.path_is_free(path, CHECK_STEP, clearance)
-        and not path_clearance(model, path, clearance=clearance, tolerance=None).refuted
-    )
 
 
 def check_apart(start: Array, goal: Array) -> None:

@@ -12,8 +12,10 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError
 #: Planners that stop at the first path. PRM and PRM* are excluded: they search in a thread of their own, which waits for
 #: Python's lock while the search waits for that thread, and their runs are not repeatable.
 FEASIBLE = ("RRTConnect", "RRT", "KPIECE1", "BKPIECE1", "LBKPIECE1")
+#: Our own planner that continues to lower the cost.
+STAR = "connect-star"
 #: Planners that continue to lower the cost until `checks` or `time_limit` is used up.
-OPTIMISING = ("RRTstar", "InformedRRTstar", "SORRTstar", "BITstar")
+OPTIMISING = (STAR, "RRTstar", "InformedRRTstar", "SORRTstar", "BITstar")
 PLANNERS = FEASIBLE + OPTIMISING
 #: The planner of OMPL that "auto" takes where our own cannot be compiled.
 AUTO = "RRTConnect"
@@ -28,8 +30,9 @@ class Seeding:
     """How first paths are found, from which the optimiser descends.
 
     Attributes:
-        planner: what searches among obstacles: "auto", our compiled RRT-Connect, or a planner of OMPL: RRTConnect, RRT,
-            KPIECE1, BKPIECE1, LBKPIECE1, and RRTstar, InformedRRTstar, SORRTstar and BITstar, which lower their path's cost.
+        planner: what searches among obstacles: "auto", our compiled RRT-Connect; "connect-star", the same with a search that
+            goes on to lower the path's cost; or a planner of OMPL: RRTConnect, RRT, KPIECE1, BKPIECE1, LBKPIECE1, and RRTstar,
+            InformedRRTstar, SORRTstar and BITstar, which lower their path's cost.
         seed: random seed of the planner; without a scene, of the random first paths. The same seed gives the same path, on any
             machine, unless `time_limit` ends the search.
         count: number of first paths per goal. With a scene the planner finds them, with `seed`, `seed` + 1 and so on. Paths

@@ -19,6 +19,7 @@ class SeedTask:
     Attributes:
         model: the robot among its obstacles.
         start, goal: (n,) [rad or m].
+        distances: smallest distance of two bodies at start and at goal [m].
         seed: random seed.
         clearance: minimum distance [m] between bodies.
         sides: the functions whose changes of sign count as crossings of singularities; None: they do not count.
@@ -30,6 +31,7 @@ class SeedTask:
     model: CollisionModel
     start: Array
     goal: Array
+    distances: tuple[float, float]
     seed: int
     clearance: float
     sides: Sides | None

@@ -7,6 +7,7 @@ import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -14,8 +15,11 @@ import pytest
 import manipplan as mp
 from manipplan.collision.model import CollisionModel
 from manipplan.kinematics.sides import sides_of
-from manipplan.seeds import connect
-from manipplan.seeds.connect import TreeSearch, can_search
+from manipplan.seeds import connect, motions
+from manipplan.seeds.connect import TreeSearch
+from manipplan.seeds.motions import Level, MotionCheck, can_check
+from manipplan.seeds.ompl import OmplSearch
+from manipplan.seeds.seeding import PLANNERS, STAR
 from manipplan.seeds.task import SeedTask
 
 START, GOAL = [0.0, 1.5, -2.0], [3.14, -2.0, 2.0]
@@ -30,7 +34,9 @@ def crossings(robot, path):
 def task_of(robot, scene, start, goal, **options):
     given = {"seed": 0, "clearance": 0.0, "sides": None, "most_crossings": None, "checks": None}
     given |= {"deadline": time.monotonic() + 30.0} | options
-    return SeedTask(model=scene.collision_model(robot), start=np.array(start), goal=np.array(goal), **given)
+    model = scene.collision_model(robot)
+    distances = tuple(model.least_distance(np.array([q], dtype=float))[0] for q in (start, goal))
+    return SeedTask(model=model, distances=distances, start=np.array(start), goal=np.array(goal), **given)
 
 
 def assert_free(scene, robot, waypoints):
@@ -91,14 +97,14 @@ def test_paths_are_free_and_depend_on_the_seed_alone(name, panda, ur5, demo_prob
         else ([-0.9, -1.0, 1.0, -1, -1.2, 0], [0.9, -1.0, 1.0, -1, -1.2, 0])
     )
     task = task_of(robot, scene, *ends)
-    first = TreeSearch(task=task).run(0.01, 0.005)
+    first = TreeSearch(task=task).run([Level(step=0.01, margin=0.005)])
     assert len(first) > 2
     assert_free(scene, robot, first)
     np.testing.assert_array_equal(first[[0, -1]], ends)
     with ThreadPoolExecutor(3) as pool:
-        for again in pool.map(lambda _: TreeSearch(task=task).run(0.01, 0.005), range(3)):
+        for again in pool.map(lambda _: TreeSearch(task=task).run([Level(step=0.01, margin=0.005)]), range(3)):
             np.testing.assert_array_equal(again, first)
-    other = TreeSearch(task=replace(task, seed=1)).run(0.01, 0.005)
+    other = TreeSearch(task=replace(task, seed=1)).run([Level(step=0.01, margin=0.005)])
     assert other.shape != first.shape or np.abs(other - first).max() > 0.01
 
 
@@ -106,17 +112,17 @@ def test_a_search_ends_after_its_checks(planar):
     blocked = mp.Scene([mp.Cylinder(radius=0.05, length=1.0, position=(0.0, 0.6, 0.0), name="post")])
     task = task_of(planar, blocked, START, GOAL, checks=5000)
     began = time.monotonic()
-    assert TreeSearch(task=task).run(0.02, 0.0) is None
+    assert TreeSearch(task=task).run([Level(step=0.02, margin=0.0)]) is None
     assert time.monotonic() - began < 5.0
-    assert TreeSearch(task=replace(task, deadline=began)).run(0.02, 0.0) is None
+    assert TreeSearch(task=replace(task, deadline=began)).run([Level(step=0.02, margin=0.0)]) is None
 
 
 def test_many_nodes(planar, monkeypatch):
     """The room for nodes grows, which changes nothing."""
     task = task_of(planar, POST, START, GOAL)
-    usual = TreeSearch(task=task).run(0.02, 0.0)
+    usual = TreeSearch(task=task).run([Level(step=0.02, margin=0.0)])
     monkeypatch.setattr(connect, "ROOM", 2)
-    np.testing.assert_array_equal(TreeSearch(task=task).run(0.02, 0.0), usual)
+    np.testing.assert_array_equal(TreeSearch(task=task).run([Level(step=0.02, margin=0.0)]), usual)
 
 
 EGGS = """<mujoco><worldbody><body name="a" pos="0 0 0.3"><joint name="i" axis="0 0 1" range="-170 170"/>
@@ -135,7 +141,7 @@ def eggs(tmp_path):
 def test_coal_decides_what_the_kernel_cannot(eggs):
     arm, scene = eggs
     task = task_of(arm, scene, [-1.0, 0.0], [1.0, 0.0])
-    way = TreeSearch(task=task).run(0.02, 0.0)
+    way = TreeSearch(task=task).run([Level(step=0.02, margin=0.002)])
     assert len(way) > 2
     assert_free(scene, arm, way)
 
@@ -150,7 +156,49 @@ def test_an_error_of_coal_s_answer_is_raised(eggs, monkeypatch, error):
     task = task_of(arm, scene, [-1.0, 0.0], [1.0, 0.0])
     monkeypatch.setattr(CollisionModel, "in_collision", fail)
     with pytest.raises(error):
-        TreeSearch(task=task).run(0.02, 0.0)
+        TreeSearch(task=task).run([Level(step=0.02, margin=0.0)])
+
+
+@pytest.mark.parametrize("planner", [name for name in PLANNERS if name != STAR])
+def test_the_time_limit_holds_where_coal_is_slow(eggs, planner, monkeypatch):
+    arm, scene = eggs
+    quick = CollisionModel.in_collision
+
+    def slow(model, q, **options):
+        time.sleep(0.02)
+        return quick(model, q, **options)
+
+    monkeypatch.setattr(CollisionModel, "in_collision", slow)
+    assert can_check(scene.collision_model(arm))  # compiled before the clock starts
+    began = time.monotonic()
+    task = task_of(arm, scene, [-1.0, 0.0], [1.0, 0.0], deadline=began + 0.6)
+    OmplSearch(task=task, planner=planner, integral=None).run([Level(step=0.02, margin=0.0)])
+    assert time.monotonic() - began < 0.6 + 0.6
+
+
+@pytest.mark.parametrize("name", ["panda", "ur5"])
+def test_a_motion_is_free_where_all_its_samples_are(name, panda, ur5, rng):
+    """Against the batch check of every sample, and the signs of every factor of det J."""
+    robot = {"panda": panda, "ur5": ur5}[name]
+    scene = mp.Scene([mp.Box(size=(0.2, 0.6, 0.6), position=(0.5, 0.0, 0.4), name="wall")])
+    model, sides = scene.collision_model(robot), sides_of(robot.kinematics())
+    free = [q for q in robot.random_configuration(rng, size=1000) if not model.in_collision(q)]
+    if sides:
+        signs = np.sign(sides.values(np.array(free)))
+        free = [q for q, sign in zip(free, signs, strict=True) if (sign == signs[0]).all()]
+    task = task_of(robot, scene, free[0], free[1], sides=sides, most_crossings=0 if sides else None)
+    check, verdicts = MotionCheck(task, [Level(step=0.01, margin=0.0)]), []
+    for first, towards in pairwise(free[:120]):
+        last = first + rng.uniform(0.0, 0.5) * (towards - first)
+        q = first + np.linspace(0.0, 1.0, int(np.ceil(np.abs(last - first).max() / 0.01)) + 1)[:, None] * (last - first)
+        expected = not model.in_collision_rows(q).any()
+        if sides:
+            expected &= sides.changes(np.vstack([task.start, q])) == 0 and sides.changes(np.array([last, task.goal])) == 0
+        verdicts.append(expected)
+        assert check.motion(list(first), list(last)) == expected
+        if sides is None:
+            assert check.configuration(list(last)) != model.in_collision(last)
+    assert 5 < sum(verdicts) < len(verdicts) - 5
 
 
 WITHOUT_COMPILER = """
@@ -176,8 +224,8 @@ def test_without_a_compiler_the_path_is_the_same(tmp_path):
 
 
 def test_where_it_cannot_be_compiled_ompl_searches(planar, monkeypatch):
-    monkeypatch.setattr(connect, "_functions", lambda: None)
-    assert not can_search(POST.collision_model(planar))
+    monkeypatch.setattr(motions, "functions", lambda: None)
+    assert not can_check(POST.collision_model(planar))
     path = mp.seed_path(planar, START, GOAL, POST)
     np.testing.assert_array_equal(
         path.control, mp.seed_path(planar, START, GOAL, POST, seeding=mp.Seeding(planner="RRTConnect")).control

@@ -1,0 +1,224 @@
+"""The check of straight motions in compiled code: `connect.c` on the collision kernel, one call for each motion."""
+
+import ctypes
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from manipplan.collision.kernel import FREE, TOUCHING
+from manipplan.collision.model import CollisionModel
+from manipplan.kinematics.batch import BATCH
+from manipplan.kinematics.sides import Sides
+from manipplan.seeds.task import SeedTask
+from manipplan.support.checks import Array
+from manipplan.support.compiling.native import NativeCode, native_code
+
+#: As in connect.c.
+MOST_SIDES, MOST_JOINTS = 8, 64
+#: Maximum length of an edge [rad or m].
+RANGE = 1.0
+#: Share of the random configurations that come from a box around start and goal, and its maximum distance from them [rad or m].
+NEAR, AROUND = 0.8, 3.0
+#: Share of the distances of start and goal beyond the clearance that counts as margin, and margin per rad or m away from them.
+SPARE, GROWTH = 0.9, 0.05
+#: A number of crossings that no path has.
+ANY = 1 << 40
+
+SIDE = np.dtype([("positive", np.uint8), ("known", np.uint8), ("changes", np.int64)], align=True)
+_DECIDE = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(ctypes.c_double), ctypes.c_double)
+P, N, D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
+#: Result and arguments of the functions of connect.c that release the GIL.
+SIGNATURES: dict[str, tuple[Any, ...]] = {
+    "connect": (ctypes.c_int, P, N),
+    "way": (N, P, P),
+    "skip": (N, P, P, P, N),
+    "shorten": (N, P, P, P, N, N),
+}
+#: Those that hold it: to release it would take longer than what they do.
+SHORT: dict[str, tuple[Any, ...]] = {"state": (ctypes.c_int, P, P), "motion": (ctypes.c_int, P, P, P)}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Level:
+    """How motions are checked until `checks` further configurations were checked; the last level goes on.
+
+    Attributes:
+        step: maximum motion of a joint between two checks [rad or m].
+        margin: distance beyond the clearance [m]; less near start and goal, where they have less.
+        checks: number of configurations.
+    """
+
+    step: float
+    margin: float
+    checks: int = 0
+
+
+class Search(ctypes.Structure):
+    """`Search` of connect.c."""
+
+    _fields_ = [
+        ("n", N),
+        *((name, P) for name in ("low", "high")),
+        ("near", D),
+        ("around", D),
+        *((name, P) for name in ("world", "check", "decide")),
+        ("clearance", D),
+        ("levels", N),
+        ("step", P),
+        ("margin", P),
+        ("spare", D * 2),
+        ("growth", D),
+        ("until", P),
+        ("level", N),
+        ("range", D),
+        ("sides", N),
+        *((name, P) for name in ("values", "zero")),
+        ("most_changes", N),
+        ("bound", D),
+        ("rate", D),
+        ("cost_of", P),
+        ("star", P),
+        ("random", ctypes.c_uint64),
+        ("room", N),
+        *((name, P * 2) for name in ("node", "parent", "side", "cost")),
+        ("size", N * 2),
+        ("met", N * 2),
+        ("turn", N),
+        ("checks", N),
+    ]
+
+
+@cache
+def search_code() -> NativeCode | None:
+    """The machine code of connect.c; None where it cannot be compiled."""
+    return native_code(Path(__file__).with_name("connect.c"), "searches for paths")
+
+
+@cache
+def functions() -> dict[str, Callable[..., Any]] | None:
+    """The functions of connect.c by their names without prefix; None where it cannot be compiled."""
+    code = search_code()
+    if code is None:
+        return None
+    short = {name: ctypes.PYFUNCTYPE(*types)(code.address(f"manipplan_{name}")) for name, types in SHORT.items()}
+    return code.functions("manipplan_", SIGNATURES) | short
+
+
+def can_check(model: CollisionModel) -> bool:
+    """Whether the compiled check is there for a robot among its obstacles."""
+    return model.robot.n <= MOST_JOINTS and model.kernel_copy() is not None and functions() is not None
+
+
+class MotionCheck:
+    """Checks configurations and straight motions of a search; only where `can_check`. Not safe to share between threads.
+
+    Attributes:
+        data: `Search` of connect.c, with room for nothing but the roots of both trees.
+        deadline: in time.monotonic() [s]; past it, what only coal can decide counts as touching.
+    """
+
+    def __init__(self, task: SeedTask, levels: Sequence[Level]) -> None:
+        model, kernel = task.model, task.model.kernel_copy()
+        self.call, self._task, self.n = functions(), task, model.robot.n
+        assert self.call is not None and kernel is not None
+        self.deadline = task.deadline
+        self._failure: BaseException | None = None
+        low, high = task.bounds()
+        sides = task.sides if task.most_crossings is not None else None
+        vectors: dict[str, Any] = {"low": low, "high": high, "zero": np.zeros(0) if sides is None else sides.zero}
+        vectors |= {"step": [each.step for each in levels], "margin": [each.margin for each in levels]}
+        vectors = {name: np.ascontiguousarray(vector, dtype=float) for name, vector in vectors.items()}
+        vectors["until"] = np.cumsum([each.checks for each in levels])
+        self.roots = np.array([task.start, task.goal], dtype=float)
+        self.root_sides = np.zeros(2, dtype=SIDE)
+        if sides is not None:
+            bits = 1 << np.arange(len(sides.names))
+            for root, values in zip(self.root_sides, sides.values(self.roots), strict=True):
+                root["positive"], root["known"] = bits[values >= sides.zero].sum(), bits[np.abs(values) >= sides.zero].sum()
+        self._decide, self._values = _DECIDE(self._ask), _batch(sides)
+        self._q: Any = (D * (2 * self.n))()
+        self._kept = vectors, kernel
+        self.data = Search(
+            n=self.n,
+            near=NEAR,
+            around=AROUND,
+            world=kernel.world,
+            check=kernel.check_address,
+            decide=ctypes.cast(self._decide, P),
+            clearance=task.clearance,
+            levels=len(levels),
+            spare=(D * 2)(*(SPARE * (distance - task.clearance) for distance in task.distances)),
+            growth=GROWTH,
+            range=RANGE,
+            sides=0 if sides is None else len(sides.names),
+            values=None if self._values is None else ctypes.cast(self._values, P),
+            most_changes=ANY if task.most_crossings is None else task.most_crossings,
+            bound=np.inf,
+            random=task.seed,
+            size=(N * 2)(1, 1),
+            node=(P * 2)(*(each.ctypes.data for each in self.roots)),
+            side=(P * 2)(*(self.root_sides[k : k + 1].ctypes.data for k in range(2))),
+            **{name: vector.ctypes.data for name, vector in vectors.items()},
+        )
+        self.at = ctypes.addressof(self.data)
+        self._places = ctypes.addressof(self._q), ctypes.addressof(self._q) + self.n * ctypes.sizeof(D)
+
+    @property
+    def checks(self) -> int:
+        """Number of configurations checked for collision."""
+        return int(self.data.checks)
+
+    def configuration(self, q: list[float]) -> bool:
+        """Whether a configuration of n joint values [rad or m] is free."""
+        assert self.call is not None
+        self._q[: self.n] = q
+        found = self.call["state"](self.at, self._places[0])
+        self.raise_failure()
+        return bool(found)
+
+    def motion(self, first: list[float], last: list[float]) -> bool:
+        """Whether the straight motion from one configuration, which is free, to another is free."""
+        assert self.call is not None
+        self._q[: self.n], self._q[self.n :] = first, last
+        found = self.call["motion"](self.at, *self._places)
+        self.raise_failure()
+        return bool(found)
+
+    def raise_failure(self) -> None:
+        """Raise the error of an answer of coal: C cannot pass it on."""
+        if self._failure is not None:
+            raise self._failure
+
+    def _ask(self, q: Any, clearance: float) -> int:
+        """Whether a configuration that the kernel cannot judge is free."""
+        try:
+            if time.monotonic() >= self.deadline:
+                return TOUCHING
+            here: Array = np.array(q[: self.n])
+            return TOUCHING if self._task.model.in_collision(here, clearance=clearance) else FREE
+        except BaseException as error:
+            self._failure = error
+            return TOUCHING
+
+
+def _batch(sides: Sides | None) -> Any:
+    """The values of the sides as a C function; without a compiler CasADi's virtual machine, called back, evaluates them."""
+    if sides is None:
+        return None
+    if sides.kernel is not None:
+        return sides.kernel.run
+
+    def values(q: int, out: int, count: int) -> int:
+        n, number = sides.function.nnz_in(0), len(sides.names)
+        here = np.ctypeslib.as_array((ctypes.c_double * (count * n)).from_address(q)).reshape(count, n)
+        found = np.ctypeslib.as_array((ctypes.c_double * (count * number)).from_address(out)).reshape(count, number)
+        found[:] = np.array(sides.function(ca.DM(here.T))).T
+        return 0
+
+    return BATCH(values)
