@@ -10,8 +10,8 @@ from manipplan.jobs.parcel import Missing, Outcome, Packer, plan_parcel
 from manipplan.jobs.problem import Problem
 from manipplan.jobs.result import PartialPlan
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.processes.workers import WorkerLostError, Workers
 from manipplan.support.status import Status
-from manipplan.support.workers import WorkerLostError, Workers
 
 #: Number of times that a problem is begun whose worker dies, the last time alone.
 TRIES = 2

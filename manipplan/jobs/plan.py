@@ -19,7 +19,7 @@ from manipplan.support.checks import instance
 from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.errors import PlanningError
 from manipplan.support.interrupts import interruptible
-from manipplan.support.one_thread import one_thread
+from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, part, teller
 from manipplan.support.status import Status
 from manipplan.timing.retime import check_timing_limits, retime

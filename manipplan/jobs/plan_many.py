@@ -16,8 +16,8 @@ from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import whole_number
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.processes.workers import Workers
 from manipplan.support.progress import Progress, teller
-from manipplan.support.workers import Workers
 
 log = logging.getLogger("manipplan")
 

@@ -31,7 +31,7 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.memo import once_per_owner
-from manipplan.support.one_thread import one_thread
+from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.status import Status
 
 log = logging.getLogger("manipplan")

@@ -20,7 +20,7 @@ from manipplan.optimize.clearance import ClearanceRow, row_functions
 from manipplan.support.compiling import compiler as module
 from manipplan.support.compiling.compiler import find_compiler, load_library
 from manipplan.support.files import is_private
-from manipplan.support.processes import run
+from manipplan.support.processes.commands import run
 
 SOURCE = "int answer(void) { return 42; }"
 BUILD = f"""

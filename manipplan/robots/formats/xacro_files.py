@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from manipplan.robots.formats.packages import PackageFolders
-from manipplan.support import processes
 from manipplan.support.errors import FileFormatError, MissingExtraError, UnknownNameError
+from manipplan.support.processes import commands
 from manipplan.support.untrusted import printable
 
 log = logging.getLogger("manipplan")
@@ -58,7 +58,7 @@ def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool
         package = str(Path(__file__).parents[2])
         command = [sys.executable, "-I", "-S", "-X", "utf8", "-c", _START, package, folder]
         try:
-            run = processes.run(command, limit=TIME_LIMIT)
+            run = commands.run(command, limit=TIME_LIMIT)
         except subprocess.TimeoutExpired as error:
             raise _fault(file, f"it takes more than {TIME_LIMIT:g} s") from error
         except OSError as error:

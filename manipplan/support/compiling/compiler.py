@@ -25,7 +25,7 @@ from typing import TypeVar
 from manipplan.support.compiling.patience import told_when_slow
 from manipplan.support.errors import CompilerError, CompilerWarning
 from manipplan.support.files import cache_folder, is_private, private_folder
-from manipplan.support.processes import run
+from manipplan.support.processes.commands import run
 from manipplan.support.untrusted import terminal_text
 
 log = logging.getLogger("manipplan")

@@ -34,7 +34,7 @@ THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB
 BEGIN = """
 import pickle, sys
 sys.path[:], script = pickle.load(sys.stdin.buffer)
-from manipplan.support import workers
+from manipplan.support.processes import workers
 workers.work(script)
 """
 READY = b"ready"
