@@ -10,11 +10,11 @@ import numpy as np
 from manipplan.cost.density import energy_density, length_density
 from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.optimize.clearance import ClearanceRow, row_functions
-from manipplan.optimize.constraints import LimitRows, RowFunctions
-from manipplan.optimize.descent import FAILED, DescentProgram, descend
-from manipplan.optimize.fixed_rows import FixedRows
+from manipplan.optimize.descents.constraints import LimitRows, RowFunctions
+from manipplan.optimize.descents.descent import FAILED, DescentProgram, descend
+from manipplan.optimize.descents.fixed_rows import FixedRows
+from manipplan.optimize.descents.step_models import BatchDensity, Curves, LengthModel, MovingLengthModel, Surroundings
 from manipplan.optimize.ipopt import Hull, Integral, IpoptEnergy
-from manipplan.optimize.step_models import BatchDensity, Curves, LengthModel, MovingLengthModel, Surroundings
 from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid
 from manipplan.support.checks import Array

@@ -11,10 +11,10 @@ from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import PathClearance, path_clearance
 from manipplan.cost.integral import PathCost
 from manipplan.optimize.certificate import UNKNOWN, Optimality, measure_optimality
-from manipplan.optimize.descent import descend
+from manipplan.optimize.descents.descent import descend
+from manipplan.optimize.descents.step_models import MARGIN, Surroundings
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.result import Step
-from manipplan.optimize.step_models import MARGIN, Surroundings
 from manipplan.paths.basis import EndConditions
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array

@@ -13,12 +13,12 @@ import pytest
 import manipplan as mp
 from manipplan.cost.density import length_density
 from manipplan.cost.integral import PathIntegral
-from manipplan.optimize import descent, step_models
 from manipplan.optimize.certificate import SINGLE, measure_optimality
+from manipplan.optimize.descents import descent, step_models
+from manipplan.optimize.descents.step_models import BatchDensity, Surroundings
 from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram
-from manipplan.optimize.step_models import BatchDensity, Surroundings
 from manipplan.paths.basis import named_basis
 from manipplan.paths.rounding import with_bits
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.optimize.clearance import column_height
-from manipplan.optimize.step_models import Curves, Look, Surroundings
+from manipplan.optimize.descents.step_models import Curves, Look, Surroundings
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import FINE, configurations, on_grid, product
 from manipplan.support.checks import Array

@@ -13,14 +13,13 @@ from collections import deque
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-import daqp
 import numpy as np
 
-from manipplan.optimize.constraints import ClearanceTable, LimitRows, LinearRows, RowFunctions
-from manipplan.optimize.fixed_rows import FixedRows
-from manipplan.optimize.step_models import LengthModel, Look, Surroundings
+from manipplan.optimize.descents.constraints import ClearanceTable, LimitRows, LinearRows, RowFunctions
+from manipplan.optimize.descents.fixed_rows import FixedRows
+from manipplan.optimize.descents.quadratic import LARGEST_PENALTY, Step, convex, solve_step
+from manipplan.optimize.descents.step_models import LengthModel, Look, Surroundings
 from manipplan.paths.joint import JointPath
-from manipplan.paths.rounding import on_grid, with_bits
 from manipplan.support.checks import Array
 from manipplan.support.interrupts import interruptible
 
@@ -48,21 +47,12 @@ LITTLE, WINDOW = 0.1, 5
 ACCEPTED, CORRECTED = 1e-4, 0.75
 #: A violation below this is ignored by second-order corrections and by the update of ν [rad or m].
 EXACT = 1e-9
-#: Minimum eigenvalue of a convex model, as a share of the largest absolute one.
-LEAST_CURVATURE = 1e-6
-#: When no step meets all rows: curvature that is added to the model, as a share of its largest and of ν, and the minimum ν.
-SOFT, SOFT_PENALTY = 1e-5, 1e3
-#: Smallest, which is also the first, and largest penalty parameter ν, in units of g per metre or radian.
-LEAST_PENALTY, LARGEST_PENALTY = 10.0, 1e6
+#: Smallest penalty parameter ν, which is also the first, in units of g per metre or radian.
+LEAST_PENALTY = 10.0
 #: 1 - ρ in (18.36) of nocedal2006: the share of ν times the restored violation that g may rise by.
 MENDED = 0.7
 #: Rows are made for bodies within this distance of the target: metres per radian of the radius, at least and at most [m].
 BAND, LEAST_BAND, MOST_BAND = 1.0, 2e-3, 0.1
-#: Inputs of DAQP are rounded to this number of bits, values of rows to multiples of a spacing [rad or m], and steps to fewer
-#: bits, so that rounding errors are not amplified from step to step.
-QP_BITS, ROW_SPACING, STEP_BITS = 24, 2.0**-30, 12
-#: For DAQP: the value of an absent bound, the tolerances that are tried in turn, and the maximum number of iterations.
-NONE, QP_TOLERANCES, QP_STEPS = 1e30, (1e-10, 1e-8), 3000
 #: Why a descent ended whose model DAQP could not minimise, or is not finite.
 FAILED = "the quadratic program failed"
 
@@ -159,15 +149,6 @@ class _Point:
         return self.value + penalty * self.violation
 
 
-@dataclass(frozen=True, kw_only=True)
-class _Step:
-    """A step p (f n,), the violation that its linear rows leave [rad or m], and the multipliers (r,) of these rows."""
-
-    p: Array
-    slack: float
-    multipliers: Array
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Model:
     """The quadratic model of the Lagrangian about a point.
@@ -200,7 +181,7 @@ class _Model:
         if not (np.isfinite(gradient).all() and np.isfinite(hessian).all()):
             return None
         rows = program.limits.near(at.z, radius).with_rows(clearance)
-        step = _solve(_convex(hessian - previous), gradient, rows, radius, penalty)
+        step = solve_step(convex(hessian - previous), gradient, rows, radius, penalty)
         if step is None:
             return None
         multipliers = step.multipliers
@@ -223,12 +204,12 @@ class _Model:
         """
         value, jacobian = self.active.value, self.active.jacobian
         rho = self.bend / max(float((jacobian**2).sum(axis=1).max(initial=0.0)), 1e-12)
-        return _convex(self.hessian + rho * jacobian.T @ jacobian), self.gradient + rho * jacobian.T @ value
+        return convex(self.hessian + rho * jacobian.T @ jacobian), self.gradient + rho * jacobian.T @ value
 
     @cached_property
     def plain(self) -> tuple[Array, Array]:
         """The same without the addition: tried where `augmented` gives no step that lowers the merit function."""
-        return _convex(self.hessian), self.gradient
+        return convex(self.hessian), self.gradient
 
     def with_rejected(self, program: DescentProgram, here: _Point, there: _Point) -> "_Model":
         """The same model about `here`, with rows for the bodies that a rejected step met at `there`."""
@@ -237,7 +218,7 @@ class _Model:
             return self
         return replace(self, clearance=self.clearance.with_rows(table.linear(here.z, here.z)))
 
-    def predicted_decrease(self, step: _Step, restored: float, penalty: float) -> float:
+    def predicted_decrease(self, step: Step, restored: float, penalty: float) -> float:
         """Decrease of the merit function that the model predicts for a step that lowers the violation by `restored`.
 
         -(∇gᵀ p + ½ pᵀ H p) + ν restored, where H is the Hessian of the Lagrangian and not a convex one.
@@ -292,8 +273,8 @@ def descend(
                 return ended(count, FAILED)
             curvature = model.curvature
         rows = program.limits.near(here.z, radius).with_rows(model.clearance)
-        convex = model.plain if is_plain else model.augmented
-        step = _solve(*convex, rows, radius, penalty)
+        quadratic = model.plain if is_plain else model.augmented
+        step = solve_step(*quadratic, rows, radius, penalty)
         if step is None:
             return ended(count, FAILED)
         if step.slack == 0.0:  # φ is exact where ν is larger than Σ λ [nocedal2006, sec. 17.2]
@@ -311,7 +292,7 @@ def descend(
             else:
                 return ended(count, "no step lowers g")
             continue
-        new, decrease = _tried(program, convex, here, step, predicted, radius, penalty)
+        new, decrease = _tried(program, quadratic, here, step, predicted, radius, penalty)
         size = float(np.abs(step.p).max())
         if decrease <= ACCEPTED * predicted:
             model = model.with_rejected(program, here, new)
@@ -336,9 +317,9 @@ def descend(
 
 def _tried(
     program: DescentProgram,
-    convex: tuple[Array, Array],
+    quadratic: tuple[Array, Array],
     here: _Point,
-    step: _Step,
+    step: Step,
     predicted: float,
     radius: float,
     penalty: float,
@@ -355,69 +336,9 @@ def _tried(
         return new, decrease
     moved = program.table(new.z, new.look).linear(new.z, here.z)
     rows = program.limits.near(here.z, radius).with_rows(moved)
-    corrected = _solve(*convex, rows, radius, penalty)
+    corrected = solve_step(*quadratic, rows, radius, penalty)
     if corrected is not None:
         other = _Point.of(program, here.z + corrected.p.reshape(here.z.shape), radius)
         if before - other.merit(penalty) > decrease:
             return other, before - other.merit(penalty)
     return new, decrease
-
-
-def _convex(hessian: Array) -> Array:
-    """The symmetric part of a matrix, with its negative and small eigenvalues raised to a small positive one."""
-    values, vectors = np.linalg.eigh((hessian + hessian.T) / 2)
-    values = np.maximum(values, LEAST_CURVATURE * np.abs(values).max())
-    return np.asarray((vectors * values) @ vectors.T)
-
-
-def _solve(hessian: Array, gradient: Array, rows: LinearRows, radius: float, penalty: float) -> _Step | None:
-    """Minimise ½ pᵀ H p + gᵀ p with value + jacobian p >= 0 and |p_i| <= radius, up to rounding; None where DAQP fails.
-
-    Where no p meets these, or the multipliers are very large, the rows are relaxed to value + jacobian p + t >= 0 with one
-    slack t >= 0 that costs ν t [nocedal2006, sec. 18.3].
-    """
-    size = len(gradient)
-    bound = np.full(size, radius)
-    within = np.flatnonzero(
-        rows.value < radius * np.abs(rows.jacobian).sum(axis=1) + ROW_SPACING
-    )  # the others cannot be active
-    multipliers = np.zeros(len(rows.value))
-    hessian, gradient = with_bits(hessian, QP_BITS), with_bits(gradient, QP_BITS)
-    rows = LinearRows(value=on_grid(rows.value[within], ROW_SPACING), jacobian=with_bits(rows.jacobian[within], QP_BITS))
-    step = _daqp(hessian, gradient, rows.jacobian, -rows.value, -bound, bound)
-    if step is not None and step.multipliers.sum() < LARGEST_PENALTY:
-        multipliers[within] = step.multipliers
-        return _Step(p=with_bits(step.p, STEP_BITS), slack=0.0, multipliers=multipliers)
-    # where rows contradict each other DAQP needs some curvature in every unknown, the slack included
-    largest = float(np.abs(np.diag(hessian)).max())
-    penalty = max(penalty, SOFT_PENALTY)
-    whole = np.diag(np.append(np.full(size, SOFT * largest), SOFT * penalty))
-    whole[:size, :size] += hessian
-    jacobian = np.hstack([rows.jacobian, np.ones((len(rows.value), 1))])
-    soft = _daqp(whole, np.append(gradient, penalty), jacobian, -rows.value, np.append(-bound, 0.0), np.append(bound, NONE))
-    if soft is None:
-        return None
-    multipliers[within] = soft.multipliers
-    return _Step(p=with_bits(soft.p[:size], STEP_BITS), slack=float(soft.p[size]), multipliers=multipliers)
-
-
-def _daqp(hessian: Array, gradient: Array, jacobian: Array, least: Array, low: Array, high: Array) -> _Step | None:
-    """Minimise ½ xᵀ H x + gᵀ x with jacobian x >= least and low <= x <= high; None where DAQP finds no solution."""
-    lower, upper = np.concatenate([low, least]), np.concatenate([high, np.full(len(least), NONE)])
-    sense = np.zeros(len(lower), dtype=np.int32)
-    for tolerance in QP_TOLERANCES:
-        x, _, flag, info = daqp.solve(
-            hessian,
-            gradient,
-            jacobian,
-            upper,
-            lower,
-            sense,
-            primal_tol=tolerance,
-            dual_tol=tolerance,
-            iter_limit=QP_STEPS,
-        )
-        if flag > 0:
-            multipliers = np.maximum(-np.asarray(info["lam"])[len(gradient) :], 0.0)
-            return _Step(p=np.asarray(x), slack=0.0, multipliers=multipliers)
-    return None

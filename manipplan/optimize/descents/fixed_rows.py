@@ -10,8 +10,8 @@ from functools import cached_property
 import numpy as np
 
 from manipplan.optimize.clearance import ClearanceRow
-from manipplan.optimize.constraints import LinearRows, RowFunctions
-from manipplan.optimize.step_models import Curves
+from manipplan.optimize.descents.constraints import LinearRows, RowFunctions
+from manipplan.optimize.descents.step_models import Curves
 from manipplan.paths.rounding import product
 from manipplan.support.checks import Array
 
