@@ -8,11 +8,14 @@ the arguments of `PathProgram.solve`, so that any solver with the same call can 
 """
 
 import itertools
+import os
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+
+os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # before NumPy is imported
 
 import numpy as np
 from numpy.typing import NDArray

@@ -19,6 +19,9 @@ from functools import cache
 from multiprocessing.connection import Connection
 from pathlib import Path
 
+#: One thread each; SPRAL asks for the last two.
+os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "OMP_CANCELLATION": "TRUE", "OMP_PROC_BIND": "TRUE"}
+
 import casadi as ca
 import numpy as np
 from energy_programs import EnergyProgram, collected

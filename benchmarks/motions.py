@@ -5,12 +5,15 @@ arm's own meshes (meshes.py), after the planning, whose time it does not lengthe
 """
 
 import json
+import os
 import sys
 import tempfile
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+
+os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # before NumPy is imported
 
 import numpy as np
 from meshes import MeshModel

@@ -6,10 +6,13 @@ mplib's environment first. Writes docs/benchmarks/timed_motions.md. Both run in 
 """
 
 import argparse
+import os
 import platform
 from collections.abc import Sequence
 from itertools import islice
 from pathlib import Path
+
+os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # before NumPy is imported
 
 import numpy as np
 from motions import BESIDE, ENVIRONMENTS, Motion, beside, of_mplib, of_ours
