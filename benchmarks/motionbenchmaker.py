@@ -1,7 +1,7 @@
 """MotionBenchMaker's problems of an arm through `mp.plan`: what is solved, in what time, and how well.
 
-Run with `make benchmark`, which plans the first 8 of each set of the Panda and of the UR5; `--problems 50` plans all 350.
-`--peers mplib` (`make benchmark-peers`) puts mplib's timed motions of the same problems beside. Writes
+Run with `make benchmark-peers`, which plans the first 8 of each set of the Panda and puts mplib's timed motions of the same
+problems beside; `make benchmark` does the UR5's, without mplib. `--problems 50` plans all 350. Writes
 docs/benchmarks/motionbenchmaker.md, for the UR5 motionbenchmaker_ur5.md, and a picture to docs/pictures/. The problems and
 their licence: benchmarks/outside/README.md. Times are of this machine; the mesh check is no part of them.
 """
