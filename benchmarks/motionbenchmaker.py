@@ -203,6 +203,7 @@ def draw(found: Sequence[Outcome], theirs: Sequence[Motion], file: Path) -> None
             ax.grid(axis="y", visible=False)
             ax.tick_params(axis="y", length=0)
         axes[0].invert_yaxis()
+        figure.get_layout_engine().set(wspace=0.05)
         file.parent.mkdir(parents=True, exist_ok=True)
         figure.savefig(file, dpi=130)
         plt.close(figure)
