@@ -191,6 +191,7 @@ def test_other_solvers_get_the_same_program(energy):
 
 
 @pytest.mark.slow
+@pytest.mark.filterwarnings("ignore:This process:DeprecationWarning")  # from Python 3.12 on, of forks beside threads
 def test_solvers_are_compared_and_failures_told(tmp_path):
     methods = ["IPOPT, MUMPS, as it is used here", "sqpmethod, OSQP", "IPOPT, MA27"]
     arguments = ["--programs", "2", "--methods", *methods, "--out", str(tmp_path / "table.md")]
