@@ -83,8 +83,8 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/random_steps.py
 	$(BIN)/python benchmarks/control_step.py
 	$(BIN)/python benchmarks/six_joint_arms.py
-	$(BIN)/python benchmarks/motionbenchmaker.py
 	$(BIN)/python benchmarks/motionbenchmaker.py --arm ur5
+	$(BIN)/python benchmarks/energy_solvers.py
 	$(BIN)/python benchmarks/first_paths.py
 	$(BIN)/python benchmarks/plan_many.py
 	$(BIN)/python benchmarks/seeds.py
@@ -99,6 +99,8 @@ benchmark-peers: $(READY)
 	$(BIN)/python benchmarks/tracking.py
 	$(BIN)/python benchmarks/inverse_kinematics.py
 	$(BIN)/python benchmarks/demo_timing.py
+	$(BIN)/python benchmarks/motionbenchmaker.py --peers mplib
+	$(BIN)/python benchmarks/timed_motions.py
 
 benchmark-paths: $(READY)
 	$(BIN)/python benchmarks/path_suite.py
@@ -106,6 +108,7 @@ benchmark-paths: $(READY)
 # Beside a checkout of version 0.1, which is made first.
 benchmark-convergence: $(READY) $(OLD)
 	$(BIN)/python benchmarks/convergence.py --old $(OLD)
+	$(BIN)/python benchmarks/against_01.py --old $(OLD)
 	$(BIN)/python benchmarks/version_01.py --old $(OLD)
 	$(BIN)/python benchmarks/collision.py --old $(OLD)
 

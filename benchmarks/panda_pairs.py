@@ -6,11 +6,14 @@ machine. Each pair is solved by all, one after the other. Times are those of the
 call, with two or more solves, certificate and all checks, those of the direct solves of IPOPT alone.
 """
 
+import os
 import platform
 import time
 from collections import Counter
 from math import comb
 from pathlib import Path
+
+os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # before NumPy is imported
 
 import casadi as ca
 import numpy as np
@@ -220,9 +223,25 @@ def lines_of(power, statuses, times, rows, beside):
     return lines
 
 
+def by_default(robot, count):
+    """Lines on the first `count` pairs, optimised without any option."""
+    rng, statuses, times = np.random.default_rng(2012), Counter(), []
+    mp.optimize_path(robot, *robot.random_configuration(np.random.default_rng(0), size=2), throw=False)
+    for _ in track(range(count), description="by default"):
+        took, result = timed(mp.optimize_path, robot, *robot.random_configuration(rng, size=2), throw=False)
+        times.append(1e3 * took)
+        statuses[result.status.name] += 1
+    told = ", ".join(f"{number} {name}" for name, number in statuses.most_common())
+    return [
+        f"| **without options (degree 6, with a floor), {count} pairs** | |",
+        f"| status | {told} |",
+        f"| median, 95 %, worst time | {np.median(times):.0f} ms, {np.quantile(times, 0.95):.0f} ms, {max(times):.0f} ms |",
+    ]
+
+
 def main() -> None:
     robot = mp.load_robot("panda")
-    lines = ["| figure | value |", "|---|---|"]
+    lines = ["| figure | value |", "|---|---|", *by_default(robot, PAIRS[1])]
     machine = f"Python {platform.python_version()}, {platform.machine()}, two shared cores"
     for power in PAIRS:
         lines += lines_of(power, *run(robot, power))

@@ -1,5 +1,6 @@
 """Writes an arm among the obstacles of a scene as one URDF, so that peers see the kinematics and the shapes that we see."""
 
+import os
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -55,6 +56,58 @@ def write_world(robot: mp.Robot, scene: mp.Scene, folder: Path) -> dict:
         "upper": robot.limits.upper,
         "angular": robot.default_task.length,
     }
+
+
+def write_description(robot: mp.Robot, folder: Path) -> dict:
+    """Writes arm.urdf and arm.srdf: the description that the arm was loaded from, with its own meshes.
+
+    Joints that do not move are fixed where our arm has them, and mesh files are named from `folder`. Returns file names,
+    the names of base, tool and joints, and the limits of velocity and acceleration.
+    """
+    source = Path(robot.source.file)
+    tree = ElementTree.parse(source).getroot()
+    for joint in tree.findall("joint"):
+        if joint.get("type") != "fixed" and joint.get("name") not in robot.joint_names:
+            _fix(joint, robot.locked.get(joint.get("name"), 0.0))
+    for link in tree.findall("link"):
+        for visual in link.findall("visual"):
+            link.remove(visual)
+    for mesh in tree.iter("mesh"):
+        package, name = mesh.get("filename").removeprefix("package://").split("/", 1)
+        [parent] = [each for each in source.parents if each.name == package]
+        mesh.set("filename", os.path.relpath(parent / name, folder))  # mplib puts the folder before every name
+    urdf, srdf = folder / "arm.urdf", folder / "arm.srdf"
+    ElementTree.ElementTree(tree).write(urdf)
+    near = {frozenset(name.rsplit("_", 1)[0] for name in pair) for pair in robot.adjacent_pairs}  # those are of bodies
+    semantics = ElementTree.Element("robot", name=tree.get("name"))
+    for pair in sorted(sorted(each) for each in robot.disabled_pairs | near if len(each) == 2):
+        ElementTree.SubElement(semantics, "disable_collisions", link1=pair[0], link2=pair[1], reason="Never")
+    srdf.write_text(ElementTree.tostring(semantics, encoding="unicode"))
+    moved = {joint.find("child").get("link") for joint in tree.findall("joint") if joint.get("type") != "fixed"}
+    base = (
+        next(joint for joint in tree.findall("joint") if joint.get("name") == robot.joint_names[0]).find("parent").get("link")
+    )
+    assert base not in moved
+    limits = {kind: getattr(robot.limits, kind) for kind in ("velocity", "acceleration")}
+    names = {"base": base, "tool": robot.tool, "joints": np.array(robot.joint_names)}
+    return {"urdf": str(urdf), "srdf": str(srdf), **names, **limits}
+
+
+def _fix(joint, at: float) -> None:
+    """Make a joint fixed where its angle or way is `at`."""
+    origin, axis = joint.find("origin"), np.array(joint.find("axis").get("xyz").split(), float)
+    given = {} if origin is None else origin.attrib
+    rpy, xyz = (np.array(given.get(name, "0 0 0").split(), float) for name in ("rpy", "xyz"))
+    slides = joint.get("type") == "prismatic"
+    moved = pin.SE3(np.eye(3), at * axis) if slides else pin.SE3(pin.exp3(at * axis), np.zeros(3))
+    placed = pin.SE3(pin.rpy.rpyToMatrix(*rpy), xyz) * moved
+    for part in joint.findall("*"):
+        if part.tag not in ("parent", "child"):
+            joint.remove(part)
+    joint.set("type", "fixed")
+    ElementTree.SubElement(
+        joint, "origin", xyz=_numbers(placed.translation), rpy=_numbers(pin.rpy.matrixToRpy(placed.rotation))
+    )
 
 
 def _joint(tree, name: str, parent: str, child: str, placement: pin.SE3, kind: str):
