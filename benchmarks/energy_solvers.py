@@ -28,6 +28,7 @@ from rich.progress import track
 from scipy.optimize import nnls
 
 from manipplan.cost.density import Density, energy_density
+from manipplan.optimize import program as program_module
 from manipplan.optimize.clearance import row_functions
 from manipplan.optimize.ipopt import SCALE_BITS, SLACK_COST, Hull, ipopt_solver
 from manipplan.optimize.program import SPACING, PathProgram
@@ -45,6 +46,8 @@ VIOLATION = 1e-6
 ACTIVE, FLAT = 1e-5, 1e-3
 #: Longest processor time of one program, with building and two solves [s]: a hundred times that of IPOPT.
 PATIENCE = 3
+#: Spacing to which our solutions are rounded [rad or m].
+EXACT_SPACING = 2.0**-40
 QUIET = {"print_time": False, "error_on_fail": False, "show_eval_warnings": False}
 #: For solvers that get our derivatives: no others are derived.
 NO_OTHERS = {"calc_lam_p": False, "no_nlp_grad": True}
@@ -273,7 +276,11 @@ def answer(plugin: str, options: dict, each: EnergyProgram) -> Answer:
 
 
 def ours(each: EnergyProgram, given: Nlp, **_: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
-    """The unknowns of the program's own solution; its arguments are those of IPOPT, too."""
+    """The unknowns of the program's own solution, without the rounding that makes it the same on every processor.
+
+    A slack of the size of that rounding would count a thousand times in the energy.
+    """
+    program_module.SOLVED_SPACING = EXACT_SPACING
     program = each.program
     found = program.solve(*each.arguments).coefficients
     kept = program._rounded(each.guess - on_grid(each.guess @ program._along, SPACING) @ program.free.T)

@@ -35,7 +35,7 @@ SOLVED_SPACING = 2.0**-16
 #: Descents on the energy: tolerance as a share of it, maximum number of steps with clearance rows, which are renewed after each
 #: solve, and without, first radius of the trust region [rad or m], and smallest penalty parameter, in units of the first energy
 #: per metre.
-ENERGY_TOLERANCE, ENERGY_STEPS, FREE_ENERGY_STEPS, ENERGY_RADIUS, ENERGY_PENALTY = 1e-6, 60, 100, 0.4, 1e3
+ENERGY_TOLERANCE, ENERGY_STEPS, FREE_ENERGY_STEPS, ENERGY_RADIUS, ENERGY_PENALTY = 1e-6, 60, 100, 0.4, 20.0
 
 
 @dataclass(frozen=True, kw_only=True)
