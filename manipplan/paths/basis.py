@@ -304,8 +304,7 @@ def end_rows(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Array:
 def free_directions(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Array:
     """Directions (size, f) of a joint's coefficients that keep the conditions, and whose slopes are orthogonal.
 
-    With these, the multiples of the identity that IPOPT adds to the Hessian mean the same in every basis; so do the trust
-    region of the descent and the norm of its gradient.
+    With these, the trust region of a descent and the norm of its gradient mean the same in every basis.
     """
     across = orthonormal(basis)
     if pattern:
