@@ -324,8 +324,8 @@ static int make_face(const double (*point)[3], int i, int j, int k, Face *face) 
     return face->distance > -FLAT;
 }
 
-/* Replace the faces that w, the last corner, is in front of or level with by faces from it to their outline. Returns their new number, 0 where
-   rounding errors leave no closed outline. */
+/* Replace the faces that w, the last corner, is in front of or level with by faces from it to their outline. Returns their new
+   number, 0 where rounding errors leave no closed outline. */
 static int grow(const double (*point)[3], int last, Face *face, int faces) {
     int edge[3 * MOST_CORNERS][2], edges = 0, kept = 0;
     for (int f = 0; f < faces; f++) {
@@ -846,7 +846,8 @@ void manipplan_intervals(const World *w, const double *q, const double *slopes, 
         if (!same) memset(guess, 0, sizeof guess);
         if (k == 0 || memcmp(q + k * w->n, q + (k - 1) * w->n, (size_t)w->n * sizeof *q)) place(w, q + k * w->n);
         bound[k] = -INFINITY;
-        if (w->kind[one] > CYLINDER || w->kind[two] > HALFSPACE || !isfinite(bends[k])) {
+        int carried = w->kind[two] == HALFSPACE && w->joint[one] < w->joint[two];
+        if (w->kind[one] > CYLINDER || w->kind[two] > HALFSPACE || carried || !isfinite(bends[k])) {
             manipplan_pairs(w, q + k * w->n, 1, bodies + 2 * k, reach + k, out + k, &leaf);
             continue;
         }

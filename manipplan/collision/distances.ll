@@ -1,4 +1,4 @@
-; distances.c b17df24a869e66bf74bcb59da5ece510f5d24d3f6db6219f9e8b9a1481704d8e: written by make kernel
+; distances.c 192b218f43e2caa06e89643f898ac3727671ed5b0e7158298f39f8c47ccf57a3: written by make kernel
 
 %struct.Core = type { i64, i64, ptr, ptr, ptr, ptr, ptr, [12 x double] }
 %struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane, ptr }
@@ -1639,12 +1639,12 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
 
 23:                                               ; preds = %9
   %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
-  %25 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
-  %26 = getelementptr inbounds double, ptr %10, i64 1
-  %27 = getelementptr inbounds double, ptr %10, i64 2
-  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
-  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %25 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %27 = getelementptr inbounds double, ptr %10, i64 1
+  %28 = getelementptr inbounds double, ptr %10, i64 2
+  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
   %32 = getelementptr inbounds double, ptr %14, i64 1
   %33 = getelementptr inbounds double, ptr %18, i64 1
@@ -1655,13 +1655,13 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   %38 = getelementptr inbounds i8, ptr %19, i64 72
   br label %40
 
-39:                                               ; preds = %287, %9
+39:                                               ; preds = %298, %9
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #15
   ret void
 
-40:                                               ; preds = %23, %287
-  %41 = phi ptr [ %2, %23 ], [ %290, %287 ]
-  %42 = phi i64 [ 0, %23 ], [ %288, %287 ]
+40:                                               ; preds = %23, %298
+  %41 = phi ptr [ %2, %23 ], [ %301, %298 ]
+  %42 = phi i64 [ 0, %23 ], [ %299, %298 ]
   %43 = shl nuw nsw i64 %42, 1
   %44 = getelementptr inbounds i64, ptr %4, i64 %43
   %45 = load i64, ptr %44, align 8
@@ -1716,301 +1716,314 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   %76 = getelementptr inbounds double, ptr %8, i64 %42
   store double 0xFFF0000000000000, ptr %76, align 8
   %77 = load ptr, ptr %24, align 8
-  %78 = getelementptr inbounds i64, ptr %77, i64 %45
+  %78 = getelementptr inbounds i64, ptr %77, i64 %48
   %79 = load i64, ptr %78, align 8
-  %80 = icmp sgt i64 %79, 2
-  br i1 %80, label %90, label %81
+  %80 = icmp eq i64 %79, 3
+  br i1 %80, label %81, label %88
 
 81:                                               ; preds = %75
-  %82 = getelementptr inbounds i64, ptr %77, i64 %48
-  %83 = load i64, ptr %82, align 8
-  %84 = icmp sgt i64 %83, 3
-  br i1 %84, label %90, label %85
+  %82 = load ptr, ptr %25, align 8
+  %83 = getelementptr inbounds i64, ptr %82, i64 %45
+  %84 = load i64, ptr %83, align 8
+  %85 = getelementptr inbounds i64, ptr %82, i64 %48
+  %86 = load i64, ptr %85, align 8
+  %87 = icmp slt i64 %84, %86
+  br label %88
 
-85:                                               ; preds = %81
-  %86 = getelementptr inbounds double, ptr %6, i64 %42
-  %87 = load double, ptr %86, align 8
-  %88 = call double @llvm.fabs.f64(double %87) #14
-  %89 = fcmp ueq double %88, 0x7FF0000000000000
-  br i1 %89, label %90, label %96
+88:                                               ; preds = %81, %75
+  %89 = phi i1 [ false, %75 ], [ %87, %81 ]
+  %90 = getelementptr inbounds i64, ptr %77, i64 %45
+  %91 = load i64, ptr %90, align 8
+  %92 = icmp sgt i64 %91, 2
+  %93 = icmp sgt i64 %79, 3
+  %94 = select i1 %92, i1 true, i1 %93
+  %95 = select i1 %94, i1 true, i1 %89
+  br i1 %95, label %101, label %96
 
-90:                                               ; preds = %85, %81, %75
-  %91 = load i64, ptr %0, align 8
-  %92 = mul nsw i64 %91, %42
-  %93 = getelementptr inbounds double, ptr %1, i64 %92
-  %94 = getelementptr inbounds double, ptr %5, i64 %42
-  %95 = getelementptr inbounds double, ptr %7, i64 %42
-  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %93, i64 noundef 1, ptr noundef nonnull %44, ptr noundef %94, ptr noundef %95, ptr noundef nonnull %11)
-  br label %287
+96:                                               ; preds = %88
+  %97 = getelementptr inbounds double, ptr %6, i64 %42
+  %98 = load double, ptr %97, align 8
+  %99 = call double @llvm.fabs.f64(double %98) #14
+  %100 = fcmp ueq double %99, 0x7FF0000000000000
+  br i1 %100, label %101, label %107
 
-96:                                               ; preds = %85
+101:                                              ; preds = %96, %88
+  %102 = load i64, ptr %0, align 8
+  %103 = mul nsw i64 %102, %42
+  %104 = getelementptr inbounds double, ptr %1, i64 %103
+  %105 = getelementptr inbounds double, ptr %5, i64 %42
+  %106 = getelementptr inbounds double, ptr %7, i64 %42
+  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %104, i64 noundef 1, ptr noundef nonnull %44, ptr noundef %105, ptr noundef %106, ptr noundef nonnull %11)
+  br label %298
+
+107:                                              ; preds = %96
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #15
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %13) #15
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %14) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %16) #15
-  %97 = load ptr, ptr %25, align 8
-  %98 = getelementptr inbounds double, ptr %97, i64 %45
-  %99 = load double, ptr %98, align 8
-  %100 = getelementptr inbounds double, ptr %97, i64 %48
-  %101 = load double, ptr %100, align 8
-  %102 = fadd double %99, %101
+  %108 = load ptr, ptr %26, align 8
+  %109 = getelementptr inbounds double, ptr %108, i64 %45
+  %110 = load double, ptr %109, align 8
+  %111 = getelementptr inbounds double, ptr %108, i64 %48
+  %112 = load double, ptr %111, align 8
+  %113 = fadd double %110, %112
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %45, ptr noundef nonnull %12)
-  %103 = load i64, ptr %82, align 8
-  %104 = icmp eq i64 %103, 3
-  br i1 %104, label %105, label %176
+  %114 = load i64, ptr %78, align 8
+  %115 = icmp eq i64 %114, 3
+  br i1 %115, label %116, label %187
 
-105:                                              ; preds = %96
+116:                                              ; preds = %107
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %19) #15
-  %106 = load ptr, ptr %29, align 8
-  %107 = load ptr, ptr %30, align 8
-  %108 = getelementptr inbounds i64, ptr %107, i64 %48
-  %109 = load i64, ptr %108, align 8
-  %110 = mul nsw i64 %109, 12
-  %111 = getelementptr inbounds double, ptr %106, i64 %110
-  %112 = load ptr, ptr %31, align 8
-  %113 = mul nsw i64 %48, 12
-  %114 = getelementptr inbounds double, ptr %112, i64 %113
-  %115 = getelementptr inbounds double, ptr %114, i64 9
-  %116 = getelementptr inbounds double, ptr %114, i64 10
-  %117 = getelementptr inbounds double, ptr %114, i64 11
-  %118 = load double, ptr %115, align 8
-  %119 = load double, ptr %116, align 8
-  %120 = load double, ptr %117, align 8
-  br label %121
-
-121:                                              ; preds = %132, %105
-  %122 = phi i64 [ 0, %105 ], [ %143, %132 ]
-  %123 = mul nuw nsw i64 %122, 3
-  %124 = getelementptr inbounds double, ptr %111, i64 %123
-  %125 = add nuw nsw i64 %123, 1
-  %126 = getelementptr inbounds double, ptr %111, i64 %125
-  %127 = add nuw nsw i64 %123, 2
-  %128 = getelementptr inbounds double, ptr %111, i64 %127
-  %129 = load double, ptr %124, align 8
-  %130 = load double, ptr %126, align 8
+  %117 = load ptr, ptr %30, align 8
+  %118 = load ptr, ptr %25, align 8
+  %119 = getelementptr inbounds i64, ptr %118, i64 %48
+  %120 = load i64, ptr %119, align 8
+  %121 = mul nsw i64 %120, 12
+  %122 = getelementptr inbounds double, ptr %117, i64 %121
+  %123 = load ptr, ptr %31, align 8
+  %124 = mul nsw i64 %48, 12
+  %125 = getelementptr inbounds double, ptr %123, i64 %124
+  %126 = getelementptr inbounds double, ptr %125, i64 9
+  %127 = getelementptr inbounds double, ptr %125, i64 10
+  %128 = getelementptr inbounds double, ptr %125, i64 11
+  %129 = load double, ptr %126, align 8
+  %130 = load double, ptr %127, align 8
   %131 = load double, ptr %128, align 8
-  br label %146
+  br label %132
 
-132:                                              ; preds = %146
-  %133 = fmul double %129, %118
-  %134 = fmul double %130, %119
-  %135 = fadd double %133, %134
-  %136 = fmul double %131, %120
-  %137 = fadd double %135, %136
-  %138 = add nuw nsw i64 %122, 9
-  %139 = getelementptr inbounds double, ptr %111, i64 %138
-  %140 = load double, ptr %139, align 8
-  %141 = fadd double %140, %137
-  %142 = getelementptr inbounds double, ptr %19, i64 %138
-  store double %141, ptr %142, align 8
-  %143 = add nuw nsw i64 %122, 1
-  %144 = icmp eq i64 %143, 3
-  br i1 %144, label %145, label %121
+132:                                              ; preds = %143, %116
+  %133 = phi i64 [ 0, %116 ], [ %154, %143 ]
+  %134 = mul nuw nsw i64 %133, 3
+  %135 = getelementptr inbounds double, ptr %122, i64 %134
+  %136 = add nuw nsw i64 %134, 1
+  %137 = getelementptr inbounds double, ptr %122, i64 %136
+  %138 = add nuw nsw i64 %134, 2
+  %139 = getelementptr inbounds double, ptr %122, i64 %138
+  %140 = load double, ptr %135, align 8
+  %141 = load double, ptr %137, align 8
+  %142 = load double, ptr %139, align 8
+  br label %157
 
-145:                                              ; preds = %132
+143:                                              ; preds = %157
+  %144 = fmul double %140, %129
+  %145 = fmul double %141, %130
+  %146 = fadd double %144, %145
+  %147 = fmul double %142, %131
+  %148 = fadd double %146, %147
+  %149 = add nuw nsw i64 %133, 9
+  %150 = getelementptr inbounds double, ptr %122, i64 %149
+  %151 = load double, ptr %150, align 8
+  %152 = fadd double %151, %148
+  %153 = getelementptr inbounds double, ptr %19, i64 %149
+  store double %152, ptr %153, align 8
+  %154 = add nuw nsw i64 %133, 1
+  %155 = icmp eq i64 %154, 3
+  br i1 %155, label %156, label %132
+
+156:                                              ; preds = %143
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %18, ptr noundef nonnull align 8 dereferenceable(24) %38, i64 24, i1 false)
-  br label %167
+  br label %178
 
-146:                                              ; preds = %146, %121
-  %147 = phi i64 [ 0, %121 ], [ %163, %146 ]
-  %148 = getelementptr inbounds double, ptr %114, i64 %147
-  %149 = load double, ptr %148, align 8
-  %150 = fmul double %129, %149
-  %151 = add nuw nsw i64 %147, 3
-  %152 = getelementptr inbounds double, ptr %114, i64 %151
-  %153 = load double, ptr %152, align 8
-  %154 = fmul double %130, %153
-  %155 = fadd double %150, %154
-  %156 = add nuw nsw i64 %147, 6
-  %157 = getelementptr inbounds double, ptr %114, i64 %156
-  %158 = load double, ptr %157, align 8
-  %159 = fmul double %131, %158
-  %160 = fadd double %155, %159
-  %161 = add nuw nsw i64 %147, %123
-  %162 = getelementptr inbounds double, ptr %19, i64 %161
-  store double %160, ptr %162, align 8
-  %163 = add nuw nsw i64 %147, 1
-  %164 = icmp eq i64 %163, 3
-  br i1 %164, label %132, label %146
-
-165:                                              ; preds = %167
-  %166 = call fastcc double @over_plane(ptr noundef %0, i64 noundef %45, ptr noundef nonnull %12, i64 noundef %48)
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %19) #15
-  br label %222
-
-167:                                              ; preds = %145, %167
-  %168 = phi i64 [ 0, %145 ], [ %174, %167 ]
-  %169 = mul nuw nsw i64 %168, 3
-  %170 = add nuw nsw i64 %169, 2
-  %171 = getelementptr inbounds [12 x double], ptr %19, i64 0, i64 %170
-  %172 = load double, ptr %171, align 8
-  %173 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %168
-  store double %172, ptr %173, align 8
-  %174 = add nuw nsw i64 %168, 1
+157:                                              ; preds = %157, %132
+  %158 = phi i64 [ 0, %132 ], [ %174, %157 ]
+  %159 = getelementptr inbounds double, ptr %125, i64 %158
+  %160 = load double, ptr %159, align 8
+  %161 = fmul double %140, %160
+  %162 = add nuw nsw i64 %158, 3
+  %163 = getelementptr inbounds double, ptr %125, i64 %162
+  %164 = load double, ptr %163, align 8
+  %165 = fmul double %141, %164
+  %166 = fadd double %161, %165
+  %167 = add nuw nsw i64 %158, 6
+  %168 = getelementptr inbounds double, ptr %125, i64 %167
+  %169 = load double, ptr %168, align 8
+  %170 = fmul double %142, %169
+  %171 = fadd double %166, %170
+  %172 = add nuw nsw i64 %158, %134
+  %173 = getelementptr inbounds double, ptr %19, i64 %172
+  store double %171, ptr %173, align 8
+  %174 = add nuw nsw i64 %158, 1
   %175 = icmp eq i64 %174, 3
-  br i1 %175, label %165, label %167
+  br i1 %175, label %143, label %157
 
-176:                                              ; preds = %96
+176:                                              ; preds = %178
+  %177 = call fastcc double @over_plane(ptr noundef %0, i64 noundef %45, ptr noundef nonnull %12, i64 noundef %48)
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %19) #15
+  br label %233
+
+178:                                              ; preds = %156, %178
+  %179 = phi i64 [ 0, %156 ], [ %185, %178 ]
+  %180 = mul nuw nsw i64 %179, 3
+  %181 = add nuw nsw i64 %180, 2
+  %182 = getelementptr inbounds [12 x double], ptr %19, i64 0, i64 %181
+  %183 = load double, ptr %182, align 8
+  %184 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %179
+  store double %183, ptr %184, align 8
+  %185 = add nuw nsw i64 %179, 1
+  %186 = icmp eq i64 %185, 3
+  br i1 %186, label %176, label %178
+
+187:                                              ; preds = %107
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %48, ptr noundef nonnull %13)
-  %177 = load double, ptr %10, align 16
-  %178 = fmul double %177, %177
-  %179 = load double, ptr %26, align 8
-  %180 = fmul double %179, %179
-  %181 = fadd double %178, %180
-  %182 = load double, ptr %27, align 16
-  %183 = fmul double %182, %182
-  %184 = fadd double %181, %183
-  %185 = fcmp ogt double %184, 0.000000e+00
-  br i1 %185, label %202, label %186
+  %188 = load double, ptr %10, align 16
+  %189 = fmul double %188, %188
+  %190 = load double, ptr %27, align 8
+  %191 = fmul double %190, %190
+  %192 = fadd double %189, %191
+  %193 = load double, ptr %28, align 16
+  %194 = fmul double %193, %193
+  %195 = fadd double %192, %194
+  %196 = fcmp ogt double %195, 0.000000e+00
+  br i1 %196, label %213, label %197
 
-186:                                              ; preds = %176
-  %187 = load ptr, ptr %28, align 8
-  %188 = mul nsw i64 %45, 3
-  %189 = mul nsw i64 %48, 3
-  br label %190
+197:                                              ; preds = %187
+  %198 = load ptr, ptr %29, align 8
+  %199 = mul nsw i64 %45, 3
+  %200 = mul nsw i64 %48, 3
+  br label %201
 
-190:                                              ; preds = %186, %190
-  %191 = phi i64 [ 0, %186 ], [ %200, %190 ]
-  %192 = add nsw i64 %188, %191
-  %193 = getelementptr inbounds double, ptr %187, i64 %192
-  %194 = load double, ptr %193, align 8
-  %195 = add nsw i64 %189, %191
-  %196 = getelementptr inbounds double, ptr %187, i64 %195
-  %197 = load double, ptr %196, align 8
-  %198 = fsub double %194, %197
-  %199 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %191
-  store double %198, ptr %199, align 8
-  %200 = add nuw nsw i64 %191, 1
-  %201 = icmp eq i64 %200, 3
-  br i1 %201, label %202, label %190
+201:                                              ; preds = %197, %201
+  %202 = phi i64 [ 0, %197 ], [ %211, %201 ]
+  %203 = add nsw i64 %199, %202
+  %204 = getelementptr inbounds double, ptr %198, i64 %203
+  %205 = load double, ptr %204, align 8
+  %206 = add nsw i64 %200, %202
+  %207 = getelementptr inbounds double, ptr %198, i64 %206
+  %208 = load double, ptr %207, align 8
+  %209 = fsub double %205, %208
+  %210 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %202
+  store double %209, ptr %210, align 8
+  %211 = add nuw nsw i64 %202, 1
+  %212 = icmp eq i64 %211, 3
+  br i1 %212, label %213, label %201
 
-202:                                              ; preds = %190, %176
-  %203 = getelementptr inbounds double, ptr %5, i64 %42
-  %204 = load double, ptr %203, align 8
-  %205 = load double, ptr %98, align 8
-  %206 = load double, ptr %100, align 8
-  %207 = fadd double %205, %206
-  %208 = fadd double %204, %207
-  %209 = fadd double %207, 0xFFF0000000000000
-  %210 = call fastcc i32 @bounds(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %10, double noundef %208, double noundef %209, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %15, ptr noundef nonnull %16, ptr noundef nonnull %14, ptr noundef null)
-  %211 = icmp eq i32 %210, 0
-  br i1 %211, label %212, label %217
+213:                                              ; preds = %201, %187
+  %214 = getelementptr inbounds double, ptr %5, i64 %42
+  %215 = load double, ptr %214, align 8
+  %216 = load double, ptr %109, align 8
+  %217 = load double, ptr %111, align 8
+  %218 = fadd double %216, %217
+  %219 = fadd double %215, %218
+  %220 = fadd double %218, 0xFFF0000000000000
+  %221 = call fastcc i32 @bounds(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %10, double noundef %219, double noundef %220, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %15, ptr noundef nonnull %16, ptr noundef nonnull %14, ptr noundef null)
+  %222 = icmp eq i32 %221, 0
+  br i1 %222, label %223, label %228
 
-212:                                              ; preds = %202
-  %213 = load i64, ptr %0, align 8
-  %214 = mul nsw i64 %213, %42
-  %215 = getelementptr inbounds double, ptr %1, i64 %214
-  %216 = getelementptr inbounds double, ptr %7, i64 %42
-  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %215, i64 noundef 1, ptr noundef nonnull %44, ptr noundef nonnull %203, ptr noundef %216, ptr noundef nonnull %11)
-  br label %286
+223:                                              ; preds = %213
+  %224 = load i64, ptr %0, align 8
+  %225 = mul nsw i64 %224, %42
+  %226 = getelementptr inbounds double, ptr %1, i64 %225
+  %227 = getelementptr inbounds double, ptr %7, i64 %42
+  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %226, i64 noundef 1, ptr noundef nonnull %44, ptr noundef nonnull %214, ptr noundef %227, ptr noundef nonnull %11)
+  br label %297
 
-217:                                              ; preds = %202
-  %218 = load double, ptr %16, align 8
-  %219 = fsub double %218, %207
-  %220 = load double, ptr %15, align 8
-  %221 = fsub double %220, %207
+228:                                              ; preds = %213
+  %229 = load double, ptr %16, align 8
+  %230 = fsub double %229, %218
+  %231 = load double, ptr %15, align 8
+  %232 = fsub double %231, %218
   call fastcc void @support(ptr noundef nonnull %13, ptr noundef nonnull %14, ptr noundef nonnull %18)
-  br label %222
+  br label %233
 
-222:                                              ; preds = %217, %165
-  %223 = phi double [ %219, %217 ], [ %166, %165 ]
-  %224 = phi double [ %221, %217 ], [ %166, %165 ]
-  %225 = getelementptr inbounds double, ptr %5, i64 %42
-  %226 = load double, ptr %225, align 8
-  %227 = fcmp ogt double %224, %226
-  br i1 %227, label %233, label %228
+233:                                              ; preds = %228, %176
+  %234 = phi double [ %230, %228 ], [ %177, %176 ]
+  %235 = phi double [ %232, %228 ], [ %177, %176 ]
+  %236 = getelementptr inbounds double, ptr %5, i64 %42
+  %237 = load double, ptr %236, align 8
+  %238 = fcmp ogt double %235, %237
+  br i1 %238, label %244, label %239
 
-228:                                              ; preds = %222
-  %229 = fsub double %223, %224
-  %230 = fcmp ugt double %229, 1.000000e-08
-  br i1 %230, label %231, label %233
+239:                                              ; preds = %233
+  %240 = fsub double %234, %235
+  %241 = fcmp ugt double %240, 1.000000e-08
+  br i1 %241, label %242, label %244
 
-231:                                              ; preds = %228
-  %232 = getelementptr inbounds double, ptr %7, i64 %42
-  store double 0x7FF8000000000000, ptr %232, align 8
-  br label %286
+242:                                              ; preds = %239
+  %243 = getelementptr inbounds double, ptr %7, i64 %42
+  store double 0x7FF8000000000000, ptr %243, align 8
+  br label %297
 
-233:                                              ; preds = %228, %222
-  %234 = phi double [ %226, %222 ], [ %223, %228 ]
-  %235 = getelementptr inbounds double, ptr %7, i64 %42
-  store double %234, ptr %235, align 8
-  %236 = fcmp uno double %234, 0.000000e+00
-  br i1 %236, label %286, label %237
+244:                                              ; preds = %239, %233
+  %245 = phi double [ %237, %233 ], [ %234, %239 ]
+  %246 = getelementptr inbounds double, ptr %7, i64 %42
+  store double %245, ptr %246, align 8
+  %247 = fcmp uno double %245, 0.000000e+00
+  br i1 %247, label %297, label %248
 
-237:                                              ; preds = %233
-  %238 = load double, ptr %225, align 8
-  %239 = fcmp ult double %234, %238
-  br i1 %239, label %240, label %286
+248:                                              ; preds = %244
+  %249 = load double, ptr %236, align 8
+  %250 = fcmp ult double %245, %249
+  br i1 %250, label %251, label %297
 
-240:                                              ; preds = %237
+251:                                              ; preds = %248
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
-  %241 = load ptr, ptr %30, align 8
-  %242 = getelementptr inbounds i64, ptr %241, i64 %45
-  %243 = load i64, ptr %242, align 8
-  %244 = getelementptr inbounds i64, ptr %241, i64 %48
-  %245 = load i64, ptr %244, align 8
-  %246 = icmp slt i64 %243, %245
-  br i1 %246, label %273, label %247
+  %252 = load ptr, ptr %25, align 8
+  %253 = getelementptr inbounds i64, ptr %252, i64 %45
+  %254 = load i64, ptr %253, align 8
+  %255 = getelementptr inbounds i64, ptr %252, i64 %48
+  %256 = load i64, ptr %255, align 8
+  %257 = icmp slt i64 %254, %256
+  br i1 %257, label %284, label %258
 
-247:                                              ; preds = %240
-  call fastcc void @twist_of(ptr noundef nonnull %0, i64 noundef %245, i64 noundef %243, ptr noundef %41, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  %248 = load double, ptr %14, align 8
-  %249 = load double, ptr %18, align 16
-  %250 = fmul double %248, %249
-  %251 = load double, ptr %32, align 8
-  %252 = load double, ptr %33, align 8
-  %253 = fmul double %251, %252
-  %254 = fadd double %250, %253
-  %255 = load double, ptr %34, align 8
-  %256 = load double, ptr %35, align 16
-  %257 = fmul double %255, %256
-  %258 = fadd double %254, %257
-  %259 = call fastcc double @stays_apart(ptr noundef nonnull %12, double noundef %258, ptr noundef nonnull %14, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  br label %281
+258:                                              ; preds = %251
+  call fastcc void @twist_of(ptr noundef nonnull %0, i64 noundef %256, i64 noundef %254, ptr noundef %41, ptr noundef nonnull %20, ptr noundef nonnull %21)
+  %259 = load double, ptr %14, align 8
+  %260 = load double, ptr %18, align 16
+  %261 = fmul double %259, %260
+  %262 = load double, ptr %32, align 8
+  %263 = load double, ptr %33, align 8
+  %264 = fmul double %262, %263
+  %265 = fadd double %261, %264
+  %266 = load double, ptr %34, align 8
+  %267 = load double, ptr %35, align 16
+  %268 = fmul double %266, %267
+  %269 = fadd double %265, %268
+  %270 = call fastcc double @stays_apart(ptr noundef nonnull %12, double noundef %269, ptr noundef nonnull %14, ptr noundef nonnull %20, ptr noundef nonnull %21)
+  br label %292
 
-260:                                              ; preds = %273
+271:                                              ; preds = %284
   call fastcc void @support(ptr noundef nonnull %12, ptr noundef nonnull %17, ptr noundef nonnull %18)
-  call fastcc void @twist_of(ptr noundef %0, i64 noundef %243, i64 noundef %245, ptr noundef %41, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  %261 = load double, ptr %17, align 16
-  %262 = load double, ptr %18, align 16
-  %263 = fmul double %261, %262
-  %264 = load double, ptr %36, align 8
-  %265 = load double, ptr %33, align 8
-  %266 = fmul double %264, %265
-  %267 = fadd double %263, %266
-  %268 = load double, ptr %37, align 16
-  %269 = load double, ptr %35, align 16
-  %270 = fmul double %268, %269
-  %271 = fadd double %267, %270
-  %272 = call fastcc double @stays_apart(ptr noundef nonnull %13, double noundef %271, ptr noundef nonnull %17, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  br label %281
+  call fastcc void @twist_of(ptr noundef %0, i64 noundef %254, i64 noundef %256, ptr noundef %41, ptr noundef nonnull %20, ptr noundef nonnull %21)
+  %272 = load double, ptr %17, align 16
+  %273 = load double, ptr %18, align 16
+  %274 = fmul double %272, %273
+  %275 = load double, ptr %36, align 8
+  %276 = load double, ptr %33, align 8
+  %277 = fmul double %275, %276
+  %278 = fadd double %274, %277
+  %279 = load double, ptr %37, align 16
+  %280 = load double, ptr %35, align 16
+  %281 = fmul double %279, %280
+  %282 = fadd double %278, %281
+  %283 = call fastcc double @stays_apart(ptr noundef nonnull %13, double noundef %282, ptr noundef nonnull %17, ptr noundef nonnull %20, ptr noundef nonnull %21)
+  br label %292
 
-273:                                              ; preds = %240, %273
-  %274 = phi i64 [ %279, %273 ], [ 0, %240 ]
-  %275 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %274
-  %276 = load double, ptr %275, align 8
-  %277 = fneg double %276
-  %278 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %274
-  store double %277, ptr %278, align 8
-  %279 = add nuw nsw i64 %274, 1
-  %280 = icmp eq i64 %279, 3
-  br i1 %280, label %260, label %273
+284:                                              ; preds = %251, %284
+  %285 = phi i64 [ %290, %284 ], [ 0, %251 ]
+  %286 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %285
+  %287 = load double, ptr %286, align 8
+  %288 = fneg double %287
+  %289 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %285
+  store double %288, ptr %289, align 8
+  %290 = add nuw nsw i64 %285, 1
+  %291 = icmp eq i64 %290, 3
+  br i1 %291, label %271, label %284
 
-281:                                              ; preds = %260, %247
-  %282 = phi double [ %272, %260 ], [ %259, %247 ]
-  %283 = fsub double %282, %102
-  %284 = load double, ptr %86, align 8
-  %285 = fsub double %283, %284
-  store double %285, ptr %76, align 8
+292:                                              ; preds = %271, %258
+  %293 = phi double [ %283, %271 ], [ %270, %258 ]
+  %294 = fsub double %293, %113
+  %295 = load double, ptr %97, align 8
+  %296 = fsub double %294, %295
+  store double %296, ptr %76, align 8
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
-  br label %286
+  br label %297
 
-286:                                              ; preds = %231, %233, %237, %281, %212
+297:                                              ; preds = %242, %244, %248, %292, %223
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %16) #15
@@ -2018,15 +2031,15 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %14) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %13) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #15
-  br label %287
+  br label %298
 
-287:                                              ; preds = %286, %90
+298:                                              ; preds = %297, %101
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #15
-  %288 = add nuw nsw i64 %42, 1
-  %289 = load i64, ptr %0, align 8
-  %290 = getelementptr inbounds double, ptr %41, i64 %289
-  %291 = icmp eq i64 %288, %3
-  br i1 %291, label %39, label %40
+  %299 = add nuw nsw i64 %42, 1
+  %300 = load i64, ptr %0, align 8
+  %301 = getelementptr inbounds double, ptr %41, i64 %300
+  %302 = icmp eq i64 %299, %3
+  br i1 %302, label %39, label %40
 }
 
 define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3) unnamed_addr #6 {

@@ -43,6 +43,7 @@ class _Dispatch:
         self.going: dict[Future[Outcome | Missing], int] = {}
         self.packer = Packer(uuid.uuid4().hex)
         self.broken: BrokenExecutor | None = None
+        self.replied = False  # whether any worker has: then an error is that of one problem, and ends no other
 
     def run(self) -> None:
         workers = workers_of(self.executor)
@@ -84,6 +85,7 @@ class _Dispatch:
         except Exception as error:
             self._failed(k, error)
         else:
+            self.replied = True
             if isinstance(reply, Missing):
                 self.wanted[k].update(reply.keys)
                 self.waiting.appendleft(k)
@@ -92,12 +94,16 @@ class _Dispatch:
 
     def _failed(self, k: int, error: Exception) -> None:
         """The executor failed, not the planning."""
-        if isinstance(error, WorkerLostError) and not error.started:
+        if isinstance(error, WorkerLostError) and not error.started and not self.replied:
             wanted = f"processes that can start; standard error shows why this one did not ({error})"
             raise InvalidInputError("executor", self.executor, wanted) from error
         if not _is_lost(error):
-            wanted = f"workers that can load {label(k, self.problems[k])} ({type(error).__name__}: {error})"
-            raise InvalidInputError("executor", self.executor, wanted) from error
+            message = f"{type(error).__name__}: {error}"
+            if not self.replied:
+                wanted = f"workers that can load {label(k, self.problems[k])} ({message})"
+                raise InvalidInputError("executor", self.executor, wanted) from error
+            self.done(k, Outcome(kind=PartialPlan, parts={"status": Status.ERROR, "message": message}))
+            return
         self.deaths[k] += 1
         if self.deaths[k] < TRIES:
             self.suspects.append(k)

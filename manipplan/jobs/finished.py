@@ -39,7 +39,9 @@ class Finished:
             if data.get("problem") != key:
                 raise FileFormatError("file", str(file), "the result of this problem; it holds that of another one")
             if data.get("manipplan") != manipplan.__version__:
-                log.warning("%s is of manipplan %s, this is %s: planned again", file, data["manipplan"], manipplan.__version__)
+                log.warning(
+                    "%s is of manipplan %s, this is %s: planned again", file, data.get("manipplan"), manipplan.__version__
+                )
                 return None
             own = measure if isinstance(measure, Measure) else None
             return plan_of(file, data, robot=problem.robot, scene=obstacles_of(problem), measure=own)

@@ -1,4 +1,4 @@
-"""The energy of a path minimised by IPOPT: for measures without machine code, and where the descent on it fails.
+"""The energy of a path minimised by IPOPT, where the descent on it fails.
 
 Everything that changes from one solve to the next (ends, guess, rows) is a parameter, so IPOPT is set up once per objective and
 basis. Unknowns z: coefficients along the free directions, joint after joint for each direction, then one slack [m] per

@@ -40,7 +40,7 @@ ENERGY_TOLERANCE, ENERGY_STEPS, FREE_ENERGY_STEPS, ENERGY_RADIUS, ENERGY_PENALTY
 
 @dataclass(frozen=True, kw_only=True)
 class Solution:
-    """Result of one solve of the energy: coefficients (n, size), how it ended, and whether it converged."""
+    """Result of one solve of the energy: coefficients (n, size), how it ended, and whether it did before the last step."""
 
     coefficients: Array
     status: str

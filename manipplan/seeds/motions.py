@@ -141,7 +141,7 @@ class MotionCheck:
             bits = 1 << np.arange(len(sides.names))
             for root, values in zip(self.root_sides, sides.values(self.roots), strict=True):
                 root["positive"], root["known"] = bits[values >= sides.zero].sum(), bits[np.abs(values) >= sides.zero].sum()
-        self._decide, self._values = _DECIDE(self._ask), _batch(sides)
+        self._decide, self._values = _DECIDE(self._ask), _batch(sides, self)
         self._q: Any = (D * (2 * self.n))()
         self._kept = vectors, kernel
         self.data = Search(
@@ -195,6 +195,18 @@ class MotionCheck:
         if self._failure is not None:
             raise self._failure
 
+    def guarded(self, values: Callable[[int, int, int], int]) -> Any:
+        """A function that C calls back: an error is kept for `raise_failure`, and the answer is then 1."""
+
+        def answer(q: int, out: int, count: int) -> int:
+            try:
+                return values(q, out, count)
+            except BaseException as error:
+                self._failure = error
+                return 1
+
+        return BATCH(answer)
+
     def _ask(self, q: Any, clearance: float) -> int:
         """Whether a configuration that the kernel cannot judge is free."""
         try:
@@ -207,7 +219,7 @@ class MotionCheck:
             return TOUCHING
 
 
-def _batch(sides: Sides | None) -> Any:
+def _batch(sides: Sides | None, check: "MotionCheck") -> Any:
     """The values of the sides as a C function; without a compiler CasADi's virtual machine, called back, evaluates them."""
     if sides is None:
         return None
@@ -221,4 +233,4 @@ def _batch(sides: Sides | None) -> Any:
         found[:] = np.array(sides.function(ca.DM(here.T))).T
         return 0
 
-    return BATCH(values)
+    return check.guarded(values)

@@ -18,10 +18,9 @@ import numpy as np
 
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.metric import metric_matrix
-from manipplan.kinematics.batch import BATCH
 from manipplan.paths.rounding import gauss_rule
 from manipplan.seeds.connect import FOUND, FULL, SLICE, Run
-from manipplan.seeds.motions import D, Level, N, P, search_code
+from manipplan.seeds.motions import D, Level, MotionCheck, N, P, search_code
 from manipplan.seeds.objective import LEAST, PANEL, POINTS
 from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
@@ -94,7 +93,7 @@ class _Best:
         self.search.levels = self.search.level + 1
         nodes, weights = gauss_rule(POINTS)
         metric = None if integral is None or integral.metric is None else metric_matrix("metric", integral.metric, run.n)
-        measure = None if integral is None else _measure(integral)
+        measure = None if integral is None else _measure(integral, run.check)
         self._kept = nodes, weights, metric, measure
         self.star = _Star(
             n=run.n,
@@ -153,7 +152,9 @@ class _Best:
         return points[:count].copy(), cost
 
     def _cost(self, way: Array) -> float:
-        return float(_functions()["way_cost"](self.at, way.ctypes.data, len(way)))
+        cost = float(_functions()["way_cost"](self.at, way.ctypes.data, len(way)))
+        self.run.check.raise_failure()
+        return cost
 
     def _cheaper(self, cost: float, checks: int) -> Array | None:
         """A path (k, n) that costs less, found by new trees; None when none was found."""
@@ -175,7 +176,7 @@ class _Best:
         return None
 
 
-def _measure(integral: PathIntegral) -> Any:
+def _measure(integral: PathIntegral, check: MotionCheck) -> Any:
     """m for batches as a C function: its address or, where it is not compiled, a function that is called back."""
     kinematics = integral.kinematics
     address = kinematics.batch_code("manipulability")
@@ -189,4 +190,4 @@ def _measure(integral: PathIntegral) -> Any:
         found[:] = kinematics.manipulability(here)
         return int(not np.isfinite(found).all())
 
-    return BATCH(values)
+    return check.guarded(values)

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Set
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from pathlib import PurePath
-from types import BuiltinFunctionType, FunctionType
+from types import BuiltinFunctionType, CodeType, FunctionType
 from typing import Any
 
 import numpy as np
@@ -33,6 +33,8 @@ def _digest(value: Any) -> bytes:
         return _joined(name, value.name.encode())
     if isinstance(value, PurePath):
         return _joined("path", str(value).encode())
+    if isinstance(value, FunctionType) and "<" in value.__qualname__:  # a lambda or a local function: no name tells which
+        return _joined("function", f"{value.__module__}.{value.__qualname__}".encode(), *map(_digest, _code_of(value)))
     if isinstance(value, type | FunctionType | BuiltinFunctionType):
         return _joined("name", f"{value.__module__}.{value.__qualname__}".encode())
     if isinstance(value, Mapping):
@@ -51,6 +53,14 @@ def _digest(value: Any) -> bytes:
     make, arguments, *state = reduced
     lists = [list(each) if k > 0 and each is not None else each for k, each in enumerate(state)]
     return _joined(name, _digest(make), _digest(arguments), _digest(lists))
+
+
+def _code_of(function: FunctionType) -> tuple[object, ...]:
+    """What a function without a name of its own does: its instructions, constants, names, defaults and captured values."""
+    code = function.__code__
+    constants = tuple(each if not isinstance(each, CodeType) else each.co_code for each in code.co_consts)
+    captured = tuple(cell.cell_contents for cell in function.__closure__ or ())
+    return code.co_code, constants, code.co_names, function.__defaults__, function.__kwdefaults__, captured
 
 
 def _pickles_itself(kind: type) -> bool:

@@ -1,4 +1,4 @@
-"""Sequential quadratic programming on g itself, among the true obstacles, in a trust region [nocedal2006, sec. 18.5].
+"""Sequential quadratic programming on g itself, or on its energy, in a trust region [nocedal2006, sec. 18.5].
 
 Each step minimises a quadratic model of g in a trust region, with linear rows for the joint limits and for the clearance at
 every place where the path is near something. A step is accepted only when the merit function φ = g + ν v falls. Here v is the

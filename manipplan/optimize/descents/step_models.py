@@ -74,13 +74,14 @@ class LengthModel:
     """Σ_i w_i e(q_i, q'_i) / g₀ over the points of a quadrature rule, as a function of the unknowns z (f, n) of `curves`.
 
     Attributes:
-        density: e, the integrand of g plus a small share of that of the energy.
+        density: e, the integrand of g plus a small share of that of the energy, or that of the energy alone.
         curves: the paths.
         edges: (k + 1,) of the quadrature panels.
         s, weights: (m,) Gauss points of all panels and their weights.
         g0: g of the path where the descent begins, so that the value there is about 1.
         power, floor: exponent p and floor ε.
-        pace: g₀ in the share of the energy, κ h² / g₀; inf: no such share, so that the value is that of g alone.
+        pace: g₀ in the share of the energy, κ h² / g₀; inf: no such share, so that the value is that of g alone. Any number for
+            the energy alone.
     """
 
     density: BatchDensity

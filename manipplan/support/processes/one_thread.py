@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from typing import Any
 
 _lock = threading.Lock()
-#: The limits of all open blocks: that of the outermost one, then None for each other one.
+#: An entry per open block of any thread: the limit for the first one, None for the others.
 _open: list[Any] = []
 
 

@@ -163,10 +163,12 @@ class _Worker:
             if not self.started:
                 pickle.dump((sys.path, _script()), self.process.stdin)
                 self.process.stdin.flush()
-                self.started = _read(self.process.stdout) == READY
+                if _read(self.process.stdout) != READY:  # something printed before the process could keep it apart
+                    raise EOFError
+                self.started = True
             _write(self.process.stdin, packed)
             succeeded, result = pickle.loads(_read(self.process.stdout))
-        except (EOFError, ConnectionError) as error:
+        except (EOFError, ConnectionError, OverflowError, MemoryError) as error:
             self.end()
             raise WorkerLostError(self.process.returncode, self.started) from error
         if not succeeded:

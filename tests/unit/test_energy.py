@@ -1,0 +1,74 @@
+"""Minima of the energy among fixed clearance rows: derivatives of the rows, and the same optimum as IPOPT's."""
+
+import numpy as np
+import pytest
+
+import manipplan as mp
+from manipplan.cost.integral import PathIntegral
+from manipplan.optimize import clearance as near
+from manipplan.optimize import program as programs
+from manipplan.optimize.descents.descent import FAILED, Descent
+from manipplan.optimize.descents.fixed_rows import FixedRows
+from manipplan.optimize.program import PathProgram
+from manipplan.paths.basis import named_basis
+
+START, GOAL = np.array([-0.6, 0.3, 0.0, -2.0, 0.0, 2.3, 0.8]), np.array([0.9, 0.2, -0.2, -2.1, 0.3, 2.2, 0.8])
+POST = mp.Box(size=(0.1, 0.1, 0.6), position=(0.55, 0.0, 0.3), name="post")
+NONE = np.zeros((7, 5))
+
+
+@pytest.fixture(scope="module")
+def program(panda):
+    return PathProgram(PathIntegral(kinematics=panda.kinematics(), power=1.0), named_basis("legendre", 6))
+
+
+@pytest.fixture(scope="module")
+def rows(panda, program):
+    """Rows of the post at the dips of the seed."""
+    scene = mp.Scene([POST])
+    model = scene.collision_model(panda)
+    seed = mp.seed_path(panda, START, GOAL, scene, clearance=0.01)
+    profile = near.distance_profile(model, seed(np.linspace(0.0, 1.0, near.PLACES + 1)), 0.05)
+    places = near.around(near.dips(profile, 0.05))
+    assert places
+    return near.rows_for(model, program.basis.path(START, GOAL, NONE), seed, places, 0.01)
+
+
+def test_fixed_rows_have_exact_derivatives(program, rows, rng):
+    curves, _ = program._curves(START, GOAL, NONE)
+    fixed = FixedRows.of(program._batch_rows, curves, rows)
+    z = rng.uniform(-0.3, 0.3, (5, 7))
+    multipliers = rng.uniform(0.0, 1.0, len(rows)) * (rng.random(len(rows)) < 0.7)
+    linear, steps = fixed.linear(z, z), 1e-6 * np.eye(35)
+    np.testing.assert_allclose(linear.value, fixed.values(z), atol=1e-15)
+
+    def moved(f, k):
+        return (f(z + steps[k].reshape(z.shape)) - f(z - steps[k].reshape(z.shape))) / 2e-6
+
+    slopes = np.array([moved(fixed.values, k) for k in range(35)]).T
+    np.testing.assert_allclose(linear.jacobian, slopes, atol=1e-8)
+    bends = np.array([moved(lambda at: multipliers @ fixed.linear(at, at).jacobian, k) for k in range(35)])
+    np.testing.assert_allclose(fixed.curvature(z, multipliers), bends, atol=1e-7)
+    assert fixed.violation(z) == max(-fixed.values(z).min(), 0.0)
+
+
+@pytest.mark.parametrize("with_rows", [False, True])
+def test_the_descent_finds_the_minimum_of_ipopt(program, rows, monkeypatch, with_rows):
+    chosen = rows if with_rows else []
+    monkeypatch.setattr(programs, "SOLVED_SPACING", 2.0**-40)
+    ours = program.solve(START, GOAL, NONE, 0.0, chosen)
+
+    def fails(_program, z, **_options):
+        return Descent(z=z, steps=0, reason=FAILED, violation=0.0, exhausted=False)
+
+    monkeypatch.setattr(programs, "descend", fails)
+    other = program.solve(START, GOAL, NONE, 0.0, chosen)
+    assert ours.converged and other.converged
+    assert other.status == "IPOPT: Solve_Succeeded" and "IPOPT" not in ours.status
+    np.testing.assert_allclose(ours.coefficients, other.coefficients, atol=2e-3)
+    energies = [program._energy_of(START, GOAL, each.coefficients, 0.0) for each in (ours, other)]
+    assert energies[0] == pytest.approx(energies[1], rel=1e-5)
+    if with_rows:
+        curves, z = program._curves(START, GOAL, ours.coefficients)
+        values = FixedRows.of(program._batch_rows, curves, rows).values(z)
+        assert abs(values.min()) < 1e-6, "a row is active, and none is violated"
