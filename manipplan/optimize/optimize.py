@@ -84,9 +84,9 @@ def optimize_path(
     The path is a polynomial, or a spline of several pieces. Sequential quadratic programming in a trust region [nocedal2006,
     ch. 18] minimises its energy, ∫ of the square of the same, from the straight line without obstacles and from the seed among
     planes between the bodies. From there it minimises g itself with the true distances of the scene. Among clouds, meshes that
-    are not convex or 100 or more small obstacles, this is done in a coarse copy of the scene first, and then near the path found
-    there. Degrees above 6 and paths of several pieces also start from the optimum of a lower degree. The path with the smallest
-    g is returned; of two whose g differ by less than a share of 1e-5, the one found first. The optimum is local.
+    are not convex or 100 or more small obstacles, this is done in a coarse copy of the scene first, and then near the path
+    found there. Degrees above 6 and paths of several pieces also start from the optimum of a lower degree. The path with the
+    smallest g is returned; of two whose g differ by less than a share of 1e-5, the one found first. The optimum is local.
 
     Joint limits hold on the whole curve. With a scene, an optimised path is proven collision-free on the whole curve; a seed
     is proven too, or at least checked every milliradian. `certificate` holds the measured figures. Status.OPTIMAL means that

@@ -1,8 +1,9 @@
-"""Linear algebra of a plan runs on one thread, and on as many as before after it, whatever ends first."""
+"""Linear algebra of a plan runs on one thread, and on as many as before after it."""
 
 import threading
 
 import pytest
+import scipy.linalg  # noqa: F401 - brings its own BLAS, which a plan would load otherwise
 from threadpoolctl import threadpool_info, threadpool_limits
 
 import manipplan as mp
@@ -16,28 +17,34 @@ def threads():
 @pytest.fixture
 def two():
     """The numbers of threads of BLAS: two, or one where an environment variable forbids more."""
-    limits = threadpool_limits(limits=2, user_api="blas")  # a with-block would forbid other threads to set the number
-    yield threads()
-    limits.restore_original_limits()
+    with threadpool_limits(limits=2, user_api="blas"):
+        yield threads()
 
 
-def test_blocks_limit_the_threads_until_the_last_one_ends(two):
-    entered, leave = threading.Event(), threading.Event()
-
-    def other():
-        with one_thread():
-            entered.set()
-            leave.wait(10)
-
-    worker = threading.Thread(target=other)
+def test_blocks_limit_the_threads_until_they_end(two):
     with pytest.raises(ZeroDivisionError), one_thread():
+        with one_thread():
+            assert threads() == {1}
         assert threads() == {1}
-        worker.start()
-        entered.wait(10)
         raise ZeroDivisionError
-    assert threads() == {1}, "the other thread's block is open"
-    leave.set()
-    worker.join()
+    assert threads() == two
+
+
+def test_blocks_of_several_threads_leave_the_number_as_it_was(two):
+    several = threading.Barrier(4)
+
+    def work():
+        several.wait(10)
+        for _ in range(20):
+            with one_thread():
+                pass
+
+    workers = [threading.Thread(target=work) for _ in range(3)]
+    for worker in workers:
+        worker.start()
+    several.wait(10)
+    for worker in workers:
+        worker.join()
     assert threads() == two
 
 
