@@ -280,9 +280,12 @@ def ours(each: EnergyProgram, given: Nlp, **_: NDArray[np.float64]) -> dict[str,
 
     A slack of the size of that rounding would count a thousand times in the energy.
     """
+    program, rounded = each.program, program_module.SOLVED_SPACING
     program_module.SOLVED_SPACING = EXACT_SPACING
-    program = each.program
-    found = program.solve(*each.arguments).coefficients
+    try:
+        found = program.solve(*each.arguments).coefficients
+    finally:
+        program_module.SOLVED_SPACING = rounded
     kept = program._rounded(each.guess - on_grid(each.guess @ program._along, SPACING) @ program.free.T)
     z = (found - kept) @ program._along
     return {"x": np.concatenate([z.ravel(order="F"), np.zeros(given.slacks)])}

@@ -212,12 +212,12 @@ class PathProgram:
         )
         if descent.reason != FAILED:
             found = curves.coefficients(on_grid(descent.z, SOLVED_SPACING))
-            return Solution(coefficients=found, status=descent.reason, converged=not descent.exhausted)
+            return Solution(coefficients=found, status=f"energy: {descent.reason}", converged=not descent.exhausted)
         unknowns = on_grid(guess @ self._along, SPACING)
         kept = self._rounded(guess - unknowns @ self.free.T)
         x, status, converged = self._ipopt.solve(start, goal, kept, unknowns, energy, floor, rows)
         x = kept + on_grid(x, SOLVED_SPACING) @ self.free.T
-        return Solution(coefficients=x, status=f"IPOPT: {status}", converged=converged)
+        return Solution(coefficients=x, status=f"energy, IPOPT: {status}", converged=converged)
 
     def _energy_of(self, start: Array, goal: Array, guess: Array, floor: float) -> float:
         """The energy of a guess (n, size), by the quadrature of the program; 1 when it is not finite and positive."""

@@ -64,7 +64,7 @@ def test_the_descent_finds_the_minimum_of_ipopt(program, rows, monkeypatch, with
     monkeypatch.setattr(programs, "descend", fails)
     other = program.solve(START, GOAL, NONE, 0.0, chosen)
     assert ours.converged and other.converged
-    assert other.status == "IPOPT: Solve_Succeeded" and "IPOPT" not in ours.status
+    assert other.status == "energy, IPOPT: Solve_Succeeded" and "IPOPT" not in ours.status
     np.testing.assert_allclose(ours.coefficients, other.coefficients, atol=2e-3)
     energies = [program._energy_of(START, GOAL, each.coefficients, 0.0) for each in (ours, other)]
     assert energies[0] == pytest.approx(energies[1], rel=1e-5)
