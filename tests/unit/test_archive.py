@@ -418,7 +418,7 @@ def test_a_broken_file_is_told(small_plan, tmp_path, change, message):
             lambda text: text.replace('"goal_error": ', '"goal_error": "nought", "x": '),
             "'nought' is not a number @ Report.goal_error",
         ),
-        (lambda text: text.replace('"power": 1.0', '"power": 1' + 400 * "0"), "OverflowError"),
+        (lambda text: text.replace('"power": 1.0', '"power": 1' + 400 * "0"), "int too large"),
         (lambda text: text.replace('"OPTIMAL"', '"PERFECT"'), "PERFECT"),
         (lambda text: text.replace('"breaks": [0.0', '"breaks": [0.5'), "breaks: got"),
         (lambda text: text.replace('"yoshikawa"', '"yoshi"'), "KeyError: 'yoshi'"),

@@ -326,5 +326,5 @@ def test_a_nearly_free_solution_that_leads_nowhere_is_followed_by_the_next(plana
         seeding=mp.Seeding(planner="RRTConnect"),
     )
     assert result.status is mp.Status.OPTIMAL
-    assert [name for name, _ in tried] == ["straight", "seed", "seed"]
-    assert not any(np.array_equal(first, second) for k, (_, first) in enumerate(tried) for _, second in tried[:k])
+    assert [name for name, _ in tried][:3] == ["straight", "seed", "seed"]
+    assert not any(np.array_equal(first, second) for k, (_, first) in enumerate(tried[:3]) for _, second in tried[:k])
