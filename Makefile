@@ -83,7 +83,8 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/random_steps.py
 	$(BIN)/python benchmarks/control_step.py
 	$(BIN)/python benchmarks/six_joint_arms.py
-	$(BIN)/python benchmarks/motionbenchmaker.py --arm ur5
+	$(BIN)/python benchmarks/motionbenchmaker.py --problems 50
+	$(BIN)/python benchmarks/motionbenchmaker.py --arm ur5 --problems 50
 	$(BIN)/python benchmarks/energy_solvers.py
 	$(BIN)/python benchmarks/first_paths.py
 	$(BIN)/python benchmarks/plan_many.py
@@ -99,7 +100,7 @@ benchmark-peers: $(READY)
 	$(BIN)/python benchmarks/tracking.py
 	$(BIN)/python benchmarks/inverse_kinematics.py
 	$(BIN)/python benchmarks/demo_timing.py
-	$(BIN)/python benchmarks/motionbenchmaker.py --peers mplib
+	$(BIN)/python benchmarks/motionbenchmaker.py --peers mplib --out docs/benchmarks/motionbenchmaker_mplib.md --picture docs/pictures/motionbenchmaker_mplib.png
 	$(BIN)/python benchmarks/timed_motions.py
 
 benchmark-paths: $(READY)

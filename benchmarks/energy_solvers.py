@@ -398,7 +398,8 @@ def main(arguments: Sequence[str] | None = None) -> dict[str, list[Answer | str]
         *(["Without an answer to some program:", "", *reasons, ""] if reasons else []),
         f"{len(parts[0])} programs without rows, {len(parts[1])} with {rows.min()} to {rows.max()} rows, from "
         f"{len({each.source for each in programs})} problems; one thread. Python {platform.python_version()}, "
-        f"{platform.machine()}, CasADi {ca.__version__}; command: `.venv/bin/python benchmarks/energy_solvers.py`.",
+        f"{platform.machine()}, CasADi {ca.__version__}; command: `.venv/bin/python benchmarks/energy_solvers.py"
+        f"{'' if len(found) == len(METHODS) else ' --methods ' + ' '.join(map(repr, found))}`.",
     ]
     given.out.write_text("\n".join(lines) + "\n")
     print("\n".join(lines))
