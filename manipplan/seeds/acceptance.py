@@ -14,7 +14,7 @@ log = logging.getLogger("manipplan")
 
 #: Maximum joint motion between two checks of a finished path [rad or m].
 CHECK_STEP = 1e-3
-#: The same where a path is looked at before its proof; configurations of the first look, one of so many.
+#: The same for the look at a path before its proof, which begins with every FIRST-th configuration.
 LOOK_STEP, FIRST = 0.05, 8
 #: Maximum joint motion between two configurations whose sides of the singularities are compared [rad or m].
 SIDES_STEP = 5e-3

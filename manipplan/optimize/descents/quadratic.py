@@ -46,9 +46,8 @@ def solve_step(hessian: Array, gradient: Array, rows: LinearRows, radius: float,
     """
     size = len(gradient)
     bound = np.full(size, radius)
-    within = np.flatnonzero(
-        rows.value < radius * np.abs(rows.jacobian).sum(axis=1) + ROW_SPACING
-    )  # the others cannot be active
+    # rows that no step reaches cannot be active
+    within = np.flatnonzero(rows.value < radius * np.abs(rows.jacobian).sum(axis=1) + ROW_SPACING)
     multipliers = np.zeros(len(rows.value))
     hessian, gradient = with_bits(hessian, QP_BITS), with_bits(gradient, QP_BITS)
     rows = LinearRows(value=on_grid(rows.value[within], ROW_SPACING), jacobian=with_bits(rows.jacobian[within], QP_BITS))
