@@ -139,14 +139,18 @@ class DistanceKernel:
         return self._at
 
     @property
-    def check_address(self) -> int:
-        """The address of `manipplan_check_one`."""
-        return self._calls.code.address("manipplan_check_one")
+    def n(self) -> int:
+        """Number of joints."""
+        return self._n
 
     @property
-    def pairs_address(self) -> int:
-        """The address of `manipplan_pairs`."""
-        return self._calls.code.address("manipplan_pairs")
+    def pairs(self) -> int:
+        """Number of pairs."""
+        return len(self._bodies)
+
+    def address(self, name: str) -> int:
+        """The address of the function `manipplan_` and a name."""
+        return self._calls.code.address(f"manipplan_{name}")
 
     def bodies(self, pairs: Numbers) -> Numbers:
         """The two bodies (m, 2) of pairs (m,), as `manipplan_pairs` takes them."""

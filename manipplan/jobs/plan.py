@@ -28,7 +28,7 @@ from manipplan.timing.retime import check_timing_limits, retime
 MORE_DEGREES, SPLINE_PIECES = 3, 8
 #: C sources of this job that are compiled while it prepares collision shapes and generates code, at the first call ever.
 SOURCES = (
-    *("collision/distances.c", "paths/curves.c", "seeds/connect.c", "cost/panels.c", "collision/bottoms.c"),
+    *("collision/distances.c", "paths/curves.c", "seeds/connect.c", "cost/panels.c", "collision/look.c", "optimize/descents/steps.c"),
     *("collision/body_motion.c", "timing/barrier.c"),
 )
 

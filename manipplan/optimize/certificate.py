@@ -90,15 +90,15 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
 
     length = program.length.without_energy
     gradient = length.gradient(z).ravel() / length.value(z)
-    limits = program.limits.near(z, LIMIT)
+    limits = program.limits.near(program.limits.points(z), LIMIT)
     margin, beyond, jacobian, owner = 0.0, np.empty(0), np.empty((0, z.size)), np.empty(0, dtype=int)
     if program.surroundings is not None:
         near, further = program.surroundings, reach - ACTIVE
         margin = near.margin
         looking = replace(program, surroundings=replace(near, clearance=near.clearance + further))
-        table = looking.measured(z, looking.look(z, 0.0))
-        beyond = table.linear(z, z).value + further
-        jacobian, owner = table.gradients_nearby(z, np.flatnonzero(beyond < reach - margin), KINK)
+        rows = looking.measured(z)
+        beyond = rows.value + further
+        jacobian, owner = rows.gradients_nearby(np.flatnonzero(beyond < reach - margin), KINK)
     whole = np.concatenate([limits.jacobian, jacobian])
     if not len(whole):
         return Optimality(projected_gradient=float(np.linalg.norm(gradient)), complementarity=0.0, active_clearance=0.0)

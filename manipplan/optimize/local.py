@@ -282,7 +282,7 @@ class LocalSearch(ProvenDescents):
             return self.program.integral.cost(basis.path(self.start, self.goal, coefficients)).g
         moving = self.nearly_singular(self.program.integral.cost(path))
         true, z = self.program.descent_program(self.start, self.goal, coefficients, None, limited=False, moving=moving)
-        costs = [self.program.integral.cost(each).g for each in (path, true.path(descend(true, z, tolerance=ROUGH).z))]
+        costs = [self.program.integral.cost(each).g for each in (path, true.length.curves.path(descend(true, z, tolerance=ROUGH).z))]
         return min(costs)
 
     def _judged(self, name: str, solution: Solution) -> tuple[bool, NearPairs, tuple[near.Place, ...]]:

@@ -10,10 +10,11 @@ import numpy as np
 from manipplan.cost.density import energy_density, length_density
 from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.optimize.clearance import ClearanceRow, row_functions
-from manipplan.optimize.descents.constraints import LimitRows, RowFunctions
 from manipplan.optimize.descents.descent import FAILED, DescentProgram, descend
 from manipplan.optimize.descents.fixed_rows import FixedRows
-from manipplan.optimize.descents.step_models import BatchDensity, Curves, LengthModel, MovingLengthModel, Surroundings
+from manipplan.optimize.descents.length import BatchDensity, Curves, LengthModel, MovingLengthModel
+from manipplan.optimize.descents.rows import LimitRows, RowFunctions
+from manipplan.optimize.descents.surroundings import Surroundings
 from manipplan.optimize.ipopt import Hull, Integral, IpoptEnergy
 from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid

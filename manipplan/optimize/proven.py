@@ -12,7 +12,7 @@ from manipplan.collision.path_clearance import PathClearance, path_clearance
 from manipplan.cost.integral import PathCost
 from manipplan.optimize.certificate import UNKNOWN, Optimality, measure_optimality
 from manipplan.optimize.descents.descent import descend
-from manipplan.optimize.descents.step_models import MARGIN, Surroundings
+from manipplan.optimize.descents.surroundings import MARGIN, Surroundings
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.result import Step
 from manipplan.paths.basis import EndConditions
@@ -152,7 +152,7 @@ class ProvenDescents:
                 if true.length.without_energy.value(descent.z) * true.length.g0 >= below:
                     return None
                 continue
-            path = true.path(descent.z)
+            path = true.length.curves.path(descent.z)
             cost, proof = integral.cost(path), self.proof(path)
             least = np.inf if proof is None else proof.upper
             self.history.append(Step(first=name, g=cost.g, clearance=least, solver=descent.reason))

@@ -149,7 +149,7 @@ class MotionCheck:
             near=NEAR,
             around=AROUND,
             world=kernel.world,
-            check=kernel.check_address,
+            check=kernel.address("check_one"),
             decide=ctypes.cast(self._decide, P),
             clearance=task.clearance,
             levels=len(levels),

@@ -1,14 +1,12 @@
 """Evaluate a CasADi Function at many points at once, with reused buffers."""
 
-from typing import Any
-
 import casadi as ca
 import numpy as np
 
 from manipplan.support.checks import Array
 
-#: Number of points per call of the mapped Function.
-CHUNK = 40
+#: Numbers of points per call of a mapped Function, the largest first.
+CHUNKS = (64, 16, 4, 1)
 
 
 class BatchFunction:
@@ -16,26 +14,43 @@ class BatchFunction:
 
     def __init__(self, function: ca.Function) -> None:
         """`function` takes dense vectors and returns one dense matrix."""
-        mapped = function.map(CHUNK)
+        self._function = function
         self._shape = function.size1_out(0), function.size2_out(0)
-        self._inputs = [np.zeros((CHUNK, function.nnz_in(i))) for i in range(function.n_in())]
-        self._output = np.zeros((CHUNK, function.nnz_out(0)))
-        self._buffer, self._run = mapped.buffer()
-        self._views: list[Any] = [array.reshape(-1).data for array in (*self._inputs, self._output)]
-        for i, view in enumerate(self._views[:-1]):
-            self._buffer.set_arg(i, view)
-        self._buffer.set_res(0, self._views[-1])
+        self._chunks: dict[int, _Chunk] = {}
 
     def __call__(self, *points: Array) -> Array:
-        """The matrices (m, rows, columns) at m points, given as one array (m, k_i) per argument."""
-        count = len(points[0])
-        out = np.empty((count, self._output.shape[1]))
-        for begin in range(0, count, CHUNK):
-            size = min(CHUNK, count - begin)
-            for array, values in zip(self._inputs, points, strict=True):
-                array[:size] = values[begin : begin + size]
-                array[size:] = array[:1]  # the rest of the last chunk is computed, too, and must be valid
-            self._run()
-            out[begin : begin + size] = self._output[:size]
+        """The matrices (m, rows, columns) at m points, given as one array (m, k_i) per argument, or (k_i,) for all points."""
         rows, columns = self._shape
-        return out.reshape(count, columns, rows).transpose(0, 2, 1)  # CasADi stores matrices by columns
+        return self.by_columns(*points).reshape(-1, columns, rows).transpose(0, 2, 1)
+
+    def by_columns(self, *points: Array) -> Array:
+        """The same as (m, rows times columns), each matrix column after column, as CasADi stores it."""
+        begin, count = 0, len(points[0])
+        out = np.empty((count, self._shape[0] * self._shape[1]))
+        for size in CHUNKS:
+            while count - begin >= size:
+                if size not in self._chunks:
+                    self._chunks[size] = _Chunk(self._function, size)
+                out[begin : begin + size] = self._chunks[size](points, begin)
+                begin += size
+        return out
+
+
+class _Chunk:
+    """A Function mapped to `size` points."""
+
+    def __init__(self, function: ca.Function, size: int) -> None:
+        self._size = size
+        self._inputs = [np.zeros((size, function.nnz_in(i))) for i in range(function.n_in())]
+        self._output = np.zeros((size, function.nnz_out(0)))
+        self._buffer, self._run = function.map(size).buffer()
+        for i, array in enumerate(self._inputs):
+            self._buffer.set_arg(i, array.reshape(-1).data)
+        self._buffer.set_res(0, self._output.reshape(-1).data)
+
+    def __call__(self, points: tuple[Array, ...], begin: int) -> Array:
+        """The outputs (size, k) at the points from `begin` on; the next call overwrites them."""
+        for array, values in zip(self._inputs, points, strict=True):
+            array[:] = values if values.ndim == 1 else values[begin : begin + self._size]
+        self._run()
+        return self._output

@@ -15,11 +15,13 @@ from functools import cached_property
 
 import numpy as np
 
-from manipplan.optimize.descents.constraints import ClearanceTable, LimitRows, LinearRows, RowFunctions
-from manipplan.optimize.descents.fixed_rows import FixedRows
+from manipplan.collision.look import NOTHING, Look
+from manipplan.optimize.descents.fixed_rows import FixedRows, FixedRowsAt
+from manipplan.optimize.descents.length import LengthModel
 from manipplan.optimize.descents.quadratic import LARGEST_PENALTY, Step, convex, solve_step
-from manipplan.optimize.descents.step_models import LengthModel, Look, Surroundings
-from manipplan.paths.joint import JointPath
+from manipplan.optimize.descents.rows import LimitRows, LinearRows, MeasuredRows, RowFunctions, rejected_rows
+from manipplan.optimize.descents.surroundings import Surroundings
+from manipplan.paths.curves import Curve
 from manipplan.support.checks import Array
 from manipplan.support.interrupts import interruptible
 
@@ -94,55 +96,77 @@ class DescentProgram:
     surroundings: Surroundings | None
     rows: FixedRows | None = None
 
-    def path(self, z: Array) -> JointPath:
-        """The path of unknowns z (f, n)."""
-        curves = self.length.curves
-        return curves.basis.path(curves.start, curves.goal, curves.coefficients(z))
-
-    def look(self, z: Array, radius: float) -> Look:
-        """The bodies near the path at z (f, n), within the distance that a step of `radius` can use up."""
+    def look(self, curve: Curve, radius: float) -> Look:
+        """The bodies near a curve, within the distance that a step of `radius` can use up."""
         if self.surroundings is None:
-            return Look.of()
-        return self.surroundings.look(self.path(z), min(max(BAND * radius, LEAST_BAND), MOST_BAND))
+            return NOTHING
+        return self.surroundings.look(curve, min(max(BAND * radius, LEAST_BAND), MOST_BAND))
 
-    def violation(self, z: Array, look: Look) -> float:
-        """The largest violation of limits and target clearance at z (f, n) [rad or m]."""
-        short = 0.0 if self.surroundings is None else max(self.surroundings.target - look.least, 0.0)
-        fixed = 0.0 if self.rows is None else self.rows.violation(z)
-        return max(short, fixed, self.limits.violation(z))
-
-    def rejected_rows(self, here: "_Point", there: "_Point") -> ClearanceTable | None:
-        """Rows with the separating planes of a rejected path `there`, except those too strict at `here`."""
-        if self.surroundings is None:
-            return None
-        table = ClearanceTable.of_rejected(
-            self.functions, self.length.curves, self.surroundings, self.path(there.z), there.look
-        )
-        return table.usable(here.z)
-
-    def table(self, z: Array, look: Look) -> ClearanceTable | FixedRows:
-        """The clearance rows at z (f, n)."""
-        return self.measured(z, look) if self.rows is None else self.rows
-
-    def measured(self, z: Array, look: Look) -> ClearanceTable:
-        """The clearance rows at z (f, n) of the bodies near there."""
-        return ClearanceTable.of(self.functions, self.length.curves, self.surroundings, self.path(z), look)
+    def measured(self, z: Array, radius: float = 0.0) -> MeasuredRows:
+        """The rows at z (f, n) of the bodies near there."""
+        assert self.surroundings is not None
+        curve = self.length.curves.curve(z)
+        return MeasuredRows.of(self.length.curves, self.surroundings, z, curve, self.look(curve, radius))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Point:
-    """A path that was tried: its unknowns (f, n), g over g₀, the bodies near it, and its largest violation [rad or m]."""
+    """A path that was tried.
 
+    Attributes:
+        program: what is minimised.
+        z: its unknowns (f, n).
+        value: g over g₀.
+        curve: the path.
+        look: the bodies near it.
+        control: (r, n) the control points that keep the joint limits.
+        violation: largest violation of limits and target clearance [rad or m].
+    """
+
+    program: DescentProgram
     z: Array
     value: float
+    curve: Curve
     look: Look
+    control: Array
     violation: float
 
     @classmethod
     def of(cls, program: DescentProgram, z: Array, radius: float) -> "_Point":
-        look = program.look(z, radius)
-        value = program.length.value(z)
-        return cls(z=z, value=value if np.isfinite(value) else np.inf, look=look, violation=program.violation(z, look))
+        curve, value = program.length.curves.curve(z), program.length.value(z)
+        look, control = program.look(curve, radius), program.limits.points(z)
+        short = 0.0 if program.surroundings is None else max(program.surroundings.target - look.least, 0.0)
+        fixed = None if program.rows is None else program.rows.at(z)
+        violation = max(short, 0.0 if fixed is None else fixed.violation, program.limits.violation(control))
+        point = cls(
+            program=program,
+            z=z,
+            value=value if np.isfinite(value) else np.inf,
+            curve=curve,
+            look=look,
+            control=control,
+            violation=violation,
+        )
+        if fixed is not None:
+            point.__dict__["rows"] = fixed  # their values are known
+        return point
+
+    @cached_property
+    def rows(self) -> MeasuredRows | FixedRowsAt | None:
+        """The clearance rows here; None where nothing is checked."""
+        program = self.program
+        if program.surroundings is None:
+            return None
+        return MeasuredRows.of(program.length.curves, program.surroundings, self.z, self.curve, self.look)
+
+    @property
+    def clearance(self) -> LinearRows:
+        """The clearance rows for steps from here."""
+        return LinearRows.none(self.z.size) if self.rows is None else self.rows.linear
+
+    def limits(self, radius: float) -> LinearRows:
+        """The joint limits that a step whose entries are at most `radius` can reach."""
+        return self.program.limits.near(self.control, radius)
 
     def merit(self, penalty: float) -> float:
         """φ = g + ν v."""
@@ -175,17 +199,17 @@ class _Model:
 
         The multipliers come from a first quadratic program, with the `previous` curvature (f n, f n) of the clearance.
         """
-        table = program.table(at.z, at.look)
-        clearance = table.linear(at.z, at.z)
         gradient, hessian = program.length.gradient(at.z).ravel(), program.length.hessian(at.z)
         if not (np.isfinite(gradient).all() and np.isfinite(hessian).all()):
             return None
-        rows = program.limits.near(at.z, radius).with_rows(clearance)
+        clearance = at.clearance
+        rows = at.limits(radius).with_rows(clearance)
         step = solve_step(convex(hessian - previous), gradient, rows, radius, penalty)
         if step is None:
             return None
         multipliers = step.multipliers
-        curvature = table.curvature(at.z, multipliers[len(multipliers) - len(clearance.value) :])
+        of_clearance = multipliers[len(multipliers) - len(clearance.value) :]
+        curvature = np.zeros_like(hessian) if at.rows is None else at.rows.curvature(of_clearance)
         active = multipliers > 0
         return cls(
             gradient=gradient,
@@ -211,12 +235,14 @@ class _Model:
         """The same without the addition: tried where `augmented` gives no step that lowers the merit function."""
         return convex(self.hessian), self.gradient
 
-    def with_rejected(self, program: DescentProgram, here: _Point, there: _Point) -> "_Model":
+    def with_rejected(self, here: _Point, there: _Point) -> "_Model":
         """The same model about `here`, with rows for the bodies that a rejected step met at `there`."""
-        table = program.rejected_rows(here, there)
-        if table is None:
+        program = here.program
+        if program.surroundings is None:
             return self
-        return replace(self, clearance=self.clearance.with_rows(table.linear(here.z, here.z)))
+        curves = program.length.curves
+        more = rejected_rows(program.functions, curves, program.surroundings, here.z, there.curve, there.look)
+        return self if more is None else replace(self, clearance=self.clearance.with_rows(more))
 
     def predicted_decrease(self, step: Step, restored: float, penalty: float) -> float:
         """Decrease of the merit function that the model predicts for a step that lowers the violation by `restored`.
@@ -272,7 +298,7 @@ def descend(
             if model is None:
                 return ended(count, FAILED)
             curvature = model.curvature
-        rows = program.limits.near(here.z, radius).with_rows(model.clearance)
+        rows = here.limits(radius).with_rows(model.clearance)
         quadratic = model.plain if is_plain else model.augmented
         step = solve_step(*quadratic, rows, radius, penalty)
         if step is None:
@@ -295,7 +321,7 @@ def descend(
         new, decrease = _tried(program, quadratic, here, step, predicted, radius, penalty)
         size = float(np.abs(step.p).max())
         if decrease <= ACCEPTED * predicted:
-            model = model.with_rejected(program, here, new)
+            model = model.with_rejected(here, new)
         else:
             here, model, wide_steps = new, None, 0
             penalty = max(penalty / 2, least_penalty)
@@ -334,8 +360,7 @@ def _tried(
     decrease = before - new.merit(penalty)
     if decrease > CORRECTED * predicted or new.violation < EXACT or not np.isfinite(new.value):
         return new, decrease
-    moved = program.table(new.z, new.look).linear(new.z, here.z)
-    rows = program.limits.near(here.z, radius).with_rows(moved)
+    rows = here.limits(radius).with_rows(new.clearance.from_step((here.z - new.z).ravel()))
     corrected = solve_step(*quadratic, rows, radius, penalty)
     if corrected is not None:
         other = _Point.of(program, here.z + corrected.p.reshape(here.z.shape), radius)

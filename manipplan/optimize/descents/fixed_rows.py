@@ -10,9 +10,9 @@ from functools import cached_property
 import numpy as np
 
 from manipplan.optimize.clearance import ClearanceRow
-from manipplan.optimize.descents.constraints import LinearRows, RowFunctions
-from manipplan.optimize.descents.step_models import Curves
-from manipplan.paths.rounding import product
+from manipplan.optimize.descents import arithmetic
+from manipplan.optimize.descents.length import Curves
+from manipplan.optimize.descents.rows import LEAST_BEND, LinearRows, RowFunctions
 from manipplan.support.checks import Array
 
 
@@ -39,36 +39,51 @@ class FixedRows:
         return cls(functions=functions, curves=curves, s=s, columns=columns)
 
     @cached_property
-    def _at(self) -> tuple[Array, Array]:
+    def changes(self) -> tuple[Array, Array]:
         """The curve at z = 0 (r, n) and its change with z (r, f), at the places of the rows."""
         return self.curves.at(self.s)
 
-    def _configurations(self, z: Array) -> Array:
-        line, values = self._at
-        return line + product(values, z)
+    def at(self, z: Array) -> "FixedRowsAt":
+        """The rows at z (f, n)."""
+        return FixedRowsAt(rows=self, z=z)
 
-    def values(self, z: Array) -> Array:
-        """The rows (r,) at z (f, n) [m]."""
-        return np.asarray(self.functions.value(self._configurations(z), self.columns)[:, 0, 0])
 
-    def violation(self, z: Array) -> float:
-        """The largest violation of a row at z (f, n) [m]; 0 when there is none."""
-        return max(-float(self.values(z).min()), 0.0)
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FixedRowsAt:
+    """Fixed rows at unknowns z (f, n)."""
 
-    def linear(self, z: Array, about: Array) -> LinearRows:
-        """The rows linearised at z (f, n), as functions of a step from `about` (f, n)."""
-        gradient = self.functions.gradient(self._configurations(z), self.columns)[:, :, 0]
-        jacobian = (self._at[1][:, :, None] * gradient[:, None, :]).reshape(len(self.s), z.size)
-        return LinearRows(value=self.values(z) + jacobian @ (about - z).ravel(), jacobian=jacobian)
+    rows: FixedRows
+    z: Array
 
-    def curvature(self, z: Array, multipliers: Array) -> Array:
-        """Σ_i λ_i ∇²d_i (f n, f n) at z (f, n), with multipliers λ (r,)."""
+    @cached_property
+    def _q(self) -> Array:
+        line, changes = self.rows.changes
+        return arithmetic.points(line, changes, self.z)
+
+    @cached_property
+    def values(self) -> Array:
+        """The rows (r,) [m]."""
+        return self.rows.functions.value.by_columns(self._q, self.rows.columns)[:, 0]
+
+    @property
+    def violation(self) -> float:
+        """The largest violation of a row [m]; 0 when there is none."""
+        return max(-float(self.values.min()), 0.0)
+
+    @cached_property
+    def linear(self) -> LinearRows:
+        """The rows for steps from z."""
+        gradients = self.rows.functions.gradient.by_columns(self._q, self.rows.columns)
+        return LinearRows.of(self.values, self.rows.changes[1], gradients)
+
+    def curvature(self, multipliers: Array) -> Array:
+        """Σ_i λ_i ∇²d_i (f n, f n), with multipliers λ (r,)."""
         used = np.flatnonzero(multipliers > 0)
-        size, n = z.shape
-        total = np.zeros((size, n, size, n))
-        if len(used):
-            values = self._at[1][used]
-            hessians = self.functions.hessian(self._configurations(z)[used], self.columns[used]) * multipliers[used, None, None]
-            squares = (values[:, :, None] * values[:, None, :]).reshape(len(used), -1)
-            total += product(squares.T, hessians.reshape(len(used), -1)).reshape(size, size, n, n).transpose(0, 2, 1, 3)
-        return total.reshape(z.size, z.size)
+        if not len(used):
+            return np.zeros((self.z.size, self.z.size))
+        changes, q = self.rows.changes[1][used], self._q[used]
+        hessians = self.rows.functions.hessian(q, self.rows.columns[used])
+        still = np.zeros_like(q)
+        return arithmetic.curvature(
+            multipliers[used], changes, changes, still, still, still, hessians, np.zeros(len(used), dtype=bool), LEAST_BEND
+        )

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 import daqp
 import numpy as np
 
-from manipplan.optimize.descents.constraints import LinearRows
-from manipplan.paths.rounding import on_grid, with_bits
+from manipplan.optimize.descents import arithmetic
+from manipplan.optimize.descents.rows import LinearRows
+from manipplan.paths.rounding import with_bits
 from manipplan.support.checks import Array
 
 #: Minimum eigenvalue of a convex model, as a share of the largest absolute one.
@@ -33,6 +34,9 @@ class Step:
 
 def convex(hessian: Array) -> Array:
     """The symmetric part of a matrix, with its negative and small eigenvalues raised to a small positive one."""
+    unchanged = arithmetic.convex_part(hessian, LEAST_CURVATURE)
+    if unchanged is not None:
+        return unchanged
     values, vectors = np.linalg.eigh((hessian + hessian.T) / 2)
     values = np.maximum(values, LEAST_CURVATURE * np.abs(values).max())
     return np.asarray((vectors * values) @ vectors.T)
@@ -47,11 +51,10 @@ def solve_step(hessian: Array, gradient: Array, rows: LinearRows, radius: float,
     size = len(gradient)
     bound = np.full(size, radius)
     # rows that no step reaches cannot be active
-    within = np.flatnonzero(rows.value < radius * np.abs(rows.jacobian).sum(axis=1) + ROW_SPACING)
+    within, least, jacobian = arithmetic.rows_within(rows.value, rows.jacobian, radius, ROW_SPACING, QP_BITS)
     multipliers = np.zeros(len(rows.value))
     hessian, gradient = with_bits(hessian, QP_BITS), with_bits(gradient, QP_BITS)
-    rows = LinearRows(value=on_grid(rows.value[within], ROW_SPACING), jacobian=with_bits(rows.jacobian[within], QP_BITS))
-    step = _daqp(hessian, gradient, rows.jacobian, -rows.value, -bound, bound)
+    step = _daqp(hessian, gradient, jacobian, least, -bound, bound)
     if step is not None and step.multipliers.sum() < LARGEST_PENALTY:
         multipliers[within] = step.multipliers
         return Step(p=with_bits(step.p, STEP_BITS), slack=0.0, multipliers=multipliers)
@@ -60,8 +63,8 @@ def solve_step(hessian: Array, gradient: Array, rows: LinearRows, radius: float,
     penalty = max(penalty, SOFT_PENALTY)
     whole = np.diag(np.append(np.full(size, SOFT * largest), SOFT * penalty))
     whole[:size, :size] += hessian
-    jacobian = np.hstack([rows.jacobian, np.ones((len(rows.value), 1))])
-    soft = _daqp(whole, np.append(gradient, penalty), jacobian, -rows.value, np.append(-bound, 0.0), np.append(bound, NONE))
+    jacobian = np.hstack([jacobian, np.ones((len(least), 1))])
+    soft = _daqp(whole, np.append(gradient, penalty), jacobian, least, np.append(-bound, 0.0), np.append(bound, NONE))
     if soft is None:
         return None
     multipliers[within] = soft.multipliers

@@ -1,0 +1,223 @@
+/* Where pairs of bodies are near along a curve: at the places of a grid, and at the bottoms of dips between them. All arrays
+   belong to the caller.
+
+   A bottom is searched for inside a bracket: two steps go to the minimum of a parabola, every third halves the longer side. */
+
+#include <math.h>
+#include <stdlib.h>
+
+typedef struct {
+    double low, middle, high;   /* places s on the curve */
+    double left, least, right;  /* the distances there [m] */
+    double next, found;         /* the place of which the distance is asked, and the answer; NaN: nothing is asked, or known */
+    long steps;                 /* number of steps taken */
+} Bracket;
+
+typedef struct {
+    const void *curve;
+    long (*curve_at)(const void *curve, const double *s, long m, double spacing, double *out);  /* manipplan_curve */
+    double spacing;             /* of the grid of configurations [rad or m] */
+    const void *world;
+    void (*distance)(const void *world, const double *q, long m, const long *bodies, const double *reach, double *out,
+                     long *leaf);                                                               /* manipplan_pairs */
+    double grid;                /* spacing of the grid of distances [m] */
+    double enough;              /* width at which a bracket is narrow enough */
+    long most_steps;
+} Dips;
+
+enum { MOST_JOINTS = 64 };  /* the caller sees to it that there are no more */
+
+/* The distance at s, rounded to the grid; NaN where the kernel cannot tell. */
+static double distance_at(const Dips *d, double s, const long *bodies) {
+    double q[MOST_JOINTS], reach = INFINITY, out;
+    long leaf;
+    if (d->curve_at(d->curve, &s, 1, d->spacing, q)) return NAN;
+    d->distance(d->world, q, 1, bodies, &reach, &out, &leaf);
+    return rint(out / d->grid) * d->grid;
+}
+
+static int is_done(const Dips *d, const Bracket *b) {
+    return b->steps >= d->most_steps || !(b->high - b->low >= d->enough);
+}
+
+/* The place inside the bracket where the next distance is measured. */
+static double next_place(const Dips *d, const Bracket *b) {
+    double left = b->middle - b->low, right = b->high - b->middle, longer = left > right ? -left / 2 : right / 2;
+    double falls = (b->left - b->least) / left, rises = (b->right - b->least) / right;
+    double parabola = (right * falls - left * rises) / (2 * (falls + rises));
+    int usable = isfinite(parabola) && parabola > -left && parabola < right && b->steps % 3 < 2;
+    double change = usable ? parabola : longer, gap = fmax(0.02 * (left + right), d->enough / 4);
+    if (fabs(change) < gap) change = copysign(gap, longer);
+    return fmin(fmax(b->middle + change, b->low), b->high);
+}
+
+/* The nearer of the middle and the new place becomes the middle, the other an end of the bracket. */
+static void narrow(Bracket *b, double place, double value) {
+    int better = value < b->least, after = place > b->middle;
+    double end = better ? b->middle : place, end_value = better ? b->least : value;
+    if (better == after) b->low = end, b->left = end_value;
+    else b->high = end, b->right = end_value;
+    if (better) b->middle = place, b->least = value;
+    b->steps++;
+}
+
+/* Narrow m brackets, of the pairs bodies (m, 2). Returns how many wait for a distance that the kernel cannot tell. */
+long manipplan_bottoms(const Dips *d, const long *bodies, long m, Bracket *bracket) {
+    long waiting = 0;
+    for (long k = 0; k < m; k++) {
+        Bracket *b = bracket + k;
+        if (!isnan(b->next)) {
+            narrow(b, b->next, b->found);
+            b->next = NAN;
+        }
+        while (!is_done(d, b)) {
+            double place = next_place(d, b), value = distance_at(d, place, bodies + 2 * k);
+            if (isnan(value)) {
+                b->next = place, waiting++;
+                break;
+            }
+            narrow(b, place, value);
+        }
+    }
+    return waiting;
+}
+
+typedef struct {
+    long n, pairs;              /* number of joints and of pairs */
+    const long *bodies;         /* (pairs, 2) */
+    long (*near)(const void *world, const double *q, long m, const double *reach, long room, long *where,
+                 double *out);  /* manipplan_near */
+    long places, spacing;       /* number of places of the grid; every so many have a wider band */
+    const double *s;            /* (places) from 0 to 1 */
+    double target;              /* distance to keep [m] */
+    double close;               /* every place nearer than the target plus this is returned [m] */
+    double deep;                /* dips that may be below the target plus this are searched for their bottoms [m] */
+    double farthest;            /* distances are cut off at the target plus this [m] */
+    long known;                 /* number of places around which there is always a search */
+    const double *known_s;
+    const long *known_pair;
+    double *q, *reach;          /* work: (places, n), (places) */
+    long room;
+    long *where;                /* work: (room) */
+    double *distance;           /* work: (room) */
+    Bracket *bracket;           /* work: (room + known) */
+    long *bracket_pair;         /* work: (room + known) */
+    long *bracket_bodies;       /* work: (room + known, 2) */
+} Look;
+
+typedef struct {
+    double distance, s;         /* signed distance [m], place on the curve */
+    long pair, is_bottom;
+} Found;
+
+enum { UNKNOWN_TO_THE_KERNEL = -1, MORE_ROOM = -2 };
+
+/* By distance, place, pair, and bottoms last. */
+static int order(const void *one, const void *two) {
+    const Found *a = one, *b = two;
+    if (a->distance != b->distance) return a->distance < b->distance ? -1 : 1;
+    if (a->s != b->s) return a->s < b->s ? -1 : 1;
+    if (a->pair != b->pair) return a->pair < b->pair ? -1 : 1;
+    return (int)(a->is_bottom - b->is_bottom);
+}
+
+/* Order the near pairs of one place, from `begin` to `end`, by their numbers. They are few. */
+static void order_pairs(const Look *l, long begin, long end) {
+    for (long k = begin + 1; k < end; k++) {
+        long where = l->where[k], i = k;
+        double distance = l->distance[k];
+        for (; i > begin && l->where[i - 1] > where; i--) l->where[i] = l->where[i - 1], l->distance[i] = l->distance[i - 1];
+        l->where[i] = where, l->distance[i] = distance;
+    }
+}
+
+/* The near pairs of every place that are nearer than its reach, ordered, with rounded distances. Returns their number. */
+static long near_pairs(const Dips *d, const Look *l) {
+    long count = l->near(d->world, l->q, l->places, l->reach, l->room, l->where, l->distance), kept = 0;
+    if (count > l->room) return MORE_ROOM;
+    for (long k = 0; k < count; k++) {
+        if (isnan(l->distance[k])) return UNKNOWN_TO_THE_KERNEL;
+        if (l->distance[k] >= l->reach[l->where[k] / l->pairs]) continue;
+        l->where[kept] = l->where[k], l->distance[kept++] = rint(l->distance[k] / d->grid) * d->grid;
+    }
+    for (long begin = 0, end; begin < kept; begin = end) {
+        long row = l->where[begin] / l->pairs;
+        for (end = begin; end < kept && l->where[end] / l->pairs == row; end++) {}
+        order_pairs(l, begin, end);
+    }
+    return kept;
+}
+
+/* The distance of the entry `wanted` (row times pairs plus pair), at most `most`; `most` as well if there is none from `start` on
+   and before `end`. `start` moves to it. */
+static double beside(const Look *l, long *start, long end, long wanted, double most) {
+    while (*start < end && l->where[*start] < wanted) ++*start;
+    return *start < end && l->where[*start] == wanted ? fmin(l->distance[*start], most) : most;
+}
+
+/* A bracket whose distances are measured where they are NaN. Returns whether the kernel could tell them. */
+static int complete(const Dips *d, Bracket *b, const long *bodies) {
+    if (isnan(b->least)) b->least = distance_at(d, b->middle, bodies);
+    if (isnan(b->left)) b->left = distance_at(d, b->low, bodies);
+    if (isnan(b->right)) b->right = distance_at(d, b->high, bodies);
+    return !isnan(b->least) && !isnan(b->left) && !isnan(b->right);
+}
+
+/* Brackets around all dips of a profile of `count` entries that may be near the target. Returns their number. */
+static long brackets(const Look *l, long count) {
+    double most = l->target + l->farthest;
+    long found = 0, before = 0, after = 0;
+    for (long k = 0; k < count; k++) {
+        long row = l->where[k] / l->pairs, last = l->places - 1;
+        double here = fmin(l->distance[k], most), left = INFINITY, right = INFINITY, higher = -INFINITY;
+        if (row > 0) higher = left = beside(l, &before, k, l->where[k] - l->pairs, most);
+        if (row < last) right = beside(l, &after, count, l->where[k] + l->pairs, most), higher = fmax(higher, right);
+        /* a dip between places is rarely further below its middle than the higher side is above it */
+        if (!(left >= here && right > here && here - (higher - here) < l->target + l->deep)) continue;
+        /* what is cut off is measured; at an end of the curve the bracket ends at the dip itself */
+        Bracket new = {.low = l->s[row > 0 ? row - 1 : 0], .middle = l->s[row], .high = l->s[row < last ? row + 1 : last],
+                       .left = row == 0 ? here : left < most ? left : NAN, .least = here,
+                       .right = row == last ? here : right < most ? right : NAN, .next = NAN};
+        l->bracket[found] = new, l->bracket_pair[found++] = l->where[k] % l->pairs;
+    }
+    return found;
+}
+
+/* Where pairs are near along the curve of `dips`: places of the grid nearer than the target plus `close`, every so many nearer than
+   the target plus `band`, and the bottoms of dips, ordered. Returns their number; negative where there is no room for them, or the
+   kernel cannot tell a distance. `out`: (2 room + known). */
+long manipplan_look(const Dips *d, const Look *l, double band, Found *out) {
+    for (long i = 0; i < l->places; i++) {
+        double wide = l->target + (i % l->spacing == 0 && band > l->farthest ? band : l->farthest);
+        l->reach[i] = wide > 0 ? wide : 0;
+    }
+    d->curve_at(d->curve, l->s, l->places, d->spacing, l->q);
+    long count = near_pairs(d, l), all = 0;
+    if (count < 0) return count;
+    for (long k = 0; k < count; k++) {
+        long row = l->where[k] / l->pairs;
+        int is_close = l->distance[k] < l->target + l->close;
+        if (!is_close && !(row % l->spacing == 0 && l->distance[k] < l->target + band)) continue;
+        Found near = {l->distance[k], l->s[row], l->where[k] % l->pairs, 0};
+        out[all++] = near;
+    }
+    long dips = brackets(l, count);
+    for (long k = 0; k < l->known; k++) {
+        double at = l->known_s[k], step = 1.0 / (double)(l->places - 1);
+        Bracket new = {.low = fmax(at - step, 0.0), .middle = at, .high = fmin(at + step, 1.0), .left = NAN, .least = NAN,
+                       .right = NAN, .next = NAN};
+        l->bracket[dips] = new, l->bracket_pair[dips++] = l->known_pair[k];
+    }
+    for (long k = 0; k < dips; k++) {
+        long *bodies = l->bracket_bodies + 2 * k;
+        bodies[0] = l->bodies[2 * l->bracket_pair[k]], bodies[1] = l->bodies[2 * l->bracket_pair[k] + 1];
+        if (!complete(d, l->bracket + k, bodies)) return UNKNOWN_TO_THE_KERNEL;
+    }
+    if (manipplan_bottoms(d, l->bracket_bodies, dips, l->bracket)) return UNKNOWN_TO_THE_KERNEL;
+    for (long k = 0; k < dips; k++) {
+        Found bottom = {l->bracket[k].least, l->bracket[k].middle, l->bracket_pair[k], 1};
+        out[all++] = bottom;
+    }
+    qsort(out, (size_t)all, sizeof *out, order);
+    return all;
+}
