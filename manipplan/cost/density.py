@@ -6,6 +6,7 @@ the polynomials of one degree, which cannot represent every re-parametrisation, 
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import casadi as ca
 
@@ -33,14 +34,25 @@ CONSTANCY = 1e-6
 
 @dataclass(frozen=True, kw_only=True)
 class Density:
-    """A density e(q, v, g₀, p, ε) as CasADi Functions of (q, v, [g₀, p, ε]): value, gradient (2n), Hessian (2n, 2n) in (q, v).
+    """A density e(q, v, g₀, p, ε) as CasADi Functions of (q, v, [g₀, p, ε]).
 
     g₀ is an estimate of the path's g; the energy does not depend on it. Exponent and floor are arguments: one build serves all.
+
+    Attributes:
+        value: e.
+        gradient: (2n,) in (q, v).
+        derivatives: (2n, 1 + 2n) gradient and Hessian side by side.
     """
 
     value: ca.Function
     gradient: ca.Function
-    hessian: ca.Function
+    derivatives: ca.Function
+
+    @cached_property
+    def hessian(self) -> ca.Function:
+        """The Hessian (2n, 2n) in (q, v)."""
+        at = [ca.MX.sym(name, self.value.size1_in(k)) for k, name in enumerate(("q", "v", "numbers"))]
+        return ca.Function("density_hessian", at, [self.derivatives(*at)[:, 1:]])
 
 
 def energy_density(integral: PathIntegral) -> Density:
@@ -123,9 +135,9 @@ def _density(
     functions = [
         ca.Function(f"path_{name}", at, [value]),
         ca.Function(f"path_{name}_gradient", at, [ca.densify(gradient)]),
-        ca.Function(f"path_{name}_hessian", at, [ca.densify(hessian)]),
+        ca.Function(f"path_{name}_derivatives", at, [ca.densify(ca.horzcat(gradient, hessian))]),
     ]
     kinematics = integral.kinematics
     subject = f"the {name} of paths of {kinematics.robot.name}"
     made = as_asked(functions, kinematics.compiled, subject)
-    return Density(value=made[0], gradient=made[1], hessian=made[2])
+    return Density(value=made[0], gradient=made[1], derivatives=made[2])

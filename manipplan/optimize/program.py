@@ -173,8 +173,8 @@ class PathProgram:
         return LimitRows(
             line=curves.start + np.outer(hull.line, curves.goal - curves.start) + hull.rows @ curves.kept.T,
             directions=hull.rows @ curves.directions,
-            lower=limits.lower if limited else -unlimited,
-            upper=limits.upper if limited else unlimited,
+            lower=limits.lower.copy() if limited else -unlimited,
+            upper=limits.upper.copy() if limited else unlimited,
         )
 
     @interruptible()

@@ -17,7 +17,7 @@ _P, _N, _D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
 SIGNATURES: dict[str, tuple[Any, ...]] = {
     "points": (None, *[_N] * 3, *[_P] * 4),
     "gradient": (None, *[_N] * 3, *[_P] * 5),
-    "hessian": (None, *[_N] * 3, *[_P] * 6),
+    "derivatives": (None, *[_N] * 3, *[_P] * 7),
     "violation": (_D, *[_N] * 2, *[_P] * 3),
     "limits": (_N, *[_N] * 3, *[_P] * 7),
     "curvature": (None, *[_N] * 3, *[_P] * 8, _D, *[_P] * 2),
@@ -33,8 +33,8 @@ def _calls() -> dict[str, Callable[..., Any]]:
     return {name: ctypes.PYFUNCTYPE(*types)(code.address(f"manipplan_{name}")) for name, types in SIGNATURES.items()}
 
 
-def _at(array: NDArray[Any]) -> int:
-    return array.ctypes.data
+#: What a compiled function takes for an array, which has to be contiguous and writable. `array.ctypes` takes five times as long.
+_at = (ctypes.c_char * 0).from_buffer
 
 
 def points(line: Array, values: Array, z: Array) -> Array:
@@ -58,12 +58,18 @@ def gradient(weights: Array, values: Array, slopes: Array, each: Array) -> Array
     return out
 
 
-def hessian(n: int, weights: Array, values: Array, slopes: Array, each: Array) -> Array:
-    """The Hessian (f n, f n) of the same, with the Hessians of e (m, 4 n²), which are symmetric."""
+def derivatives(n: int, weights: Array, values: Array, slopes: Array, each: Array) -> tuple[Array, Array]:
+    """The same gradient (f, n), and the Hessian (f n, f n).
+
+    Args:
+        n: number of joints.
+        weights, values, slopes: as above.
+        each: (m, 2 n + 4 n²) gradients and Hessians of e.
+    """
     f = values.shape[1]
-    out, work = np.empty((f * n, f * n)), np.empty((f * f + 6) * n * n)
-    _calls()["hessian"](len(weights), n, f, *map(_at, (weights, values, slopes, each, work, out)))
-    return out
+    first, second, work = np.empty((f, n)), np.empty((f * n, f * n)), np.empty((f * f + 6) * n * n)
+    _calls()["derivatives"](len(weights), n, f, *map(_at, (weights, values, slopes, each, work, first, second)))
+    return first, second
 
 
 def violation(points: Array, lower: Array, upper: Array) -> float:

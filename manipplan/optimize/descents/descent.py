@@ -184,6 +184,8 @@ class _Model:
         active: the active rows.
         bend: largest diagonal entry of the Hessian of g.
         curvature: (f n, f n) Σ_i λ_i ∇²d_i of the clearance rows.
+        first: where no row is active, the convex Hessian of the first quadratic program, its radius and its step, which are
+            those of the model itself; otherwise None.
     """
 
     gradient: Array
@@ -192,6 +194,7 @@ class _Model:
     active: LinearRows
     bend: float
     curvature: Array
+    first: tuple[Array, float, Step] | None
 
     @classmethod
     def of(cls, program: DescentProgram, at: _Point, radius: float, penalty: float, previous: Array) -> "_Model | None":
@@ -199,12 +202,14 @@ class _Model:
 
         The multipliers come from a first quadratic program, with the `previous` curvature (f n, f n) of the clearance.
         """
-        gradient, hessian = program.length.gradient(at.z).ravel(), program.length.hessian(at.z)
+        slope, hessian = program.length.derivatives(at.z)
+        gradient = slope.ravel()
         if not (np.isfinite(gradient).all() and np.isfinite(hessian).all()):
             return None
         clearance = at.clearance
         rows = at.limits(radius).with_rows(clearance)
-        step = solve_step(convex(hessian - previous), gradient, rows, radius, penalty)
+        quadratic = convex(hessian - previous)
+        step = solve_step(quadratic, gradient, rows, radius, penalty)
         if step is None:
             return None
         multipliers = step.multipliers
@@ -218,7 +223,15 @@ class _Model:
             active=LinearRows(value=rows.value[active], jacobian=rows.jacobian[active]),
             bend=float(np.abs(np.diag(hessian)).max()),
             curvature=curvature,
+            first=None if active.any() or previous.any() else (quadratic, radius, step),
         )
+
+    def step(self, here: _Point, radius: float, penalty: float, *, is_plain: bool) -> Step | None:
+        """The step of the model in a trust region; None where DAQP fails."""
+        if self.first is not None and self.first[1] == radius:
+            return self.first[2]
+        quadratic = self.plain if is_plain else self.augmented
+        return solve_step(*quadratic, here.limits(radius).with_rows(self.clearance), radius, penalty)
 
     @cached_property
     def augmented(self) -> tuple[Array, Array]:
@@ -226,6 +239,8 @@ class _Model:
 
         The addition does not change the step while these rows stay active.
         """
+        if self.first is not None:
+            return self.first[0], self.gradient
         value, jacobian = self.active.value, self.active.jacobian
         rho = self.bend / max(float((jacobian**2).sum(axis=1).max(initial=0.0)), 1e-12)
         return convex(self.hessian + rho * jacobian.T @ jacobian), self.gradient + rho * jacobian.T @ value
@@ -233,7 +248,7 @@ class _Model:
     @cached_property
     def plain(self) -> tuple[Array, Array]:
         """The same without the addition: tried where `augmented` gives no step that lowers the merit function."""
-        return convex(self.hessian), self.gradient
+        return self.augmented if self.first is not None else (convex(self.hessian), self.gradient)
 
     def with_rejected(self, here: _Point, there: _Point) -> "_Model":
         """The same model about `here`, with rows for the bodies that a rejected step met at `there`."""
@@ -242,7 +257,7 @@ class _Model:
             return self
         curves = program.length.curves
         more = rejected_rows(program.functions, curves, program.surroundings, here.z, there.curve, there.look)
-        return self if more is None else replace(self, clearance=self.clearance.with_rows(more))
+        return self if more is None else replace(self, clearance=self.clearance.with_rows(more), first=None)
 
     def predicted_decrease(self, step: Step, restored: float, penalty: float) -> float:
         """Decrease of the merit function that the model predicts for a step that lowers the violation by `restored`.
@@ -298,9 +313,7 @@ def descend(
             if model is None:
                 return ended(count, FAILED)
             curvature = model.curvature
-        rows = here.limits(radius).with_rows(model.clearance)
-        quadratic = model.plain if is_plain else model.augmented
-        step = solve_step(*quadratic, rows, radius, penalty)
+        step = model.step(here, radius, penalty, is_plain=is_plain)
         if step is None:
             return ended(count, FAILED)
         if step.slack == 0.0:  # φ is exact where ν is larger than Σ λ [nocedal2006, sec. 17.2]
@@ -318,6 +331,7 @@ def descend(
             else:
                 return ended(count, "no step lowers g")
             continue
+        quadratic = model.plain if is_plain else model.augmented
         new, decrease = _tried(program, quadratic, here, step, predicted, radius, penalty)
         size = float(np.abs(step.p).max())
         if decrease <= ACCEPTED * predicted:

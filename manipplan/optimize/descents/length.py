@@ -70,18 +70,19 @@ class Curves:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class BatchDensity:
-    """A density's value, gradient and Hessian at many points."""
+    """A density's value, its gradient, and both derivatives at many points."""
 
     value: BatchFunction
     gradient: BatchFunction
-    hessian: BatchFunction
+    derivatives: BatchFunction
 
     @classmethod
     def of(cls, density: Density) -> "BatchDensity":
         """The three functions of a density with buffers of their own."""
-        return cls(
-            value=BatchFunction(density.value), gradient=BatchFunction(density.gradient), hessian=BatchFunction(density.hessian)
+        value, gradient, derivatives = (
+            BatchFunction(each) for each in (density.value, density.gradient, density.derivatives)
         )
+        return cls(value=value, gradient=gradient, derivatives=derivatives)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -140,11 +141,11 @@ class LengthModel:
         _, _, values, slopes = self._values
         return arithmetic.gradient(self._shares, values, slopes, self.density.gradient.by_columns(*self._points(z)))
 
-    def hessian(self, z: Array) -> Array:
-        """Its Hessian (f n, f n), z in row-major order."""
+    def derivatives(self, z: Array) -> tuple[Array, Array]:
+        """Its gradient (f, n) and Hessian (f n, f n), z in row-major order."""
         _, _, values, slopes = self._values
-        each = self.density.hessian.by_columns(*self._points(z))
-        return arithmetic.hessian(z.shape[1], self._shares, values, slopes, each)
+        each = self.density.derivatives.by_columns(*self._points(z))
+        return arithmetic.derivatives(z.shape[1], self._shares, values, slopes, each)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -175,5 +176,5 @@ class MovingLengthModel(LengthModel):
     def gradient(self, z: Array) -> Array:
         return self.at(z).gradient(z)
 
-    def hessian(self, z: Array) -> Array:
-        return self.at(z).hessian(z)
+    def derivatives(self, z: Array) -> tuple[Array, Array]:
+        return self.at(z).derivatives(z)

@@ -14,26 +14,34 @@ void manipplan_points(long m, long n, long f, const double *line, const double *
             for (long j = 0; j < n; j++) out[j] += values[a] * z[a * n + j];
 }
 
-/* The gradient (f, n) of Σ_i w_i e(q_i, q'_i) by z: q and q' change with z by values and slopes (m, f), and each (m, 2n) holds
-   the derivatives of e by q and q'. */
+/* Add to the gradient (f, n) of Σ_i w_i e(q_i, q'_i) by z the part of one point: q and q' change with z by values and slopes (f),
+   and each (2n) holds the derivatives of e by q and q'. */
+static void add_slope(long n, long f, double weight, const double *values, const double *slopes, const double *each, double *out) {
+    for (long a = 0; a < f; a++, out += n) {
+        double by_q = weight * values[a], by_slope = weight * slopes[a];
+        for (long j = 0; j < n; j++) out[j] += by_q * each[j] + by_slope * each[n + j];
+    }
+}
+
+/* The gradient (f, n), with values and slopes (m, f), and each (m, 2n). */
 void manipplan_gradient(long m, long n, long f, const double *weight, const double *values, const double *slopes,
                         const double *each, double *out) {
     memset(out, 0, (size_t)(f * n) * sizeof *out);
-    for (long i = 0; i < m; i++, each += 2 * n)
-        for (long a = 0; a < f; a++) {
-            double by_q = weight[i] * values[i * f + a], by_slope = weight[i] * slopes[i * f + a];
-            for (long j = 0; j < n; j++) out[a * n + j] += by_q * each[j] + by_slope * each[n + j];
-        }
+    for (long i = 0; i < m; i++) add_slope(n, f, weight[i], values + i * f, slopes + i * f, each + i * 2 * n, out);
 }
 
-/* The Hessian (f n, f n) of the same, with the Hessians of e (m, 2n, 2n). `work`: f f n n + 6 n n numbers. */
-void manipplan_hessian(long m, long n, long f, const double *weight, const double *values, const double *slopes,
-                       const double *each, double *work, double *out) {
+/* The gradient and the Hessian (f n, f n), with the gradients and after each of them the Hessian of e (m, 2n + 4n²). `work`:
+   f f n n + 6 n n numbers. */
+void manipplan_derivatives(long m, long n, long f, const double *weight, const double *values, const double *slopes,
+                           const double *each, double *work, double *gradient, double *out) {
     long square = n * n, size = f * n;
     double *total = work, *qq = work + f * f * square, *qv = qq + square, *vq = qv + square, *vv = vq + square;
     double *first = vv + square, *second = first + square;
+    memset(gradient, 0, (size_t)size * sizeof *gradient);
     memset(total, 0, (size_t)(f * f * square) * sizeof *total);
     for (long i = 0; i < m; i++, each += 4 * square, values += f, slopes += f) {
+        add_slope(n, f, weight[i], values, slopes, each, gradient);
+        each += 2 * n;
         for (long j = 0; j < n; j++)
             for (long k = 0; k < n; k++) {
                 qq[j * n + k] = weight[i] * each[j * 2 * n + k], qv[j * n + k] = weight[i] * each[j * 2 * n + n + k];

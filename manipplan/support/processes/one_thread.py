@@ -3,8 +3,14 @@
 On a busy machine the waiting takes several times the time of the work.
 """
 
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from threadpoolctl import ThreadpoolController
 
 
 @contextmanager
@@ -13,7 +19,13 @@ def one_thread() -> Iterator[None]:
 
     Where BLAS has one setting for the process, the first of several threads decides, as threadpoolctl says.
     """
-    from threadpoolctl import threadpool_limits
-
-    with threadpool_limits(limits=1, user_api="blas"):
+    with _libraries(len(sys.modules)).limit(limits=1, user_api="blas"):
         yield
+
+
+@lru_cache(maxsize=1)
+def _libraries(_modules: int) -> "ThreadpoolController":
+    """The libraries of the process, which are searched for again when more modules have been imported: it takes 2 ms."""
+    from threadpoolctl import ThreadpoolController
+
+    return ThreadpoolController()
