@@ -254,6 +254,13 @@ def _minimum_manipulability(path: JointPath, kinematics: Kinematics) -> tuple[fl
 
     Where a path crosses a singularity, m has a sharp kink, which no fixed grid would hit.
     """
+    panels = Panels.of(path, kinematics, 1.0, 0.0, POINTS)
+    found = None if panels is None else panels.minimum(INTERVALS, DEEPEST, GRIDS, GRID_INTERVALS)
+    return _minimum_by_numpy(path, kinematics) if found is None else found
+
+
+def _minimum_by_numpy(path: JointPath, kinematics: Kinematics) -> tuple[float, float, float]:
+    """As `_minimum_manipulability`."""
     s = np.linspace(0.0, 1.0, INTERVALS + 1)
     values = kinematics.manipulability(path(s))
     padded = np.concatenate([[np.inf], values, [np.inf]])

@@ -1,4 +1,5 @@
-/* Integrals ∫ ‖q'‖ / (m² + ε²)^(p/2) ds over parts of a path, by Gauss points. Sums are taken in NumPy's order. */
+/* Integrals ∫ ‖q'‖ / (m² + ε²)^(p/2) ds over parts of a path, by Gauss points, and the minimum of m on it. Sums are taken in
+   NumPy's order. */
 
 #include <math.h>
 #include <stdlib.h>
@@ -113,4 +114,51 @@ long manipplan_fine_panels(const Integral *f, double *edges, long count, long ro
     }
     free(begin);
     return all;
+}
+
+/* m at `count` places s of the path. Returns 1 where that fails. `q`: (count, n). */
+static int measured(const Integral *f, const double *s, long count, double *q, double *m) {
+    return f->evaluate(f->path, s, count, 0, q) || f->measure(q, m, count);
+}
+
+/* Evenly spaced places from `low` to `high`, as NumPy's linspace gives them. */
+static void spread(double low, double high, long intervals, double *s) {
+    double step = (high - low) / (double)intervals;
+    for (long i = 0; i < intervals; i++) s[i] = low + (double)i * step;
+    s[intervals] = high;
+}
+
+/* The minimum of m on the path, its place, and the maximum on the first grid: out (3). On that grid of so many intervals the
+   `deepest` dips are found, and each is searched on `grids` successively finer grids of `fine` intervals. Returns 1 where that
+   fails. */
+int manipplan_minimum(const Integral *f, long intervals, long deepest, long grids, long fine, double *out) {
+    long most = intervals > fine ? intervals + 1 : fine + 1;
+    double *s = malloc((size_t)(most * (f->n + 2)) * sizeof *s), *low = malloc((size_t)(3 * deepest) * sizeof *low);
+    int failed = !s || !low;
+    if (!failed) {
+        double *m = s + most, *q = m + most, *high = low + deepest, *bottom = high + deepest;
+        long dips = 0;
+        spread(0, 1, intervals, s);
+        failed = measured(f, s, intervals + 1, q, m);
+        out[0] = INFINITY, out[1] = 0, out[2] = -INFINITY;
+        for (long i = 0; i <= intervals && !failed; i++) {
+            if (m[i] > out[2]) out[2] = m[i];
+            if ((i > 0 && m[i] > m[i - 1]) || (i < intervals && m[i] > m[i + 1])) continue;
+            if (dips == deepest && bottom[dips - 1] <= m[i]) continue;
+            long k = dips < deepest ? dips++ : dips - 1;    /* when there are enough, the shallowest is dropped */
+            for (; k > 0 && bottom[k - 1] > m[i]; k--) bottom[k] = bottom[k - 1], low[k] = low[k - 1], high[k] = high[k - 1];
+            bottom[k] = m[i], low[k] = s[i > 0 ? i - 1 : 0], high[k] = s[i < intervals ? i + 1 : intervals];
+        }
+        for (long k = 0; k < dips && !failed; k++)
+            for (long grid = 0; grid < grids && !failed; grid++) {
+                long at = 0;
+                spread(low[k], high[k], fine, s);
+                failed = measured(f, s, fine + 1, q, m);
+                for (long i = 1; i <= fine; i++) if (m[i] < m[at]) at = i;
+                if (!failed && m[at] < out[0]) out[0] = m[at], out[1] = s[at];
+                low[k] = s[at > 0 ? at - 1 : 0], high[k] = s[at < fine ? at + 1 : fine];
+            }
+    }
+    free(s), free(low);
+    return failed;
 }

@@ -1,4 +1,7 @@
-"""Integrals over quadrature panels by the compiled `panels.c`, which calls the compiled curve and the compiled measure."""
+"""Integrals over quadrature panels, and the minimum manipulability, by the compiled `panels.c`.
+
+It calls the compiled curve and the compiled measure.
+"""
 
 import ctypes
 from collections.abc import Callable
@@ -24,6 +27,7 @@ _P, _N, _D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
 SIGNATURES: dict[str, tuple[Any, ...]] = {
     "panels": (ctypes.c_int, _P, _P, _P, _N, _P),
     "fine_panels": (_N, _P, _P, _N, _N, _N, _D),
+    "minimum": (ctypes.c_int, _P, *[_N] * 4, _P),
 }
 
 
@@ -97,3 +101,12 @@ class Panels:
             if count <= room:
                 return np.sort(found[:count]) if count >= 0 else None
             room = count
+
+    def minimum(self, intervals: int, deepest: int, grids: int, grid_intervals: int) -> tuple[float, float, float] | None:
+        """The minimum of m, its s, and the maximum, as `manipplan_minimum` says; None where the measure cannot be evaluated."""
+        out = np.empty(3)
+        at = ctypes.addressof(self.integral)
+        if self.functions["minimum"](at, intervals, deepest, grids, grid_intervals, out.ctypes.data):
+            return None
+        least, place, largest = out.tolist()
+        return least, place, largest

@@ -226,4 +226,7 @@ class ProvenDescents:
         return path_clearance(self.model, path, clearance=self.clearance + margin, tolerance=None)
 
     def inside_limits(self, path: JointPath, tolerance: float = INSIDE) -> bool:
+        """Whether the whole curve keeps the joint limits, as it does where its control points keep them."""
+        if (self.program.kinematics.robot.limits.outside(path.control.reshape(-1, path.n)) <= tolerance).all():
+            return True
         return all((self.program.kinematics.robot.limits.outside(q) <= tolerance).all() for q in path.bounds())
