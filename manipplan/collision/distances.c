@@ -785,6 +785,32 @@ long manipplan_near(const World *w, const double *q, long m, const double *reach
     return all;
 }
 
+/* The smallest distance of all pairs at m configurations q (m, n), the first row and pair that have it, unless a distance is not
+   below `reach`: then -1. Every `coarse`-th configuration comes first, since the smallest so far cuts off the others. Returns 0
+   where only coal can tell a distance. */
+int manipplan_least(const World *w, const double *q, long m, double reach, long coarse, double *least, long *row, long *nearest) {
+    *least = reach, *row = 0, *nearest = -1;
+    for (int fine = 0; fine < 2; fine++)
+        for (long k = 0; k < m; k++) {
+            if ((k % coarse != 0) != fine) continue;
+            long count = 0;
+            int known = 1;
+            double before = *least;
+            /* a little further, so that an equal distance of an earlier row is not cut off */
+            examine(w, q + k * w->n, before + 1e-9, &count, 0);
+            for (long i = 0; i < count; i++) {
+                long pair = w->found[i];
+                double distance = w->least[pair];
+                w->least[pair] = INFINITY;
+                if (isnan(distance)) known = 0;
+                int earlier = *nearest >= 0 && (k < *row || (k == *row && pair < *nearest));
+                if (distance < *least || (distance == *least && earlier)) *least = distance, *row = k, *nearest = pair;
+            }
+            if (!known) return 0;
+        }
+    return 1;
+}
+
 /* The distance of one pair at each of m configurations, cut off at reach (m): bodies (m, 2), the second of which may stand still;
    out (m). leaf (m): the triangle or point of the second body that is nearest; -1 if that is no surface, or not within reach. */
 void manipplan_pairs(const World *w, const double *q, long m, const long *bodies, const double *reach, double *out, long *leaf) {

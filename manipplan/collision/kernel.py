@@ -51,6 +51,7 @@ _P, _N = ctypes.c_void_p, ctypes.c_long
 SIGNATURES: dict[str, tuple[Any, ...]] = {
     "check": (None, _P, _P, _N, ctypes.c_double, _P),
     "distances": (None, _P, _P, _N, _P, _P),
+    "least": (ctypes.c_int, _P, _P, _N, ctypes.c_double, _N, _P, _P, _P),
     "pairs": (None, _P, _P, _N, _P, _P, _P, _P),
     "intervals": (None, _P, _P, _P, _N, *[_P] * 5),
     "witnesses": (None, _P, _P, _N, _P, _P),
@@ -197,6 +198,17 @@ class DistanceKernel:
                 order = np.argsort(where[:count], kind="stable")
                 return where[:count][order], found[:count][order]
             room = count
+
+    def least(self, q: Array, reach: float, coarse: int) -> tuple[float, int, int] | None:
+        """The smallest distance [m] at all q (m, n), its row and its pair; None where this kernel cannot tell.
+
+        The pair is -1 where all distances are above `reach` [m]. Every `coarse`-th row is measured first.
+        """
+        q, least, row, pair = np.ascontiguousarray(q, dtype=float), ctypes.c_double(), _N(), _N()
+        places = [ctypes.addressof(each) for each in (least, row, pair)]
+        with self._lock:
+            known = self._call["least"](self._at, q.ctypes.data, len(q), reach, coarse, *places)
+        return (least.value, row.value, pair.value) if known else None
 
     def pair_distances(self, q: Array, pairs: Numbers, reach: Array) -> Array:
         """Distance (m,) of one pair at each configuration: of pairs (m,) at q (m, n), cut off at `reach` (m,) >= 0 [m].

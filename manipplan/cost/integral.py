@@ -232,6 +232,10 @@ def _adaptive(path: JointPath, integral: PathIntegral, panels: int) -> float:
     edges = path.panel_edges(panels)
     begin, end = edges[:-1], edges[1:]
     most = len(begin) * 2**NOISE
+    compiled = _compiled(path, integral)
+    found = None if compiled is None else compiled.integral_of(edges, most, HALVINGS, ACCURACY)
+    if found is not None:
+        return found
     whole, settled = gained(begin, end), 0.0
     for _ in range(HALVINGS):
         middle = (begin + end) / 2

@@ -116,6 +116,51 @@ long manipplan_fine_panels(const Integral *f, double *edges, long count, long ro
     return all;
 }
 
+/* The integral over `count` panels between edges (count + 1), each halved until that changes it by at most `accuracy` of the whole,
+   at most `halvings` times; infinite where more than `most` panels still change. Returns 1 where that fails. */
+int manipplan_integral(const Integral *f, const double *edges, long count, long most, long halvings, double accuracy, double *out) {
+    double *begin = malloc((size_t)(3 * count) * sizeof *begin), settled = 0;
+    if (!begin) return 1;
+    double *end = begin + count, *whole = end + count;
+    for (long k = 0; k < count; k++) begin[k] = edges[k], end[k] = edges[k + 1];
+    int failed = manipplan_panels(f, begin, end, count, whole);
+    for (long level = 0; level < halvings && count && !failed; level++) {
+        double *from = malloc((size_t)(8 * count) * sizeof *from);
+        if (!from) { failed = 1; break; }
+        double *to = from + 2 * count, *part = to + 2 * count, *both = part + 2 * count, *kept = both + count;
+        for (long k = 0; k < count; k++) {
+            double middle = (begin[k] + end[k]) / 2;
+            from[2 * k] = begin[k], to[2 * k] = from[2 * k + 1] = middle, to[2 * k + 1] = end[k];
+        }
+        failed = manipplan_panels(f, from, to, 2 * count, part);
+        long known = 0, closed = 0, open = 0;
+        for (long k = 0; k < count; k++) {
+            both[k] = part[2 * k] + part[2 * k + 1];
+            if (isfinite(both[k]) && isfinite(whole[k])) kept[known++] = whole[k];  /* not so where m vanishes at a point */
+        }
+        double allowed = accuracy * (settled + sum(kept, known));
+        for (long k = 0; k < count; k++) {
+            int finite = isfinite(both[k]) && isfinite(whole[k]);
+            if (finite && fabs(both[k] - whole[k]) <= allowed) kept[closed++] = both[k];
+            else both[open++] = (double)k;                   /* its number: at most k of these are there */
+        }
+        settled += sum(kept, closed);
+        double *next = malloc((size_t)(6 * open + 1) * sizeof *next);
+        if (!next) { free(from); failed = 1; break; }
+        for (long i = 0; i < open; i++)
+            for (int side = 0; side < 2; side++) {
+                long k = 2 * (long)both[i] + side;
+                next[2 * i + side] = from[k], next[2 * open + 2 * i + side] = to[k], next[4 * open + 2 * i + side] = part[k];
+            }
+        free(begin), free(from);
+        begin = next, count = 2 * open, end = begin + count, whole = end + count;
+        if (count > most) { settled = INFINITY, count = 0; }
+    }
+    if (!failed) *out = settled + sum(whole, count);
+    free(begin);
+    return failed;
+}
+
 /* m at `count` places s of the path. Returns 1 where that fails. `q`: (count, n). */
 static int measured(const Integral *f, const double *s, long count, double *q, double *m) {
     return f->evaluate(f->path, s, count, 0, q) || f->measure(q, m, count);

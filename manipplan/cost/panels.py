@@ -27,6 +27,7 @@ _P, _N, _D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
 SIGNATURES: dict[str, tuple[Any, ...]] = {
     "panels": (ctypes.c_int, _P, _P, _P, _N, _P),
     "fine_panels": (_N, _P, _P, _N, _N, _N, _D),
+    "integral": (ctypes.c_int, _P, _P, _N, _N, _N, _D, _P),
     "minimum": (ctypes.c_int, _P, *[_N] * 4, _P),
 }
 
@@ -101,6 +102,13 @@ class Panels:
             if count <= room:
                 return np.sort(found[:count]) if count >= 0 else None
             room = count
+
+    def integral_of(self, edges: Array, most: int, halvings: int, accuracy: float) -> float | None:
+        """The whole integral from panels between edges (k + 1,), as `manipplan_integral` says; None as above."""
+        edges, out = np.ascontiguousarray(edges), np.empty(1)
+        places = (ctypes.addressof(self.integral), edges.ctypes.data, len(edges) - 1)
+        failed = self.functions["integral"](*places, most, halvings, accuracy, out.ctypes.data)
+        return None if failed else float(out[0])
 
     def minimum(self, intervals: int, deepest: int, grids: int, grid_intervals: int) -> tuple[float, float, float] | None:
         """The minimum of m, its s, and the maximum, as `manipplan_minimum` says; None where the measure cannot be evaluated."""

@@ -164,7 +164,7 @@ class Report:
             collision_free=free,
             limits=use,
             position_unit=_unit_of(use["position"].joint, robot),
-            straight_free=line is None or model.path_is_free(line, CHECK_STEP, max(clearance - TOLERANCE, 0.0)),
+            straight_free=line is None or _is_free(model, line, max(clearance - TOLERANCE, 0.0)),
             goal_error=goal_error,
             passed=bool(free and kept and goal_error <= TOLERANCE),
         )
@@ -232,6 +232,12 @@ class Report:
             return from_json(json.loads(path.read_text()), cls)
         except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError, OSError) as error:
             raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
+
+
+def _is_free(model: CollisionModel, path: JointPath, clearance: float) -> bool:
+    """Whether a path keeps the clearance [m]: by the proof or, where that does not decide, at samples."""
+    proof = path_clearance(model, path, clearance=clearance, tolerance=None)
+    return proof.proven or (not proof.refuted and model.path_is_free(path, CHECK_STEP, clearance))
 
 
 def _standing(path: JointPath, integral: PathIntegral) -> PathCost:
