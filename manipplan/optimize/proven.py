@@ -28,6 +28,9 @@ DESCENTS, SETTLED = 8, 2e-4
 #: Final margins after the second, third, ... path that is not proven free, such as along the bumps of a point cloud, except
 #: where descents go on until they settle [m]. With the first of them the first-order conditions can still be met.
 WIDER = (9e-5, 3e-4, 1e-3, 3e-3)
+#: After this number of paths whose g the panels of the descents did not resolve, the panels follow each path: its dip of m is
+#: narrow, and moves.
+UNRESOLVED = 2
 #: Floors of the first two descents from a path whose m falls below the last of them, in units of the objective's floor: with a
 #: larger floor the place of a crossing moves more easily.
 SOFTER = (100.0, 10.0)
@@ -124,6 +127,7 @@ class ProvenDescents:
         steps = 0
         failed_g, failures = np.nan, 0  # g of the last path that was not proven free, and number of such paths
         backed_off = False
+        unresolved = 0  # number of paths whose g the panels did not resolve
         *wide, final = self.margins(kept)
         moving = self.nearly_singular(beginning)
         usual = integral.floor if moving else 0.0
@@ -177,6 +181,8 @@ class ProvenDescents:
             candidate = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)
             agrees = abs(true.length.without_energy.value(descent.z) * true.length.g0 - cost.g) <= AGREEMENT * cost.g
             candidate = candidate if agrees else replace(candidate, optimality=UNKNOWN)
+            unresolved += not agrees
+            moving = moving or unresolved >= UNRESOLVED
             settled = optimality.reached or (best is not None and best.cost.g - cost.g <= SETTLED * cost.g)
             # a confirmed optimum may have a slightly larger g
             worth = CONFIRMED if agrees and (optimality.reached or not backed_off) else 0.0
