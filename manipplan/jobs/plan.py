@@ -17,6 +17,7 @@ from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import instance
 from manipplan.support.compiling.native import compile_ahead
+from manipplan.support.deadline import Deadline
 from manipplan.support.errors import PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
@@ -26,6 +27,8 @@ from manipplan.timing.retime import check_timing_limits, retime
 
 #: Degrees that are added where a path of the given degree fails, and number of pieces of the cubic B-spline tried after that.
 MORE_DEGREES, SPLINE_PIECES = 3, 8
+#: Share of the time limit, and at least so much, that is kept for timing and checking the motion [s].
+RESERVE, LEAST_RESERVE = 0.05, 0.05
 #: C sources of this job that are compiled while it prepares collision shapes and generates code, at the first call ever.
 SOURCES = (
     *("collision/distances.c", "paths/curves.c", "seeds/connect.c", "cost/panels.c", "collision/look.c", "optimize/descents/steps.c"),
@@ -93,6 +96,9 @@ def plan(
     a cubic B-spline of eight pieces, which starts from the fit to the first path. If that fails too, the first path itself is
     timed, and the status says so. A path that is checked but not at its optimum is timed with Status.STOPPED_EARLY.
 
+    The call takes at most `Seeding.time_limit` for each first path, 10 s by default, but for what is built once per machine,
+    robot or scene. What was found by then is timed.
+
     Args:
         robot: the arm.
         start, goal: (n,) inside the limits and collision-free [rad or m].
@@ -111,6 +117,9 @@ def plan(
         PlanningError: no collision-free path, or no motion within the limits; its `result` is the Plan so far.
     """
     instance("robot", robot, Robot)
+    limit = instance("seeding", seeding, Seeding).time_limit
+    reserve = max(RESERVE * limit, min(LEAST_RESERVE, limit / 2))
+    deadline = Deadline.within(limit - reserve)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     tell = teller(progress)
     check_timing_limits(robot.limits)
@@ -124,7 +133,7 @@ def plan(
             scene,
             objective=objective,
             shape=shape,
-            seeding=seeding,
+            seeding=replace(seeding, time_limit=limit - reserve),
             clearance=clearance,
             executor=executor,
             progress=part(tell, 0.0, 0.6),
@@ -137,10 +146,11 @@ def plan(
         raise KeyboardInterrupt
     for other in _other_shapes(shape):
         descended = result.certificate is not None and np.isfinite(result.certificate.projected_gradient)
-        if (descended and result.status.ok) or not np.isfinite(result.g):  # another degree crosses the same singularity
+        crosses = not np.isfinite(result.g)  # another degree crosses the same singularity
+        if (descended and result.status.ok) or crosses or deadline.passed:
             break
         tell(0.6, f"{other.basis} of degree {other.degree}")
-        more = optimize_from(robot, result.seed, scene, objective=objective, shape=other, clearance=clearance)
+        more = optimize_from(robot, result.seed, scene, objective=objective, shape=other, clearance=clearance, deadline=deadline)
         if more.status is Status.INTERRUPTED:
             raise KeyboardInterrupt
         result = min(result, more, key=lambda each: (not each.status.ok, each.g))

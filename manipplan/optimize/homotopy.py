@@ -23,6 +23,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.seeds.random_path import random_path
 from manipplan.support.checks import Array
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Status
@@ -55,18 +56,19 @@ class SolvePool:
     problem: PathProblem
     executor: Executor | None = None
     tell: Progress = silent
+    deadline: Deadline = NEVER
 
     def seeds(self, start: Array, tasks: Sequence[tuple[Array, int]]) -> list[JointPath | str]:
         """A free first path per goal (n,) and seed, or the reason why there is none."""
         tell = part(self.tell, 0.0, 0.33)
-        return self._each(_seed, [(start, goal, seed) for goal, seed in tasks], tell, "looking for a first path")
+        return self._each(_seed, [(start, goal, seed, self.deadline) for goal, seed in tasks], tell, "looking for a first path")
 
     def solve_local(self, firsts: Sequence[FirstPath]) -> list[PathResult]:
         """The optimiser's result from each first path; the first one to each goal is solved from the straight line as well."""
         tasks = []
         for k, first in enumerate(firsts):
             known = any(_ends_together(first.path, other.path) for other in firsts[:k])
-            tasks.append((first.path, not known))
+            tasks.append((first.path, not known, self.deadline))
         results = self._each(_solve, tasks, part(self.tell, 0.33, 1.0), "optimising the path")
         return [replace(result, first_paths=first.count) for result, first in zip(results, firsts, strict=False)]
 
@@ -200,17 +202,17 @@ def _even(path: JointPath) -> Array:
     return path(np.interp(np.linspace(0.0, gained[-1], PLACES), gained, s))
 
 
-def _seed(problem: PathProblem, start: Array, goal: Array, seed: int) -> JointPath | str:
+def _seed(problem: PathProblem, start: Array, goal: Array, seed: int, deadline: Deadline) -> JointPath | str:
     if problem.scene is None:
         return random_path(problem.robot, start, goal, seed)
     try:
-        return planned_path(problem, start, goal, seed)
+        return planned_path(problem, start, goal, seed, deadline)
     except PlanningError as error:
         return str(error)
 
 
-def _solve(problem: PathProblem, first: JointPath, straight: bool) -> PathResult:
-    return solve_local(problem, first.start, first.goal, first, straight=straight)
+def _solve(problem: PathProblem, first: JointPath, straight: bool, deadline: Deadline) -> PathResult:
+    return solve_local(problem, first.start, first.goal, first, straight=straight, deadline=deadline)
 
 
 def _at_worker(work: Callable[..., T], packed: bytes, task: tuple[object, ...]) -> T:

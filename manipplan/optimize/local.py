@@ -16,6 +16,7 @@ from manipplan.optimize.proven import SOFTER, Candidate, ProvenDescents
 from manipplan.optimize.result import Step
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
+from manipplan.support.deadline import OutOfTimeError
 
 log = logging.getLogger("manipplan")
 
@@ -88,7 +89,7 @@ class LocalSearch(ProvenDescents):
         """
         line = self._straight()
         floor = self._energy_floor(self.program.basis.path(self.start, self.goal, line))
-        solution = self.program.solve(self.start, self.goal, line, floor)
+        solution = self.program.solve(self.start, self.goal, line, floor, deadline=self.deadline)
         is_free, *_ = self._judged("straight", solution)
         if not (is_free or solution.converged):
             return []
@@ -199,7 +200,11 @@ class LocalSearch(ProvenDescents):
         found: list[Candidate] = []
         if free:
             best = min(free, key=lambda each: each.g).solution
-            found = self.optimum_from("seed", best.coefficients) or self._low_energy_path(best)
+            try:
+                found = self.optimum_from("seed", best.coefficients) or self._low_energy_path(best)
+            except OutOfTimeError:
+                self._low_energy_path(best)
+                raise
         else:
             for each in nearly_free[: 1 if self.accepted else 2]:
                 nearly_free.remove(each)
@@ -235,7 +240,7 @@ class LocalSearch(ProvenDescents):
             if self.model is not None:
                 watched = near.nearest(self.model, path, places, most=np.inf if free else self.clearance + near.FAR)
                 rows = near.rows_for(self.model, path, lambda at: first(np.interp(at, even, s)), watched, self.clearance)
-            solution = self.program.solve(self.start, self.goal, coefficients, floor, rows)
+            solution = self.program.solve(self.start, self.goal, coefficients, floor, rows, self.deadline)
             if not solution.converged and np.array_equal(coefficients, beginning):
                 break
             if not solution.converged:  # where it stopped depends on rounding errors: restart with the same places
@@ -282,7 +287,8 @@ class LocalSearch(ProvenDescents):
             return self.program.integral.cost(basis.path(self.start, self.goal, coefficients)).g
         moving = self.nearly_singular(self.program.integral.cost(path))
         true, z = self.program.descent_program(self.start, self.goal, coefficients, None, limited=False, moving=moving)
-        costs = [self.program.integral.cost(each).g for each in (path, true.length.curves.path(descend(true, z, tolerance=ROUGH).z))]
+        nearby = true.length.curves.path(descend(true, z, tolerance=ROUGH).z)
+        costs = [self.program.integral.cost(each).g for each in (path, nearby)]
         return min(costs)
 
     def _judged(self, name: str, solution: Solution) -> tuple[bool, NearPairs, tuple[near.Place, ...]]:

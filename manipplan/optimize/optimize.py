@@ -18,6 +18,7 @@ from manipplan.robots.robot import Robot
 from manipplan.seeds.seed import check_apart
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import instance, number
+from manipplan.support.deadline import Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.progress import Progress, teller
@@ -92,7 +93,8 @@ def optimize_path(
     is proven too, or at least checked every milliradian. `certificate` holds the measured figures. Status.OPTIMAL means that
     the first-order conditions hold on the path: the projected gradient of g is at most 1e-3 per rad, relative to g;
     complementarity is at most 1e-5; active clearances are within 0.1 mm of the required one. If one of them does not hold,
-    the status is STOPPED_EARLY.
+    the status is STOPPED_EARLY. It is that as well where the time limit, `Seeding.time_limit` for each first path, ends the
+    descents: then the result depends on the speed of the machine.
 
     Args:
         robot: the arm.
@@ -139,10 +141,13 @@ def optimize_path(
         instance("executor", executor, Executor)
     tell = teller(progress)
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
+    goals = [q_goal] if seeding.shifts == "none" else shifted_goals(robot, q_start, q_goal)
+    objective = objective.resolved(robot, compiled=compiled)
+    deadline = Deadline.within(seeding.time_limit * seeding.count * len(goals))
     problem = PathProblem(
         robot=robot,
         scene=scene,
-        objective=objective.resolved(robot, compiled=compiled),
+        objective=objective,
         shape=shape,
         seeding=replace(seeding, initial=None),
         clearance=clearance,
@@ -150,7 +155,6 @@ def optimize_path(
         given=recorded is not None,
         compares=compare,
     )
-    goals = [q_goal] if seeding.shifts == "none" else shifted_goals(robot, q_start, q_goal)
     if scene is not None:
         tell(0.0, "preparing collision shapes")
     model = problem.model()
@@ -161,7 +165,7 @@ def optimize_path(
         check_apart(q_start, each)
     first = seeding.seed if scene is not None else 0  # without a scene, seed 0 is the straight line
     numbers = [first, *(seeding.seed + k for k in range(1, seeding.count))]
-    pool = SolvePool(problem=problem, executor=executor, tell=tell)
+    pool = SolvePool(problem=problem, executor=executor, tell=tell, deadline=deadline)
     if recorded is not None:
         check_initial(problem, recorded, q_start, q_goal)
         firsts = [FirstPath(path=recorded, count=1)]
@@ -182,7 +186,14 @@ def optimize_path(
 
 
 def optimize_from(
-    robot: Robot, first: JointPath, scene: Scene | None, *, objective: PathObjective, shape: PathShape, clearance: float
+    robot: Robot,
+    first: JointPath,
+    scene: Scene | None,
+    *,
+    objective: PathObjective,
+    shape: PathShape,
+    clearance: float,
+    deadline: Deadline,
 ) -> PathResult:
     """As `optimize_path`, with a first path known to be collision-free and no start from the optimum of a lower degree."""
     problem = PathProblem(
@@ -195,7 +206,7 @@ def optimize_from(
         given=True,
         climbs=False,
     )
-    return solve_local(problem, first.start, first.goal, first)
+    return solve_local(problem, first.start, first.goal, first, deadline=deadline)
 
 
 def check_options(objective: PathObjective, shape: PathShape, seeding: Seeding) -> None:

@@ -15,6 +15,7 @@ from manipplan.collision.scene import Scene
 from manipplan.cost.crossings import find_crossings, least_crossings, runs_along
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective
+from manipplan.optimize.descents.descent import LATE
 from manipplan.optimize.local import LocalSearch
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.proven import Candidate, Until
@@ -26,8 +27,9 @@ from manipplan.robots.robot import Robot
 from manipplan.seeds.acceptance import CHECK_STEP, PROVABLE
 from manipplan.seeds.random_path import random_path
 from manipplan.seeds.seed import seed_path
-from manipplan.seeds.seeding import MOST_SEEDS, Seeding
+from manipplan.seeds.seeding import MOST_SEEDS, OPTIMISING, Seeding
 from manipplan.support.checks import Array
+from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError
 from manipplan.support.errors import FileFormatError, InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.memo import once_per_owner
@@ -36,6 +38,10 @@ from manipplan.support.status import Status
 
 log = logging.getLogger("manipplan")
 
+#: Share of the time limit that planners get which go on to lower the cost of their path.
+OPTIMISING_SHARE = 0.5
+#: Shortest time limit of a search, where hardly any time is left [s].
+SHORTEST_SEARCH = 1e-3
 #: Degrees above BEGINNING also start from the optimum of a lower one: of BEGINNING or of the next lower multiple of STRIDE.
 BEGINNING, STRIDE = 6, 3
 #: A later local optimum is preferred to an earlier one when its g is lower by more than this share.
@@ -107,8 +113,19 @@ class PathProblem:
 
 
 @one_thread()
-def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPath, *, straight: bool = True) -> PathResult:
-    """The best path near `first`, which is free and inside the limits, and with `straight` also near the straight line."""
+def solve_local(
+    problem: PathProblem,
+    start: Array,
+    goal: Array,
+    first: JointPath,
+    *,
+    straight: bool = True,
+    deadline: Deadline = NEVER,
+) -> PathResult:
+    """The best path near `first`, which is free and inside the limits, and with `straight` also near the straight line.
+
+    After the deadline it is the best one that was found by then.
+    """
     integral, model, clearance = problem.integral(), problem.model(), problem.clearance
     first_cost = integral.cost(first)
     history: list[Step] = []
@@ -122,15 +139,19 @@ def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPat
         history=history,
         ends=problem.ends,
         repaces=problem.lower() is None,
+        deadline=deadline,
     )
     is_free = bool(program.free.size)
-    interrupted = False
+    interrupted = late = False
     try:
         with interruptible():
             found = _local_optima(problem, search, first, straight) if is_free else search.single_path()
             best = _best(found)
     except KeyboardInterrupt:
         interrupted = True
+        best = _best(search.accepted)
+    except OutOfTimeError:
+        late = True
         best = _best(search.accepted)
     safe = model is None or best is not None
     fallback = problem.ends.met_by(first)
@@ -145,7 +166,7 @@ def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPat
     if status is not Status.ENDS_NOT_MET and (not np.isfinite(cost.g) or runs_along(path, integral, cost)):
         status = Status.SINGULAR
     unconstrained = np.nan
-    if problem.compares and np.isfinite(cost.g) and not interrupted:
+    if problem.compares and np.isfinite(cost.g) and not (interrupted or late):
         try:
             with interruptible():
                 unconstrained = search.unconstrained_g(path)
@@ -154,7 +175,7 @@ def solve_local(problem: PathProblem, start: Array, goal: Array, first: JointPat
     if interrupted:
         status = Status.INTERRUPTED
     log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
-    solver = best.solver if best is not None and path is best.path and is_free else ""
+    solver = best.solver if best is not None and path is best.path and is_free else LATE if late else ""
     return make_result(
         path,
         integral,
@@ -197,7 +218,7 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
             found = patient.from_straight_line() or patient.nearest_to(first)
     lower = problem.lower() if search.until is Until.SETTLED else None
     if lower is not None:
-        result = solve_local(lower, search.start, search.goal, first, straight=straight)
+        result = solve_local(lower, search.start, search.goal, first, straight=straight, deadline=search.deadline)
         search.history.extend(result.history)
         if result.status.ok:
             found += search.embedded(result.path)
@@ -253,7 +274,7 @@ def _coarse_optimum(coarse: PathProblem, search: LocalSearch, first: JointPath, 
         if not straight:
             return None
         try:
-            first = planned_path(coarse, search.start, search.goal, coarse.seeding.seed)
+            first = planned_path(coarse, search.start, search.goal, coarse.seeding.seed, search.deadline)
         except PlanningError as error:
             log.info("among the pieces of the coarse scene: %s", error)
             return None
@@ -262,14 +283,16 @@ def _coarse_optimum(coarse: PathProblem, search: LocalSearch, first: JointPath, 
     return optimum
 
 
-def planned_path(problem: PathProblem, start: Array, goal: Array, seed: int) -> JointPath:
+def planned_path(problem: PathProblem, start: Array, goal: Array, seed: int, deadline: Deadline = NEVER) -> JointPath:
     """A free first path of the planner with few singularities on it; raises PlanningError without any."""
+    share = OPTIMISING_SHARE if problem.seeding.planner in OPTIMISING else 1.0  # they use up what they get
+    limit = max(share * min(problem.seeding.time_limit, deadline.left), SHORTEST_SEARCH)
     return seed_path(
         problem.robot,
         start,
         goal,
         problem.scene,
-        seeding=replace(problem.seeding, seed=seed, count=1, shifts="none"),
+        seeding=replace(problem.seeding, seed=seed, count=1, shifts="none", time_limit=limit),
         objective=problem.objective,
         fewest_crossings=True,
         clearance=problem.clearance,

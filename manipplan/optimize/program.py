@@ -19,6 +19,7 @@ from manipplan.optimize.ipopt import Hull, Integral, IpoptEnergy
 from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid
 from manipplan.support.checks import Array
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.interrupts import interruptible
 from manipplan.symbolic.batch_function import BatchFunction
 
@@ -178,11 +179,19 @@ class PathProgram:
         )
 
     @interruptible()
-    def solve(self, start: Array, goal: Array, guess: Array, floor: float, rows: Sequence[ClearanceRow] = ()) -> Solution:
+    def solve(
+        self,
+        start: Array,
+        goal: Array,
+        guess: Array,
+        floor: float,
+        rows: Sequence[ClearanceRow] = (),
+        deadline: Deadline = NEVER,
+    ) -> Solution:
         """Minimise the energy with a floor from a guess (n, size), which has the fixed end derivatives.
 
         Rows may be violated, so there is a solution even when they contradict each other. IPOPT minimises it where the descent
-        on it fails.
+        on it fails. Raises OutOfTimeError after the deadline.
         """
         curves, z = self._curves(start, goal, guess)
         energy = self._energy_of(start, goal, guess, floor)
@@ -210,7 +219,9 @@ class PathProgram:
             steps=ENERGY_STEPS if rows else FREE_ENERGY_STEPS,
             first_radius=ENERGY_RADIUS,
             least_penalty=ENERGY_PENALTY,
+            deadline=deadline,
         )
+        deadline.check()
         if descent.reason != FAILED:
             found = curves.coefficients(on_grid(descent.z, SOLVED_SPACING))
             return Solution(coefficients=found, status=f"energy: {descent.reason}", converged=not descent.exhausted)

@@ -4,6 +4,7 @@ import logging
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
+from typing import NoReturn
 
 import numpy as np
 
@@ -11,13 +12,14 @@ from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import PathClearance, path_clearance
 from manipplan.cost.integral import PathCost
 from manipplan.optimize.certificate import UNKNOWN, Optimality, measure_optimality
-from manipplan.optimize.descents.descent import descend
+from manipplan.optimize.descents.descent import LATE, descend
 from manipplan.optimize.descents.surroundings import MARGIN, Surroundings
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.result import Step
 from manipplan.paths.basis import EndConditions
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
+from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError
 
 log = logging.getLogger("manipplan")
 
@@ -91,6 +93,7 @@ class ProvenDescents:
         accepted: every candidate is appended to it, so that an interrupt loses none.
         until: when the descents from one path end.
         patient: descents go on where they hardly come out of an obstacle.
+        deadline: when descents end.
     """
 
     program: PathProgram
@@ -103,6 +106,7 @@ class ProvenDescents:
     accepted: list[Candidate] = field(default_factory=list)
     until: Until = Until.SETTLED
     patient: bool = False
+    deadline: Deadline = NEVER
 
     def descend(
         self, name: str, coefficients: Array, *, kept: JointPath | None = None, softens: bool = True, below: float = np.inf
@@ -114,7 +118,8 @@ class ProvenDescents:
         proof failed. Before the final margin only those are taken that the path `kept` has, if it is given.
         With `softens` a path near a singularity is first moved with larger floors. Elsewhere a floor counts only with the final
         margin, so that it changes the path little. None as well when g is not below `below`
-        with a wider margin than the final one.
+        with a wider margin than the final one. After the deadline, what the last descent reached is accepted if it is proven free,
+        and OutOfTimeError is raised.
         """
         program, integral = self.program, self.program.integral
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
@@ -134,6 +139,8 @@ class ProvenDescents:
         waiting = [*((margin, usual) for margin in wide), *[(final, integral.floor)] * DESCENTS]
         if moving and softens:
             waiting = [*((waiting[0][0], softer * integral.floor) for softer in SOFTER), *waiting]
+        if self.deadline.passed:
+            self._accept_late(path, coefficients, None)
         while waiting:
             margin, floor = waiting.pop(0)
             if surroundings is not None:
@@ -146,7 +153,11 @@ class ProvenDescents:
             if not np.isfinite(true.length.g0):
                 break
             preliminary = margin > final or floor > integral.floor
-            descent = descend(true, z, tolerance=ROUGH if preliminary else None, patient=self.patient)
+            descent = descend(
+                true, z, tolerance=ROUGH if preliminary else None, patient=self.patient, deadline=self.deadline
+            )
+            if self.deadline.passed:
+                self._accept_late(true.length.curves.path(descent.z), true.length.curves.coefficients(descent.z), best)
             steps += descent.steps
             coefficients = true.length.curves.coefficients(descent.z)
             if preliminary and surroundings is not None and descent.violation - margin > STUCK and not descent.exhausted:
@@ -197,6 +208,17 @@ class ProvenDescents:
         if best is not None:
             self.accepted.append(best)
         return best
+
+    def _accept_late(self, path: JointPath, coefficients: Array, best: Candidate | None) -> NoReturn:
+        """Accept the path that is reached at the deadline if it is proven free, and the best one before it."""
+        if best is not None:
+            self.accepted.append(best)
+        if self.inside_limits(path) and self.keeps(path):
+            cost = self.program.integral.cost(path)
+            self.accepted.append(
+                Candidate(path=path, coefficients=coefficients, cost=cost, optimality=UNKNOWN, solver=LATE)
+            )
+        raise OutOfTimeError
 
     def margins(self, kept: JointPath | None) -> list[float]:
         """Margins [m] of the descents from one path, in turn; none is wider than start and goal allow.

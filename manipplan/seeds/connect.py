@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from manipplan.seeds.motions import SIDE, Level, MotionCheck, P
-from manipplan.seeds.task import GRACE, SeedTask
+from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
 
 #: As in connect.c.
@@ -58,14 +58,14 @@ class Run:
             self.check.raise_failure()
             if status == FULL:
                 self.grow()
-        self.check.deadline = task.deadline + GRACE
+        self.check.deadline = task.late
         count = call["way"](at, None)
         way = np.empty((count + SHORTCUTS, self.n))
         work = np.empty_like(way)
         call["way"](at, way.ctypes.data)
         count = call["skip"](at, way.ctypes.data, work.ctypes.data, count)
         for _ in range(SHORTCUTS // SOME):
-            if time.monotonic() < task.deadline + GRACE:
+            if time.monotonic() < task.late:
                 count = call["shorten"](at, way.ctypes.data, work.ctypes.data, count, SOME)
         count = call["skip"](at, way.ctypes.data, work.ctypes.data, count)
         self.check.raise_failure()

@@ -12,7 +12,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.seeds.motions import RANGE, SPARE, Level, MotionCheck, can_check
 from manipplan.seeds.objective import ompl_objective
 from manipplan.seeds.seeding import FEASIBLE
-from manipplan.seeds.task import GRACE, SeedTask
+from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
 
 #: OMPL has one random seed per process, so searches in several threads would not be repeatable.
@@ -82,7 +82,7 @@ class OmplSearch:
             return None
         path = problem.getSolutionPath()
         if self.integral is None:
-            check.late = task.deadline + GRACE
+            check.late = task.late
             simplifier = geometric.PathSimplifier(information)
             simplifier.reduceVertices(path)
             simplifier.partialShortcutPath(path)

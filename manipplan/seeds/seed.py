@@ -27,7 +27,7 @@ from manipplan.seeds.motions import Level, can_check
 from manipplan.seeds.ompl import OmplSearch
 from manipplan.seeds.seeding import AUTO, OPTIMISING, STAR, Seeding
 from manipplan.seeds.star import StarSearch, star_code
-from manipplan.seeds.task import GRACE, SeedTask
+from manipplan.seeds.task import GRACE, MOST_GRACE, SeedTask
 from manipplan.support.checks import Array, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
 
@@ -115,6 +115,7 @@ def seed_path(
         most_crossings=None,
         checks=None,
         deadline=time.monotonic() + seeding.time_limit,
+        grace=min(GRACE * seeding.time_limit, MOST_GRACE),
     )
     finder = _Finder(
         seeding=seeding,
@@ -195,7 +196,7 @@ class _Finder:
             return is_allowed(path) and self.free(path)
 
         def accept_in_time(path: JointPath) -> bool:
-            return time.monotonic() < task.deadline + GRACE and accept(path)
+            return time.monotonic() < task.late and accept(path)
 
         line_is_free = accept(line)
         if line_is_free and self.integral is None:

@@ -39,7 +39,8 @@ class Seeding:
             joined by a collision-free straight homotopy form a class. The first path is optimised, and of each class without it
             the path of smallest g, so more first paths never give a larger g. Without a scene they are the straight line and
             paths through random configurations. `PathResult.missing` estimates how likely one more leads to a new path.
-        time_limit: time limit of the planner per first path [s]; among many obstacles it may search twice.
+        time_limit: time limit per first path [s], for finding and optimising it; `plan` and `optimize_path` take at most this
+            times the number of first paths. `plan` times what was found by then.
         shifts: "within-limits" also tries goals 2π away in each revolute joint, at most 3 to the power of n of them, and
             returns the best path. Their pose is that of the goal. Not together with `initial`.
         initial: a first path from start to goal: a JointPath, a Trajectory, or a trajectory file (.csv, .json, .yaml, .npz),

@@ -8,8 +8,8 @@ from manipplan.collision.model import CollisionModel
 from manipplan.kinematics.sides import Sides
 from manipplan.support.checks import Array
 
-#: Maximum time beyond the time limit for simplifying and rounding a path [s].
-GRACE = 0.3
+#: Maximum time beyond the deadline for simplifying and rounding a path, as a share of the time limit, and at most [s].
+GRACE, MOST_GRACE = 0.05, 0.3
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -26,6 +26,7 @@ class SeedTask:
         most_crossings: maximum number of them on the path; None: any number.
         checks: maximum number of configurations checked for collision; None: any number.
         deadline: in time.monotonic() [s].
+        grace: time beyond it for simplifying and rounding a path [s].
     """
 
     model: CollisionModel
@@ -38,6 +39,12 @@ class SeedTask:
     most_crossings: int | None
     checks: int | None
     deadline: float
+    grace: float = 0.0
+
+    @property
+    def late(self) -> float:
+        """When simplifying and rounding end, in time.monotonic() [s]."""
+        return self.deadline + self.grace
 
     def bounds(self) -> tuple[Array, Array]:
         """Least and largest joint values (n,): the limits; of continuous joints, half a turn beyond start and goal."""

@@ -13,15 +13,15 @@ class Status(Enum):
     OPTIMAL = "optimal: the first-order conditions of a local optimum hold, and every check passed"
     STOPPED_EARLY = (
         "feasible, not converged: every check passed, but the first-order conditions of a local optimum do not hold; "
-        "start again from this path (Seeding.initial), raise PathShape.degree, or try another Seeding.seed"
+        "start again from this path (Seeding.initial), raise PathShape.degree or Seeding.time_limit, or try another Seeding.seed"
     )
     SEED_IS_BETTER = (
-        "seed: no optimised path of this degree has a lower g than the collision-free seed, which is returned; "
-        "raise PathShape.degree, or try another Seeding.seed"
+        "seed: no optimised path of this degree was found that has a lower g than the collision-free seed, which is returned; "
+        "raise PathShape.degree or Seeding.time_limit, or try another Seeding.seed"
     )
     SEED_IS_SAFE = (
-        "seed: no optimised path of this degree stays clear of collisions, so the collision-free seed is returned; "
-        "raise PathShape.degree, lower clearance, or try another Seeding.seed"
+        "seed: no optimised path of this degree was found that stays clear of collisions, so the collision-free seed is "
+        "returned; raise PathShape.degree or Seeding.time_limit, lower clearance, or try another Seeding.seed"
     )
     ENDS_NOT_MET = (
         "seed: no path of this degree with the given end slopes and bends is inside the limits and collision-free, so the "

@@ -23,6 +23,7 @@ from manipplan.optimize.descents.rows import LimitRows, LinearRows, MeasuredRows
 from manipplan.optimize.descents.surroundings import Surroundings
 from manipplan.paths.curves import Curve
 from manipplan.support.checks import Array
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.interrupts import interruptible
 
 log = logging.getLogger("manipplan")
@@ -55,6 +56,8 @@ LEAST_PENALTY = 10.0
 MENDED = 0.7
 #: Rows are made for bodies within this distance of the target: metres per radian of the radius, at least and at most [m].
 BAND, LEAST_BAND, MOST_BAND = 1.0, 2e-3, 0.1
+#: Why a descent ended at its deadline.
+LATE = "the time limit was reached"
 #: Why a descent ended whose model DAQP could not minimise, or is not finite.
 FAILED = "the quadratic program failed"
 
@@ -68,7 +71,7 @@ class Descent:
         steps: number of steps that were tried.
         reason: why it ended.
         violation: largest violation of limits and target clearance there [rad or m].
-        exhausted: it ended after the maximum number of steps, before it converged.
+        exhausted: it ended after the maximum number of steps, or at the deadline, before it converged.
     """
 
     z: Array
@@ -277,6 +280,7 @@ def descend(
     first_radius: float = RADIUS,
     least_penalty: float = LEAST_PENALTY,
     patient: bool = False,
+    deadline: Deadline = NEVER,
 ) -> Descent:
     """Minimise g from z (f, n) to a local optimum of the true problem.
 
@@ -289,6 +293,7 @@ def descend(
         first_radius: first radius of the trust region [rad or m].
         least_penalty: first and smallest penalty parameter ν.
         patient: the descent goes on where the violation hardly falls; a few come out of an obstacle only after many steps.
+        deadline: no step is begun after it.
     """
     is_unchecked = program.surroundings is None
     usual_steps, usual_tolerance = (FREE_STEPS, FREE_TOLERANCE) if is_unchecked else (STEPS, TOLERANCE)
@@ -308,6 +313,8 @@ def descend(
         return Descent(z=here.z, steps=steps, reason=reason, violation=here.violation, exhausted=exhausted)
 
     for count in range(steps):
+        if deadline.passed:
+            return ended(count, LATE, exhausted=True)
         if model is None:
             model, is_plain = _Model.of(program, here, radius, penalty, curvature), False
             if model is None:
