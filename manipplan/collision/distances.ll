@@ -1,4 +1,4 @@
-; distances.c 192b218f43e2caa06e89643f898ac3727671ed5b0e7158298f39f8c47ccf57a3: written by make kernel
+; distances.c 9391b76530810ce68101481a40622f4330e43e0cc83710f71e819e002dfe61b5: written by make kernel
 
 %struct.Core = type { i64, i64, ptr, ptr, ptr, ptr, ptr, [12 x double] }
 %struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane, ptr }
@@ -560,6 +560,131 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
   %61 = add nsw i64 %45, 1
   %62 = icmp eq i64 %60, %35
   br i1 %62, label %40, label %44
+}
+
+define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, double noundef %3, i64 noundef %4, ptr nocapture noundef %5, ptr nocapture noundef %6, ptr nocapture noundef %7) local_unnamed_addr #0 {
+  %9 = alloca i64, align 8
+  store double %3, ptr %5, align 8
+  store i64 0, ptr %6, align 8
+  store i64 -1, ptr %7, align 8
+  %10 = icmp sgt i64 %2, 0
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
+  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  br label %13
+
+13:                                               ; preds = %77, %8
+  %14 = phi i1 [ true, %8 ], [ false, %77 ]
+  %15 = phi i32 [ 0, %8 ], [ 1, %77 ]
+  br i1 %10, label %16, label %76
+
+16:                                               ; preds = %13, %69
+  %17 = phi i1 [ %71, %69 ], [ true, %13 ]
+  %18 = phi i64 [ %70, %69 ], [ 0, %13 ]
+  %19 = srem i64 %18, %4
+  %20 = icmp ne i64 %19, 0
+  %21 = zext i1 %20 to i32
+  %22 = icmp eq i32 %15, %21
+  br i1 %22, label %23, label %69
+
+23:                                               ; preds = %16
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #15
+  store i64 0, ptr %9, align 8
+  %24 = load double, ptr %5, align 8
+  %25 = load i64, ptr %0, align 8
+  %26 = mul nsw i64 %25, %18
+  %27 = getelementptr inbounds double, ptr %1, i64 %26
+  %28 = fadd double %24, 1.000000e-09
+  %29 = call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %27, double noundef %28, ptr noundef nonnull %9, ptr noundef null)
+  %30 = load i64, ptr %9, align 8
+  %31 = icmp sgt i64 %30, 0
+  br i1 %31, label %33, label %32
+
+32:                                               ; preds = %23
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #15
+  br label %69
+
+33:                                               ; preds = %23
+  %34 = load ptr, ptr %11, align 8
+  %35 = load ptr, ptr %12, align 8
+  %36 = load i64, ptr %7, align 8
+  br label %39
+
+37:                                               ; preds = %65
+  %38 = icmp eq i32 %48, 0
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #15
+  br i1 %38, label %73, label %69
+
+39:                                               ; preds = %33, %65
+  %40 = phi i64 [ %36, %33 ], [ %66, %65 ]
+  %41 = phi i64 [ 0, %33 ], [ %67, %65 ]
+  %42 = phi i32 [ 1, %33 ], [ %48, %65 ]
+  %43 = getelementptr inbounds i64, ptr %34, i64 %41
+  %44 = load i64, ptr %43, align 8
+  %45 = getelementptr inbounds double, ptr %35, i64 %44
+  %46 = load double, ptr %45, align 8
+  store double 0x7FF0000000000000, ptr %45, align 8
+  %47 = fcmp uno double %46, 0.000000e+00
+  %48 = select i1 %47, i32 0, i32 %42
+  %49 = icmp sgt i64 %40, -1
+  br i1 %49, label %50, label %57
+
+50:                                               ; preds = %39
+  %51 = load i64, ptr %6, align 8
+  %52 = icmp slt i64 %18, %51
+  br i1 %52, label %57, label %53
+
+53:                                               ; preds = %50
+  %54 = icmp eq i64 %18, %51
+  %55 = icmp slt i64 %44, %40
+  %56 = select i1 %54, i1 %55, i1 false
+  br label %57
+
+57:                                               ; preds = %53, %50, %39
+  %58 = phi i1 [ false, %39 ], [ true, %50 ], [ %56, %53 ]
+  %59 = load double, ptr %5, align 8
+  %60 = fcmp olt double %46, %59
+  %61 = fcmp oeq double %46, %59
+  %62 = select i1 %61, i1 %58, i1 false
+  %63 = select i1 %60, i1 true, i1 %62
+  br i1 %63, label %64, label %65
+
+64:                                               ; preds = %57
+  store double %46, ptr %5, align 8
+  store i64 %18, ptr %6, align 8
+  store i64 %44, ptr %7, align 8
+  br label %65
+
+65:                                               ; preds = %57, %64
+  %66 = phi i64 [ %40, %57 ], [ %44, %64 ]
+  %67 = add nuw nsw i64 %41, 1
+  %68 = icmp eq i64 %67, %30
+  br i1 %68, label %37, label %39
+
+69:                                               ; preds = %32, %37, %16
+  %70 = add nuw nsw i64 %18, 1
+  %71 = icmp slt i64 %70, %2
+  %72 = icmp eq i64 %70, %2
+  br i1 %72, label %76, label %16
+
+73:                                               ; preds = %37
+  %74 = xor i1 %14, true
+  %75 = or i1 %17, %74
+  br i1 %75, label %78, label %77
+
+76:                                               ; preds = %69, %13
+  br i1 %14, label %77, label %81
+
+77:                                               ; preds = %76, %73
+  br label %13
+
+78:                                               ; preds = %73
+  %79 = xor i1 %17, true
+  %80 = zext i1 %79 to i32
+  br label %81
+
+81:                                               ; preds = %76, %78
+  %82 = phi i32 [ %80, %78 ], [ 1, %76 ]
+  ret i32 %82
 }
 
 define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr noundef %5, ptr nocapture noundef writeonly %6) local_unnamed_addr #0 {

@@ -152,9 +152,9 @@ class DistanceSearch:
             known: places (s, pair) around which there is always a search for a dip.
         """
         if self._compiled is not None and curve.address:
-            found = self._compiled.look(curve, target, band, known)
-            if found is not None:
-                return found
+            compiled = self._compiled.look(curve, target, band, known)
+            if compiled is not None:
+                return compiled
         s = np.linspace(0.0, 1.0, INTERVALS + 1)
         reach = np.full(len(s), target + FARTHEST)
         reach[::SPACING] = target + max(band, FARTHEST)
@@ -317,9 +317,7 @@ class _Compiled:
         if count < 0:
             return None
         found = self._found[:count].copy()
-        return Look(
-            distances=found["distance"], s=found["s"], pairs=found["pair"], is_bottom=found["is_bottom"].astype(bool)
-        )
+        return Look(distances=found["distance"], s=found["s"], pairs=found["pair"], is_bottom=found["is_bottom"].astype(bool))
 
     def _with_room(self, room: int, known: int) -> _Look:
         """Working memory for so many near pairs and known places."""

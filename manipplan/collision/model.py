@@ -195,12 +195,13 @@ class CollisionModel:
         """The smallest distance at all q (m, n) [m], its row, and the index of its pair; inf, 0, -1 if nothing is checked."""
         if not self.pair_names:
             return np.inf, 0, -1
-        for reach in REACHES if self._kernel is not None else ():
-            found = self._kernel.least(q, reach, COARSE_STEP)
-            if found is None:
-                break
-            if found[2] >= 0:
-                return found
+        if self._kernel is not None:
+            for reach in REACHES:
+                found = self._kernel.least(q, reach, COARSE_STEP)
+                if found is None:
+                    break
+                if found[2] >= 0:
+                    return found
         bound = np.inf
         for reach in REACHES:
             bound = float(self.distance_rows(q[:1], beyond=reach).min())

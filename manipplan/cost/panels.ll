@@ -1,4 +1,4 @@
-; panels.c 277dc496bb3ed2f5031c8aa026bd65eed100be6c796df38e8b64c15225058ac8: written by make kernel
+; panels.c 684b5af2c4855bf150e1f10bcda2036e3c9d5a0b5bde04732298e1b9fdd90258: written by make kernel
 
 %struct.Integral = type { ptr, ptr, ptr, ptr, i64, i64, ptr, ptr, double, double }
 
@@ -567,7 +567,595 @@ define dso_local i64 @manipplan_fine_panels(ptr nocapture noundef readonly %0, p
 
 declare double @llvm.fabs.f64(double) #5
 
+define dso_local i32 @manipplan_integral(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, i64 noundef %2, i64 noundef %3, i64 noundef %4, double noundef %5, ptr nocapture noundef writeonly %6) local_unnamed_addr #0 {
+  %8 = mul i64 %2, 24
+  %9 = tail call noalias ptr @malloc(i64 noundef %8) #9
+  %10 = icmp eq ptr %9, null
+  br i1 %10, label %200, label %11
+
+11:                                               ; preds = %7
+  %12 = getelementptr double, ptr %9, i64 %2
+  %13 = getelementptr inbounds double, ptr %12, i64 %2
+  %14 = icmp sgt i64 %2, 0
+  br i1 %14, label %15, label %17
+
+15:                                               ; preds = %11
+  %16 = load double, ptr %1, align 8
+  br label %24
+
+17:                                               ; preds = %24, %11
+  %18 = tail call i32 @manipplan_panels(ptr noundef %0, ptr noundef nonnull %9, ptr noundef nonnull %12, i64 noundef %2, ptr noundef nonnull %13)
+  %19 = icmp sgt i64 %4, 0
+  %20 = icmp ne i64 %2, 0
+  %21 = and i1 %19, %20
+  %22 = icmp eq i32 %18, 0
+  %23 = select i1 %21, i1 %22, i1 false
+  br i1 %23, label %33, label %187
+
+24:                                               ; preds = %15, %24
+  %25 = phi double [ %30, %24 ], [ %16, %15 ]
+  %26 = phi i64 [ %28, %24 ], [ 0, %15 ]
+  %27 = getelementptr inbounds double, ptr %9, i64 %26
+  store double %25, ptr %27, align 8
+  %28 = add nuw nsw i64 %26, 1
+  %29 = getelementptr inbounds double, ptr %1, i64 %28
+  %30 = load double, ptr %29, align 8
+  %31 = getelementptr inbounds double, ptr %12, i64 %26
+  store double %30, ptr %31, align 8
+  %32 = icmp eq i64 %28, %2
+  br i1 %32, label %17, label %24
+
+33:                                               ; preds = %17, %174
+  %34 = phi i64 [ %175, %174 ], [ %2, %17 ]
+  %35 = phi ptr [ %110, %174 ], [ %9, %17 ]
+  %36 = phi double [ %179, %174 ], [ 0.000000e+00, %17 ]
+  %37 = phi ptr [ %176, %174 ], [ %12, %17 ]
+  %38 = phi ptr [ %177, %174 ], [ %13, %17 ]
+  %39 = phi i64 [ %181, %174 ], [ 0, %17 ]
+  %40 = shl i64 %34, 6
+  %41 = tail call noalias ptr @malloc(i64 noundef %40) #9
+  %42 = icmp eq ptr %41, null
+  br i1 %42, label %197, label %43
+
+43:                                               ; preds = %33
+  %44 = shl nsw i64 %34, 1
+  %45 = getelementptr inbounds double, ptr %41, i64 %44
+  %46 = getelementptr inbounds double, ptr %45, i64 %44
+  %47 = getelementptr inbounds double, ptr %46, i64 %44
+  %48 = getelementptr inbounds double, ptr %47, i64 %34
+  %49 = icmp sgt i64 %34, 0
+  br i1 %49, label %54, label %50
+
+50:                                               ; preds = %43
+  %51 = tail call i32 @manipplan_panels(ptr noundef %0, ptr noundef nonnull %41, ptr noundef nonnull %45, i64 noundef %44, ptr noundef nonnull %46)
+  br label %70
+
+52:                                               ; preds = %54
+  %53 = tail call i32 @manipplan_panels(ptr noundef %0, ptr noundef nonnull %41, ptr noundef nonnull %45, i64 noundef %44, ptr noundef nonnull %46)
+  br i1 %49, label %77, label %70
+
+54:                                               ; preds = %43, %54
+  %55 = phi i64 [ %68, %54 ], [ 0, %43 ]
+  %56 = getelementptr inbounds double, ptr %35, i64 %55
+  %57 = load double, ptr %56, align 8
+  %58 = getelementptr inbounds double, ptr %37, i64 %55
+  %59 = load double, ptr %58, align 8
+  %60 = fadd double %57, %59
+  %61 = fmul double %60, 5.000000e-01
+  %62 = shl nuw nsw i64 %55, 1
+  %63 = getelementptr inbounds double, ptr %41, i64 %62
+  store double %57, ptr %63, align 8
+  %64 = or i64 %62, 1
+  %65 = getelementptr inbounds double, ptr %41, i64 %64
+  store double %61, ptr %65, align 8
+  %66 = getelementptr inbounds double, ptr %45, i64 %62
+  store double %61, ptr %66, align 8
+  %67 = getelementptr inbounds double, ptr %45, i64 %64
+  store double %59, ptr %67, align 8
+  %68 = add nuw nsw i64 %55, 1
+  %69 = icmp eq i64 %68, %34
+  br i1 %69, label %52, label %54
+
+70:                                               ; preds = %50, %52
+  %71 = phi i32 [ %51, %50 ], [ %53, %52 ]
+  %72 = tail call fastcc double @sum(ptr noundef nonnull %48, i64 noundef 0)
+  br label %102
+
+73:                                               ; preds = %98
+  %74 = tail call fastcc double @sum(ptr noundef nonnull %48, i64 noundef %99)
+  %75 = fadd double %36, %74
+  %76 = fmul double %75, %5
+  br i1 %49, label %116, label %102
+
+77:                                               ; preds = %52, %98
+  %78 = phi i64 [ %100, %98 ], [ 0, %52 ]
+  %79 = phi i64 [ %99, %98 ], [ 0, %52 ]
+  %80 = shl nuw nsw i64 %78, 1
+  %81 = getelementptr inbounds double, ptr %46, i64 %80
+  %82 = load double, ptr %81, align 8
+  %83 = or i64 %80, 1
+  %84 = getelementptr inbounds double, ptr %46, i64 %83
+  %85 = load double, ptr %84, align 8
+  %86 = fadd double %82, %85
+  %87 = getelementptr inbounds double, ptr %47, i64 %78
+  store double %86, ptr %87, align 8
+  %88 = tail call double @llvm.fabs.f64(double %86) #12
+  %89 = fcmp ueq double %88, 0x7FF0000000000000
+  br i1 %89, label %98, label %90
+
+90:                                               ; preds = %77
+  %91 = getelementptr inbounds double, ptr %38, i64 %78
+  %92 = load double, ptr %91, align 8
+  %93 = tail call double @llvm.fabs.f64(double %92) #12
+  %94 = fcmp ueq double %93, 0x7FF0000000000000
+  br i1 %94, label %98, label %95
+
+95:                                               ; preds = %90
+  %96 = add nsw i64 %79, 1
+  %97 = getelementptr inbounds double, ptr %48, i64 %79
+  store double %92, ptr %97, align 8
+  br label %98
+
+98:                                               ; preds = %77, %90, %95
+  %99 = phi i64 [ %96, %95 ], [ %79, %90 ], [ %79, %77 ]
+  %100 = add nuw nsw i64 %78, 1
+  %101 = icmp eq i64 %100, %34
+  br i1 %101, label %73, label %77
+
+102:                                              ; preds = %140, %70, %73
+  %103 = phi i32 [ %53, %73 ], [ %71, %70 ], [ %53, %140 ]
+  %104 = phi i64 [ 0, %73 ], [ 0, %70 ], [ %141, %140 ]
+  %105 = phi i64 [ 0, %73 ], [ 0, %70 ], [ %142, %140 ]
+  %106 = tail call fastcc double @sum(ptr noundef nonnull %48, i64 noundef %104)
+  %107 = fadd double %36, %106
+  %108 = mul i64 %105, 48
+  %109 = or i64 %108, 8
+  %110 = tail call noalias ptr @malloc(i64 noundef %109) #9
+  %111 = icmp eq ptr %110, null
+  br i1 %111, label %145, label %112
+
+112:                                              ; preds = %102
+  %113 = icmp sgt i64 %105, 0
+  br i1 %113, label %114, label %174
+
+114:                                              ; preds = %112
+  %115 = shl nsw i64 %105, 2
+  br label %146
+
+116:                                              ; preds = %73, %140
+  %117 = phi i64 [ %143, %140 ], [ 0, %73 ]
+  %118 = phi i64 [ %142, %140 ], [ 0, %73 ]
+  %119 = phi i64 [ %141, %140 ], [ 0, %73 ]
+  %120 = getelementptr inbounds double, ptr %47, i64 %117
+  %121 = load double, ptr %120, align 8
+  %122 = tail call double @llvm.fabs.f64(double %121) #12
+  %123 = fcmp ueq double %122, 0x7FF0000000000000
+  br i1 %123, label %136, label %124
+
+124:                                              ; preds = %116
+  %125 = getelementptr inbounds double, ptr %38, i64 %117
+  %126 = load double, ptr %125, align 8
+  %127 = tail call double @llvm.fabs.f64(double %126) #12
+  %128 = fcmp ueq double %127, 0x7FF0000000000000
+  br i1 %128, label %136, label %129
+
+129:                                              ; preds = %124
+  %130 = fsub double %121, %126
+  %131 = tail call double @llvm.fabs.f64(double %130)
+  %132 = fcmp ugt double %131, %76
+  br i1 %132, label %136, label %133
+
+133:                                              ; preds = %129
+  %134 = add nsw i64 %119, 1
+  %135 = getelementptr inbounds double, ptr %48, i64 %119
+  store double %121, ptr %135, align 8
+  br label %140
+
+136:                                              ; preds = %116, %129, %124
+  %137 = sitofp i64 %117 to double
+  %138 = add nsw i64 %118, 1
+  %139 = getelementptr inbounds double, ptr %47, i64 %118
+  store double %137, ptr %139, align 8
+  br label %140
+
+140:                                              ; preds = %136, %133
+  %141 = phi i64 [ %134, %133 ], [ %119, %136 ]
+  %142 = phi i64 [ %118, %133 ], [ %138, %136 ]
+  %143 = add nuw nsw i64 %117, 1
+  %144 = icmp eq i64 %143, %34
+  br i1 %144, label %102, label %116
+
+145:                                              ; preds = %102
+  tail call void @free(ptr noundef nonnull %41) #10
+  br label %197
+
+146:                                              ; preds = %114, %155
+  %147 = phi i64 [ 0, %114 ], [ %156, %155 ]
+  %148 = getelementptr inbounds double, ptr %47, i64 %147
+  %149 = load double, ptr %148, align 8
+  %150 = fptosi double %149 to i64
+  %151 = shl nsw i64 %150, 1
+  %152 = shl nuw nsw i64 %147, 1
+  %153 = add i64 %147, %105
+  %154 = shl i64 %153, 1
+  br label %158
+
+155:                                              ; preds = %158
+  %156 = add nuw nsw i64 %147, 1
+  %157 = icmp eq i64 %156, %105
+  br i1 %157, label %174, label %146
+
+158:                                              ; preds = %146, %158
+  %159 = phi i1 [ true, %146 ], [ false, %158 ]
+  %160 = phi i64 [ 0, %146 ], [ 1, %158 ]
+  %161 = or i64 %151, %160
+  %162 = getelementptr inbounds double, ptr %41, i64 %161
+  %163 = load double, ptr %162, align 8
+  %164 = or i64 %152, %160
+  %165 = getelementptr inbounds double, ptr %110, i64 %164
+  store double %163, ptr %165, align 8
+  %166 = getelementptr inbounds double, ptr %45, i64 %161
+  %167 = load double, ptr %166, align 8
+  %168 = or i64 %154, %160
+  %169 = getelementptr inbounds double, ptr %110, i64 %168
+  store double %167, ptr %169, align 8
+  %170 = getelementptr inbounds double, ptr %46, i64 %161
+  %171 = load double, ptr %170, align 8
+  %172 = add i64 %164, %115
+  %173 = getelementptr inbounds double, ptr %110, i64 %172
+  store double %171, ptr %173, align 8
+  br i1 %159, label %158, label %155
+
+174:                                              ; preds = %155, %112
+  tail call void @free(ptr noundef %35) #10
+  tail call void @free(ptr noundef nonnull %41) #10
+  %175 = shl nsw i64 %105, 1
+  %176 = getelementptr inbounds double, ptr %110, i64 %175
+  %177 = getelementptr inbounds double, ptr %176, i64 %175
+  %178 = icmp sgt i64 %175, %3
+  %179 = select i1 %178, double 0x7FF0000000000000, double %107
+  %180 = select i1 %178, i64 0, i64 %175
+  %181 = add nuw nsw i64 %39, 1
+  %182 = icmp slt i64 %181, %4
+  %183 = icmp ne i64 %180, 0
+  %184 = select i1 %182, i1 %183, i1 false
+  %185 = icmp eq i32 %103, 0
+  %186 = select i1 %184, i1 %185, i1 false
+  br i1 %186, label %33, label %187
+
+187:                                              ; preds = %174, %17
+  %188 = phi i32 [ %18, %17 ], [ %103, %174 ]
+  %189 = phi ptr [ %13, %17 ], [ %177, %174 ]
+  %190 = phi double [ 0.000000e+00, %17 ], [ %179, %174 ]
+  %191 = phi ptr [ %9, %17 ], [ %110, %174 ]
+  %192 = phi i64 [ %2, %17 ], [ %180, %174 ]
+  %193 = icmp eq i32 %188, 0
+  br i1 %193, label %194, label %197
+
+194:                                              ; preds = %187
+  %195 = tail call fastcc double @sum(ptr noundef %189, i64 noundef %192)
+  %196 = fadd double %190, %195
+  store double %196, ptr %6, align 8
+  br label %197
+
+197:                                              ; preds = %33, %145, %194, %187
+  %198 = phi ptr [ %191, %194 ], [ %191, %187 ], [ %35, %145 ], [ %35, %33 ]
+  %199 = phi i32 [ 0, %194 ], [ %188, %187 ], [ 1, %145 ], [ 1, %33 ]
+  tail call void @free(ptr noundef %198) #10
+  br label %200
+
+200:                                              ; preds = %7, %197
+  %201 = phi i32 [ %199, %197 ], [ 1, %7 ]
+  ret i32 %201
+}
+
+define dso_local i32 @manipplan_minimum(ptr nocapture noundef readonly %0, i64 noundef %1, i64 noundef %2, i64 noundef %3, i64 noundef %4, ptr nocapture noundef %5) local_unnamed_addr #0 {
+  %7 = icmp sgt i64 %1, %4
+  %8 = add nsw i64 %1, 1
+  %9 = add i64 %4, 1
+  %10 = select i1 %7, i64 %8, i64 %9
+  %11 = getelementptr inbounds %struct.Integral, ptr %0, i64 0, i32 4
+  %12 = load i64, ptr %11, align 8
+  %13 = add nsw i64 %12, 2
+  %14 = shl i64 %10, 3
+  %15 = mul i64 %14, %13
+  %16 = tail call noalias ptr @malloc(i64 noundef %15) #9
+  %17 = mul i64 %2, 24
+  %18 = tail call noalias ptr @malloc(i64 noundef %17) #9
+  %19 = icmp eq ptr %16, null
+  %20 = icmp eq ptr %18, null
+  %21 = or i1 %19, %20
+  br i1 %21, label %212, label %22
+
+22:                                               ; preds = %6
+  %23 = getelementptr inbounds double, ptr %16, i64 %10
+  %24 = getelementptr inbounds double, ptr %23, i64 %10
+  %25 = getelementptr inbounds double, ptr %18, i64 %2
+  %26 = getelementptr inbounds double, ptr %25, i64 %2
+  %27 = sitofp i64 %1 to double
+  %28 = fdiv double 1.000000e+00, %27
+  %29 = icmp sgt i64 %1, 0
+  br i1 %29, label %30, label %38
+
+30:                                               ; preds = %22, %30
+  %31 = phi i64 [ %36, %30 ], [ 0, %22 ]
+  %32 = sitofp i64 %31 to double
+  %33 = fmul double %28, %32
+  %34 = fadd double %33, 0.000000e+00
+  %35 = getelementptr inbounds double, ptr %16, i64 %31
+  store double %34, ptr %35, align 8
+  %36 = add nuw nsw i64 %31, 1
+  %37 = icmp eq i64 %36, %1
+  br i1 %37, label %38, label %30
+
+38:                                               ; preds = %30, %22
+  %39 = getelementptr inbounds double, ptr %16, i64 %1
+  store double 1.000000e+00, ptr %39, align 8
+  %40 = getelementptr inbounds %struct.Integral, ptr %0, i64 0, i32 2
+  %41 = load ptr, ptr %40, align 8
+  %42 = load ptr, ptr %0, align 8
+  %43 = tail call i64 %41(ptr noundef %42, ptr noundef nonnull %16, i64 noundef %8, double noundef 0.000000e+00, ptr noundef %24) #10
+  %44 = icmp eq i64 %43, 0
+  br i1 %44, label %48, label %45
+
+45:                                               ; preds = %38
+  store double 0x7FF0000000000000, ptr %5, align 8
+  %46 = getelementptr inbounds double, ptr %5, i64 1
+  store double 0.000000e+00, ptr %46, align 8
+  %47 = getelementptr inbounds double, ptr %5, i64 2
+  store double 0xFFF0000000000000, ptr %47, align 8
+  br label %212
+
+48:                                               ; preds = %38
+  %49 = getelementptr inbounds %struct.Integral, ptr %0, i64 0, i32 3
+  %50 = load ptr, ptr %49, align 8
+  %51 = tail call i32 %50(ptr noundef nonnull %24, ptr noundef nonnull %23, i64 noundef %8) #10
+  %52 = icmp ne i32 %51, 0
+  %53 = zext i1 %52 to i32
+  store double 0x7FF0000000000000, ptr %5, align 8
+  %54 = getelementptr inbounds double, ptr %5, i64 1
+  store double 0.000000e+00, ptr %54, align 8
+  %55 = getelementptr inbounds double, ptr %5, i64 2
+  store double 0xFFF0000000000000, ptr %55, align 8
+  %56 = icmp slt i64 %1, 0
+  %57 = select i1 %56, i1 true, i1 %52
+  br i1 %57, label %212, label %58
+
+58:                                               ; preds = %48
+  %59 = add nsw i64 %2, -1
+  %60 = getelementptr inbounds double, ptr %26, i64 %59
+  br label %71
+
+61:                                               ; preds = %134
+  %62 = icmp slt i64 %135, 1
+  %63 = select i1 %62, i1 true, i1 %52
+  br i1 %63, label %212, label %64
+
+64:                                               ; preds = %61
+  %65 = icmp sgt i64 %3, 0
+  %66 = sitofp i64 %4 to double
+  %67 = icmp sgt i64 %4, 0
+  %68 = getelementptr inbounds double, ptr %16, i64 %4
+  %69 = getelementptr inbounds %struct.Integral, ptr %0, i64 0, i32 3
+  %70 = icmp slt i64 %4, 1
+  br label %138
+
+71:                                               ; preds = %58, %134
+  %72 = phi double [ 0xFFF0000000000000, %58 ], [ %80, %134 ]
+  %73 = phi i64 [ 0, %58 ], [ %136, %134 ]
+  %74 = phi i64 [ 0, %58 ], [ %135, %134 ]
+  %75 = getelementptr inbounds double, ptr %23, i64 %73
+  %76 = load double, ptr %75, align 8
+  %77 = fcmp ogt double %76, %72
+  br i1 %77, label %78, label %79
+
+78:                                               ; preds = %71
+  store double %76, ptr %55, align 8
+  br label %79
+
+79:                                               ; preds = %78, %71
+  %80 = phi double [ %76, %78 ], [ %72, %71 ]
+  %81 = icmp eq i64 %73, 0
+  br i1 %81, label %87, label %82
+
+82:                                               ; preds = %79
+  %83 = add nsw i64 %73, -1
+  %84 = getelementptr inbounds double, ptr %23, i64 %83
+  %85 = load double, ptr %84, align 8
+  %86 = fcmp ogt double %76, %85
+  br i1 %86, label %134, label %87
+
+87:                                               ; preds = %82, %79
+  %88 = icmp slt i64 %73, %1
+  br i1 %88, label %89, label %94
+
+89:                                               ; preds = %87
+  %90 = add nuw nsw i64 %73, 1
+  %91 = getelementptr inbounds double, ptr %23, i64 %90
+  %92 = load double, ptr %91, align 8
+  %93 = fcmp ogt double %76, %92
+  br i1 %93, label %134, label %94
+
+94:                                               ; preds = %89, %87
+  %95 = icmp eq i64 %74, %2
+  br i1 %95, label %96, label %99
+
+96:                                               ; preds = %94
+  %97 = load double, ptr %60, align 8
+  %98 = fcmp ugt double %97, %76
+  br i1 %98, label %99, label %134
+
+99:                                               ; preds = %96, %94
+  %100 = icmp slt i64 %74, %2
+  %101 = zext i1 %100 to i64
+  %102 = add nsw i64 %74, %101
+  %103 = xor i1 %100, true
+  %104 = sext i1 %103 to i64
+  %105 = add nsw i64 %74, %104
+  %106 = icmp sgt i64 %105, 0
+  br i1 %106, label %107, label %122
+
+107:                                              ; preds = %99, %113
+  %108 = phi i64 [ %109, %113 ], [ %105, %99 ]
+  %109 = add nsw i64 %108, -1
+  %110 = getelementptr inbounds double, ptr %26, i64 %109
+  %111 = load double, ptr %110, align 8
+  %112 = fcmp ogt double %111, %76
+  br i1 %112, label %113, label %122
+
+113:                                              ; preds = %107
+  %114 = getelementptr inbounds double, ptr %26, i64 %108
+  store double %111, ptr %114, align 8
+  %115 = getelementptr inbounds double, ptr %18, i64 %109
+  %116 = load double, ptr %115, align 8
+  %117 = getelementptr inbounds double, ptr %18, i64 %108
+  store double %116, ptr %117, align 8
+  %118 = getelementptr inbounds double, ptr %25, i64 %109
+  %119 = load double, ptr %118, align 8
+  %120 = getelementptr inbounds double, ptr %25, i64 %108
+  store double %119, ptr %120, align 8
+  %121 = icmp ugt i64 %108, 1
+  br i1 %121, label %107, label %122
+
+122:                                              ; preds = %107, %113, %99
+  %123 = phi i64 [ %105, %99 ], [ 0, %113 ], [ %108, %107 ]
+  %124 = getelementptr inbounds double, ptr %26, i64 %123
+  store double %76, ptr %124, align 8
+  %125 = tail call i64 @llvm.usub.sat.i64(i64 %73, i64 1)
+  %126 = getelementptr inbounds double, ptr %16, i64 %125
+  %127 = load double, ptr %126, align 8
+  %128 = getelementptr inbounds double, ptr %18, i64 %123
+  store double %127, ptr %128, align 8
+  %129 = add nuw nsw i64 %73, 1
+  %130 = select i1 %88, i64 %129, i64 %1
+  %131 = getelementptr inbounds double, ptr %16, i64 %130
+  %132 = load double, ptr %131, align 8
+  %133 = getelementptr inbounds double, ptr %25, i64 %123
+  store double %132, ptr %133, align 8
+  br label %134
+
+134:                                              ; preds = %96, %82, %89, %122
+  %135 = phi i64 [ %74, %82 ], [ %74, %89 ], [ %2, %96 ], [ %102, %122 ]
+  %136 = add nuw nsw i64 %73, 1
+  %137 = icmp slt i64 %73, %1
+  br i1 %137, label %71, label %61
+
+138:                                              ; preds = %64, %144
+  %139 = phi i64 [ 0, %64 ], [ %146, %144 ]
+  br i1 %65, label %140, label %144
+
+140:                                              ; preds = %138
+  %141 = getelementptr inbounds double, ptr %18, i64 %139
+  %142 = getelementptr inbounds double, ptr %25, i64 %139
+  %143 = load double, ptr %142, align 8
+  br label %150
+
+144:                                              ; preds = %198, %138
+  %145 = phi i32 [ 0, %138 ], [ %175, %198 ]
+  %146 = add nuw nsw i64 %139, 1
+  %147 = icmp slt i64 %146, %135
+  %148 = icmp eq i32 %145, 0
+  %149 = select i1 %147, i1 %148, i1 false
+  br i1 %149, label %138, label %212
+
+150:                                              ; preds = %140, %198
+  %151 = phi double [ %143, %140 ], [ %208, %198 ]
+  %152 = phi i64 [ 0, %140 ], [ %209, %198 ]
+  %153 = load double, ptr %141, align 8
+  %154 = fsub double %151, %153
+  %155 = fdiv double %154, %66
+  br i1 %67, label %156, label %164
+
+156:                                              ; preds = %150, %156
+  %157 = phi i64 [ %162, %156 ], [ 0, %150 ]
+  %158 = sitofp i64 %157 to double
+  %159 = fmul double %155, %158
+  %160 = fadd double %153, %159
+  %161 = getelementptr inbounds double, ptr %16, i64 %157
+  store double %160, ptr %161, align 8
+  %162 = add nuw nsw i64 %157, 1
+  %163 = icmp eq i64 %162, %4
+  br i1 %163, label %164, label %156
+
+164:                                              ; preds = %156, %150
+  store double %151, ptr %68, align 8
+  %165 = load ptr, ptr %40, align 8
+  %166 = load ptr, ptr %0, align 8
+  %167 = tail call i64 %165(ptr noundef %166, ptr noundef %16, i64 noundef %9, double noundef 0.000000e+00, ptr noundef %24) #10
+  %168 = icmp eq i64 %167, 0
+  br i1 %168, label %169, label %174
+
+169:                                              ; preds = %164
+  %170 = load ptr, ptr %69, align 8
+  %171 = tail call i32 %170(ptr noundef nonnull %24, ptr noundef nonnull %23, i64 noundef %9) #10
+  %172 = icmp ne i32 %171, 0
+  %173 = zext i1 %172 to i32
+  br label %174
+
+174:                                              ; preds = %164, %169
+  %175 = phi i32 [ 1, %164 ], [ %173, %169 ]
+  br i1 %70, label %176, label %179
+
+176:                                              ; preds = %179, %174
+  %177 = phi i64 [ 0, %174 ], [ %187, %179 ]
+  %178 = icmp eq i32 %175, 0
+  br i1 %178, label %190, label %198
+
+179:                                              ; preds = %174, %179
+  %180 = phi i64 [ %188, %179 ], [ 1, %174 ]
+  %181 = phi i64 [ %187, %179 ], [ 0, %174 ]
+  %182 = getelementptr inbounds double, ptr %23, i64 %180
+  %183 = load double, ptr %182, align 8
+  %184 = getelementptr inbounds double, ptr %23, i64 %181
+  %185 = load double, ptr %184, align 8
+  %186 = fcmp olt double %183, %185
+  %187 = select i1 %186, i64 %180, i64 %181
+  %188 = add nuw i64 %180, 1
+  %189 = icmp eq i64 %180, %4
+  br i1 %189, label %176, label %179
+
+190:                                              ; preds = %176
+  %191 = getelementptr inbounds double, ptr %23, i64 %177
+  %192 = load double, ptr %191, align 8
+  %193 = load double, ptr %5, align 8
+  %194 = fcmp olt double %192, %193
+  br i1 %194, label %195, label %198
+
+195:                                              ; preds = %190
+  store double %192, ptr %5, align 8
+  %196 = getelementptr inbounds double, ptr %16, i64 %177
+  %197 = load double, ptr %196, align 8
+  store double %197, ptr %54, align 8
+  br label %198
+
+198:                                              ; preds = %195, %190, %176
+  %199 = icmp sgt i64 %177, 0
+  %200 = add nsw i64 %177, -1
+  %201 = select i1 %199, i64 %200, i64 0
+  %202 = getelementptr inbounds double, ptr %16, i64 %201
+  %203 = load double, ptr %202, align 8
+  store double %203, ptr %141, align 8
+  %204 = icmp slt i64 %177, %4
+  %205 = add nsw i64 %177, 1
+  %206 = select i1 %204, i64 %205, i64 %4
+  %207 = getelementptr inbounds double, ptr %16, i64 %206
+  %208 = load double, ptr %207, align 8
+  store double %208, ptr %142, align 8
+  %209 = add nuw nsw i64 %152, 1
+  %210 = icmp slt i64 %209, %3
+  %211 = and i1 %210, %178
+  br i1 %211, label %150, label %144
+
+212:                                              ; preds = %144, %45, %48, %61, %6
+  %213 = phi i32 [ 1, %6 ], [ %53, %61 ], [ 1, %45 ], [ %53, %48 ], [ %145, %144 ]
+  tail call void @free(ptr noundef %16) #10
+  tail call void @free(ptr noundef %18) #10
+  ret i32 %213
+}
+
 declare i64 @llvm.smin.i64(i64, i64) #7
+
+declare i64 @llvm.usub.sat.i64(i64, i64) #7
 
 declare void @llvm.memcpy.p0.p0.i64(ptr noalias nocapture writeonly, ptr noalias nocapture readonly, i64, i1 immarg) #8
 
@@ -585,5 +1173,6 @@ attributes #8 = { nocallback nofree nounwind willreturn memory(argmem: readwrite
 attributes #9 = { nounwind allocsize(0) }
 attributes #10 = { nounwind }
 attributes #11 = { nounwind willreturn memory(none) }
+attributes #12 = { memory(none) }
 
 

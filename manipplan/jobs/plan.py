@@ -31,7 +31,14 @@ MORE_DEGREES, SPLINE_PIECES = 3, 8
 RESERVE, LEAST_RESERVE = 0.05, 0.05
 #: C sources of this job that are compiled while it prepares collision shapes and generates code, at the first call ever.
 SOURCES = (
-    *("collision/distances.c", "paths/curves.c", "seeds/connect.c", "cost/panels.c", "collision/look.c", "optimize/descents/steps.c"),
+    *(
+        "collision/distances.c",
+        "paths/curves.c",
+        "seeds/connect.c",
+        "cost/panels.c",
+        "collision/look.c",
+        "optimize/descents/steps.c",
+    ),
     *("collision/body_motion.c", "timing/barrier.c"),
 )
 
@@ -150,7 +157,9 @@ def plan(
         if (descended and result.status.ok) or crosses or deadline.passed:
             break
         tell(0.6, f"{other.basis} of degree {other.degree}")
-        more = optimize_from(robot, result.seed, scene, objective=objective, shape=other, clearance=clearance, deadline=deadline)
+        more = optimize_from(
+            robot, result.seed, scene, objective=objective, shape=other, clearance=clearance, deadline=deadline
+        )
         if more.status is Status.INTERRUPTED:
             raise KeyboardInterrupt
         result = min(result, more, key=lambda each: (not each.status.ok, each.g))

@@ -10,9 +10,10 @@ import numpy as np
 from manipplan.cost.density import energy_density, length_density
 from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.optimize.clearance import ClearanceRow, row_functions
-from manipplan.optimize.descents.descent import FAILED, DescentProgram, descend
+from manipplan.optimize.descents.descent import FAILED, descend
 from manipplan.optimize.descents.fixed_rows import FixedRows
 from manipplan.optimize.descents.length import BatchDensity, Curves, LengthModel, MovingLengthModel
+from manipplan.optimize.descents.point import DescentProgram
 from manipplan.optimize.descents.rows import LimitRows, RowFunctions
 from manipplan.optimize.descents.surroundings import Surroundings
 from manipplan.optimize.ipopt import Hull, Integral, IpoptEnergy

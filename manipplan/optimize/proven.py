@@ -117,9 +117,8 @@ class ProvenDescents:
         converged, or as `until` says. Each starts with the panels of the one before it, and also watches the place where the
         proof failed. Before the final margin only those are taken that the path `kept` has, if it is given.
         With `softens` a path near a singularity is first moved with larger floors. Elsewhere a floor counts only with the final
-        margin, so that it changes the path little. None as well when g is not below `below`
-        with a wider margin than the final one. After the deadline, what the last descent reached is accepted if it is proven free,
-        and OutOfTimeError is raised.
+        margin, so that it changes the path little. None as well when g is not below `below` with a wider margin than the final
+        one. After the deadline, what the last descent reached is accepted if it is proven free, and OutOfTimeError is raised.
         """
         program, integral = self.program, self.program.integral
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
@@ -153,9 +152,7 @@ class ProvenDescents:
             if not np.isfinite(true.length.g0):
                 break
             preliminary = margin > final or floor > integral.floor
-            descent = descend(
-                true, z, tolerance=ROUGH if preliminary else None, patient=self.patient, deadline=self.deadline
-            )
+            descent = descend(true, z, tolerance=ROUGH if preliminary else None, patient=self.patient, deadline=self.deadline)
             if self.deadline.passed:
                 self._accept_late(true.length.curves.path(descent.z), true.length.curves.coefficients(descent.z), best)
             steps += descent.steps
@@ -215,9 +212,7 @@ class ProvenDescents:
             self.accepted.append(best)
         if self.inside_limits(path) and self.keeps(path):
             cost = self.program.integral.cost(path)
-            self.accepted.append(
-                Candidate(path=path, coefficients=coefficients, cost=cost, optimality=UNKNOWN, solver=LATE)
-            )
+            self.accepted.append(Candidate(path=path, coefficients=coefficients, cost=cost, optimality=UNKNOWN, solver=LATE))
         raise OutOfTimeError
 
     def margins(self, kept: JointPath | None) -> list[float]:

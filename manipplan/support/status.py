@@ -12,8 +12,8 @@ class Status(Enum):
     # paths between two configurations
     OPTIMAL = "optimal: the first-order conditions of a local optimum hold, and every check passed"
     STOPPED_EARLY = (
-        "feasible, not converged: every check passed, but the first-order conditions of a local optimum do not hold; "
-        "start again from this path (Seeding.initial), raise PathShape.degree or Seeding.time_limit, or try another Seeding.seed"
+        "feasible, not converged: every check passed, but the first-order conditions of a local optimum do not hold; start "
+        "again from this path (Seeding.initial), raise PathShape.degree or Seeding.time_limit, or try another Seeding.seed"
     )
     SEED_IS_BETTER = (
         "seed: no optimised path of this degree was found that has a lower g than the collision-free seed, which is returned; "

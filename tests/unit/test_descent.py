@@ -14,8 +14,9 @@ import manipplan as mp
 from manipplan.cost.density import length_density
 from manipplan.cost.integral import PathIntegral
 from manipplan.optimize.certificate import SINGLE, measure_optimality
-from manipplan.optimize.descents import descent, step_models
-from manipplan.optimize.descents.step_models import BatchDensity, Surroundings
+from manipplan.optimize.descents import descent
+from manipplan.optimize.descents.length import BatchDensity
+from manipplan.optimize.descents.surroundings import Surroundings
 from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram
@@ -60,20 +61,20 @@ def test_derivatives_of_g_are_exact(around_a_post):
 def test_rows_have_value_gradient_and_curvature_of_the_least_distance(around_a_post):
     """Also as the place of least distance moves along the path."""
     _, true, z = around_a_post
-    look = true.look(z, 0.0)
-    table = true.table(z, look)
-    k = next(k for k, (_, _, bottom) in enumerate(table.places) if bottom)
-    s, pair, _ = table.places[k]
-    rows = table.linear(z, z)
+    rows = true.measured(z)
+    k = int(np.flatnonzero(rows.moves)[0])
+    s, pair = rows.s[k], rows.pairs[k]
 
     def least(at):
-        found = true.look(at, 0.0)
+        found = true.look(true.length.curves.curve(at), 0.0)
         near = found.distances[(found.pairs == pair) & (np.abs(found.s - s) < 0.03)]
         return min(near) - true.surroundings.target
 
     assert rows.value[k] == pytest.approx(least(z), abs=1e-9)
-    np.testing.assert_allclose(rows.jacobian[k], differences(least, z, 1e-5), atol=1e-5)  # distances are good to about 1e-10 m
-    curvature = table.curvature(z, np.eye(len(table.places))[k])
+    np.testing.assert_allclose(
+        rows.linear.jacobian[k], differences(least, z, 1e-5), atol=1e-5
+    )  # distances are good to about 1e-10 m
+    curvature = rows.curvature(np.eye(len(rows.s))[k])
     direction = np.linalg.eigh(curvature)[1][:, -1]
     for across in (direction, np.roll(direction, 3)):
         h = 1e-3
@@ -163,13 +164,6 @@ def test_what_was_cut_off_is_not_called_optimal(panda, monkeypatch):
     assert result.status is mp.Status.STOPPED_EARLY
     assert result.certificate.projected_gradient > 1e-3
     assert result.certificate.proven_clearance > CLEARANCE
-
-
-def test_the_hessian_is_summed_in_parts_where_memory_is_short(around_a_post, monkeypatch):
-    _, true, z = around_a_post
-    whole = true.length.derivatives(z)[1]
-    monkeypatch.setattr(step_models, "MOST_PRODUCTS", 7 * 4 * z.shape[0] ** 2)  # seven places at a time
-    np.testing.assert_allclose(true.length.derivatives(z)[1], whole, rtol=1e-12, atol=1e-12 * np.abs(whole).max())
 
 
 def test_without_multipliers_a_path_is_not_called_optimal(around_a_post, monkeypatch):

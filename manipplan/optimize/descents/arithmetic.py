@@ -33,8 +33,8 @@ def _calls() -> dict[str, Callable[..., Any]]:
     return {name: ctypes.PYFUNCTYPE(*types)(code.address(f"manipplan_{name}")) for name, types in SIGNATURES.items()}
 
 
-#: What a compiled function takes for an array, which has to be contiguous and writable. `array.ctypes` takes five times as long.
-_at = (ctypes.c_char * 0).from_buffer
+#: What a compiled function takes for an array, which has to be contiguous and writable; `array.ctypes` takes much longer.
+_at: Callable[[NDArray[Any]], Any] = (ctypes.c_char * 0).from_buffer  # type: ignore[assignment]  # mypy knows no buffers
 
 
 def points(line: Array, values: Array, z: Array) -> Array:

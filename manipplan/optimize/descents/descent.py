@@ -15,13 +15,9 @@ from functools import cached_property
 
 import numpy as np
 
-from manipplan.collision.look import NOTHING, Look
-from manipplan.optimize.descents.fixed_rows import FixedRows, FixedRowsAt
-from manipplan.optimize.descents.length import LengthModel
+from manipplan.optimize.descents.point import DescentProgram, Point
 from manipplan.optimize.descents.quadratic import LARGEST_PENALTY, Step, convex, solve_step
-from manipplan.optimize.descents.rows import LimitRows, LinearRows, MeasuredRows, RowFunctions, rejected_rows
-from manipplan.optimize.descents.surroundings import Surroundings
-from manipplan.paths.curves import Curve
+from manipplan.optimize.descents.rows import LinearRows, rejected_rows
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.interrupts import interruptible
@@ -54,8 +50,6 @@ EXACT = 1e-9
 LEAST_PENALTY = 10.0
 #: 1 - ρ in (18.36) of nocedal2006: the share of ν times the restored violation that g may rise by.
 MENDED = 0.7
-#: Rows are made for bodies within this distance of the target: metres per radian of the radius, at least and at most [m].
-BAND, LEAST_BAND, MOST_BAND = 1.0, 2e-3, 0.1
 #: Why a descent ended at its deadline.
 LATE = "the time limit was reached"
 #: Why a descent ended whose model DAQP could not minimise, or is not finite.
@@ -82,101 +76,6 @@ class Descent:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class DescentProgram:
-    """Objective and constraints of a descent.
-
-    Attributes:
-        length: g as a function of the unknowns.
-        limits: the joint limits.
-        functions: functions of the clearance rows.
-        surroundings: distances of the true bodies; None: nothing is checked for collision.
-        rows: without surroundings, clearance rows that stay where they are; None: there are none.
-    """
-
-    length: LengthModel
-    limits: LimitRows
-    functions: RowFunctions
-    surroundings: Surroundings | None
-    rows: FixedRows | None = None
-
-    def look(self, curve: Curve, radius: float) -> Look:
-        """The bodies near a curve, within the distance that a step of `radius` can use up."""
-        if self.surroundings is None:
-            return NOTHING
-        return self.surroundings.look(curve, min(max(BAND * radius, LEAST_BAND), MOST_BAND))
-
-    def measured(self, z: Array, radius: float = 0.0) -> MeasuredRows:
-        """The rows at z (f, n) of the bodies near there."""
-        assert self.surroundings is not None
-        curve = self.length.curves.curve(z)
-        return MeasuredRows.of(self.length.curves, self.surroundings, z, curve, self.look(curve, radius))
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _Point:
-    """A path that was tried.
-
-    Attributes:
-        program: what is minimised.
-        z: its unknowns (f, n).
-        value: g over g₀.
-        curve: the path.
-        look: the bodies near it.
-        control: (r, n) the control points that keep the joint limits.
-        violation: largest violation of limits and target clearance [rad or m].
-    """
-
-    program: DescentProgram
-    z: Array
-    value: float
-    curve: Curve
-    look: Look
-    control: Array
-    violation: float
-
-    @classmethod
-    def of(cls, program: DescentProgram, z: Array, radius: float) -> "_Point":
-        curve, value = program.length.curves.curve(z), program.length.value(z)
-        look, control = program.look(curve, radius), program.limits.points(z)
-        short = 0.0 if program.surroundings is None else max(program.surroundings.target - look.least, 0.0)
-        fixed = None if program.rows is None else program.rows.at(z)
-        violation = max(short, 0.0 if fixed is None else fixed.violation, program.limits.violation(control))
-        point = cls(
-            program=program,
-            z=z,
-            value=value if np.isfinite(value) else np.inf,
-            curve=curve,
-            look=look,
-            control=control,
-            violation=violation,
-        )
-        if fixed is not None:
-            point.__dict__["rows"] = fixed  # their values are known
-        return point
-
-    @cached_property
-    def rows(self) -> MeasuredRows | FixedRowsAt | None:
-        """The clearance rows here; None where nothing is checked."""
-        program = self.program
-        if program.surroundings is None:
-            return None
-        return MeasuredRows.of(program.length.curves, program.surroundings, self.z, self.curve, self.look)
-
-    @property
-    def clearance(self) -> LinearRows:
-        """The clearance rows for steps from here."""
-        return LinearRows.none(self.z.size) if self.rows is None else self.rows.linear
-
-    def limits(self, radius: float) -> LinearRows:
-        """The joint limits that a step whose entries are at most `radius` can reach."""
-        return self.program.limits.near(self.control, radius)
-
-    def merit(self, penalty: float) -> float:
-        """φ = g + ν v."""
-        return self.value + penalty * self.violation
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
 class _Model:
     """The quadratic model of the Lagrangian about a point.
 
@@ -200,7 +99,7 @@ class _Model:
     first: tuple[Array, float, Step] | None
 
     @classmethod
-    def of(cls, program: DescentProgram, at: _Point, radius: float, penalty: float, previous: Array) -> "_Model | None":
+    def of(cls, program: DescentProgram, at: Point, radius: float, penalty: float, previous: Array) -> "_Model | None":
         """The model about a point; None where DAQP fails, or a derivative of g is not finite.
 
         The multipliers come from a first quadratic program, with the `previous` curvature (f n, f n) of the clearance.
@@ -229,7 +128,7 @@ class _Model:
             first=None if active.any() or previous.any() else (quadratic, radius, step),
         )
 
-    def step(self, here: _Point, radius: float, penalty: float, *, is_plain: bool) -> Step | None:
+    def step(self, here: Point, radius: float, penalty: float, *, is_plain: bool) -> Step | None:
         """The step of the model in a trust region; None where DAQP fails."""
         if self.first is not None and self.first[1] == radius:
             return self.first[2]
@@ -253,7 +152,7 @@ class _Model:
         """The same without the addition: tried where `augmented` gives no step that lowers the merit function."""
         return self.augmented if self.first is not None else (convex(self.hessian), self.gradient)
 
-    def with_rejected(self, here: _Point, there: _Point) -> "_Model":
+    def with_rejected(self, here: Point, there: Point) -> "_Model":
         """The same model about `here`, with rows for the bodies that a rejected step met at `there`."""
         program = here.program
         if program.surroundings is None:
@@ -300,7 +199,7 @@ def descend(
     steps = usual_steps if steps is None else steps
     tolerance = usual_tolerance if tolerance is None else tolerance
     radius, penalty = first_radius, least_penalty
-    here = _Point.of(program, z, radius)
+    here = Point.of(program, z, radius)
     model: _Model | None = None
     curvature = np.zeros((z.size, z.size))
     widens = tolerance <= MOST_TOLERANCE
@@ -334,7 +233,7 @@ def descend(
                 is_plain = True
             elif widens and wide_steps == 0:
                 radius, wide_steps = first_radius, WIDE_STEPS
-                here, model = _Point.of(program, here.z, radius), None
+                here, model = Point.of(program, here.z, radius), None
             else:
                 return ended(count, "no step lowers g")
             continue
@@ -365,26 +264,26 @@ def descend(
 def _tried(
     program: DescentProgram,
     quadratic: tuple[Array, Array],
-    here: _Point,
+    here: Point,
     step: Step,
     predicted: float,
     radius: float,
     penalty: float,
-) -> tuple[_Point, float]:
+) -> tuple[Point, float]:
     """The point a step leads to, and the actual decrease of the merit function.
 
     Where that point violates a limit or the clearance and the decrease is small, a second-order correction is tried, with rows
     from there. Its point is returned if it is better [nocedal2006, sec. 15.6].
     """
     before = here.merit(penalty)
-    new = _Point.of(program, here.z + step.p.reshape(here.z.shape), radius)
+    new = Point.of(program, here.z + step.p.reshape(here.z.shape), radius)
     decrease = before - new.merit(penalty)
     if decrease > CORRECTED * predicted or new.violation < EXACT or not np.isfinite(new.value):
         return new, decrease
     rows = here.limits(radius).with_rows(new.clearance.from_step((here.z - new.z).ravel()))
     corrected = solve_step(*quadratic, rows, radius, penalty)
     if corrected is not None:
-        other = _Point.of(program, here.z + corrected.p.reshape(here.z.shape), radius)
+        other = Point.of(program, here.z + corrected.p.reshape(here.z.shape), radius)
         if before - other.merit(penalty) > decrease:
             return other, before - other.merit(penalty)
     return new, decrease

@@ -45,7 +45,9 @@ class Curves:
     def curve(self, z: Array) -> Curve:
         """The curve at z, for evaluation."""
         line, shapes = self._control
-        return Curve(self.basis.breaks, arithmetic.points(line, shapes, z).reshape(len(self.basis.control), -1, len(self.start)))
+        return Curve(
+            self.basis.breaks, arithmetic.points(line, shapes, z).reshape(len(self.basis.control), -1, len(self.start))
+        )
 
     def at(self, s: Array, order: int = 0) -> tuple[Array, Array]:
         """At s (m,) the curve of z = 0 (m, n), or its derivative of an order, and its change with z (m, f) for each joint."""
@@ -79,9 +81,7 @@ class BatchDensity:
     @classmethod
     def of(cls, density: Density) -> "BatchDensity":
         """The three functions of a density with buffers of their own."""
-        value, gradient, derivatives = (
-            BatchFunction(each) for each in (density.value, density.gradient, density.derivatives)
-        )
+        value, gradient, derivatives = (BatchFunction(each) for each in (density.value, density.gradient, density.derivatives))
         return cls(value=value, gradient=gradient, derivatives=derivatives)
 
 

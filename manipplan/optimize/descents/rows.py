@@ -197,8 +197,8 @@ def rejected_rows(
 ) -> LinearRows | None:
     """Rows at z (f, n) at each place where a look at a rejected curve violates the clearance; None when there are none.
 
-    Each place gives two, with the plane on either body of the pair. Those that are stricter at z than the true distance of their
-    pair are left out: they would forbid configurations that are free.
+    Each place gives two, with the plane on either body of the pair. Rows that are stricter at z than the true distance are left
+    out: they would forbid configurations that are free.
     """
     near = np.flatnonzero(look.distances < surroundings.target)[:MOST_REJECTED]
     if not len(near):

@@ -1,4 +1,4 @@
-; steps.c 6c4d3ef7c344e0293c5270cf9cfb2c44a15db5dd2a7c8ee1d883310b8da7d898: written by make kernel
+; steps.c f7f917e9be286af5b8d00bc2a934dd85ef6fed97a07b4bca7ad4ed12ced2f311: written by make kernel
 
 define dso_local void @manipplan_points(i64 noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef %6) local_unnamed_addr #0 {
   %8 = shl i64 %0, 3
@@ -64,320 +64,355 @@ declare void @llvm.lifetime.start.p0(i64 immarg, ptr nocapture) #2
 
 declare void @llvm.lifetime.end.p0(i64 immarg, ptr nocapture) #2
 
-define dso_local void @manipplan_gradient(i64 noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr nocapture noundef %7) local_unnamed_addr #3 {
+define dso_local void @manipplan_gradient(i64 noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr nocapture noundef %7) local_unnamed_addr #0 {
   %9 = shl i64 %1, 3
   %10 = mul i64 %9, %2
   tail call void @llvm.memset.p0.i64(ptr align 8 %7, i8 0, i64 %10, i1 false)
   %11 = icmp sgt i64 %0, 0
-  br i1 %11, label %12, label %22
+  br i1 %11, label %12, label %16
 
 12:                                               ; preds = %8
-  %13 = icmp sgt i64 %2, 0
-  %14 = icmp sgt i64 %1, 0
-  %15 = shl nsw i64 %1, 1
-  br label %16
+  %13 = shl i64 %1, 1
+  %14 = icmp sgt i64 %2, 0
+  %15 = icmp sgt i64 %1, 0
+  br label %17
 
-16:                                               ; preds = %12, %23
-  %17 = phi ptr [ %6, %12 ], [ %25, %23 ]
-  %18 = phi i64 [ 0, %12 ], [ %24, %23 ]
-  br i1 %13, label %19, label %23
+16:                                               ; preds = %54, %8
+  ret void
 
-19:                                               ; preds = %16
-  %20 = getelementptr inbounds double, ptr %3, i64 %18
+17:                                               ; preds = %12, %54
+  %18 = phi i64 [ 0, %12 ], [ %55, %54 ]
+  %19 = getelementptr inbounds double, ptr %3, i64 %18
+  %20 = load double, ptr %19, align 8
   %21 = mul nsw i64 %18, %2
-  br label %27
+  %22 = getelementptr inbounds double, ptr %4, i64 %21
+  %23 = getelementptr inbounds double, ptr %5, i64 %21
+  %24 = mul i64 %13, %18
+  %25 = getelementptr inbounds double, ptr %6, i64 %24
+  br i1 %14, label %26, label %54
 
-22:                                               ; preds = %23, %8
-  ret void
+26:                                               ; preds = %17, %35
+  %27 = phi ptr [ %37, %35 ], [ %7, %17 ]
+  %28 = phi i64 [ %36, %35 ], [ 0, %17 ]
+  %29 = getelementptr inbounds double, ptr %22, i64 %28
+  %30 = load double, ptr %29, align 8
+  %31 = fmul double %20, %30
+  %32 = getelementptr inbounds double, ptr %23, i64 %28
+  %33 = load double, ptr %32, align 8
+  %34 = fmul double %20, %33
+  br i1 %15, label %39, label %35
 
-23:                                               ; preds = %39, %16
-  %24 = add nuw nsw i64 %18, 1
-  %25 = getelementptr inbounds double, ptr %17, i64 %15
-  %26 = icmp eq i64 %24, %0
-  br i1 %26, label %22, label %16
+35:                                               ; preds = %39, %26
+  %36 = add nuw nsw i64 %28, 1
+  %37 = getelementptr inbounds double, ptr %27, i64 %1
+  %38 = icmp eq i64 %36, %2
+  br i1 %38, label %54, label %26
 
-27:                                               ; preds = %19, %39
-  %28 = phi i64 [ 0, %19 ], [ %40, %39 ]
-  %29 = load double, ptr %20, align 8
-  %30 = add nsw i64 %28, %21
-  %31 = getelementptr inbounds double, ptr %4, i64 %30
-  %32 = load double, ptr %31, align 8
-  %33 = fmul double %29, %32
-  %34 = getelementptr inbounds double, ptr %5, i64 %30
-  %35 = load double, ptr %34, align 8
-  %36 = fmul double %29, %35
-  br i1 %14, label %37, label %39
+39:                                               ; preds = %26, %39
+  %40 = phi i64 [ %52, %39 ], [ 0, %26 ]
+  %41 = getelementptr inbounds double, ptr %25, i64 %40
+  %42 = load double, ptr %41, align 8
+  %43 = fmul double %31, %42
+  %44 = add nsw i64 %40, %1
+  %45 = getelementptr inbounds double, ptr %25, i64 %44
+  %46 = load double, ptr %45, align 8
+  %47 = fmul double %34, %46
+  %48 = fadd double %43, %47
+  %49 = getelementptr inbounds double, ptr %27, i64 %40
+  %50 = load double, ptr %49, align 8
+  %51 = fadd double %50, %48
+  store double %51, ptr %49, align 8
+  %52 = add nuw nsw i64 %40, 1
+  %53 = icmp eq i64 %52, %1
+  br i1 %53, label %35, label %39
 
-37:                                               ; preds = %27
-  %38 = mul nsw i64 %28, %1
-  br label %42
+54:                                               ; preds = %35, %17
+  %55 = add nuw nsw i64 %18, 1
+  %56 = icmp eq i64 %55, %0
+  br i1 %56, label %16, label %17
+}
 
-39:                                               ; preds = %42, %27
-  %40 = add nuw nsw i64 %28, 1
-  %41 = icmp eq i64 %40, %2
-  br i1 %41, label %23, label %27
+declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #3
 
-42:                                               ; preds = %37, %42
-  %43 = phi i64 [ 0, %37 ], [ %56, %42 ]
-  %44 = getelementptr inbounds double, ptr %17, i64 %43
-  %45 = load double, ptr %44, align 8
-  %46 = fmul double %33, %45
-  %47 = add nsw i64 %43, %1
-  %48 = getelementptr inbounds double, ptr %17, i64 %47
+define dso_local void @manipplan_derivatives(i64 noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr nocapture noundef %7, ptr nocapture noundef %8, ptr nocapture noundef writeonly %9) local_unnamed_addr #0 {
+  %11 = mul i64 %1, %1
+  %12 = mul i64 %2, %1
+  %13 = mul nsw i64 %2, %2
+  %14 = mul nsw i64 %13, %11
+  %15 = getelementptr inbounds double, ptr %7, i64 %14
+  %16 = getelementptr inbounds double, ptr %15, i64 %11
+  %17 = getelementptr inbounds double, ptr %16, i64 %11
+  %18 = getelementptr inbounds double, ptr %17, i64 %11
+  %19 = getelementptr inbounds double, ptr %18, i64 %11
+  %20 = getelementptr inbounds double, ptr %19, i64 %11
+  %21 = shl i64 %12, 3
+  tail call void @llvm.memset.p0.i64(ptr align 8 %8, i8 0, i64 %21, i1 false)
+  %22 = shl i64 %14, 3
+  tail call void @llvm.memset.p0.i64(ptr align 8 %7, i8 0, i64 %22, i1 false)
+  %23 = icmp sgt i64 %0, 0
+  br i1 %23, label %24, label %31
+
+24:                                               ; preds = %10
+  %25 = icmp sgt i64 %2, 0
+  %26 = icmp sgt i64 %1, 0
+  %27 = shl nsw i64 %1, 1
+  %28 = icmp eq i64 %1, 0
+  %29 = shl nsw i64 %11, 2
+  %30 = tail call i64 @llvm.umax.i64(i64 %11, i64 1)
+  br label %35
+
+31:                                               ; preds = %113, %10
+  %32 = icmp sgt i64 %2, 0
+  br i1 %32, label %33, label %180
+
+33:                                               ; preds = %31
+  %34 = icmp sgt i64 %1, 0
+  br label %176
+
+35:                                               ; preds = %24, %113
+  %36 = phi ptr [ %4, %24 ], [ %116, %113 ]
+  %37 = phi ptr [ %5, %24 ], [ %117, %113 ]
+  %38 = phi ptr [ %6, %24 ], [ %115, %113 ]
+  %39 = phi i64 [ 0, %24 ], [ %114, %113 ]
+  %40 = getelementptr inbounds double, ptr %3, i64 %39
+  %41 = load double, ptr %40, align 8
+  br i1 %25, label %42, label %70
+
+42:                                               ; preds = %35, %51
+  %43 = phi ptr [ %53, %51 ], [ %8, %35 ]
+  %44 = phi i64 [ %52, %51 ], [ 0, %35 ]
+  %45 = getelementptr inbounds double, ptr %36, i64 %44
+  %46 = load double, ptr %45, align 8
+  %47 = fmul double %41, %46
+  %48 = getelementptr inbounds double, ptr %37, i64 %44
   %49 = load double, ptr %48, align 8
-  %50 = fmul double %36, %49
-  %51 = fadd double %46, %50
-  %52 = add nsw i64 %43, %38
-  %53 = getelementptr inbounds double, ptr %7, i64 %52
-  %54 = load double, ptr %53, align 8
-  %55 = fadd double %54, %51
-  store double %55, ptr %53, align 8
-  %56 = add nuw nsw i64 %43, 1
-  %57 = icmp eq i64 %56, %1
-  br i1 %57, label %39, label %42
-}
+  %50 = fmul double %41, %49
+  br i1 %26, label %55, label %51
 
-declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #4
+51:                                               ; preds = %55, %42
+  %52 = add nuw nsw i64 %44, 1
+  %53 = getelementptr inbounds double, ptr %43, i64 %1
+  %54 = icmp eq i64 %52, %2
+  br i1 %54, label %70, label %42
 
-define dso_local void @manipplan_hessian(i64 noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr nocapture noundef %7, ptr nocapture noundef writeonly %8) local_unnamed_addr #0 {
-  %10 = mul i64 %1, %1
-  %11 = mul i64 %2, %1
-  %12 = mul nsw i64 %2, %2
-  %13 = mul nsw i64 %12, %10
-  %14 = getelementptr inbounds double, ptr %7, i64 %13
-  %15 = getelementptr inbounds double, ptr %14, i64 %10
-  %16 = getelementptr inbounds double, ptr %15, i64 %10
-  %17 = getelementptr inbounds double, ptr %16, i64 %10
-  %18 = getelementptr inbounds double, ptr %17, i64 %10
-  %19 = getelementptr inbounds double, ptr %18, i64 %10
-  %20 = shl i64 %13, 3
-  tail call void @llvm.memset.p0.i64(ptr align 8 %7, i8 0, i64 %20, i1 false)
-  %21 = icmp sgt i64 %0, 0
-  br i1 %21, label %22, label %35
+55:                                               ; preds = %42, %55
+  %56 = phi i64 [ %68, %55 ], [ 0, %42 ]
+  %57 = getelementptr inbounds double, ptr %38, i64 %56
+  %58 = load double, ptr %57, align 8
+  %59 = fmul double %47, %58
+  %60 = add nsw i64 %56, %1
+  %61 = getelementptr inbounds double, ptr %38, i64 %60
+  %62 = load double, ptr %61, align 8
+  %63 = fmul double %50, %62
+  %64 = fadd double %59, %63
+  %65 = getelementptr inbounds double, ptr %43, i64 %56
+  %66 = load double, ptr %65, align 8
+  %67 = fadd double %66, %64
+  store double %67, ptr %65, align 8
+  %68 = add nuw nsw i64 %56, 1
+  %69 = icmp eq i64 %68, %1
+  br i1 %69, label %51, label %55
 
-22:                                               ; preds = %9
-  %23 = icmp sgt i64 %1, 0
-  %24 = icmp sgt i64 %2, 0
-  %25 = icmp eq i64 %1, 0
-  %26 = shl nsw i64 %10, 2
-  %27 = tail call i64 @llvm.umax.i64(i64 %10, i64 1)
-  br label %28
+70:                                               ; preds = %51, %35
+  %71 = getelementptr inbounds double, ptr %38, i64 %27
+  br i1 %26, label %73, label %72
 
-28:                                               ; preds = %22, %80
-  %29 = phi ptr [ %4, %22 ], [ %83, %80 ]
-  %30 = phi ptr [ %5, %22 ], [ %84, %80 ]
-  %31 = phi ptr [ %6, %22 ], [ %82, %80 ]
-  %32 = phi i64 [ 0, %22 ], [ %81, %80 ]
-  br i1 %23, label %33, label %39
+72:                                               ; preds = %81, %70
+  br i1 %25, label %119, label %113
 
-33:                                               ; preds = %28
-  %34 = getelementptr inbounds double, ptr %3, i64 %32
-  br label %40
+73:                                               ; preds = %70, %81
+  %74 = phi i64 [ %82, %81 ], [ 0, %70 ]
+  %75 = shl nuw nsw i64 %74, 1
+  %76 = mul nsw i64 %75, %1
+  %77 = mul nsw i64 %74, %1
+  %78 = add nsw i64 %74, %1
+  %79 = shl nsw i64 %78, 1
+  %80 = mul nsw i64 %79, %1
+  br label %84
 
-35:                                               ; preds = %80, %9
-  %36 = icmp sgt i64 %2, 0
-  br i1 %36, label %37, label %147
+81:                                               ; preds = %84
+  %82 = add nuw nsw i64 %74, 1
+  %83 = icmp eq i64 %82, %1
+  br i1 %83, label %72, label %73
 
-37:                                               ; preds = %35
-  %38 = icmp sgt i64 %1, 0
-  br label %143
-
-39:                                               ; preds = %48, %28
-  br i1 %24, label %86, label %80
-
-40:                                               ; preds = %48, %33
-  %41 = phi i64 [ 0, %33 ], [ %49, %48 ]
-  %42 = shl nuw nsw i64 %41, 1
-  %43 = mul nsw i64 %42, %1
-  %44 = mul nsw i64 %41, %1
-  %45 = add nsw i64 %41, %1
-  %46 = shl nsw i64 %45, 1
-  %47 = mul nsw i64 %46, %1
-  br label %51
-
-48:                                               ; preds = %51
-  %49 = add nuw nsw i64 %41, 1
-  %50 = icmp eq i64 %49, %1
-  br i1 %50, label %39, label %40
-
-51:                                               ; preds = %40, %51
-  %52 = phi i64 [ 0, %40 ], [ %78, %51 ]
-  %53 = load double, ptr %34, align 8
-  %54 = add i64 %52, %43
-  %55 = getelementptr inbounds double, ptr %31, i64 %54
-  %56 = load double, ptr %55, align 8
-  %57 = fmul double %53, %56
-  %58 = add nsw i64 %52, %44
-  %59 = getelementptr inbounds double, ptr %14, i64 %58
-  store double %57, ptr %59, align 8
-  %60 = load double, ptr %34, align 8
-  %61 = add i64 %54, %1
-  %62 = getelementptr inbounds double, ptr %31, i64 %61
-  %63 = load double, ptr %62, align 8
-  %64 = fmul double %60, %63
-  %65 = getelementptr inbounds double, ptr %15, i64 %58
-  store double %64, ptr %65, align 8
-  %66 = load double, ptr %34, align 8
-  %67 = add i64 %52, %47
-  %68 = getelementptr inbounds double, ptr %31, i64 %67
-  %69 = load double, ptr %68, align 8
-  %70 = fmul double %66, %69
-  %71 = getelementptr inbounds double, ptr %16, i64 %58
-  store double %70, ptr %71, align 8
-  %72 = load double, ptr %34, align 8
-  %73 = add i64 %67, %1
-  %74 = getelementptr inbounds double, ptr %31, i64 %73
-  %75 = load double, ptr %74, align 8
-  %76 = fmul double %72, %75
-  %77 = getelementptr inbounds double, ptr %17, i64 %58
-  store double %76, ptr %77, align 8
-  %78 = add nuw nsw i64 %52, 1
-  %79 = icmp eq i64 %78, %1
-  br i1 %79, label %48, label %51
-
-80:                                               ; preds = %114, %39
-  %81 = add nuw nsw i64 %32, 1
-  %82 = getelementptr inbounds double, ptr %31, i64 %26
-  %83 = getelementptr inbounds double, ptr %29, i64 %2
-  %84 = getelementptr inbounds double, ptr %30, i64 %2
-  %85 = icmp eq i64 %81, %0
-  br i1 %85, label %35, label %28
-
-86:                                               ; preds = %39, %114
-  %87 = phi i64 [ %115, %114 ], [ 0, %39 ]
-  %88 = getelementptr inbounds double, ptr %29, i64 %87
+84:                                               ; preds = %73, %84
+  %85 = phi i64 [ 0, %73 ], [ %111, %84 ]
+  %86 = load double, ptr %40, align 8
+  %87 = add i64 %85, %76
+  %88 = getelementptr inbounds double, ptr %71, i64 %87
   %89 = load double, ptr %88, align 8
-  %90 = getelementptr inbounds double, ptr %30, i64 %87
-  %91 = load double, ptr %90, align 8
-  br i1 %25, label %92, label %94
-
-92:                                               ; preds = %94, %86
-  %93 = mul nsw i64 %87, %2
-  br label %117
-
-94:                                               ; preds = %86, %94
-  %95 = phi i64 [ %112, %94 ], [ 0, %86 ]
-  %96 = getelementptr inbounds double, ptr %14, i64 %95
-  %97 = load double, ptr %96, align 8
-  %98 = fmul double %89, %97
-  %99 = getelementptr inbounds double, ptr %16, i64 %95
-  %100 = load double, ptr %99, align 8
-  %101 = fmul double %91, %100
-  %102 = fadd double %98, %101
-  %103 = getelementptr inbounds double, ptr %18, i64 %95
-  store double %102, ptr %103, align 8
-  %104 = getelementptr inbounds double, ptr %15, i64 %95
-  %105 = load double, ptr %104, align 8
-  %106 = fmul double %89, %105
-  %107 = getelementptr inbounds double, ptr %17, i64 %95
+  %90 = fmul double %86, %89
+  %91 = add nsw i64 %85, %77
+  %92 = getelementptr inbounds double, ptr %15, i64 %91
+  store double %90, ptr %92, align 8
+  %93 = load double, ptr %40, align 8
+  %94 = add i64 %87, %1
+  %95 = getelementptr inbounds double, ptr %71, i64 %94
+  %96 = load double, ptr %95, align 8
+  %97 = fmul double %93, %96
+  %98 = getelementptr inbounds double, ptr %16, i64 %91
+  store double %97, ptr %98, align 8
+  %99 = load double, ptr %40, align 8
+  %100 = add i64 %85, %80
+  %101 = getelementptr inbounds double, ptr %71, i64 %100
+  %102 = load double, ptr %101, align 8
+  %103 = fmul double %99, %102
+  %104 = getelementptr inbounds double, ptr %17, i64 %91
+  store double %103, ptr %104, align 8
+  %105 = load double, ptr %40, align 8
+  %106 = add i64 %100, %1
+  %107 = getelementptr inbounds double, ptr %71, i64 %106
   %108 = load double, ptr %107, align 8
-  %109 = fmul double %91, %108
-  %110 = fadd double %106, %109
-  %111 = getelementptr inbounds double, ptr %19, i64 %95
-  store double %110, ptr %111, align 8
-  %112 = add nuw nsw i64 %95, 1
-  %113 = icmp eq i64 %112, %27
-  br i1 %113, label %92, label %94
+  %109 = fmul double %105, %108
+  %110 = getelementptr inbounds double, ptr %18, i64 %91
+  store double %109, ptr %110, align 8
+  %111 = add nuw nsw i64 %85, 1
+  %112 = icmp eq i64 %111, %1
+  br i1 %112, label %81, label %84
 
-114:                                              ; preds = %126
-  %115 = add nuw nsw i64 %87, 1
-  %116 = icmp eq i64 %115, %2
-  br i1 %116, label %80, label %86
+113:                                              ; preds = %147, %72
+  %114 = add nuw nsw i64 %39, 1
+  %115 = getelementptr inbounds double, ptr %71, i64 %29
+  %116 = getelementptr inbounds double, ptr %36, i64 %2
+  %117 = getelementptr inbounds double, ptr %37, i64 %2
+  %118 = icmp eq i64 %114, %0
+  br i1 %118, label %31, label %35
 
-117:                                              ; preds = %92, %126
-  %118 = phi i64 [ %87, %92 ], [ %127, %126 ]
-  %119 = add nsw i64 %118, %93
-  %120 = mul nsw i64 %119, %10
-  %121 = getelementptr inbounds double, ptr %7, i64 %120
-  %122 = getelementptr inbounds double, ptr %29, i64 %118
-  %123 = load double, ptr %122, align 8
-  %124 = getelementptr inbounds double, ptr %30, i64 %118
-  %125 = load double, ptr %124, align 8
-  br i1 %25, label %126, label %129
+119:                                              ; preds = %72, %147
+  %120 = phi i64 [ %148, %147 ], [ 0, %72 ]
+  %121 = getelementptr inbounds double, ptr %36, i64 %120
+  %122 = load double, ptr %121, align 8
+  %123 = getelementptr inbounds double, ptr %37, i64 %120
+  %124 = load double, ptr %123, align 8
+  br i1 %28, label %125, label %127
 
-126:                                              ; preds = %129, %117
-  %127 = add nuw nsw i64 %118, 1
-  %128 = icmp slt i64 %127, %2
-  br i1 %128, label %117, label %114
+125:                                              ; preds = %127, %119
+  %126 = mul nsw i64 %120, %2
+  br label %150
 
-129:                                              ; preds = %117, %129
-  %130 = phi i64 [ %141, %129 ], [ 0, %117 ]
-  %131 = getelementptr inbounds double, ptr %18, i64 %130
-  %132 = load double, ptr %131, align 8
-  %133 = fmul double %123, %132
-  %134 = getelementptr inbounds double, ptr %19, i64 %130
-  %135 = load double, ptr %134, align 8
-  %136 = fmul double %125, %135
-  %137 = fadd double %133, %136
-  %138 = getelementptr inbounds double, ptr %121, i64 %130
-  %139 = load double, ptr %138, align 8
-  %140 = fadd double %139, %137
-  store double %140, ptr %138, align 8
-  %141 = add nuw nsw i64 %130, 1
-  %142 = icmp eq i64 %141, %27
-  br i1 %142, label %126, label %129
+127:                                              ; preds = %119, %127
+  %128 = phi i64 [ %145, %127 ], [ 0, %119 ]
+  %129 = getelementptr inbounds double, ptr %15, i64 %128
+  %130 = load double, ptr %129, align 8
+  %131 = fmul double %122, %130
+  %132 = getelementptr inbounds double, ptr %17, i64 %128
+  %133 = load double, ptr %132, align 8
+  %134 = fmul double %124, %133
+  %135 = fadd double %131, %134
+  %136 = getelementptr inbounds double, ptr %19, i64 %128
+  store double %135, ptr %136, align 8
+  %137 = getelementptr inbounds double, ptr %16, i64 %128
+  %138 = load double, ptr %137, align 8
+  %139 = fmul double %122, %138
+  %140 = getelementptr inbounds double, ptr %18, i64 %128
+  %141 = load double, ptr %140, align 8
+  %142 = fmul double %124, %141
+  %143 = fadd double %139, %142
+  %144 = getelementptr inbounds double, ptr %20, i64 %128
+  store double %143, ptr %144, align 8
+  %145 = add nuw nsw i64 %128, 1
+  %146 = icmp eq i64 %145, %30
+  br i1 %146, label %125, label %127
 
-143:                                              ; preds = %154, %37
-  %144 = phi i64 [ 0, %37 ], [ %155, %154 ]
-  %145 = mul nsw i64 %144, %2
-  %146 = mul nsw i64 %144, %1
-  br label %148
+147:                                              ; preds = %159
+  %148 = add nuw nsw i64 %120, 1
+  %149 = icmp eq i64 %148, %2
+  br i1 %149, label %113, label %119
 
-147:                                              ; preds = %154, %35
+150:                                              ; preds = %125, %159
+  %151 = phi i64 [ %120, %125 ], [ %160, %159 ]
+  %152 = add nsw i64 %151, %126
+  %153 = mul nsw i64 %152, %11
+  %154 = getelementptr inbounds double, ptr %7, i64 %153
+  %155 = getelementptr inbounds double, ptr %36, i64 %151
+  %156 = load double, ptr %155, align 8
+  %157 = getelementptr inbounds double, ptr %37, i64 %151
+  %158 = load double, ptr %157, align 8
+  br i1 %28, label %159, label %162
+
+159:                                              ; preds = %162, %150
+  %160 = add nuw nsw i64 %151, 1
+  %161 = icmp slt i64 %160, %2
+  br i1 %161, label %150, label %147
+
+162:                                              ; preds = %150, %162
+  %163 = phi i64 [ %174, %162 ], [ 0, %150 ]
+  %164 = getelementptr inbounds double, ptr %19, i64 %163
+  %165 = load double, ptr %164, align 8
+  %166 = fmul double %156, %165
+  %167 = getelementptr inbounds double, ptr %20, i64 %163
+  %168 = load double, ptr %167, align 8
+  %169 = fmul double %158, %168
+  %170 = fadd double %166, %169
+  %171 = getelementptr inbounds double, ptr %154, i64 %163
+  %172 = load double, ptr %171, align 8
+  %173 = fadd double %172, %170
+  store double %173, ptr %171, align 8
+  %174 = add nuw nsw i64 %163, 1
+  %175 = icmp eq i64 %174, %30
+  br i1 %175, label %159, label %162
+
+176:                                              ; preds = %187, %33
+  %177 = phi i64 [ 0, %33 ], [ %188, %187 ]
+  %178 = mul nsw i64 %177, %2
+  %179 = mul nsw i64 %177, %1
+  br label %181
+
+180:                                              ; preds = %187, %31
   ret void
 
-148:                                              ; preds = %143, %163
-  %149 = phi i64 [ %144, %143 ], [ %164, %163 ]
-  br i1 %38, label %150, label %163
+181:                                              ; preds = %176, %196
+  %182 = phi i64 [ %177, %176 ], [ %197, %196 ]
+  br i1 %34, label %183, label %196
 
-150:                                              ; preds = %148
-  %151 = add nsw i64 %149, %145
-  %152 = mul nsw i64 %151, %10
-  %153 = mul nsw i64 %149, %1
-  br label %157
+183:                                              ; preds = %181
+  %184 = add nsw i64 %182, %178
+  %185 = mul nsw i64 %184, %11
+  %186 = mul nsw i64 %182, %1
+  br label %190
 
-154:                                              ; preds = %163
-  %155 = add nuw nsw i64 %144, 1
-  %156 = icmp eq i64 %155, %2
-  br i1 %156, label %147, label %143
+187:                                              ; preds = %196
+  %188 = add nuw nsw i64 %177, 1
+  %189 = icmp eq i64 %188, %2
+  br i1 %189, label %180, label %176
 
-157:                                              ; preds = %166, %150
-  %158 = phi i64 [ 0, %150 ], [ %167, %166 ]
-  %159 = mul nsw i64 %158, %1
-  %160 = add nsw i64 %159, %152
-  %161 = add i64 %158, %146
-  %162 = mul nsw i64 %161, %11
-  br label %169
+190:                                              ; preds = %199, %183
+  %191 = phi i64 [ 0, %183 ], [ %200, %199 ]
+  %192 = mul nsw i64 %191, %1
+  %193 = add nsw i64 %192, %185
+  %194 = add i64 %191, %179
+  %195 = mul nsw i64 %194, %12
+  br label %202
 
-163:                                              ; preds = %166, %148
-  %164 = add nuw nsw i64 %149, 1
-  %165 = icmp slt i64 %164, %2
-  br i1 %165, label %148, label %154
+196:                                              ; preds = %199, %181
+  %197 = add nuw nsw i64 %182, 1
+  %198 = icmp slt i64 %197, %2
+  br i1 %198, label %181, label %187
 
-166:                                              ; preds = %169
-  %167 = add nuw nsw i64 %158, 1
-  %168 = icmp eq i64 %167, %1
-  br i1 %168, label %163, label %157
+199:                                              ; preds = %202
+  %200 = add nuw nsw i64 %191, 1
+  %201 = icmp eq i64 %200, %1
+  br i1 %201, label %196, label %190
 
-169:                                              ; preds = %157, %169
-  %170 = phi i64 [ 0, %157 ], [ %180, %169 ]
-  %171 = add nsw i64 %160, %170
-  %172 = getelementptr inbounds double, ptr %7, i64 %171
-  %173 = load double, ptr %172, align 8
-  %174 = add nsw i64 %170, %153
-  %175 = mul nsw i64 %174, %11
-  %176 = add i64 %161, %175
-  %177 = getelementptr inbounds double, ptr %8, i64 %176
-  store double %173, ptr %177, align 8
-  %178 = add i64 %174, %162
-  %179 = getelementptr inbounds double, ptr %8, i64 %178
-  store double %173, ptr %179, align 8
-  %180 = add nuw nsw i64 %170, 1
-  %181 = icmp eq i64 %180, %1
-  br i1 %181, label %166, label %169
+202:                                              ; preds = %190, %202
+  %203 = phi i64 [ 0, %190 ], [ %213, %202 ]
+  %204 = add nsw i64 %193, %203
+  %205 = getelementptr inbounds double, ptr %7, i64 %204
+  %206 = load double, ptr %205, align 8
+  %207 = add nsw i64 %203, %186
+  %208 = mul nsw i64 %207, %12
+  %209 = add i64 %194, %208
+  %210 = getelementptr inbounds double, ptr %9, i64 %209
+  store double %206, ptr %210, align 8
+  %211 = add i64 %207, %195
+  %212 = getelementptr inbounds double, ptr %9, i64 %211
+  store double %206, ptr %212, align 8
+  %213 = add nuw nsw i64 %203, 1
+  %214 = icmp eq i64 %213, %1
+  br i1 %214, label %199, label %202
 }
 
-define dso_local double @manipplan_violation(i64 noundef %0, i64 noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4) local_unnamed_addr #5 {
+define dso_local double @manipplan_violation(i64 noundef %0, i64 noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4) local_unnamed_addr #4 {
   %6 = icmp sgt i64 %0, 0
   br i1 %6, label %7, label %13
 
@@ -422,7 +457,7 @@ define dso_local double @manipplan_violation(i64 noundef %0, i64 noundef %1, ptr
   br i1 %36, label %15, label %20
 }
 
-define dso_local i64 @manipplan_limits(i64 noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr nocapture noundef readonly %7, ptr nocapture noundef writeonly %8, ptr nocapture noundef writeonly %9) local_unnamed_addr #6 {
+define dso_local i64 @manipplan_limits(i64 noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr nocapture noundef readonly %7, ptr nocapture noundef writeonly %8, ptr nocapture noundef writeonly %9) local_unnamed_addr #5 {
   %11 = icmp sgt i64 %0, 0
   %12 = icmp sgt i64 %1, 0
   %13 = mul i64 %2, %1
@@ -517,7 +552,7 @@ define dso_local i64 @manipplan_limits(i64 noundef %0, i64 noundef %1, i64 nound
   br i1 %74, label %34, label %38
 }
 
-define dso_local void @manipplan_curvature(i64 noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr nocapture noundef readonly %7, ptr nocapture noundef readonly %8, ptr nocapture noundef readonly %9, ptr nocapture noundef readonly %10, double noundef %11, ptr nocapture noundef %12, ptr nocapture noundef %13) local_unnamed_addr #7 {
+define dso_local void @manipplan_curvature(i64 noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr nocapture noundef readonly %7, ptr nocapture noundef readonly %8, ptr nocapture noundef readonly %9, ptr nocapture noundef readonly %10, double noundef %11, ptr nocapture noundef %12, ptr nocapture noundef %13) local_unnamed_addr #6 {
   %15 = mul i64 %2, %1
   %16 = icmp sgt i64 %0, 0
   br i1 %16, label %17, label %32
@@ -719,7 +754,7 @@ define dso_local void @manipplan_curvature(i64 noundef %0, i64 noundef %1, i64 n
   br i1 %159, label %32, label %22
 }
 
-define dso_local i64 @manipplan_within(i64 noundef %0, i64 noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, double noundef %4, double noundef %5, i64 noundef %6, ptr nocapture noundef writeonly %7, ptr nocapture noundef writeonly %8, ptr nocapture noundef %9) local_unnamed_addr #8 {
+define dso_local i64 @manipplan_within(i64 noundef %0, i64 noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, double noundef %4, double noundef %5, i64 noundef %6, ptr nocapture noundef writeonly %7, ptr nocapture noundef writeonly %8, ptr nocapture noundef %9) local_unnamed_addr #7 {
   %11 = alloca i32, align 4
   %12 = icmp sgt i64 %0, 0
   br i1 %12, label %13, label %20
@@ -738,20 +773,20 @@ define dso_local i64 @manipplan_within(i64 noundef %0, i64 noundef %1, ptr nocap
 20:                                               ; preds = %84, %10
   %21 = phi i64 [ 0, %10 ], [ %85, %84 ]
   %22 = mul nsw i64 %21, %1
-  call void @llvm.lifetime.start.p0(i64 4, ptr nonnull %11) #13
+  call void @llvm.lifetime.start.p0(i64 4, ptr nonnull %11) #12
   %23 = icmp sgt i64 %22, 0
   br i1 %23, label %37, label %24
 
 24:                                               ; preds = %37, %20
   %25 = phi double [ 0.000000e+00, %20 ], [ %44, %37 ]
-  %26 = call double @frexp(double noundef %25, ptr noundef nonnull %11) #13
+  %26 = call double @frexp(double noundef %25, ptr noundef nonnull %11) #12
   %27 = load i32, ptr %11, align 4
   %28 = trunc i64 %6 to i32
   %29 = sub nsw i32 %27, %28
-  %30 = tail call double @ldexp(double noundef 1.000000e+00, i32 noundef %29) #14
+  %30 = tail call double @ldexp(double noundef 1.000000e+00, i32 noundef %29) #13
   %31 = fdiv double 1.000000e+00, %30
   %32 = fcmp ogt double %25, 0.000000e+00
-  %33 = tail call double @llvm.fabs.f64(double %31) #15
+  %33 = tail call double @llvm.fabs.f64(double %31) #14
   %34 = fcmp one double %33, 0x7FF0000000000000
   %35 = select i1 %32, i1 %34, i1 false
   %36 = and i1 %23, %35
@@ -782,7 +817,7 @@ define dso_local i64 @manipplan_within(i64 noundef %0, i64 noundef %1, ptr nocap
   br i1 %55, label %56, label %47
 
 56:                                               ; preds = %47, %24
-  call void @llvm.lifetime.end.p0(i64 4, ptr nonnull %11) #13
+  call void @llvm.lifetime.end.p0(i64 4, ptr nonnull %11) #12
   ret i64 %21
 
 57:                                               ; preds = %64, %16
@@ -829,11 +864,11 @@ define dso_local i64 @manipplan_within(i64 noundef %0, i64 noundef %1, ptr nocap
   br i1 %88, label %20, label %16
 }
 
-declare double @llvm.fabs.f64(double) #9
+declare double @llvm.fabs.f64(double) #8
 
-declare double @llvm.rint.f64(double) #9
+declare double @llvm.rint.f64(double) #8
 
-define dso_local i32 @manipplan_is_convex(i64 noundef %0, ptr nocapture noundef readonly %1, double noundef %2, ptr nocapture noundef %3, ptr nocapture noundef %4) local_unnamed_addr #6 {
+define dso_local i32 @manipplan_is_convex(i64 noundef %0, ptr nocapture noundef readonly %1, double noundef %2, ptr nocapture noundef %3, ptr nocapture noundef %4) local_unnamed_addr #5 {
   %6 = icmp sgt i64 %0, 0
   br i1 %6, label %7, label %89
 
@@ -957,29 +992,28 @@ define dso_local i32 @manipplan_is_convex(i64 noundef %0, ptr nocapture noundef 
   ret i32 %91
 }
 
-declare double @llvm.sqrt.f64(double) #9
+declare double @llvm.sqrt.f64(double) #8
 
-declare double @frexp(double noundef, ptr nocapture noundef) local_unnamed_addr #10
+declare double @frexp(double noundef, ptr nocapture noundef) local_unnamed_addr #9
 
-declare double @ldexp(double noundef, i32 noundef) local_unnamed_addr #11
+declare double @ldexp(double noundef, i32 noundef) local_unnamed_addr #10
 
-declare i64 @llvm.umax.i64(i64, i64) #12
+declare i64 @llvm.umax.i64(i64, i64) #11
 
 attributes #0 = { nofree nosync nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #1 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: readwrite) }
 attributes #2 = { mustprogress nocallback nofree nosync nounwind willreturn memory(argmem: readwrite) }
-attributes #3 = { nofree nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #4 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: write) }
-attributes #5 = { nofree norecurse nosync nounwind memory(read, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #6 = { nofree nosync nounwind memory(argmem: readwrite) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #7 = { nofree norecurse nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #8 = { nofree nounwind uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #9 = { mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #10 = { mustprogress nofree nounwind willreturn "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #11 = { mustprogress nofree nosync nounwind willreturn memory(none) "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #12 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #13 = { nounwind }
-attributes #14 = { nounwind willreturn memory(none) }
-attributes #15 = { memory(none) }
+attributes #3 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: write) }
+attributes #4 = { nofree norecurse nosync nounwind memory(read, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #5 = { nofree nosync nounwind memory(argmem: readwrite) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #6 = { nofree norecurse nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #7 = { nofree nounwind uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #8 = { mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none) }
+attributes #9 = { mustprogress nofree nounwind willreturn "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #10 = { mustprogress nofree nosync nounwind willreturn memory(none) "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #11 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
+attributes #12 = { nounwind }
+attributes #13 = { nounwind willreturn memory(none) }
+attributes #14 = { memory(none) }
 
 

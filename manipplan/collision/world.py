@@ -1,0 +1,180 @@
+"""The arrays that describe an arm among obstacles for `distances.c`."""
+
+from collections.abc import Callable, Collection, Sequence
+from typing import Any
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from manipplan.collision.primitives import core_of, mesh_triangles
+from manipplan.robots.model_tree import axis_of, is_prismatic
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+
+#: As in distances.c.
+POINTS, BOX, CYLINDER, HALFSPACE, SURFACE, UNKNOWN = range(6)
+#: Half the size of the box around an unbounded shape [m].
+ENDLESS = 1e9
+
+Numbers = NDArray[np.int64]
+#: `manipplan_tree` of distances.c.
+Tree = Callable[..., Any]
+
+
+def world_arrays(
+    tree: Tree, robot: Robot, geometry: pin.GeometryModel, radii: Array, closed: Collection[int]
+) -> dict[str, NDArray[Any]]:
+    """The arrays of `World`, and the bodies of each pair, the moving one first."""
+    model, objects = robot.model, list(geometry.geometryObjects)
+    joint = np.array([item.parentJoint for item in objects], dtype=np.int64)
+    arrays: dict[str, NDArray[Any]] = {
+        "fixed": np.array([_flat(place) for place in model.jointPlacements[1:]]).reshape(-1, 12),
+        "axes": np.array([axis_of(joint) for joint in model.joints[1:]]),
+        "slides": np.array([is_prismatic(joint) for joint in model.joints[1:]], dtype=np.int64),
+        "joint": joint,
+        **_shapes(objects, radii, closed),
+    }
+    pairs = np.array([(p.first, p.second) for p in geometry.collisionPairs], dtype=np.int64).reshape(-1, 2)
+    swapped = joint[pairs[:, 0]] == 0
+    pairs[swapped] = pairs[swapped, ::-1]
+    arrays |= _pair_tables(pairs, joint)
+    arrays |= _groups(arrays["mover"], joint, arrays["ball"])
+    still = np.array(sorted(set(pairs[joint[pairs[:, 1]] == 0, 1].tolist())), dtype=np.int64)
+    around = zip(objects, arrays["ball"], arrays["radius"], strict=True)
+    arrays["local"] = np.array([_box_around(item, ball, radius) for item, ball, radius in around]).reshape(-1, 6)
+    arrays |= _trees(tree, objects, still, arrays["local"], arrays["radius"])
+    return {name: np.ascontiguousarray(array) for name, array in arrays.items()}
+
+
+def _flat(place: pin.SE3) -> Array:
+    """Rotation by rows and origin (12,)."""
+    return np.concatenate([np.asarray(place.rotation).ravel(), np.asarray(place.translation)])
+
+
+def _shapes(objects: Sequence[pin.GeometryObject], radii: Array, closed: Collection[int]) -> dict[str, NDArray[Any]]:
+    """The arrays that describe each object's shape; the trees of surfaces are built later."""
+    count = len(objects)
+    kind, first, number = (np.zeros(count, dtype=np.int64) for _ in range(3))
+    radius, pose, size, ball = radii.astype(float).copy(), np.zeros((count, 12)), np.zeros((count, 3)), np.zeros((count, 4))
+    cores: list[Array] = []
+    begin = 0
+    for k, item in enumerate(objects):
+        shape, place = item.geometry, item.placement
+        pose[k] = _flat(place)
+        if isinstance(shape, coal.Box):
+            kind[k], size[k] = BOX, shape.halfSide
+            ball[k] = *place.translation, np.linalg.norm(shape.halfSide)
+        elif isinstance(shape, coal.Cylinder):
+            kind[k], size[k, :2] = CYLINDER, (shape.radius, shape.halfLength)
+            ball[k] = *place.translation, np.hypot(shape.radius, shape.halfLength)
+        elif isinstance(shape, coal.Halfspace):
+            turn = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), np.asarray(shape.n)).matrix()
+            kind[k], pose[k] = HALFSPACE, _flat(place * pin.SE3(turn, shape.d * np.asarray(shape.n)))
+            ball[k, 3] = ENDLESS
+        elif isinstance(shape, coal.Sphere | coal.Capsule | coal.ConvexBase):
+            points, around = core_of(shape)
+            points = points @ place.rotation.T + place.translation
+            kind[k], first[k], number[k] = POINTS, begin, len(points)
+            radius[k] += around
+            ball[k] = _ball(points)
+            cores.append(points)
+            begin += len(points)
+        elif isinstance(shape, coal.BVHModelBase) and item.parentJoint == 0:
+            kind[k], size[k, 0] = SURFACE, k in closed
+            ball[k] = _ball(np.array(shape.vertices()) @ place.rotation.T + place.translation)
+        elif isinstance(shape, coal.BVHModelBase):  # a moving mesh is left to coal where it is near
+            kind[k], ball[k] = UNKNOWN, _ball(np.array(shape.vertices()) @ place.rotation.T + place.translation)
+        else:
+            kind[k], ball[k, 3] = UNKNOWN, ENDLESS
+        ball[k, 3] += radius[k]
+    points = np.concatenate([*cores, np.zeros((1, 3))])
+    named = {"kind": kind, "first": first, "count": number, "radius": radius, "pose": pose, "size": size, "ball": ball}
+    return named | {axis: points[:, i].copy() for i, axis in enumerate("xyz")}
+
+
+def _ball(points: Array) -> Array:
+    """Centre and radius (4,) of a ball around points (k, 3), seldom much larger than the least one."""
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2
+    for step in range(2, 12):  # towards the farthest point [badoiu2003]
+        far = points[np.argmax(((points - centre) ** 2).sum(axis=1))]
+        centre = centre + (far - centre) / step / 2
+    return np.array([*centre, np.sqrt(((points - centre) ** 2).sum(axis=1).max())])
+
+
+def _pair_tables(pairs: Numbers, joint: Numbers) -> dict[str, Numbers]:
+    """Pairs of two moving bodies as a list (`self`), those of a moving and a static one as a table (`mover`, `pair_of`)."""
+    meets_still = joint[pairs[:, 1]] == 0
+    several = set(pairs[meets_still, 0].tolist())  # np.unique imports numpy.ma
+    mover = np.array(sorted(several, key=lambda body: (joint[body], body)), dtype=np.int64)
+    row = {int(body): k for k, body in enumerate(mover)}
+    pair_of = np.full((len(mover), len(joint)), -1, dtype=np.int64)
+    numbers = np.flatnonzero(meets_still)
+    pair_of[[row[body] for body in pairs[numbers, 0].tolist()], pairs[numbers, 1]] = numbers
+    alone = np.flatnonzero(~meets_still)
+    return {"pair_bodies": pairs, "mover": mover, "pair_of": pair_of, "self": np.column_stack([pairs[alone], alone])}
+
+
+def _groups(mover: Numbers, joint: Numbers, ball: Array) -> dict[str, NDArray[Any]]:
+    """For each joint its range in `mover`, and a ball around the bodies there."""
+    first = np.flatnonzero(np.diff(joint[mover], prepend=-1))
+    number = np.diff(np.append(first, len(mover)))
+    balls = []
+    for at, count in zip(first, number, strict=True):
+        own = ball[mover[at : at + count]]
+        low, high = (own[:, :3] - own[:, 3:]).min(axis=0), (own[:, :3] + own[:, 3:]).max(axis=0)
+        centre = (low + high) / 2
+        balls.append([*centre, (np.linalg.norm(own[:, :3] - centre, axis=1) + own[:, 3]).max()])
+    group = np.column_stack([joint[mover[first]], first, number])
+    return {"group": group, "group_ball": np.array(balls).reshape(-1, 4)}
+
+
+def _trees(
+    tree: Tree, objects: Sequence[pin.GeometryObject], still: Numbers, local: Array, radius: Array
+) -> dict[str, NDArray[Any]]:
+    """One tree per static surface, then the tree over all static bodies; `top` is the root of the last, -1 without any."""
+    root = np.full(len(objects), -1, dtype=np.int64)
+    triangles = {
+        int(k): mesh_triangles(objects[k].geometry) @ objects[k].placement.rotation.T + objects[k].placement.translation
+        for k in still
+        if isinstance(objects[k].geometry, coal.BVHModelBase)
+    }
+    nodes = 2 * (sum(map(len, triangles.values())) + len(still))
+    node_box, node = np.empty((nodes, 6)), np.empty((nodes, 2), dtype=np.int64)
+    boxes = local[still]
+    free = begin = 0
+    for row, k in enumerate(still.tolist()):
+        if k in triangles:
+            corners = triangles[k]
+            box = np.concatenate([corners.min(axis=1), corners.max(axis=1)], axis=1)
+            root[k] = free
+            free = _grow(tree, box, np.arange(begin, begin + len(corners)), free, node_box, node)
+            begin += len(corners)
+            boxes[row] = node_box[root[k]] + np.repeat([-radius[k], radius[k]], 3)
+    top = free if len(still) else -1
+    if len(still):
+        _grow(tree, boxes, still, free, node_box, node)
+    corners = np.concatenate([each.reshape(-1, 9) for each in triangles.values()] + [np.zeros((1, 9))])
+    return {"node_box": node_box, "node": node, "root": root, "corners": corners, "top": np.array([top])}
+
+
+def _grow(tree: Tree, box: Array, names: Numbers, root: int, node_box: Array, node: Numbers) -> int:
+    """Build a tree over boxes (k, 6) from node `root` on; returns the next free node."""
+    box, items, names = np.ascontiguousarray(box), np.arange(len(box)), np.ascontiguousarray(names, dtype=np.int64)
+    given = (box.ctypes.data, items.ctypes.data, len(box), names.ctypes.data, root, node_box.ctypes.data, node.ctypes.data)
+    return int(tree(*given))
+
+
+def _box_around(item: pin.GeometryObject, ball: Array, radius: float) -> Array:
+    """Least and largest corner (6,) of an axis-parallel box around an object, in its joint's frame."""
+    shape, place = item.geometry, item.placement
+    if isinstance(shape, coal.Box):
+        half = np.abs(place.rotation) @ shape.halfSide + radius
+        return np.concatenate([place.translation - half, place.translation + half])
+    if ball[3] < ENDLESS and isinstance(shape, coal.ConvexBase):
+        points = core_of(shape)[0] @ place.rotation.T + place.translation
+        return np.concatenate([points.min(axis=0) - radius, points.max(axis=0) + radius])
+    if ball[3] < ENDLESS:
+        return np.concatenate([ball[:3] - ball[3], ball[:3] + ball[3]])
+    return np.repeat([-ENDLESS, ENDLESS], 3)
