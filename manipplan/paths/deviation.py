@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.support.checks import Array
@@ -49,14 +50,33 @@ def deviations(path: CartesianPath, poses: Array, axis: Array | None = None) -> 
     position, rotation = np.empty(len(poses)), np.empty(len(poses))
     for begin in range(0, len(poses), BLOCK):
         some = poses[begin : begin + BLOCK]
-        apart = np.linalg.norm(some[:, None, :3, 3] - line[None, :, :3, 3], axis=2)
-        apart += RADIAN * angles_between(some[:, None, :3, :3], line[None, :, :3, :3], axis)
-        nearest = np.clip(apart.argmin(axis=1), 1, POSES - 2)
-        sides = [_from_piece(some, line[nearest + side], line[nearest + side + 1], axis) for side in (-1, 0)]
-        better = sides[0][0] + RADIAN * sides[0][1] < sides[1][0] + RADIAN * sides[1][1]
-        position[begin : begin + BLOCK] = np.where(better, sides[0][0], sides[1][0])
-        rotation[begin : begin + BLOCK] = np.where(better, sides[0][1], sides[1][1])
+        pieces = [np.clip(k + side, 0, POSES - 2) for k in _nearest(some, line, axis) for side in (-1, 0)]
+        found = np.array([_from_piece(some, line[k], line[k + 1], axis) for k in pieces])  # (4, 2, …)
+        best = (found[:, 0] + RADIAN * found[:, 1]).argmin(axis=0)
+        position[begin : begin + BLOCK], rotation[begin : begin + BLOCK] = found[best, :, np.arange(len(some))].T
     return position, rotation
+
+
+def _nearest(poses: Array, line: Array, axis: Array | None) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """The nearest of the poses (m, 4, 4) on a path to each of poses (k, 4, 4), and the next one not beside it; (k,) each.
+
+    Where a path closes or meets itself, rounding decides which of the two is nearer.
+    """
+    middle = line[:, :3, 3].mean(axis=0)  # the squares of small vectors lose fewer digits
+    squares = _squares(poses[:, :3, 3] - middle, line[:, :3, 3] - middle)
+    turns = [each[:, :3, :3].reshape(-1, 9) if axis is None else each[:, :3, :3] @ axis for each in (poses, line)]
+    chords = _squares(*turns) / (8.0 if axis is None else 4.0 * float(axis @ axis))  # sin² of half the angle
+    apart = np.sqrt(squares) + 2 * RADIAN * np.arcsin(np.sqrt(np.minimum(chords, 1.0)))
+    first, rows = apart.argmin(axis=1), np.arange(len(apart))
+    for side in (-1, 0, 1):
+        apart[rows, np.clip(first + side, 0, len(line) - 1)] = np.inf
+    return first, apart.argmin(axis=1)
+
+
+def _squares(first: Array, second: Array) -> Array:
+    """Squared distances (k, m) of vectors (k, d) and (m, d)."""
+    squares = (first**2).sum(axis=1)[:, None] + (second**2).sum(axis=1) - 2 * first @ second.T
+    return np.asarray(np.maximum(squares, 0.0))
 
 
 def deviation_at(path: CartesianPath, s: Array, poses: Array, axis: Array | None = None) -> Deviation:

@@ -28,6 +28,8 @@ SHRINK, GROW = 0.35, 2.0
 SOLVES, GAIN = 30, 1e-7
 #: Relative margin of steps and tolerances, for rounding.
 SPARE = 1e-9
+#: Minimum relative decrease of the sum of squared steps for another solve that shortens the path.
+SHORTER = 1e-4
 #: Share of the minimum manipulability that is given up for a shorter path: at the maximum itself the path has no freedom.
 GIVEN = 1e-4
 #: Margin above the clearance below which a distance gets a constraint [m].
@@ -209,14 +211,20 @@ class _Refiner:
         while trust > LEAST_TRUST:
             new, _ = self._solve(q, trust, level)
             new = self._on_poses(new)
-            shorter = self._length(new) < self._length(q)
-            if shorter and self.least(new) >= level and self.sound(new):
-                if self._length(new) > self._length(q) * (1 - 1e-4):
-                    return new
+            if self._squares(new) > self._squares(q) * (1 - SHORTER):
+                return q  # the program's objective falls no further
+            if self._length(new) < self._length(q) and self.least(new) >= level and self.sound(new):
                 q = new
             else:
                 trust *= SHRINK
         return q
+
+    def _squares(self, q: Array) -> float:
+        """Σ ‖Δq‖² of a path (L, n), which the program minimises."""
+        steps = [steps_between(*each, self.layers.continuous) for each in zip(q[:-1], q[1:], strict=True)]
+        if self.layers.closed:
+            steps.append(steps_between(q[-1], q[0], self.layers.continuous))
+        return float(np.square(steps).sum())
 
     def _length(self, q: Array) -> float:
         return float(path_length(q, self.layers.continuous, closed=self.layers.closed))
