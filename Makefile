@@ -88,6 +88,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/energy_solvers.py
 	$(BIN)/python benchmarks/first_paths.py
 	$(BIN)/python benchmarks/plan_many.py
+	$(BIN)/python benchmarks/time_limits.py
 	$(BIN)/python benchmarks/seeds.py
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py
