@@ -55,7 +55,7 @@ def test_the_result_is_checked_and_better_the_later_it_comes(problem, first):
         result = solve_local(problem, START, GOAL, first, deadline=AfterChecks(at=int(share * whole.looks)))
         assert result.certificate.proven_clearance > 0.01
         assert result.g <= result.seed_cost.g
-        assert result.status in (mp.Status.STOPPED_EARLY, mp.Status.SEED_IS_SAFE, mp.Status.SEED_IS_BETTER)
+        assert result.status.has_path  # another optimum may have been reached before
         g.append(result.g)
     assert g[0] == result.seed_cost.g
     assert g[-1] < 1.05 * best.g
