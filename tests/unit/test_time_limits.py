@@ -56,12 +56,10 @@ def test_the_result_is_checked_and_better_the_later_it_comes(problem, first):
         assert result.certificate.proven_clearance > 0.01
         assert result.g <= result.seed_cost.g
         assert result.status.has_path  # another optimum may have been reached before
+        assert result.certificate.solver.endswith(LATE)
         g.append(result.g)
     assert g[0] == result.seed_cost.g
     assert g[-1] < 1.05 * best.g
-    assert (
-        result.certificate.solver in (LATE, *(step.solver for step in result.history)) or "steps" in result.certificate.solver
-    )
 
 
 @pytest.mark.slow
