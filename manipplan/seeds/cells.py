@@ -2,8 +2,8 @@
 
 A distance that changes by at most D within a cell is too small in all of it if it is so at the centre by D or more; the cell is
 then blocked. Where D does not decide, the cell is halved along every axis [brooks1985; zhang2008]. A continuous curve of free
-points visits a chain of cells of which none is blocked and each touches the next one, at least at a corner. So if cells that are
-not blocked do not join two points, no curve does. Where they do, nothing is proven.
+points visits a chain of cells that are not blocked, each of which touches the next one, at least at a corner. So if those cells
+do not join two points, no curve does. Where they do, nothing is proven.
 """
 
 from abc import ABC, abstractmethod
