@@ -18,8 +18,6 @@ from manipplan.support.checks import Array
 SLACK = 1e-5
 #: Number of times that a box of so many dimensions is halved at first, and at most.
 FIRST, LAST = {1: 6, 2: 3, 3: 2, 4: 2}, {1: 13, 2: 9, 3: 7, 4: 5}
-#: Maximum number of distances that a proof in so many dimensions measures, about 1 µs each; then nothing is proven.
-MOST_DISTANCES = {1: 50_000, 2: 100_000, 3: 250_000, 4: 100_000}
 #: In place of the index of a pair: no pair blocks the cell; it is out of reach.
 OPEN, OUTSIDE = -1, -2
 
@@ -36,6 +34,7 @@ class Space(ABC):
         ends: two free points (k,).
         pairs: (p,) indices of the distances.
         least: what every distance must be at free points [m].
+        most: maximum number of distances that are measured; then nothing is proven.
     """
 
     low: Array
@@ -44,6 +43,7 @@ class Space(ABC):
     ends: tuple[Array, Array]
     pairs: Indices
     least: float
+    most: int
 
     @abstractmethod
     def measure(self, centres: Array, half: Array, rows: Indices, pairs: Indices) -> tuple[Array, Array]:
@@ -97,7 +97,7 @@ class _Division:
         self.cells: Indices = np.indices(shape).reshape(self.k, -1).T.astype(np.int64)
         count = len(space.pairs)
         self.rows, self.pairs = np.repeat(np.arange(len(self.cells)), count), np.tile(space.pairs, len(self.cells))
-        self.left = MOST_DISTANCES[self.k]
+        self.left = space.most
 
     def run(self) -> Barrier | None:
         while len(self.rows) and len(self.rows) <= self.left:

@@ -36,6 +36,8 @@ ROUNDING = 1e-3
 POINT = 1e-9
 #: Maximum number of triangles and points of the obstacles for which balls are tried: a tree of them has to be built.
 MOST_TRIANGLES = 20_000
+#: Maximum number of distances that are measured for the first joints, and for a ball: 1 to 4 µs each.
+MOST_FOR_JOINTS, MOST_FOR_BALL = 50_000, 100_000
 ENDS = "start", "goal"
 
 
@@ -70,11 +72,13 @@ class _FirstJoints(_Condition):
 
     Attributes:
         start: (n,) values of the other joints, which do not matter.
+        slides: (k, 3) axes in the world, if all of these joints are prismatic.
     """
 
     kernel: DistanceKernel
     motion: BodyMotion
     start: Array
+    slides: Array | None
 
     @classmethod
     def of(cls, task: SeedTask, kernel: DistanceKernel, k: int) -> "_FirstJoints":
@@ -86,9 +90,11 @@ class _FirstJoints(_Condition):
             goes_on=~((low <= limits.lower) & (high >= limits.upper))[:k],
             pairs=np.flatnonzero(motion.joint[motion.body] <= k).astype(np.int64),
             least=task.clearance,
+            most=MOST_FOR_JOINTS,
             kernel=kernel,
             motion=motion,
             start=task.start,
+            slides=_axes(task, k) if motion.slides[:k].all() else None,
             ends=(task.start[:k], task.goal[:k]),
         )
 
@@ -96,6 +102,9 @@ class _FirstJoints(_Condition):
         q, change = np.tile(self.start, (len(centres), 1)), np.zeros((len(centres), len(self.start)))
         q[:, : len(half)], change[:, : len(half)] = centres, half
         motion = self.motion.motion(q, change, rows, pairs)
+        if self.slides is not None:  # the diagonal of a box is shorter than its edges together
+            signs = np.array(list(itertools.product((-1.0, 1.0), repeat=len(half))))
+            motion = np.minimum(motion, np.linalg.norm((signs * half) @ self.slides, axis=1).max())
         return self.kernel.pair_distances(q[rows], pairs, np.maximum(self.least + motion + 1e-4, 0.0)), motion
 
     def reason(self, task: SeedTask, barrier: Barrier) -> str:
@@ -157,6 +166,12 @@ class _Centres(_Condition):
         )
 
 
+def _axes(task: SeedTask, k: int) -> Array:
+    """Axes (k, 3) of the first k joints in the world at the start."""
+    data = task.model.robot.model.createData()
+    return np.asarray(pin.computeJointJacobians(task.model.robot.model, data, task.start)[:3, :k].T)
+
+
 def _balls(task: SeedTask) -> Iterator[_Centres]:
     """The largest ball on each joint, those nearest to the tool first."""
     model, objects = task.model, list(task.model.geometry.geometryObjects)
@@ -190,6 +205,7 @@ def _balls(task: SeedTask) -> Iterator[_Centres]:
             ends=(_place(model.robot, task.start, joint, ball), _place(model.robot, task.goal, joint, ball)),
             pairs=np.array([number for number, k in enumerate(still) if (body, k) in known], dtype=np.int64),
             least=ball.radius + task.clearance,
+            most=MOST_FOR_BALL,
             radius=ball.radius,
             link=model.robot.link_of(_described(model.robot, objects[body])),
             obstacles=names,

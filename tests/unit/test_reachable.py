@@ -279,11 +279,11 @@ def test_a_gantry_among_boxes_that_close_a_room(tmp_path):
     wall = mp.Box(size=[0.02, 5.0, 5.0], name="wall")
     began = time.monotonic()
     with pytest.raises(mp.PlanningError, match="hoist_0 and wall into contact"):
-        mp.seed_path(arm, [-1.0, 0, 0], [1.0, 0, 0], mp.Scene([wall]))
+        mp.seed_path(arm, [-0.5, 0, 0], [0.5, 0, 0], mp.Scene([wall]))
     assert time.monotonic() - began < 2.0
-    wall = replace(wall, size=[0.02, 5.0, 4.3], position=(0.0, 0.0, -0.3))  # it ends at z = 1.85 m
-    assert mp.seed_path(arm, [-1.0, 0, 0], [1.0, 0, 0], mp.Scene([wall])).n == 3
-    assert why_unreachable(task(arm, [-1.0, 0, 0], [1.0, 0, 0], mp.Scene([wall]))) is None
+    wall = replace(wall, size=[0.02, 5.0, 4.0], position=(0.0, 0.0, -0.4))  # it ends at z = 1.6 m
+    assert mp.seed_path(arm, [-0.5, 0, 0], [0.5, 0, 0], mp.Scene([wall])).n == 3
+    assert why_unreachable(task(arm, [-0.5, 0, 0], [0.5, 0, 0], mp.Scene([wall]))) is None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -304,7 +304,13 @@ class Ring(Space):
 @pytest.mark.parametrize("gap", [0.0, 0.6])
 def test_cells_separate_the_inside_of_a_sphere_from_its_outside(k, gap):
     ends = np.zeros(k) + 0.01, np.full(k, 1.5)
-    box = {"low": np.full(k, -2.0), "high": np.full(k, 2.0), "goes_on": np.zeros(k, dtype=bool), "pairs": np.array([0])}
+    box = {
+        "low": np.full(k, -2.0),
+        "high": np.full(k, 2.0),
+        "goes_on": np.zeros(k, dtype=bool),
+        "pairs": np.array([0]),
+        "most": 200_000,
+    }
     space = Ring(**box, ends=ends, least=0.25, gap=gap)
     closed = find_barrier(space)
     if gap and k > 1:
@@ -326,7 +332,7 @@ class Wall(Space):
 
 @pytest.mark.parametrize("k", [1, 2, 3])
 def test_a_wall_ends_where_an_axis_goes_on(k):
-    box = {"low": np.full(k, -2.0), "high": np.full(k, 2.0), "pairs": np.array([0]), "least": 0.3}
+    box = {"low": np.full(k, -2.0), "high": np.full(k, 2.0), "pairs": np.array([0]), "least": 0.3, "most": 100_000}
     wall = Wall(**box, goes_on=np.zeros(k, dtype=bool), ends=(np.full(k, -1.0), np.full(k, 1.0)))
     assert find_barrier(wall) is not None
     assert find_barrier(replace(wall, goes_on=np.arange(k) == 0)) is not None  # both sides of the wall go on, apart
