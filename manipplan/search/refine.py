@@ -9,7 +9,7 @@ import numpy as np
 from manipplan.paths.tolerance import Tolerance
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
-from manipplan.search.steps import path_length, steps_between, within
+from manipplan.search.steps import path_length, path_steps, steps_between, within
 from manipplan.support.checks import Array, instance, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
@@ -221,10 +221,7 @@ class _Refiner:
 
     def _squares(self, q: Array) -> float:
         """Σ ‖Δq‖² of a path (L, n), which the program minimises."""
-        steps = [steps_between(*each, self.layers.continuous) for each in zip(q[:-1], q[1:], strict=True)]
-        if self.layers.closed:
-            steps.append(steps_between(q[-1], q[0], self.layers.continuous))
-        return float(np.square(steps).sum())
+        return float(np.square(path_steps(q, self.layers.continuous, closed=self.layers.closed)).sum())
 
     def _length(self, q: Array) -> float:
         return float(path_length(q, self.layers.continuous, closed=self.layers.closed))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from manipplan.seeds.motions import SIDE, Level, MotionCheck, P
-from manipplan.seeds.task import SeedTask
+from manipplan.seeds.task import PATIENCE, SeedTask
 from manipplan.support.checks import Array
 
 #: As in connect.c.
@@ -46,13 +46,15 @@ class Run:
         self._set_room()
 
     def path(self) -> Array | None:
-        """Waypoints (k, n), or None when none was found in time."""
+        """Waypoints (k, n), or None when none was found in time, or there is none."""
         task, at, call = self.task, self.check.at, self.call
         assert call is not None
         status = SEARCHING
         while status != FOUND:
             left = SLICE if task.checks is None else min(SLICE, task.checks - self.check.checks)
             if left <= 0 or time.monotonic() >= task.deadline:
+                return None
+            if self.check.checks >= PATIENCE and task.why_unreachable() is not None:
                 return None
             status = call["connect"](at, left)
             self.check.raise_failure()

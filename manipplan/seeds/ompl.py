@@ -12,7 +12,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.seeds.motions import RANGE, SPARE, Level, MotionCheck, can_check
 from manipplan.seeds.objective import ompl_objective
 from manipplan.seeds.seeding import FEASIBLE
-from manipplan.seeds.task import SeedTask
+from manipplan.seeds.task import PATIENCE, SeedTask
 from manipplan.support.checks import Array
 
 #: OMPL has one random seed per process, so searches in several threads would not be repeatable.
@@ -66,7 +66,9 @@ class OmplSearch:
         information.setup()
 
         def is_over() -> bool:
-            return time.monotonic() >= task.deadline or (task.checks is not None and check.done >= task.checks)
+            if time.monotonic() >= task.deadline or (task.checks is not None and check.done >= task.checks):
+                return True
+            return check.done >= PATIENCE and task.why_unreachable() is not None
 
         problem = base.ProblemDefinition(information)
         problem.setStartAndGoalStates(_state(space, task.start), _state(space, task.goal), 1e-9)

@@ -8,6 +8,7 @@ import logging
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cache, partial
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,6 +26,7 @@ from manipplan.seeds.acceptance import acceptance, crossing_limit, is_free, look
 from manipplan.seeds.connect import TreeSearch
 from manipplan.seeds.motions import Level, can_check
 from manipplan.seeds.ompl import OmplSearch
+from manipplan.seeds.reachable import why_unreachable
 from manipplan.seeds.seeding import AUTO, OPTIMISING, STAR, Seeding
 from manipplan.seeds.star import StarSearch, star_code
 from manipplan.seeds.task import GRACE, MOST_GRACE, SeedTask
@@ -45,6 +47,8 @@ LEVELS = (
 FINER = (1.0, 0.3, 0.1)
 #: Checks of the search for a path with the fewest crossings, and of the one that allows `MORE` of them.
 FEWEST_CHECKS, MORE_CHECKS, MORE = 100_000, 50_000, 2
+#: Maximum motion of a joint from start to goal [rad or m]: a path is checked in steps of down to a thousandth of that unit.
+LONGEST = 1000.0
 
 
 def seed_path(
@@ -85,9 +89,10 @@ def seed_path(
         nearly touches something, one that is free at every milliradian. `scene.path_clearance` tells which.
 
     Raises:
-        InvalidInputError: start or goal has a wrong length, is outside the limits, or in collision; `same_aspect` if start and
-            goal are singular or lie in different aspects.
-        PlanningError: no collision-free path was found within the time limit or `checks`.
+        InvalidInputError: start or goal has a wrong length, is outside the limits, or in collision; they are the same, or more
+            than 1000 rad or m apart in a joint; `same_aspect` if they are singular or lie in different aspects.
+        PlanningError: no collision-free path was found within the time limit or `checks`, or there is none. Where that can be
+            proven, which takes less than a second, the message says why and names the bodies.
     """
     instance("robot", robot, Robot)
     _check_seeding(instance("seeding", seeding, Seeding))
@@ -104,11 +109,12 @@ def seed_path(
     if seeding.planner == STAR and not (compiled and star_code()):
         raise InvalidInputError("seeding.planner", STAR, "another one: here its code cannot be compiled")
     kinematics = integral.kinematics
+    at_goal, _, nearest = model.least_distance(q_goal[None])
     task = SeedTask(
         model=model,
         start=q_start,
         goal=q_goal,
-        distances=(model.least_distance(q_start[None])[0], model.least_distance(q_goal[None])[0]),
+        distances=(model.least_distance(q_start[None])[0], at_goal),
         seed=seeding.seed,
         clearance=clearance,
         sides=sides_of(kinematics),
@@ -117,12 +123,14 @@ def seed_path(
         deadline=time.monotonic() + seeding.time_limit,
         grace=min(GRACE * seeding.time_limit, MOST_GRACE),
     )
+    task = replace(task, why_unreachable=cache(partial(why_unreachable, task)))
     finder = _Finder(
         seeding=seeding,
         integral=integral if lowers_g else None,
         checks=checks,
         compiled=compiled,
         free=acceptance(task),
+        nearest=(*model.pair_names[nearest], at_goal) if nearest >= 0 else None,
     )
     if same_aspect:
         _check_aspect(task, kinematics)
@@ -133,7 +141,7 @@ def seed_path(
         found = finder.find(each)
         if found is not None:
             return found
-    raise PlanningError(finder.failure())
+    raise PlanningError(task.why_unreachable() or finder.failure())
 
 
 def _check_aspect(task: SeedTask, kinematics: Kinematics) -> None:
@@ -173,6 +181,7 @@ class _Finder:
         checks: maximum number of checks of an optimising planner.
         compiled: search by our own compiled code, not by OMPL.
         free: the acceptance test.
+        nearest: the two bodies that are nearest at the goal, and their distance [m]; None where nothing is checked.
         spent: the number of checks, not the time limit, ended the search.
     """
 
@@ -181,6 +190,7 @@ class _Finder:
     checks: int
     compiled: bool
     free: Callable[[JointPath], bool]
+    nearest: tuple[str, str, float] | None
     spent: bool = False
 
     def cost(self, path: JointPath) -> float:
@@ -259,9 +269,13 @@ class _Finder:
         spent, remedy = f"in {limit:g} s", "allow more time (Seeding.time_limit)"
         if self.spent and self.planner in OPTIMISING:
             spent, remedy = f"with {self.checks} checks", "allow more of them (checks)"
+        there = ""
+        if self.nearest is not None:
+            first, second, distance = self.nearest
+            there = f": there {first} and {second} are the nearest bodies, {1e3 * distance:.3g} mm apart"
         return (
             f"no path from start to goal was found by {'RRT-Connect' if is_auto else self.planner} {spent}; "
-            f"{remedy}, reduce the clearance, or check that the goal can be reached"
+            f"{remedy}, reduce the clearance, or check that the goal can be reached{there}"
         )
 
 
@@ -283,9 +297,14 @@ def _rounded(waypoints: Array, accept: Callable[[JointPath], bool], cost: Callab
 
 
 def check_apart(start: Array, goal: Array) -> None:
-    """Raise InvalidInputError if start and goal coincide."""
-    if np.abs(goal - start).max() < SHORTEST:
+    """Raise InvalidInputError if start and goal coincide, or are so far apart that a path cannot be checked."""
+    motion = np.abs(goal - start)
+    if motion.max() < SHORTEST:
         raise InvalidInputError("goal", goal.tolist(), f"a configuration that differs from start by {SHORTEST:g} or more")
+    if motion.max() > LONGEST:
+        joint = int(motion.argmax())
+        allowed = f"{start[joint] - LONGEST:g} to {start[joint] + LONGEST:g}: at most {LONGEST:g} rad or m from start"
+        raise InvalidInputError(f"goal[{joint}]", float(goal[joint]), allowed)
 
 
 def _shortened(waypoints: Array, accept: Callable[[JointPath], bool], cost: Callable[[JointPath], float]) -> Array:

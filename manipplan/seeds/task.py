@@ -1,5 +1,6 @@
 """SeedTask: what a search for a seed path is given."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +11,10 @@ from manipplan.support.checks import Array
 
 #: Maximum time beyond the deadline for simplifying and rounding a path, as a share of the time limit, and at most [s].
 GRACE, MOST_GRACE = 0.05, 0.3
+#: Number of checks after which a search asks whether start and goal can be joined at all.
+PATIENCE = 20_000
+#: Ranges of joints above this count as unlimited [rad or m].
+HUGE = 4 * np.pi + 1e-6
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -27,6 +32,7 @@ class SeedTask:
         checks: maximum number of configurations checked for collision; None: any number.
         deadline: in time.monotonic() [s].
         grace: time beyond it for simplifying and rounding a path [s].
+        why_unreachable: why no path joins start and goal; None where that is not proven.
     """
 
     model: CollisionModel
@@ -40,6 +46,7 @@ class SeedTask:
     checks: int | None
     deadline: float
     grace: float = 0.0
+    why_unreachable: Callable[[], str | None] = lambda: None
 
     @property
     def late(self) -> float:
@@ -47,8 +54,15 @@ class SeedTask:
         return self.deadline + self.grace
 
     def bounds(self) -> tuple[Array, Array]:
-        """Least and largest joint values (n,): the limits; of continuous joints, half a turn beyond start and goal."""
-        limits = self.model.robot.limits
-        low = np.where(np.isfinite(limits.lower), limits.lower, np.minimum(self.start, self.goal) - np.pi)
-        high = np.where(np.isfinite(limits.upper), limits.upper, np.maximum(self.start, self.goal) + np.pi)
+        """Least and largest joint values (n,) of a search.
+
+        These are the limits. A range that is infinite or HUGE is cut half a turn beyond start and goal, and that of a prismatic
+        joint π m and the distance of start and goal beyond them.
+        """
+        robot = self.model.robot
+        lower, upper = robot.limits.lower, robot.limits.upper
+        beyond = np.pi + np.where([kind == "prismatic" for kind in robot.joint_types], np.abs(self.goal - self.start), 0.0)
+        is_huge = ~(upper - lower <= HUGE)
+        low = np.where(is_huge, np.maximum(np.minimum(self.start, self.goal) - beyond, lower), lower)
+        high = np.where(is_huge, np.minimum(np.maximum(self.start, self.goal) + beyond, upper), upper)
         return low, high

@@ -93,7 +93,7 @@ def test_no_path_is_exit_code_one(arm_file, tmp_path, capsys):
     )
     changes = {"start": ["0.5"] * 3, "goal": ["-0.5"] * 3, "scene": [str(scene)], "time-limit": ["0.3"]}
     assert main(plan_arguments(arm_file, tmp_path / "out", **changes)) == 1
-    assert "no path from start to goal" in capsys.readouterr().err
+    assert "it is proven that the goal cannot be reached" in capsys.readouterr().err
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,261 @@
+"""A proof that no collision-free path joins two configurations, from two necessary conditions for one.
+
+- The bodies that the first k joints move depend on these alone. A path of the arm is also a path of those joints among
+  configurations at which these bodies are free. k = 1 to 4 are tried.
+- A ball inside a body moves along a curve in the world on which it keeps clear of all obstacles that are checked against the
+  body, and its centre stays within reach of the base.
+
+Where `cells` proves that there is no such curve, there is no path. Only distances of the compiled kernel count: those of
+separate bodies and the depths of convex ones have proven bounds, and change by no more than the bodies' points move. Meshes and
+clouds that a body overlaps count as free.
+"""
+
+import itertools
+from abc import abstractmethod
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from manipplan.collision.body_motion import BodyMotion, body_motion
+from manipplan.collision.kernel import DistanceKernel, find_kernel
+from manipplan.collision.model import CollisionModel
+from manipplan.robots.limits import JointLimits
+from manipplan.robots.robot import Robot
+from manipplan.seeds.cells import LAST, Barrier, Indices, Space, find_barrier
+from manipplan.seeds.inscribed import Ball, inscribed_ball
+from manipplan.seeds.task import SeedTask
+from manipplan.support.checks import Array
+
+#: Added to the reach of a ball [m].
+ROUNDING = 1e-3
+#: Radius of the point that stands for a ball's centre [m]; it only adds to the ball.
+POINT = 1e-9
+#: Maximum number of triangles and points of the obstacles for which balls are tried: a tree of them has to be built.
+MOST_TRIANGLES = 20_000
+#: Maximum number of distances that are measured for the first joints, and for a ball: 1 to 4 µs each.
+MOST_FOR_JOINTS, MOST_FOR_BALL = 50_000, 100_000
+ENDS = "start", "goal"
+
+
+def why_unreachable(task: SeedTask) -> str | None:
+    """Why no path joins start and goal, with the names of the bodies; None where that is not proven.
+
+    It takes up to about 0.3 s, and depends on nothing but the task.
+    """
+    kernel = task.model.kernel_copy()
+    if kernel is None or not task.model.pair_names:
+        return None
+    most = min(task.model.robot.n, max(LAST))
+    joints: Iterator[_Condition] = (_FirstJoints.of(task, kernel, k) for k in range(1, most + 1))
+    for each in itertools.chain(itertools.islice(joints, 2), _balls(task), joints):  # the quick ones first
+        barrier = find_barrier(each)
+        if barrier is not None:
+            return each.reason(task, barrier)
+    return None
+
+
+class _Condition(Space):
+    """A space in which every path of the arm is a curve of free points."""
+
+    @abstractmethod
+    def reason(self, task: SeedTask, barrier: Barrier) -> str:
+        """Why a barrier in this space separates start and goal."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _FirstJoints(_Condition):
+    """The configurations of the first k joints, and the pairs that depend on no other joint.
+
+    Attributes:
+        start: (n,) values of the other joints, which do not matter.
+        slides: (k, 3) axes in the world, if all of these joints are prismatic.
+    """
+
+    kernel: DistanceKernel
+    motion: BodyMotion
+    start: Array
+    slides: Array | None
+
+    @classmethod
+    def of(cls, task: SeedTask, kernel: DistanceKernel, k: int) -> "_FirstJoints":
+        """Those of a task, within the bounds of its searches; beyond them, where the limits allow it, nothing is blocked."""
+        motion, limits, (low, high) = body_motion(task.model), task.model.robot.limits, task.bounds()
+        return cls(
+            low=low[:k],
+            high=high[:k],
+            goes_on=~((low <= limits.lower) & (high >= limits.upper))[:k],
+            pairs=np.flatnonzero(motion.joint[motion.body] <= k).astype(np.int64),
+            least=task.clearance,
+            most=MOST_FOR_JOINTS,
+            kernel=kernel,
+            motion=motion,
+            start=task.start,
+            slides=_axes(task, k) if motion.slides[:k].all() else None,
+            ends=(task.start[:k], task.goal[:k]),
+        )
+
+    def measure(self, centres: Array, half: Array, rows: Indices, pairs: Indices) -> tuple[Array, Array]:
+        q, change = np.tile(self.start, (len(centres), 1)), np.zeros((len(centres), len(self.start)))
+        q[:, : len(half)], change[:, : len(half)] = centres, half
+        motion = self.motion.motion(q, change, rows, pairs)
+        if self.slides is not None:  # the diagonal of a box is shorter than its edges together
+            signs = np.array(list(itertools.product((-1.0, 1.0), repeat=len(half))))
+            motion = np.minimum(motion, np.linalg.norm((signs * half) @ self.slides, axis=1).max())
+        return self.kernel.pair_distances(q[rows], pairs, np.maximum(self.least + motion + 1e-4, 0.0)), motion
+
+    def reason(self, task: SeedTask, barrier: Barrier) -> str:
+        names = task.model.robot.joint_names[: len(self.low)]
+        several = f"{', '.join(names[:-1])} and {names[-1]} within their limits"
+        joints = several if len(names) > 1 else f"{names[0]} within its limits"
+        q = np.tile((task.start, task.goal)[barrier.end], (len(barrier.pairs), 1))
+        nearest = int(np.argmin(task.model.pair_distances(q, barrier.pairs)))
+        first, second = task.model.pair_names[barrier.pairs[nearest]]
+        contact = f"closer than the clearance of {1e3 * task.clearance:.3g} mm" if task.clearance else "into contact"
+        turns = ~self.motion.slides[: len(names)] & (self.high - self.low >= 2 * np.pi)
+        turned = "; Seeding(shifts='within-limits') tries goals a full turn away as well" if turns.any() else ""
+        one = f"{first} and {second} {contact}"
+        several = f"two bodies {contact}; at the {ENDS[barrier.end]} {first} and {second} are the nearest of them"
+        return (
+            f"it is proven that the goal cannot be reached: every motion of {joints} from start to goal brings "
+            f"{one if len(barrier.pairs) == 1 else several}{turned}"
+        )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Centres(_Condition):
+    """The places in the world of the centre of a ball inside a body, and the obstacles of this body.
+
+    Attributes:
+        radius: that of the ball [m].
+        link: the link or carried part that contains it.
+        obstacles: the name of each obstacle, by the index of its pair.
+        kernel: of a point among the obstacles.
+        base: (3,) the place of the first joint.
+        reach: largest distance of the centre from there [m].
+    """
+
+    radius: float
+    link: str
+    obstacles: Sequence[str]
+    kernel: DistanceKernel
+    base: Array
+    reach: float
+
+    def measure(self, centres: Array, half: Array, rows: Indices, pairs: Indices) -> tuple[Array, Array]:
+        change = np.full(len(rows), np.linalg.norm(half))
+        return self.kernel.pair_distances(centres[rows], pairs, self.least + change + 1e-4), change
+
+    def is_outside(self, centres: Array, half: Array) -> NDArray[np.bool_]:
+        nearest = np.maximum(np.abs(centres - self.base) - half, 0.0)
+        return np.asarray(np.linalg.norm(nearest, axis=1) > self.reach)
+
+    def reason(self, task: SeedTask, barrier: Barrier) -> str:
+        pairs = np.array(barrier.pairs)
+        at = np.tile(self.ends[barrier.end], (len(pairs), 1))
+        distances = self.kernel.pair_distances(at, pairs, np.full(len(pairs), np.inf))
+        nearest = self.obstacles[barrier.pairs[int(np.nanargmin(distances))]]
+        clearance = f" and the clearance of {1e3 * task.clearance:.3g} mm" if task.clearance else ""
+        return (
+            f"it is proven that the goal cannot be reached: {self.link} is enclosed at the {ENDS[barrier.end]}, and {nearest} "
+            f"is the nearest obstacle around it; no gap lets out a ball of radius {1e3 * self.radius:.3g} mm, which the body "
+            f"contains{clearance}"
+        )
+
+
+def _axes(task: SeedTask, k: int) -> Array:
+    """Axes (k, 3) of the first k joints in the world at the start."""
+    data = task.model.robot.model.createData()
+    return np.asarray(pin.computeJointJacobians(task.model.robot.model, data, task.start)[:3, :k].T)
+
+
+def _balls(task: SeedTask) -> Iterator[_Centres]:
+    """The largest ball on each joint, those nearest to the tool first."""
+    model, objects = task.model, list(task.model.geometry.geometryObjects)
+    still = [k for k, item in enumerate(objects) if item.parentJoint == 0]
+    size = sum(item.geometry.num_tris for k, item in enumerate(objects) if k in still and _is_surface(item))
+    if not still or size > MOST_TRIANGLES:
+        return
+    known = {(pair.first, pair.second) for pair in model.geometry.collisionPairs}
+    known |= {(second, first) for first, second in known}
+    kernel = _point_kernel(model, still)
+    if kernel is None:
+        return
+    names = [objects[k].name for k in still]
+    for joint in range(model.robot.n, 0, -1):
+        largest: tuple[int, Ball] | None = None
+        for body in range(model.bodies):
+            if objects[body].parentJoint == joint and any((body, k) in known for k in still):
+                ball = inscribed_ball(objects[body], model.radii.get(body, 0.0))
+                if ball is not None and (largest is None or ball.radius > largest[1].radius):
+                    largest = body, ball
+        if largest is None:
+            continue
+        body, ball = largest
+        base, reach = _reach(model.robot, joint, ball.centre)
+        if not np.isfinite(reach):
+            continue
+        yield _Centres(
+            low=base - reach,
+            high=base + reach,
+            goes_on=np.zeros(3, dtype=bool),
+            ends=(_place(model.robot, task.start, joint, ball), _place(model.robot, task.goal, joint, ball)),
+            pairs=np.array([number for number, k in enumerate(still) if (body, k) in known], dtype=np.int64),
+            least=ball.radius + task.clearance,
+            most=MOST_FOR_BALL,
+            radius=ball.radius,
+            link=model.robot.link_of(_described(model.robot, objects[body])),
+            obstacles=names,
+            kernel=kernel,
+            base=base,
+            reach=reach,
+        )
+
+
+def _is_surface(item: pin.GeometryObject) -> bool:
+    return isinstance(item.geometry, coal.BVHModelBase)
+
+
+def _described(robot: Robot, body: pin.GeometryObject) -> pin.GeometryObject:
+    """The object of the robot's description that a body of the collision model is, or is a piece of."""
+    whole = [item for item in robot.geometry.geometryObjects if item.name in (body.name, body.name.rpartition(".")[0])]
+    return whole[0] if whole else body
+
+
+def _place(robot: Robot, q: Array, joint: int, ball: Ball) -> Array:
+    """The centre (3,) of a ball in the world at q (n,)."""
+    data = robot.model.createData()
+    pin.forwardKinematics(robot.model, data, q)
+    return np.asarray(data.oMi[joint].act(ball.centre))
+
+
+def _reach(robot: Robot, joint: int, centre: Array) -> tuple[Array, float]:
+    """The place (3,) of the first joint, and the largest distance from there of a point in the frame of a joint [m]."""
+    model, slides = robot.model, [kind == "prismatic" for kind in robot.joint_types]
+    farthest = np.maximum(np.abs(robot.limits.lower), np.abs(robot.limits.upper))
+    links = sum(float(np.linalg.norm(model.jointPlacements[j].translation)) for j in range(2, joint + 1))
+    slid = sum(float(farthest[j]) for j in range(joint) if slides[j])
+    return np.array(model.jointPlacements[1].translation), float(np.linalg.norm(centre)) + links + slid + ROUNDING
+
+
+def _point_kernel(model: CollisionModel, still: Sequence[int]) -> DistanceKernel | None:
+    """Distances of a point, placed by three sliding joints, to the bodies `still`, one pair each."""
+    sliding, geometry, objects = pin.Model(), pin.GeometryModel(), model.geometry.geometryObjects
+    joint = 0
+    for name, kind in (("x", pin.JointModelPX), ("y", pin.JointModelPY), ("z", pin.JointModelPZ)):
+        joint = sliding.addJoint(joint, kind(), pin.SE3.Identity(), name)
+    geometry.addGeometryObject(pin.GeometryObject("point", joint, 0, pin.SE3.Identity(), coal.Sphere(POINT)))
+    radii = np.zeros(1 + len(still))
+    for number, k in enumerate(still, start=1):
+        geometry.addGeometryObject(pin.GeometryObject(str(number), 0, 0, objects[k].placement, objects[k].geometry))
+        radii[number] = model.radii.get(k, 0.0)
+        geometry.addCollisionPair(pin.CollisionPair(0, number))
+    endless = np.full(3, np.inf)
+    limits = JointLimits(
+        lower=-endless, upper=endless, velocity=endless, acceleration=endless, jerk=endless, effort=endless, sources={}
+    )
+    point = Robot(name="point", model=sliding, geometry=geometry, tool="", limits=limits, neutral=np.zeros(3))
+    return find_kernel(point, geometry, radii, [number for number, k in enumerate(still, start=1) if k in model.solids])
