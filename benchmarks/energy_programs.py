@@ -25,6 +25,7 @@ from path_suite import load
 import manipplan as mp
 from manipplan.optimize.clearance import ClearanceRow
 from manipplan.optimize.program import PathProgram, Solution
+from manipplan.support.deadline import NEVER, Deadline
 
 PAIRS = Path(__file__).parent / "pairs"
 #: Number of solves that are kept of one problem: with rows, and without.
@@ -70,10 +71,11 @@ def recorded(source: str) -> Iterator[list[EnergyProgram]]:
         guess: NDArray[np.float64],
         floor: float,
         rows: Sequence[ClearanceRow] = (),
+        deadline: Deadline = NEVER,
     ) -> Solution:
         arrays = {"start": start.copy(), "goal": goal.copy(), "guess": guess.copy()}
         found.append(EnergyProgram(source=source, program=self, floor=floor, rows=tuple(rows), **arrays))
-        return solve(self, start, goal, guess, floor, rows)
+        return solve(self, start, goal, guess, floor, rows, deadline)
 
     PathProgram.solve = listening
     try:

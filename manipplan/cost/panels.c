@@ -147,10 +147,10 @@ int manipplan_integral(const Integral *f, const double *edges, long count, long 
         settled += sum(kept, closed);
         double *next = malloc((size_t)(6 * open + 1) * sizeof *next);
         if (!next) { free(from); failed = 1; break; }
-        for (long i = 0; i < open; i++)
-            for (int side = 0; side < 2; side++) {
-                long k = 2 * (long)both[i] + side;
-                next[2 * i + side] = from[k], next[2 * open + 2 * i + side] = to[k], next[4 * open + 2 * i + side] = part[k];
+        for (int side = 0; side < 2; side++)                 /* all left halves first, in NumPy's order */
+            for (long i = 0; i < open; i++) {
+                long k = 2 * (long)both[i] + side, at = side * open + i;
+                next[at] = from[k], next[2 * open + at] = to[k], next[4 * open + at] = part[k];
             }
         free(begin), free(from);
         begin = next, count = 2 * open, end = begin + count, whole = end + count;

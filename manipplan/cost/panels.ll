@@ -1,4 +1,4 @@
-; panels.c 684b5af2c4855bf150e1f10bcda2036e3c9d5a0b5bde04732298e1b9fdd90258: written by make kernel
+; panels.c f91f6dd2760c9ab380a57b315b2b116d865da5d116ea0c0b6af679022dcab343: written by make kernel
 
 %struct.Integral = type { ptr, ptr, ptr, ptr, i64, i64, ptr, ptr, double, double }
 
@@ -571,7 +571,7 @@ define dso_local i32 @manipplan_integral(ptr nocapture noundef readonly %0, ptr 
   %8 = mul i64 %2, 24
   %9 = tail call noalias ptr @malloc(i64 noundef %8) #9
   %10 = icmp eq ptr %9, null
-  br i1 %10, label %200, label %11
+  br i1 %10, label %198, label %11
 
 11:                                               ; preds = %7
   %12 = getelementptr double, ptr %9, i64 %2
@@ -590,7 +590,7 @@ define dso_local i32 @manipplan_integral(ptr nocapture noundef readonly %0, ptr 
   %21 = and i1 %19, %20
   %22 = icmp eq i32 %18, 0
   %23 = select i1 %21, i1 %22, i1 false
-  br i1 %23, label %33, label %187
+  br i1 %23, label %33, label %185
 
 24:                                               ; preds = %15, %24
   %25 = phi double [ %30, %24 ], [ %16, %15 ]
@@ -605,17 +605,17 @@ define dso_local i32 @manipplan_integral(ptr nocapture noundef readonly %0, ptr 
   %32 = icmp eq i64 %28, %2
   br i1 %32, label %17, label %24
 
-33:                                               ; preds = %17, %174
-  %34 = phi i64 [ %175, %174 ], [ %2, %17 ]
-  %35 = phi ptr [ %110, %174 ], [ %9, %17 ]
-  %36 = phi double [ %179, %174 ], [ 0.000000e+00, %17 ]
-  %37 = phi ptr [ %176, %174 ], [ %12, %17 ]
-  %38 = phi ptr [ %177, %174 ], [ %13, %17 ]
-  %39 = phi i64 [ %181, %174 ], [ 0, %17 ]
+33:                                               ; preds = %17, %173
+  %34 = phi i64 [ %114, %173 ], [ %2, %17 ]
+  %35 = phi ptr [ %110, %173 ], [ %9, %17 ]
+  %36 = phi double [ %177, %173 ], [ 0.000000e+00, %17 ]
+  %37 = phi ptr [ %174, %173 ], [ %12, %17 ]
+  %38 = phi ptr [ %175, %173 ], [ %13, %17 ]
+  %39 = phi i64 [ %179, %173 ], [ 0, %17 ]
   %40 = shl i64 %34, 6
   %41 = tail call noalias ptr @malloc(i64 noundef %40) #9
   %42 = icmp eq ptr %41, null
-  br i1 %42, label %197, label %43
+  br i1 %42, label %195, label %43
 
 43:                                               ; preds = %33
   %44 = shl nsw i64 %34, 1
@@ -716,9 +716,7 @@ define dso_local i32 @manipplan_integral(ptr nocapture noundef readonly %0, ptr 
 
 112:                                              ; preds = %102
   %113 = icmp sgt i64 %105, 0
-  br i1 %113, label %114, label %174
-
-114:                                              ; preds = %112
+  %114 = shl nsw i64 %105, 1
   %115 = shl nsw i64 %105, 2
   br label %146
 
@@ -767,86 +765,86 @@ define dso_local i32 @manipplan_integral(ptr nocapture noundef readonly %0, ptr 
 
 145:                                              ; preds = %102
   tail call void @free(ptr noundef nonnull %41) #10
-  br label %197
+  br label %195
 
-146:                                              ; preds = %114, %155
-  %147 = phi i64 [ 0, %114 ], [ %156, %155 ]
-  %148 = getelementptr inbounds double, ptr %47, i64 %147
-  %149 = load double, ptr %148, align 8
-  %150 = fptosi double %149 to i64
-  %151 = shl nsw i64 %150, 1
-  %152 = shl nuw nsw i64 %147, 1
-  %153 = add i64 %147, %105
-  %154 = shl i64 %153, 1
-  br label %158
+146:                                              ; preds = %112, %151
+  %147 = phi i1 [ true, %112 ], [ false, %151 ]
+  %148 = phi i64 [ 0, %112 ], [ 1, %151 ]
+  br i1 %113, label %149, label %151
 
-155:                                              ; preds = %158
-  %156 = add nuw nsw i64 %147, 1
-  %157 = icmp eq i64 %156, %105
-  br i1 %157, label %174, label %146
+149:                                              ; preds = %146
+  %150 = mul nuw nsw i64 %105, %148
+  br label %152
 
-158:                                              ; preds = %146, %158
-  %159 = phi i1 [ true, %146 ], [ false, %158 ]
-  %160 = phi i64 [ 0, %146 ], [ 1, %158 ]
-  %161 = or i64 %151, %160
-  %162 = getelementptr inbounds double, ptr %41, i64 %161
-  %163 = load double, ptr %162, align 8
-  %164 = or i64 %152, %160
-  %165 = getelementptr inbounds double, ptr %110, i64 %164
-  store double %163, ptr %165, align 8
-  %166 = getelementptr inbounds double, ptr %45, i64 %161
-  %167 = load double, ptr %166, align 8
-  %168 = or i64 %154, %160
-  %169 = getelementptr inbounds double, ptr %110, i64 %168
-  store double %167, ptr %169, align 8
-  %170 = getelementptr inbounds double, ptr %46, i64 %161
-  %171 = load double, ptr %170, align 8
-  %172 = add i64 %164, %115
-  %173 = getelementptr inbounds double, ptr %110, i64 %172
-  store double %171, ptr %173, align 8
-  br i1 %159, label %158, label %155
+151:                                              ; preds = %152, %146
+  br i1 %147, label %146, label %173
 
-174:                                              ; preds = %155, %112
+152:                                              ; preds = %149, %152
+  %153 = phi i64 [ 0, %149 ], [ %171, %152 ]
+  %154 = getelementptr inbounds double, ptr %47, i64 %153
+  %155 = load double, ptr %154, align 8
+  %156 = fptosi double %155 to i64
+  %157 = shl nsw i64 %156, 1
+  %158 = or i64 %157, %148
+  %159 = add nsw i64 %153, %150
+  %160 = getelementptr inbounds double, ptr %41, i64 %158
+  %161 = load double, ptr %160, align 8
+  %162 = getelementptr inbounds double, ptr %110, i64 %159
+  store double %161, ptr %162, align 8
+  %163 = getelementptr inbounds double, ptr %45, i64 %158
+  %164 = load double, ptr %163, align 8
+  %165 = add nsw i64 %159, %114
+  %166 = getelementptr inbounds double, ptr %110, i64 %165
+  store double %164, ptr %166, align 8
+  %167 = getelementptr inbounds double, ptr %46, i64 %158
+  %168 = load double, ptr %167, align 8
+  %169 = add nsw i64 %159, %115
+  %170 = getelementptr inbounds double, ptr %110, i64 %169
+  store double %168, ptr %170, align 8
+  %171 = add nuw nsw i64 %153, 1
+  %172 = icmp eq i64 %171, %105
+  br i1 %172, label %151, label %152
+
+173:                                              ; preds = %151
   tail call void @free(ptr noundef %35) #10
-  tail call void @free(ptr noundef nonnull %41) #10
-  %175 = shl nsw i64 %105, 1
-  %176 = getelementptr inbounds double, ptr %110, i64 %175
-  %177 = getelementptr inbounds double, ptr %176, i64 %175
-  %178 = icmp sgt i64 %175, %3
-  %179 = select i1 %178, double 0x7FF0000000000000, double %107
-  %180 = select i1 %178, i64 0, i64 %175
-  %181 = add nuw nsw i64 %39, 1
-  %182 = icmp slt i64 %181, %4
-  %183 = icmp ne i64 %180, 0
+  tail call void @free(ptr noundef %41) #10
+  %174 = getelementptr inbounds double, ptr %110, i64 %114
+  %175 = getelementptr inbounds double, ptr %174, i64 %114
+  %176 = icmp sgt i64 %114, %3
+  %177 = select i1 %176, double 0x7FF0000000000000, double %107
+  %178 = select i1 %176, i64 0, i64 %114
+  %179 = add nuw nsw i64 %39, 1
+  %180 = icmp slt i64 %179, %4
+  %181 = icmp ne i64 %178, 0
+  %182 = select i1 %180, i1 %181, i1 false
+  %183 = icmp eq i32 %103, 0
   %184 = select i1 %182, i1 %183, i1 false
-  %185 = icmp eq i32 %103, 0
-  %186 = select i1 %184, i1 %185, i1 false
-  br i1 %186, label %33, label %187
+  br i1 %184, label %33, label %185
 
-187:                                              ; preds = %174, %17
-  %188 = phi i32 [ %18, %17 ], [ %103, %174 ]
-  %189 = phi ptr [ %13, %17 ], [ %177, %174 ]
-  %190 = phi double [ 0.000000e+00, %17 ], [ %179, %174 ]
-  %191 = phi ptr [ %9, %17 ], [ %110, %174 ]
-  %192 = phi i64 [ %2, %17 ], [ %180, %174 ]
-  %193 = icmp eq i32 %188, 0
-  br i1 %193, label %194, label %197
+185:                                              ; preds = %173, %17
+  %186 = phi i32 [ %18, %17 ], [ %103, %173 ]
+  %187 = phi ptr [ %13, %17 ], [ %175, %173 ]
+  %188 = phi double [ 0.000000e+00, %17 ], [ %177, %173 ]
+  %189 = phi ptr [ %9, %17 ], [ %110, %173 ]
+  %190 = phi i64 [ %2, %17 ], [ %178, %173 ]
+  %191 = icmp eq i32 %186, 0
+  br i1 %191, label %192, label %195
 
-194:                                              ; preds = %187
-  %195 = tail call fastcc double @sum(ptr noundef %189, i64 noundef %192)
-  %196 = fadd double %190, %195
-  store double %196, ptr %6, align 8
-  br label %197
+192:                                              ; preds = %185
+  %193 = tail call fastcc double @sum(ptr noundef %187, i64 noundef %190)
+  %194 = fadd double %188, %193
+  store double %194, ptr %6, align 8
+  br label %195
 
-197:                                              ; preds = %33, %145, %194, %187
-  %198 = phi ptr [ %191, %194 ], [ %191, %187 ], [ %35, %145 ], [ %35, %33 ]
-  %199 = phi i32 [ 0, %194 ], [ %188, %187 ], [ 1, %145 ], [ 1, %33 ]
-  tail call void @free(ptr noundef %198) #10
-  br label %200
+195:                                              ; preds = %33, %145, %192, %185
+  %196 = phi ptr [ %189, %192 ], [ %189, %185 ], [ %35, %145 ], [ %35, %33 ]
+  %197 = phi i32 [ 0, %192 ], [ %186, %185 ], [ 1, %145 ], [ 1, %33 ]
+  tail call void @free(ptr noundef %196) #10
+  br label %198
 
-200:                                              ; preds = %7, %197
-  %201 = phi i32 [ %199, %197 ], [ 1, %7 ]
-  ret i32 %201
+198:                                              ; preds = %7, %195
+  %199 = phi i32 [ %197, %195 ], [ 1, %7 ]
+  ret i32 %199
 }
 
 define dso_local i32 @manipplan_minimum(ptr nocapture noundef readonly %0, i64 noundef %1, i64 noundef %2, i64 noundef %3, i64 noundef %4, ptr nocapture noundef %5) local_unnamed_addr #0 {

@@ -125,6 +125,7 @@ def by_numpy(monkeypatch, call, *arguments):
     """What a function returns without compiled integrals."""
     with monkeypatch.context() as context:
         context.setattr(integrals, "_compiled", lambda *_: None)
+        context.setattr(integrals, "_minimum_manipulability", integrals._minimum_by_numpy)
         return call(*arguments)
 
 

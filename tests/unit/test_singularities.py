@@ -404,7 +404,7 @@ def test_moving_panels_give_exact_derivatives(two_links, floor, rng):
         assert slope == pytest.approx(float((true.length.gradient(z) * along).sum()), abs=1e-6)
         bend = (true.length.gradient(ahead) - true.length.gradient(behind)).ravel() / 2e-5
         np.testing.assert_allclose(bend, true.length.derivatives(z)[1] @ along.ravel(), rtol=1e-3, atol=1e-4)
-        path = true.path(z)
+        path = true.length.curves.path(z)
         assert true.length.without_energy.value(z) * true.length.g0 == pytest.approx(integral.cost(path).g, rel=1e-9)
 
 
