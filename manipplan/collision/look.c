@@ -6,6 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+enum { ASKING = -1, MORE_ROOM = -2 };   /* what `manipplan_look` returns when it is not done */
+
 typedef struct {
     double low, middle, high;   /* places s on the curve */
     double left, least, right;  /* the distances there [m] */
@@ -14,6 +16,7 @@ typedef struct {
 } Bracket;
 
 typedef struct {
+    long n;                     /* number of joints */
     const void *curve;
     long (*curve_at)(const void *curve, const double *s, long m, double spacing, double *out);  /* manipplan_curve */
     double spacing;             /* of the grid of configurations [rad or m] */
@@ -25,11 +28,9 @@ typedef struct {
     long most_steps;
 } Dips;
 
-enum { MOST_JOINTS = 64 };  /* the caller sees to it that there are no more */
-
 /* The distance at s, rounded to the grid; NaN where the kernel cannot tell. */
 static double distance_at(const Dips *d, double s, const long *bodies) {
-    double q[MOST_JOINTS], reach = INFINITY, out;
+    double q[d->n], reach = INFINITY, out;
     long leaf;
     if (d->curve_at(d->curve, &s, 1, d->spacing, q)) return NAN;
     d->distance(d->world, q, 1, bodies, &reach, &out, &leaf);
@@ -62,7 +63,7 @@ static void narrow(Bracket *b, double place, double value) {
 }
 
 /* Narrow m brackets, of the pairs bodies (m, 2). Returns how many wait for a distance that the kernel cannot tell. */
-long manipplan_bottoms(const Dips *d, const long *bodies, long m, Bracket *bracket) {
+static long find_bottoms(const Dips *d, const long *bodies, long m, Bracket *bracket) {
     long waiting = 0;
     for (long k = 0; k < m; k++) {
         Bracket *b = bracket + k;
@@ -83,7 +84,8 @@ long manipplan_bottoms(const Dips *d, const long *bodies, long m, Bracket *brack
 }
 
 typedef struct {
-    long n, pairs;              /* number of joints and of pairs */
+    long stage, entries;        /* how far the look is: 0 at first; number of near pairs found */
+    long pairs;                 /* number of pairs */
     const long *bodies;         /* (pairs, 2) */
     long (*near)(const void *world, const double *q, long m, const double *reach, long room, long *where,
                  double *out);  /* manipplan_near */
@@ -101,6 +103,7 @@ typedef struct {
     long *where;                /* work: (room) */
     double *distance;           /* work: (room) */
     Bracket *bracket;           /* work: (room + known) */
+    long dips;                  /* number of brackets */
     long *bracket_pair;         /* work: (room + known) */
     long *bracket_bodies;       /* work: (room + known, 2) */
 } Look;
@@ -109,8 +112,6 @@ typedef struct {
     double distance, s;         /* signed distance [m], place on the curve */
     long pair, is_bottom;
 } Found;
-
-enum { UNKNOWN_TO_THE_KERNEL = -1, MORE_ROOM = -2 };
 
 /* By distance, place, pair, and bottoms last. */
 static int order(const void *one, const void *two) {
@@ -131,21 +132,32 @@ static void order_pairs(const Look *l, long begin, long end) {
     }
 }
 
-/* The near pairs of every place that are nearer than its reach, ordered, with rounded distances. Returns their number. */
-static long near_pairs(const Dips *d, const Look *l) {
-    long count = l->near(d->world, l->q, l->places, l->reach, l->room, l->where, l->distance), kept = 0;
-    if (count > l->room) return MORE_ROOM;
-    for (long k = 0; k < count; k++) {
-        if (isnan(l->distance[k])) return UNKNOWN_TO_THE_KERNEL;
+/* Measure the near pairs of every place. Returns whether the kernel could tell all distances; the others are NaN. */
+static int measure(const Dips *d, Look *l, double band) {
+    for (long i = 0; i < l->places; i++) {
+        double wide = l->target + (i % l->spacing == 0 && band > l->farthest ? band : l->farthest);
+        l->reach[i] = wide > 0 ? wide : 0;
+    }
+    d->curve_at(d->curve, l->s, l->places, d->spacing, l->q);
+    l->entries = l->near(d->world, l->q, l->places, l->reach, l->room, l->where, l->distance);
+    int known = 1;
+    for (long k = 0; k < l->entries && l->entries <= l->room; k++) known &= !isnan(l->distance[k]);
+    return known;
+}
+
+/* Keep the pairs that are nearer than the reach of their place, ordered, with rounded distances. */
+static void tidy(const Dips *d, Look *l) {
+    long kept = 0;
+    for (long k = 0; k < l->entries; k++) {
         if (l->distance[k] >= l->reach[l->where[k] / l->pairs]) continue;
         l->where[kept] = l->where[k], l->distance[kept++] = rint(l->distance[k] / d->grid) * d->grid;
     }
+    l->entries = kept;
     for (long begin = 0, end; begin < kept; begin = end) {
         long row = l->where[begin] / l->pairs;
         for (end = begin; end < kept && l->where[end] / l->pairs == row; end++) {}
         order_pairs(l, begin, end);
     }
-    return kept;
 }
 
 /* The distance of the entry `wanted` (row times pairs plus pair), at most `most`; `most` as well if there is none from `start` on
@@ -155,7 +167,7 @@ static double beside(const Look *l, long *start, long end, long wanted, double m
     return *start < end && l->where[*start] == wanted ? fmin(l->distance[*start], most) : most;
 }
 
-/* A bracket whose distances are measured where they are NaN. Returns whether the kernel could tell them. */
+/* Measure the distances of a bracket that are NaN. Returns whether the kernel could tell them. */
 static int complete(const Dips *d, Bracket *b, const long *bodies) {
     if (isnan(b->least)) b->least = distance_at(d, b->middle, bodies);
     if (isnan(b->left)) b->left = distance_at(d, b->low, bodies);
@@ -163,15 +175,15 @@ static int complete(const Dips *d, Bracket *b, const long *bodies) {
     return !isnan(b->least) && !isnan(b->left) && !isnan(b->right);
 }
 
-/* Brackets around all dips of a profile of `count` entries that may be near the target. Returns their number. */
-static long brackets(const Look *l, long count) {
-    double most = l->target + l->farthest;
+/* Brackets around all dips that may be near the target, and around the known places. */
+static void place_brackets(Look *l) {
+    double most = l->target + l->farthest, step = 1.0 / (double)(l->places - 1);
     long found = 0, before = 0, after = 0;
-    for (long k = 0; k < count; k++) {
+    for (long k = 0; k < l->entries; k++) {
         long row = l->where[k] / l->pairs, last = l->places - 1;
         double here = fmin(l->distance[k], most), left = INFINITY, right = INFINITY, higher = -INFINITY;
         if (row > 0) higher = left = beside(l, &before, k, l->where[k] - l->pairs, most);
-        if (row < last) right = beside(l, &after, count, l->where[k] + l->pairs, most), higher = fmax(higher, right);
+        if (row < last) right = beside(l, &after, l->entries, l->where[k] + l->pairs, most), higher = fmax(higher, right);
         /* a dip between places is rarely further below its middle than the higher side is above it */
         if (!(left >= here && right > here && here - (higher - here) < l->target + l->deep)) continue;
         /* what is cut off is measured; at an end of the curve the bracket ends at the dip itself */
@@ -180,41 +192,44 @@ static long brackets(const Look *l, long count) {
                        .right = row == last ? here : right < most ? right : NAN, .next = NAN};
         l->bracket[found] = new, l->bracket_pair[found++] = l->where[k] % l->pairs;
     }
-    return found;
+    for (long k = 0; k < l->known; k++) {
+        double at = l->known_s[k];
+        Bracket new = {.low = fmax(at - step, 0.0), .middle = at, .high = fmin(at + step, 1.0), .left = NAN, .least = NAN,
+                       .right = NAN, .next = NAN};
+        l->bracket[found] = new, l->bracket_pair[found++] = l->known_pair[k];
+    }
+    for (long k = 0; k < found; k++)
+        for (int i = 0; i < 2; i++) l->bracket_bodies[2 * k + i] = l->bodies[2 * l->bracket_pair[k] + i];
+    l->dips = found;
 }
 
 /* Where pairs are near along the curve of `dips`: places of the grid nearer than the target plus `close`, every so many nearer than
-   the target plus `band`, and the bottoms of dips, ordered. Returns their number; negative where there is no room for them, or the
-   kernel cannot tell a distance. `out`: (2 room + known). */
-long manipplan_look(const Dips *d, const Look *l, double band, Found *out) {
-    for (long i = 0; i < l->places; i++) {
-        double wide = l->target + (i % l->spacing == 0 && band > l->farthest ? band : l->farthest);
-        l->reach[i] = wide > 0 ? wide : 0;
+   the target plus `band`, and the bottoms of dips, ordered. out: (2 room + known). Returns their number; MORE_ROOM where there is
+   no room; ASKING where the kernel cannot tell a distance. Then the caller puts it in place of NaN in `distance` (stage 1), or in
+   `left`, `least` and `right` of a bracket or, where `next` is a place, into `found` (stage 2), and calls again. */
+long manipplan_look(const Dips *d, Look *l, double band, Found *out) {
+    long all = 0, asking = 0;
+    if (l->stage == 0) {
+        int known = measure(d, l, band);
+        if (l->entries > l->room) return MORE_ROOM;
+        l->stage = 1;
+        if (!known) return ASKING;
     }
-    d->curve_at(d->curve, l->s, l->places, d->spacing, l->q);
-    long count = near_pairs(d, l), all = 0;
-    if (count < 0) return count;
-    for (long k = 0; k < count; k++) {
+    if (l->stage == 1) {
+        tidy(d, l), place_brackets(l);
+        l->stage = 2;
+        for (long k = 0; k < l->dips; k++) asking += !complete(d, l->bracket + k, l->bracket_bodies + 2 * k);
+        if (asking) return ASKING;
+    }
+    if (find_bottoms(d, l->bracket_bodies, l->dips, l->bracket)) return ASKING;
+    for (long k = 0; k < l->entries; k++) {
         long row = l->where[k] / l->pairs;
         int is_close = l->distance[k] < l->target + l->close;
         if (!is_close && !(row % l->spacing == 0 && l->distance[k] < l->target + band)) continue;
         Found near = {l->distance[k], l->s[row], l->where[k] % l->pairs, 0};
         out[all++] = near;
     }
-    long dips = brackets(l, count);
-    for (long k = 0; k < l->known; k++) {
-        double at = l->known_s[k], step = 1.0 / (double)(l->places - 1);
-        Bracket new = {.low = fmax(at - step, 0.0), .middle = at, .high = fmin(at + step, 1.0), .left = NAN, .least = NAN,
-                       .right = NAN, .next = NAN};
-        l->bracket[dips] = new, l->bracket_pair[dips++] = l->known_pair[k];
-    }
-    for (long k = 0; k < dips; k++) {
-        long *bodies = l->bracket_bodies + 2 * k;
-        bodies[0] = l->bodies[2 * l->bracket_pair[k]], bodies[1] = l->bodies[2 * l->bracket_pair[k] + 1];
-        if (!complete(d, l->bracket + k, bodies)) return UNKNOWN_TO_THE_KERNEL;
-    }
-    if (manipplan_bottoms(d, l->bracket_bodies, dips, l->bracket)) return UNKNOWN_TO_THE_KERNEL;
-    for (long k = 0; k < dips; k++) {
+    for (long k = 0; k < l->dips; k++) {
         Found bottom = {l->bracket[k].least, l->bracket[k].middle, l->bracket_pair[k], 1};
         out[all++] = bottom;
     }

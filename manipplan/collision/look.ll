@@ -1,1006 +1,963 @@
-; look.c 2a472a1686d81b50efd1ae1a482125a516a8cacbd4c6a257c4be303c0de12d33: written by make kernel
+; look.c 7ea962fd987b1909e77ab4409f2e335c4739e838ed83c4cae6a01b4bdf445f3b: written by make kernel
 
-%struct.Dips = type { ptr, ptr, double, ptr, ptr, double, double, i64 }
+%struct.Look = type { i64, i64, i64, ptr, ptr, i64, i64, ptr, double, double, double, double, i64, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, i64, ptr, ptr }
+%struct.Dips = type { i64, ptr, ptr, double, ptr, ptr, double, double, i64 }
 %struct.Bracket = type { double, double, double, double, double, double, double, double, i64 }
-%struct.Look = type { i64, i64, ptr, ptr, i64, i64, ptr, double, double, double, double, i64, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr }
 %struct.Found = type { double, double, i64, i64 }
 
-define dso_local i64 @manipplan_bottoms(ptr nocapture noundef readonly %0, ptr noundef %1, i64 noundef %2, ptr nocapture noundef %3) local_unnamed_addr #0 {
-  %5 = alloca double, align 8
-  %6 = alloca [64 x double], align 16
-  %7 = alloca double, align 8
-  %8 = alloca double, align 8
-  %9 = alloca i64, align 8
-  %10 = icmp sgt i64 %2, 0
-  br i1 %10, label %11, label %19
+define dso_local i64 @manipplan_look(ptr nocapture noundef readonly %0, ptr noundef %1, double noundef %2, ptr noundef %3) local_unnamed_addr #0 {
+  %5 = load i64, ptr %1, align 8
+  switch i64 %5, label %6 [
+    i64 0, label %12
+    i64 1, label %9
+  ]
 
-11:                                               ; preds = %4
-  %12 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 7
-  %13 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 6
-  %14 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 1
-  %15 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 2
-  %16 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 4
-  %17 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 3
-  %18 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 5
-  br label %21
+6:                                                ; preds = %4
+  %7 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
+  %8 = load i64, ptr %7, align 8
+  br label %446
 
-19:                                               ; preds = %157, %4
-  %20 = phi i64 [ 0, %4 ], [ %158, %157 ]
-  ret i64 %20
+9:                                                ; preds = %4
+  %10 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
+  %11 = load i64, ptr %10, align 8
+  br label %87
 
-21:                                               ; preds = %11, %157
-  %22 = phi i64 [ 0, %11 ], [ %158, %157 ]
-  %23 = phi i64 [ 0, %11 ], [ %159, %157 ]
-  %24 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23
-  %25 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 6
-  %26 = load double, ptr %25, align 8
-  %27 = fcmp uno double %26, 0.000000e+00
-  br i1 %27, label %28, label %31
+12:                                               ; preds = %4
+  %13 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 5
+  %14 = load i64, ptr %13, align 8
+  %15 = icmp sgt i64 %14, 0
+  br i1 %15, label %16, label %23
 
-28:                                               ; preds = %21
-  %29 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 8
-  %30 = load i64, ptr %29, align 8
-  br label %56
+16:                                               ; preds = %12
+  %17 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 8
+  %18 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 6
+  %19 = load i64, ptr %18, align 8
+  %20 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 11
+  %21 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 16
+  %22 = load ptr, ptr %21, align 8
+  br label %57
 
-31:                                               ; preds = %21
-  %32 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 7
-  %33 = load double, ptr %32, align 8
-  %34 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 4
-  %35 = load double, ptr %34, align 8
-  %36 = fcmp ogt double %35, %33
-  %37 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 1
-  %38 = load double, ptr %37, align 8
-  %39 = fcmp olt double %38, %26
-  %40 = select i1 %36, double %38, double %26
-  br i1 %36, label %42, label %41
+23:                                               ; preds = %57, %12
+  %24 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 2
+  %25 = load ptr, ptr %24, align 8
+  %26 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 1
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
+  %29 = load ptr, ptr %28, align 8
+  %30 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 3
+  %31 = load double, ptr %30, align 8
+  %32 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 15
+  %33 = load ptr, ptr %32, align 8
+  %34 = tail call i64 %25(ptr noundef %27, ptr noundef %29, i64 noundef %14, double noundef %31, ptr noundef %33) #6
+  %35 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 4
+  %36 = load ptr, ptr %35, align 8
+  %37 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 4
+  %38 = load ptr, ptr %37, align 8
+  %39 = load ptr, ptr %32, align 8
+  %40 = load i64, ptr %13, align 8
+  %41 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 16
+  %42 = load ptr, ptr %41, align 8
+  %43 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 17
+  %44 = load i64, ptr %43, align 8
+  %45 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
+  %46 = load ptr, ptr %45, align 8
+  %47 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
+  %48 = load ptr, ptr %47, align 8
+  %49 = tail call i64 %36(ptr noundef %38, ptr noundef %39, i64 noundef %40, ptr noundef %42, i64 noundef %44, ptr noundef %46, ptr noundef %48) #6
+  %50 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
+  store i64 %49, ptr %50, align 8
+  %51 = icmp slt i64 %49, 1
+  %52 = load i64, ptr %43, align 8
+  %53 = icmp sgt i64 %49, %52
+  %54 = select i1 %51, i1 true, i1 %53
+  br i1 %54, label %82, label %55
 
-41:                                               ; preds = %31
-  br i1 %39, label %46, label %43
+55:                                               ; preds = %23
+  %56 = load ptr, ptr %47, align 8
+  br label %72
 
-42:                                               ; preds = %31
-  br i1 %39, label %43, label %46
+57:                                               ; preds = %57, %16
+  %58 = phi i64 [ 0, %16 ], [ %70, %57 ]
+  %59 = load double, ptr %17, align 8
+  %60 = srem i64 %58, %19
+  %61 = icmp eq i64 %60, 0
+  %62 = load double, ptr %20, align 8
+  %63 = fcmp olt double %62, %2
+  %64 = select i1 %61, i1 %63, i1 false
+  %65 = select i1 %64, double %2, double %62
+  %66 = fadd double %59, %65
+  %67 = fcmp ogt double %66, 0.000000e+00
+  %68 = select i1 %67, double %66, double 0.000000e+00
+  %69 = getelementptr inbounds double, ptr %22, i64 %58
+  store double %68, ptr %69, align 8
+  %70 = add nuw nsw i64 %58, 1
+  %71 = icmp eq i64 %70, %14
+  br i1 %71, label %23, label %57
 
-43:                                               ; preds = %42, %41
-  %44 = phi double [ %33, %41 ], [ %35, %42 ]
-  store double %40, ptr %24, align 8
-  %45 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 3
-  store double %44, ptr %45, align 8
-  br label %50
+72:                                               ; preds = %72, %55
+  %73 = phi i64 [ 0, %55 ], [ %80, %72 ]
+  %74 = phi i32 [ 1, %55 ], [ %79, %72 ]
+  %75 = getelementptr inbounds double, ptr %56, i64 %73
+  %76 = load double, ptr %75, align 8
+  %77 = fcmp ord double %76, 0.000000e+00
+  %78 = zext i1 %77 to i32
+  %79 = and i32 %74, %78
+  %80 = add nuw nsw i64 %73, 1
+  %81 = icmp eq i64 %80, %49
+  br i1 %81, label %82, label %72
 
-46:                                               ; preds = %42, %41
-  %47 = phi double [ %33, %41 ], [ %35, %42 ]
-  %48 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 2
-  store double %40, ptr %48, align 8
-  %49 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 5
-  store double %47, ptr %49, align 8
-  br label %50
+82:                                               ; preds = %72, %23
+  %83 = phi i32 [ 1, %23 ], [ %79, %72 ]
+  %84 = icmp sgt i64 %49, %52
+  br i1 %84, label %665, label %85
 
-50:                                               ; preds = %46, %43
-  br i1 %36, label %51, label %52
+85:                                               ; preds = %82
+  store i64 1, ptr %1, align 8
+  %86 = icmp eq i32 %83, 0
+  br i1 %86, label %665, label %87
 
-51:                                               ; preds = %50
-  store double %26, ptr %37, align 8
-  store double %33, ptr %34, align 8
-  br label %52
+87:                                               ; preds = %9, %85
+  %88 = phi i64 [ %11, %9 ], [ %49, %85 ]
+  %89 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
+  %90 = icmp sgt i64 %88, 0
+  br i1 %90, label %92, label %91
 
-52:                                               ; preds = %50, %51
-  %53 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 8
-  %54 = load i64, ptr %53, align 8
-  %55 = add nsw i64 %54, 1
-  store i64 %55, ptr %53, align 8
-  store double 0x7FF8000000000000, ptr %25, align 8
-  br label %56
+91:                                               ; preds = %87
+  store i64 0, ptr %89, align 8
+  br label %180
 
-56:                                               ; preds = %28, %52
-  %57 = phi i64 [ %30, %28 ], [ %55, %52 ]
-  %58 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 8
-  %59 = load i64, ptr %12, align 8
-  %60 = icmp slt i64 %57, %59
-  br i1 %60, label %61, label %157
+92:                                               ; preds = %87
+  %93 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
+  %94 = load ptr, ptr %93, align 8
+  %95 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 16
+  %96 = load ptr, ptr %95, align 8
+  %97 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
+  %98 = load ptr, ptr %97, align 8
+  %99 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 2
+  %100 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 6
+  br label %103
 
-61:                                               ; preds = %56
-  %62 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 2
-  %63 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 1
-  %64 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 3
-  %65 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 4
-  %66 = getelementptr inbounds %struct.Bracket, ptr %3, i64 %23, i32 5
-  %67 = shl nuw nsw i64 %23, 1
-  %68 = getelementptr inbounds i64, ptr %1, i64 %67
-  br label %69
+101:                                              ; preds = %125
+  store i64 %127, ptr %89, align 8
+  %102 = icmp sgt i64 %127, 0
+  br i1 %102, label %130, label %180
 
-69:                                               ; preds = %61, %152
-  %70 = phi i64 [ %57, %61 ], [ %154, %152 ]
-  %71 = load double, ptr %62, align 8
-  %72 = load double, ptr %24, align 8
-  %73 = fsub double %71, %72
-  %74 = load double, ptr %13, align 8
-  %75 = fcmp ult double %73, %74
-  br i1 %75, label %157, label %76
+103:                                              ; preds = %125, %92
+  %104 = phi i64 [ %88, %92 ], [ %126, %125 ]
+  %105 = phi i64 [ 0, %92 ], [ %127, %125 ]
+  %106 = phi i64 [ 0, %92 ], [ %128, %125 ]
+  %107 = getelementptr inbounds double, ptr %94, i64 %106
+  %108 = load double, ptr %107, align 8
+  %109 = getelementptr inbounds i64, ptr %98, i64 %106
+  %110 = load i64, ptr %109, align 8
+  %111 = load i64, ptr %99, align 8
+  %112 = sdiv i64 %110, %111
+  %113 = getelementptr inbounds double, ptr %96, i64 %112
+  %114 = load double, ptr %113, align 8
+  %115 = fcmp ult double %108, %114
+  br i1 %115, label %116, label %125
 
-76:                                               ; preds = %69
-  %77 = load double, ptr %63, align 8
-  %78 = fsub double %77, %72
-  %79 = fsub double %71, %77
-  %80 = fcmp ogt double %78, %79
-  %81 = fmul double %78, -5.000000e-01
-  %82 = fmul double %79, 5.000000e-01
-  %83 = select i1 %80, double %81, double %82
-  %84 = load double, ptr %64, align 8
-  %85 = load double, ptr %65, align 8
-  %86 = fsub double %84, %85
-  %87 = fdiv double %86, %78
-  %88 = load double, ptr %66, align 8
-  %89 = fsub double %88, %85
-  %90 = fdiv double %89, %79
-  %91 = fmul double %79, %87
-  %92 = fmul double %78, %90
-  %93 = fsub double %91, %92
-  %94 = fadd double %87, %90
-  %95 = fmul double %94, 2.000000e+00
-  %96 = fdiv double %93, %95
-  %97 = call double @llvm.fabs.f64(double %96) #6
-  %98 = fcmp one double %97, 0x7FF0000000000000
-  %99 = fneg double %78
-  %100 = fcmp ogt double %96, %99
-  %101 = select i1 %98, i1 %100, i1 false
-  %102 = fcmp olt double %96, %79
-  %103 = select i1 %101, i1 %102, i1 false
-  br i1 %103, label %104, label %108
+116:                                              ; preds = %103
+  %117 = getelementptr inbounds i64, ptr %98, i64 %105
+  store i64 %110, ptr %117, align 8
+  %118 = load double, ptr %100, align 8
+  %119 = fdiv double %108, %118
+  %120 = tail call double @llvm.rint.f64(double %119)
+  %121 = fmul double %118, %120
+  %122 = add nsw i64 %105, 1
+  %123 = getelementptr inbounds double, ptr %94, i64 %105
+  store double %121, ptr %123, align 8
+  %124 = load i64, ptr %89, align 8
+  br label %125
 
-104:                                              ; preds = %76
-  %105 = srem i64 %70, 3
-  %106 = icmp slt i64 %105, 2
-  %107 = select i1 %106, double %96, double %83
-  br label %108
+125:                                              ; preds = %116, %103
+  %126 = phi i64 [ %104, %103 ], [ %124, %116 ]
+  %127 = phi i64 [ %105, %103 ], [ %122, %116 ]
+  %128 = add nuw nsw i64 %106, 1
+  %129 = icmp slt i64 %128, %126
+  br i1 %129, label %103, label %101
 
-108:                                              ; preds = %76, %104
-  %109 = phi double [ %83, %76 ], [ %107, %104 ]
-  %110 = fadd double %78, %79
-  %111 = fmul double %110, 2.000000e-02
-  %112 = fmul double %74, 2.500000e-01
-  %113 = call double @llvm.maxnum.f64(double %111, double %112)
-  %114 = call double @llvm.fabs.f64(double %109)
-  %115 = fcmp olt double %114, %113
-  %116 = call double @llvm.copysign.f64(double %113, double %83)
-  %117 = select i1 %115, double %116, double %109
-  %118 = fadd double %77, %117
-  %119 = call double @llvm.maxnum.f64(double %118, double %72)
-  %120 = call double @llvm.minnum.f64(double %119, double %71)
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5)
-  store double %120, ptr %5, align 8
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %6) #7
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %7) #7
-  store double 0x7FF0000000000000, ptr %7, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #7
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #7
-  %121 = load ptr, ptr %14, align 8
-  %122 = load ptr, ptr %0, align 8
-  %123 = load double, ptr %15, align 8
-  %124 = call i64 %121(ptr noundef %122, ptr noundef nonnull %5, i64 noundef 1, double noundef %123, ptr noundef nonnull %6) #7
-  %125 = icmp eq i64 %124, 0
-  br i1 %125, label %127, label %126
+130:                                              ; preds = %101, %175
+  %131 = phi i64 [ %176, %175 ], [ 0, %101 ]
+  %132 = getelementptr inbounds i64, ptr %98, i64 %131
+  %133 = load i64, ptr %132, align 8
+  %134 = load i64, ptr %99, align 8
+  %135 = sdiv i64 %133, %134
+  %136 = icmp slt i64 %131, %127
+  br i1 %136, label %137, label %175
 
-126:                                              ; preds = %108
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #7
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %6) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5)
-  br label %136
+137:                                              ; preds = %130, %143
+  %138 = phi i64 [ %144, %143 ], [ %131, %130 ]
+  %139 = getelementptr inbounds i64, ptr %98, i64 %138
+  %140 = load i64, ptr %139, align 8
+  %141 = sdiv i64 %140, %134
+  %142 = icmp eq i64 %141, %135
+  br i1 %142, label %143, label %146
 
-127:                                              ; preds = %108
-  %128 = load ptr, ptr %16, align 8
-  %129 = load ptr, ptr %17, align 8
-  call void %128(ptr noundef %129, ptr noundef nonnull %6, i64 noundef 1, ptr noundef %68, ptr noundef nonnull %7, ptr noundef nonnull %8, ptr noundef nonnull %9) #7
-  %130 = load double, ptr %8, align 8
-  %131 = load double, ptr %18, align 8
-  %132 = fdiv double %130, %131
-  %133 = call double @llvm.rint.f64(double %132)
-  %134 = fmul double %131, %133
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #7
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %6) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5)
-  %135 = fcmp uno double %134, 0.000000e+00
-  br i1 %135, label %136, label %138
+143:                                              ; preds = %137
+  %144 = add i64 %138, 1
+  %145 = icmp eq i64 %144, %127
+  br i1 %145, label %146, label %137
 
-136:                                              ; preds = %127, %126
-  store double %120, ptr %25, align 8
-  %137 = add nsw i64 %22, 1
-  br label %157
+146:                                              ; preds = %143, %137
+  %147 = phi i64 [ %138, %137 ], [ %127, %143 ]
+  %148 = add nsw i64 %131, 1
+  %149 = icmp slt i64 %148, %147
+  br i1 %149, label %150, label %175
 
-138:                                              ; preds = %127
-  %139 = load double, ptr %65, align 8
-  %140 = fcmp ogt double %139, %134
-  %141 = load double, ptr %63, align 8
-  %142 = fcmp olt double %141, %120
-  %143 = select i1 %140, double %141, double %120
-  br i1 %140, label %145, label %144
+150:                                              ; preds = %146, %169
+  %151 = phi i64 [ %173, %169 ], [ %148, %146 ]
+  %152 = getelementptr inbounds i64, ptr %98, i64 %151
+  %153 = load i64, ptr %152, align 8
+  %154 = getelementptr inbounds double, ptr %94, i64 %151
+  %155 = load double, ptr %154, align 8
+  %156 = icmp sgt i64 %151, %131
+  br i1 %156, label %157, label %169
 
-144:                                              ; preds = %138
-  br i1 %142, label %148, label %146
+157:                                              ; preds = %150, %163
+  %158 = phi i64 [ %159, %163 ], [ %151, %150 ]
+  %159 = add nsw i64 %158, -1
+  %160 = getelementptr inbounds i64, ptr %98, i64 %159
+  %161 = load i64, ptr %160, align 8
+  %162 = icmp sgt i64 %161, %153
+  br i1 %162, label %163, label %169
 
-145:                                              ; preds = %138
-  br i1 %142, label %146, label %148
+163:                                              ; preds = %157
+  %164 = getelementptr inbounds i64, ptr %98, i64 %158
+  store i64 %161, ptr %164, align 8
+  %165 = getelementptr inbounds double, ptr %94, i64 %159
+  %166 = load double, ptr %165, align 8
+  %167 = getelementptr inbounds double, ptr %94, i64 %158
+  store double %166, ptr %167, align 8
+  %168 = icmp sgt i64 %159, %131
+  br i1 %168, label %157, label %169
 
-146:                                              ; preds = %145, %144
-  %147 = phi double [ %134, %144 ], [ %139, %145 ]
-  store double %143, ptr %24, align 8
-  store double %147, ptr %64, align 8
-  br label %150
+169:                                              ; preds = %163, %157, %150
+  %170 = phi i64 [ %151, %150 ], [ %131, %163 ], [ %158, %157 ]
+  %171 = getelementptr inbounds i64, ptr %98, i64 %170
+  store i64 %153, ptr %171, align 8
+  %172 = getelementptr inbounds double, ptr %94, i64 %170
+  store double %155, ptr %172, align 8
+  %173 = add nsw i64 %151, 1
+  %174 = icmp eq i64 %173, %147
+  br i1 %174, label %175, label %150
 
-148:                                              ; preds = %145, %144
-  %149 = phi double [ %134, %144 ], [ %139, %145 ]
-  store double %143, ptr %62, align 8
-  store double %149, ptr %66, align 8
-  br label %150
+175:                                              ; preds = %169, %146, %130
+  %176 = phi i64 [ %147, %146 ], [ %131, %130 ], [ %147, %169 ]
+  %177 = icmp slt i64 %176, %127
+  br i1 %177, label %130, label %178
 
-150:                                              ; preds = %148, %146
-  br i1 %140, label %151, label %152
+178:                                              ; preds = %175
+  %179 = load i64, ptr %89, align 8
+  br label %180
 
-151:                                              ; preds = %150
-  store double %120, ptr %63, align 8
-  store double %134, ptr %65, align 8
-  br label %152
+180:                                              ; preds = %178, %91, %101
+  %181 = phi i64 [ %179, %178 ], [ 0, %91 ], [ %127, %101 ]
+  %182 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 8
+  %183 = load double, ptr %182, align 8
+  %184 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 11
+  %185 = load double, ptr %184, align 8
+  %186 = fadd double %183, %185
+  %187 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 5
+  %188 = load i64, ptr %187, align 8
+  %189 = add nsw i64 %188, -1
+  %190 = sitofp i64 %189 to double
+  %191 = fdiv double 1.000000e+00, %190
+  %192 = icmp sgt i64 %181, 0
+  br i1 %192, label %193, label %202
 
-152:                                              ; preds = %151, %150
-  %153 = load i64, ptr %58, align 8
-  %154 = add nsw i64 %153, 1
-  store i64 %154, ptr %58, align 8
-  %155 = load i64, ptr %12, align 8
-  %156 = icmp slt i64 %154, %155
-  br i1 %156, label %69, label %157
+193:                                              ; preds = %180
+  %194 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
+  %195 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 2
+  %196 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
+  %197 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 10
+  %198 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
+  %199 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  %200 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
+  %201 = load ptr, ptr %194, align 8
+  br label %212
 
-157:                                              ; preds = %69, %152, %56, %136
-  %158 = phi i64 [ %137, %136 ], [ %22, %56 ], [ %22, %152 ], [ %22, %69 ]
-  %159 = add nuw nsw i64 %23, 1
-  %160 = icmp eq i64 %159, %2
-  br i1 %160, label %19, label %21
+202:                                              ; preds = %325, %180
+  %203 = phi i64 [ 0, %180 ], [ %328, %325 ]
+  %204 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 12
+  %205 = load i64, ptr %204, align 8
+  %206 = icmp sgt i64 %205, 0
+  br i1 %206, label %207, label %331
+
+207:                                              ; preds = %202
+  %208 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 13
+  %209 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  %210 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 14
+  %211 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
+  br label %343
+
+212:                                              ; preds = %325, %193
+  %213 = phi i64 [ %181, %193 ], [ %326, %325 ]
+  %214 = phi ptr [ %201, %193 ], [ %327, %325 ]
+  %215 = phi i64 [ 0, %193 ], [ %328, %325 ]
+  %216 = phi i64 [ 0, %193 ], [ %329, %325 ]
+  %217 = phi i64 [ 0, %193 ], [ %274, %325 ]
+  %218 = phi i64 [ 0, %193 ], [ %248, %325 ]
+  %219 = getelementptr inbounds i64, ptr %214, i64 %216
+  %220 = load i64, ptr %219, align 8
+  %221 = load i64, ptr %195, align 8
+  %222 = sdiv i64 %220, %221
+  %223 = load i64, ptr %187, align 8
+  %224 = add nsw i64 %223, -1
+  %225 = load ptr, ptr %196, align 8
+  %226 = getelementptr inbounds double, ptr %225, i64 %216
+  %227 = load double, ptr %226, align 8
+  %228 = tail call double @llvm.minnum.f64(double %227, double %186)
+  %229 = icmp sgt i64 %222, 0
+  br i1 %229, label %230, label %247
+
+230:                                              ; preds = %212
+  %231 = sub nsw i64 %220, %221
+  %232 = icmp slt i64 %218, %216
+  br i1 %232, label %233, label %247
+
+233:                                              ; preds = %230, %238
+  %234 = phi i64 [ %239, %238 ], [ %218, %230 ]
+  %235 = getelementptr inbounds i64, ptr %214, i64 %234
+  %236 = load i64, ptr %235, align 8
+  %237 = icmp slt i64 %236, %231
+  br i1 %237, label %238, label %241
+
+238:                                              ; preds = %233
+  %239 = add i64 %234, 1
+  %240 = icmp eq i64 %239, %216
+  br i1 %240, label %247, label %233
+
+241:                                              ; preds = %233
+  %242 = icmp eq i64 %236, %231
+  br i1 %242, label %243, label %247
+
+243:                                              ; preds = %241
+  %244 = getelementptr inbounds double, ptr %225, i64 %234
+  %245 = load double, ptr %244, align 8
+  %246 = tail call double @llvm.minnum.f64(double %245, double %186)
+  br label %247
+
+247:                                              ; preds = %238, %243, %241, %230, %212
+  %248 = phi i64 [ %218, %212 ], [ %234, %243 ], [ %234, %241 ], [ %218, %230 ], [ %216, %238 ]
+  %249 = phi double [ 0xFFF0000000000000, %212 ], [ %246, %243 ], [ %186, %241 ], [ %186, %230 ], [ %186, %238 ]
+  %250 = phi double [ 0x7FF0000000000000, %212 ], [ %246, %243 ], [ %186, %241 ], [ %186, %230 ], [ %186, %238 ]
+  %251 = icmp slt i64 %222, %224
+  br i1 %251, label %252, label %273
+
+252:                                              ; preds = %247
+  %253 = add nsw i64 %221, %220
+  %254 = icmp slt i64 %217, %213
+  br i1 %254, label %255, label %269
+
+255:                                              ; preds = %252, %260
+  %256 = phi i64 [ %261, %260 ], [ %217, %252 ]
+  %257 = getelementptr inbounds i64, ptr %214, i64 %256
+  %258 = load i64, ptr %257, align 8
+  %259 = icmp slt i64 %258, %253
+  br i1 %259, label %260, label %263
+
+260:                                              ; preds = %255
+  %261 = add i64 %256, 1
+  %262 = icmp eq i64 %261, %213
+  br i1 %262, label %269, label %255
+
+263:                                              ; preds = %255
+  %264 = icmp eq i64 %258, %253
+  br i1 %264, label %265, label %269
+
+265:                                              ; preds = %263
+  %266 = getelementptr inbounds double, ptr %225, i64 %256
+  %267 = load double, ptr %266, align 8
+  %268 = tail call double @llvm.minnum.f64(double %267, double %186)
+  br label %269
+
+269:                                              ; preds = %260, %265, %263, %252
+  %270 = phi i64 [ %256, %265 ], [ %256, %263 ], [ %217, %252 ], [ %213, %260 ]
+  %271 = phi double [ %268, %265 ], [ %186, %263 ], [ %186, %252 ], [ %186, %260 ]
+  %272 = tail call double @llvm.maxnum.f64(double %249, double %271)
+  br label %273
+
+273:                                              ; preds = %269, %247
+  %274 = phi i64 [ %270, %269 ], [ %217, %247 ]
+  %275 = phi double [ %272, %269 ], [ %249, %247 ]
+  %276 = phi double [ %271, %269 ], [ 0x7FF0000000000000, %247 ]
+  %277 = fcmp oge double %250, %228
+  %278 = fcmp ogt double %276, %228
+  %279 = select i1 %277, i1 %278, i1 false
+  br i1 %279, label %280, label %325
+
+280:                                              ; preds = %273
+  %281 = fsub double %275, %228
+  %282 = fsub double %228, %281
+  %283 = load double, ptr %182, align 8
+  %284 = load double, ptr %197, align 8
+  %285 = fadd double %283, %284
+  %286 = fcmp olt double %282, %285
+  br i1 %286, label %287, label %325
+
+287:                                              ; preds = %280
+  %288 = load ptr, ptr %198, align 8
+  %289 = add nsw i64 %222, -1
+  %290 = select i1 %229, i64 %289, i64 0
+  %291 = getelementptr inbounds double, ptr %288, i64 %290
+  %292 = load double, ptr %291, align 8
+  %293 = getelementptr inbounds double, ptr %288, i64 %222
+  %294 = load double, ptr %293, align 8
+  %295 = add nsw i64 %222, 1
+  %296 = select i1 %251, i64 %295, i64 %224
+  %297 = getelementptr inbounds double, ptr %288, i64 %296
+  %298 = load double, ptr %297, align 8
+  %299 = icmp eq i64 %222, 0
+  %300 = fcmp olt double %250, %186
+  %301 = select i1 %300, double %250, double 0x7FF8000000000000
+  %302 = select i1 %299, double %228, double %301
+  %303 = icmp eq i64 %222, %224
+  %304 = fcmp olt double %276, %186
+  %305 = select i1 %304, double %276, double 0x7FF8000000000000
+  %306 = select i1 %303, double %228, double %305
+  %307 = load ptr, ptr %199, align 8
+  %308 = getelementptr inbounds %struct.Bracket, ptr %307, i64 %215
+  store double %292, ptr %308, align 8
+  %309 = getelementptr inbounds i8, ptr %308, i64 8
+  store double %294, ptr %309, align 8
+  %310 = getelementptr inbounds i8, ptr %308, i64 16
+  store double %298, ptr %310, align 8
+  %311 = getelementptr inbounds i8, ptr %308, i64 24
+  store double %302, ptr %311, align 8
+  %312 = getelementptr inbounds i8, ptr %308, i64 32
+  store double %228, ptr %312, align 8
+  %313 = getelementptr inbounds i8, ptr %308, i64 40
+  store double %306, ptr %313, align 8
+  %314 = getelementptr inbounds i8, ptr %308, i64 48
+  store double 0x7FF8000000000000, ptr %314, align 8
+  %315 = getelementptr inbounds i8, ptr %308, i64 56
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %315, i8 0, i64 16, i1 false)
+  %316 = load ptr, ptr %194, align 8
+  %317 = getelementptr inbounds i64, ptr %316, i64 %216
+  %318 = load i64, ptr %317, align 8
+  %319 = load i64, ptr %195, align 8
+  %320 = srem i64 %318, %319
+  %321 = load ptr, ptr %200, align 8
+  %322 = add nsw i64 %215, 1
+  %323 = getelementptr inbounds i64, ptr %321, i64 %215
+  store i64 %320, ptr %323, align 8
+  %324 = load i64, ptr %89, align 8
+  br label %325
+
+325:                                              ; preds = %287, %280, %273
+  %326 = phi i64 [ %324, %287 ], [ %213, %280 ], [ %213, %273 ]
+  %327 = phi ptr [ %316, %287 ], [ %214, %280 ], [ %214, %273 ]
+  %328 = phi i64 [ %322, %287 ], [ %215, %280 ], [ %215, %273 ]
+  %329 = add nuw nsw i64 %216, 1
+  %330 = icmp slt i64 %329, %326
+  br i1 %330, label %212, label %202
+
+331:                                              ; preds = %343, %202
+  %332 = phi i64 [ %203, %202 ], [ %366, %343 ]
+  %333 = icmp sgt i64 %332, 0
+  br i1 %333, label %336, label %334
+
+334:                                              ; preds = %331
+  %335 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
+  store i64 %332, ptr %335, align 8
+  store i64 2, ptr %1, align 8
+  br label %394
+
+336:                                              ; preds = %331
+  %337 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 3
+  %338 = load ptr, ptr %337, align 8
+  %339 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
+  %340 = load ptr, ptr %339, align 8
+  %341 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
+  %342 = load ptr, ptr %341, align 8
+  br label %371
+
+343:                                              ; preds = %343, %207
+  %344 = phi i64 [ %203, %207 ], [ %366, %343 ]
+  %345 = phi i64 [ 0, %207 ], [ %368, %343 ]
+  %346 = load ptr, ptr %208, align 8
+  %347 = getelementptr inbounds double, ptr %346, i64 %345
+  %348 = load double, ptr %347, align 8
+  %349 = fsub double %348, %191
+  %350 = tail call double @llvm.maxnum.f64(double %349, double 0.000000e+00)
+  %351 = fadd double %191, %348
+  %352 = tail call double @llvm.minnum.f64(double %351, double 1.000000e+00)
+  %353 = load ptr, ptr %209, align 8
+  %354 = getelementptr inbounds %struct.Bracket, ptr %353, i64 %344
+  store double %350, ptr %354, align 8
+  %355 = getelementptr inbounds i8, ptr %354, i64 8
+  store double %348, ptr %355, align 8
+  %356 = getelementptr inbounds i8, ptr %354, i64 16
+  store double %352, ptr %356, align 8
+  %357 = getelementptr inbounds i8, ptr %354, i64 24
+  store double 0x7FF8000000000000, ptr %357, align 8
+  %358 = getelementptr inbounds i8, ptr %354, i64 32
+  store double 0x7FF8000000000000, ptr %358, align 8
+  %359 = getelementptr inbounds i8, ptr %354, i64 40
+  store double 0x7FF8000000000000, ptr %359, align 8
+  %360 = getelementptr inbounds i8, ptr %354, i64 48
+  store double 0x7FF8000000000000, ptr %360, align 8
+  %361 = getelementptr inbounds i8, ptr %354, i64 56
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %361, i8 0, i64 16, i1 false)
+  %362 = load ptr, ptr %210, align 8
+  %363 = getelementptr inbounds i64, ptr %362, i64 %345
+  %364 = load i64, ptr %363, align 8
+  %365 = load ptr, ptr %211, align 8
+  %366 = add nsw i64 %344, 1
+  %367 = getelementptr inbounds i64, ptr %365, i64 %344
+  store i64 %364, ptr %367, align 8
+  %368 = add nuw nsw i64 %345, 1
+  %369 = load i64, ptr %204, align 8
+  %370 = icmp slt i64 %368, %369
+  br i1 %370, label %343, label %331
+
+371:                                              ; preds = %371, %336
+  %372 = phi i64 [ 0, %336 ], [ %387, %371 ]
+  %373 = getelementptr inbounds i64, ptr %340, i64 %372
+  %374 = shl nuw nsw i64 %372, 1
+  %375 = load i64, ptr %373, align 8
+  %376 = shl nsw i64 %375, 1
+  %377 = getelementptr inbounds i64, ptr %338, i64 %376
+  %378 = load i64, ptr %377, align 8
+  %379 = getelementptr inbounds i64, ptr %342, i64 %374
+  store i64 %378, ptr %379, align 8
+  %380 = load i64, ptr %373, align 8
+  %381 = shl nsw i64 %380, 1
+  %382 = or i64 %381, 1
+  %383 = getelementptr inbounds i64, ptr %338, i64 %382
+  %384 = load i64, ptr %383, align 8
+  %385 = or i64 %374, 1
+  %386 = getelementptr inbounds i64, ptr %342, i64 %385
+  store i64 %384, ptr %386, align 8
+  %387 = add nuw nsw i64 %372, 1
+  %388 = icmp eq i64 %387, %332
+  br i1 %388, label %389, label %371
+
+389:                                              ; preds = %371
+  %390 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
+  store i64 %332, ptr %390, align 8
+  store i64 2, ptr %1, align 8
+  br i1 %333, label %391, label %394
+
+391:                                              ; preds = %389
+  %392 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  %393 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
+  br label %398
+
+394:                                              ; preds = %334, %389
+  %395 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  br label %585
+
+396:                                              ; preds = %438
+  %397 = icmp eq i64 %442, 0
+  br i1 %397, label %446, label %665
+
+398:                                              ; preds = %391, %438
+  %399 = phi i64 [ 0, %391 ], [ %442, %438 ]
+  %400 = phi i64 [ 0, %391 ], [ %443, %438 ]
+  %401 = load ptr, ptr %392, align 8
+  %402 = getelementptr inbounds %struct.Bracket, ptr %401, i64 %400
+  %403 = load ptr, ptr %393, align 8
+  %404 = shl nuw nsw i64 %400, 1
+  %405 = getelementptr inbounds i64, ptr %403, i64 %404
+  %406 = getelementptr inbounds %struct.Bracket, ptr %401, i64 %400, i32 4
+  %407 = load double, ptr %406, align 8
+  %408 = fcmp uno double %407, 0.000000e+00
+  br i1 %408, label %409, label %413
+
+409:                                              ; preds = %398
+  %410 = getelementptr inbounds %struct.Bracket, ptr %401, i64 %400, i32 1
+  %411 = load double, ptr %410, align 8
+  %412 = tail call fastcc double @distance_at(ptr noundef %0, double noundef %411, ptr noundef %405)
+  store double %412, ptr %406, align 8
+  br label %413
+
+413:                                              ; preds = %409, %398
+  %414 = getelementptr inbounds %struct.Bracket, ptr %401, i64 %400, i32 3
+  %415 = load double, ptr %414, align 8
+  %416 = fcmp uno double %415, 0.000000e+00
+  br i1 %416, label %417, label %420
+
+417:                                              ; preds = %413
+  %418 = load double, ptr %402, align 8
+  %419 = tail call fastcc double @distance_at(ptr noundef %0, double noundef %418, ptr noundef %405)
+  store double %419, ptr %414, align 8
+  br label %420
+
+420:                                              ; preds = %417, %413
+  %421 = getelementptr inbounds %struct.Bracket, ptr %401, i64 %400, i32 5
+  %422 = load double, ptr %421, align 8
+  %423 = fcmp uno double %422, 0.000000e+00
+  br i1 %423, label %424, label %428
+
+424:                                              ; preds = %420
+  %425 = getelementptr inbounds %struct.Bracket, ptr %401, i64 %400, i32 2
+  %426 = load double, ptr %425, align 8
+  %427 = tail call fastcc double @distance_at(ptr noundef %0, double noundef %426, ptr noundef %405)
+  store double %427, ptr %421, align 8
+  br label %428
+
+428:                                              ; preds = %424, %420
+  %429 = phi double [ %427, %424 ], [ %422, %420 ]
+  %430 = load double, ptr %406, align 8
+  %431 = fcmp uno double %430, 0.000000e+00
+  br i1 %431, label %438, label %432
+
+432:                                              ; preds = %428
+  %433 = load double, ptr %414, align 8
+  %434 = fcmp uno double %433, 0.000000e+00
+  br i1 %434, label %438, label %435
+
+435:                                              ; preds = %432
+  %436 = fcmp ord double %429, 0.000000e+00
+  %437 = zext i1 %436 to i32
+  br label %438
+
+438:                                              ; preds = %428, %432, %435
+  %439 = phi i32 [ 0, %432 ], [ 0, %428 ], [ %437, %435 ]
+  %440 = icmp eq i32 %439, 0
+  %441 = zext i1 %440 to i64
+  %442 = add nuw nsw i64 %399, %441
+  %443 = add nuw nsw i64 %400, 1
+  %444 = load i64, ptr %390, align 8
+  %445 = icmp slt i64 %443, %444
+  br i1 %445, label %398, label %396
+
+446:                                              ; preds = %6, %396
+  %447 = phi i64 [ %8, %6 ], [ %444, %396 ]
+  %448 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
+  %449 = load ptr, ptr %448, align 8
+  %450 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  %451 = load ptr, ptr %450, align 8
+  %452 = icmp sgt i64 %447, 0
+  br i1 %452, label %453, label %585
+
+453:                                              ; preds = %446
+  %454 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 8
+  %455 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 7
+  br label %456
+
+456:                                              ; preds = %579, %453
+  %457 = phi i64 [ 0, %453 ], [ %580, %579 ]
+  %458 = phi i64 [ 0, %453 ], [ %581, %579 ]
+  %459 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458
+  %460 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 6
+  %461 = load double, ptr %460, align 8
+  %462 = fcmp uno double %461, 0.000000e+00
+  br i1 %462, label %463, label %466
+
+463:                                              ; preds = %456
+  %464 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 8
+  %465 = load i64, ptr %464, align 8
+  br label %491
+
+466:                                              ; preds = %456
+  %467 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 7
+  %468 = load double, ptr %467, align 8
+  %469 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 4
+  %470 = load double, ptr %469, align 8
+  %471 = fcmp ogt double %470, %468
+  %472 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 1
+  %473 = load double, ptr %472, align 8
+  %474 = fcmp olt double %473, %461
+  %475 = select i1 %471, double %473, double %461
+  br i1 %471, label %477, label %476
+
+476:                                              ; preds = %466
+  br i1 %474, label %481, label %478
+
+477:                                              ; preds = %466
+  br i1 %474, label %478, label %481
+
+478:                                              ; preds = %477, %476
+  %479 = phi double [ %468, %476 ], [ %470, %477 ]
+  store double %475, ptr %459, align 8
+  %480 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 3
+  store double %479, ptr %480, align 8
+  br label %485
+
+481:                                              ; preds = %477, %476
+  %482 = phi double [ %468, %476 ], [ %470, %477 ]
+  %483 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 2
+  store double %475, ptr %483, align 8
+  %484 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 5
+  store double %482, ptr %484, align 8
+  br label %485
+
+485:                                              ; preds = %481, %478
+  br i1 %471, label %486, label %487
+
+486:                                              ; preds = %485
+  store double %461, ptr %472, align 8
+  store double %468, ptr %469, align 8
+  br label %487
+
+487:                                              ; preds = %486, %485
+  %488 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 8
+  %489 = load i64, ptr %488, align 8
+  %490 = add nsw i64 %489, 1
+  store i64 %490, ptr %488, align 8
+  store double 0x7FF8000000000000, ptr %460, align 8
+  br label %491
+
+491:                                              ; preds = %487, %463
+  %492 = phi i64 [ %465, %463 ], [ %490, %487 ]
+  %493 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 8
+  %494 = load i64, ptr %454, align 8
+  %495 = icmp slt i64 %492, %494
+  br i1 %495, label %496, label %579
+
+496:                                              ; preds = %491
+  %497 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 2
+  %498 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 1
+  %499 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 3
+  %500 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 4
+  %501 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 5
+  %502 = shl nuw nsw i64 %458, 1
+  %503 = getelementptr inbounds i64, ptr %449, i64 %502
+  br label %504
+
+504:                                              ; preds = %574, %496
+  %505 = phi i64 [ %492, %496 ], [ %576, %574 ]
+  %506 = load double, ptr %497, align 8
+  %507 = load double, ptr %459, align 8
+  %508 = fsub double %506, %507
+  %509 = load double, ptr %455, align 8
+  %510 = fcmp ult double %508, %509
+  br i1 %510, label %579, label %511
+
+511:                                              ; preds = %504
+  %512 = load double, ptr %498, align 8
+  %513 = fsub double %512, %507
+  %514 = fsub double %506, %512
+  %515 = fcmp ogt double %513, %514
+  %516 = fmul double %513, -5.000000e-01
+  %517 = fmul double %514, 5.000000e-01
+  %518 = select i1 %515, double %516, double %517
+  %519 = load double, ptr %499, align 8
+  %520 = load double, ptr %500, align 8
+  %521 = fsub double %519, %520
+  %522 = fdiv double %521, %513
+  %523 = load double, ptr %501, align 8
+  %524 = fsub double %523, %520
+  %525 = fdiv double %524, %514
+  %526 = fmul double %514, %522
+  %527 = fmul double %513, %525
+  %528 = fsub double %526, %527
+  %529 = fadd double %522, %525
+  %530 = fmul double %529, 2.000000e+00
+  %531 = fdiv double %528, %530
+  %532 = tail call double @llvm.fabs.f64(double %531) #7
+  %533 = fcmp one double %532, 0x7FF0000000000000
+  %534 = fneg double %513
+  %535 = fcmp ogt double %531, %534
+  %536 = select i1 %533, i1 %535, i1 false
+  %537 = fcmp olt double %531, %514
+  %538 = select i1 %536, i1 %537, i1 false
+  br i1 %538, label %539, label %543
+
+539:                                              ; preds = %511
+  %540 = srem i64 %505, 3
+  %541 = icmp slt i64 %540, 2
+  %542 = select i1 %541, double %531, double %518
+  br label %543
+
+543:                                              ; preds = %539, %511
+  %544 = phi double [ %518, %511 ], [ %542, %539 ]
+  %545 = fadd double %513, %514
+  %546 = fmul double %545, 2.000000e-02
+  %547 = fmul double %509, 2.500000e-01
+  %548 = tail call double @llvm.maxnum.f64(double %546, double %547)
+  %549 = tail call double @llvm.fabs.f64(double %544)
+  %550 = fcmp olt double %549, %548
+  %551 = tail call double @llvm.copysign.f64(double %548, double %518)
+  %552 = select i1 %550, double %551, double %544
+  %553 = fadd double %512, %552
+  %554 = tail call double @llvm.maxnum.f64(double %553, double %507)
+  %555 = tail call double @llvm.minnum.f64(double %554, double %506)
+  %556 = tail call fastcc double @distance_at(ptr noundef nonnull %0, double noundef %555, ptr noundef %503)
+  %557 = fcmp uno double %556, 0.000000e+00
+  br i1 %557, label %558, label %560
+
+558:                                              ; preds = %543
+  store double %555, ptr %460, align 8
+  %559 = add nsw i64 %457, 1
+  br label %579
+
+560:                                              ; preds = %543
+  %561 = load double, ptr %500, align 8
+  %562 = fcmp ogt double %561, %556
+  %563 = load double, ptr %498, align 8
+  %564 = fcmp olt double %563, %555
+  %565 = select i1 %562, double %563, double %555
+  br i1 %562, label %567, label %566
+
+566:                                              ; preds = %560
+  br i1 %564, label %570, label %568
+
+567:                                              ; preds = %560
+  br i1 %564, label %568, label %570
+
+568:                                              ; preds = %567, %566
+  %569 = phi double [ %556, %566 ], [ %561, %567 ]
+  store double %565, ptr %459, align 8
+  store double %569, ptr %499, align 8
+  br label %572
+
+570:                                              ; preds = %567, %566
+  %571 = phi double [ %556, %566 ], [ %561, %567 ]
+  store double %565, ptr %497, align 8
+  store double %571, ptr %501, align 8
+  br label %572
+
+572:                                              ; preds = %570, %568
+  br i1 %562, label %573, label %574
+
+573:                                              ; preds = %572
+  store double %555, ptr %498, align 8
+  store double %556, ptr %500, align 8
+  br label %574
+
+574:                                              ; preds = %573, %572
+  %575 = load i64, ptr %493, align 8
+  %576 = add nsw i64 %575, 1
+  store i64 %576, ptr %493, align 8
+  %577 = load i64, ptr %454, align 8
+  %578 = icmp slt i64 %576, %577
+  br i1 %578, label %504, label %579
+
+579:                                              ; preds = %574, %504, %558, %491
+  %580 = phi i64 [ %559, %558 ], [ %457, %491 ], [ %457, %504 ], [ %457, %574 ]
+  %581 = add nuw nsw i64 %458, 1
+  %582 = icmp eq i64 %581, %447
+  br i1 %582, label %583, label %456
+
+583:                                              ; preds = %579
+  %584 = icmp eq i64 %580, 0
+  br i1 %584, label %585, label %665
+
+585:                                              ; preds = %394, %446, %583
+  %586 = phi ptr [ %450, %583 ], [ %395, %394 ], [ %450, %446 ]
+  %587 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
+  %588 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
+  %589 = load i64, ptr %588, align 8
+  %590 = icmp sgt i64 %589, 0
+  br i1 %590, label %591, label %599
+
+591:                                              ; preds = %585
+  %592 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
+  %593 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 2
+  %594 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
+  %595 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 8
+  %596 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 9
+  %597 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 6
+  %598 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
+  br label %605
+
+599:                                              ; preds = %639, %585
+  %600 = phi i64 [ 0, %585 ], [ %641, %639 ]
+  %601 = load i64, ptr %587, align 8
+  %602 = icmp sgt i64 %601, 0
+  br i1 %602, label %603, label %644
+
+603:                                              ; preds = %599
+  %604 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
+  br label %646
+
+605:                                              ; preds = %591, %639
+  %606 = phi i64 [ %589, %591 ], [ %640, %639 ]
+  %607 = phi i64 [ 0, %591 ], [ %641, %639 ]
+  %608 = phi i64 [ 0, %591 ], [ %642, %639 ]
+  %609 = load ptr, ptr %592, align 8
+  %610 = getelementptr inbounds i64, ptr %609, i64 %608
+  %611 = load i64, ptr %610, align 8
+  %612 = load i64, ptr %593, align 8
+  %613 = sdiv i64 %611, %612
+  %614 = srem i64 %611, %612
+  %615 = load ptr, ptr %594, align 8
+  %616 = getelementptr inbounds double, ptr %615, i64 %608
+  %617 = load double, ptr %616, align 8
+  %618 = load double, ptr %595, align 8
+  %619 = load double, ptr %596, align 8
+  %620 = fadd double %618, %619
+  %621 = fcmp olt double %617, %620
+  br i1 %621, label %629, label %622
+
+622:                                              ; preds = %605
+  %623 = load i64, ptr %597, align 8
+  %624 = srem i64 %613, %623
+  %625 = icmp eq i64 %624, 0
+  %626 = fadd double %618, %2
+  %627 = fcmp olt double %617, %626
+  %628 = select i1 %625, i1 %627, i1 false
+  br i1 %628, label %629, label %639
+
+629:                                              ; preds = %622, %605
+  %630 = load ptr, ptr %598, align 8
+  %631 = getelementptr inbounds double, ptr %630, i64 %613
+  %632 = load double, ptr %631, align 8
+  %633 = add nsw i64 %607, 1
+  %634 = getelementptr inbounds %struct.Found, ptr %3, i64 %607
+  store double %617, ptr %634, align 8
+  %635 = getelementptr inbounds i8, ptr %634, i64 8
+  store double %632, ptr %635, align 8
+  %636 = getelementptr inbounds i8, ptr %634, i64 16
+  store i64 %614, ptr %636, align 8
+  %637 = getelementptr inbounds i8, ptr %634, i64 24
+  store i64 0, ptr %637, align 8
+  %638 = load i64, ptr %588, align 8
+  br label %639
+
+639:                                              ; preds = %622, %629
+  %640 = phi i64 [ %638, %629 ], [ %606, %622 ]
+  %641 = phi i64 [ %633, %629 ], [ %607, %622 ]
+  %642 = add nuw nsw i64 %608, 1
+  %643 = icmp slt i64 %642, %640
+  br i1 %643, label %605, label %599
+
+644:                                              ; preds = %646, %599
+  %645 = phi i64 [ %600, %599 ], [ %657, %646 ]
+  tail call void @qsort(ptr noundef %3, i64 noundef %645, i64 noundef 32, ptr noundef nonnull @order) #6
+  br label %665
+
+646:                                              ; preds = %603, %646
+  %647 = phi i64 [ %600, %603 ], [ %657, %646 ]
+  %648 = phi i64 [ 0, %603 ], [ %662, %646 ]
+  %649 = load ptr, ptr %586, align 8
+  %650 = getelementptr inbounds %struct.Bracket, ptr %649, i64 %648, i32 4
+  %651 = load double, ptr %650, align 8
+  %652 = getelementptr inbounds %struct.Bracket, ptr %649, i64 %648, i32 1
+  %653 = load double, ptr %652, align 8
+  %654 = load ptr, ptr %604, align 8
+  %655 = getelementptr inbounds i64, ptr %654, i64 %648
+  %656 = load i64, ptr %655, align 8
+  %657 = add nsw i64 %647, 1
+  %658 = getelementptr inbounds %struct.Found, ptr %3, i64 %647
+  store double %651, ptr %658, align 8
+  %659 = getelementptr inbounds i8, ptr %658, i64 8
+  store double %653, ptr %659, align 8
+  %660 = getelementptr inbounds i8, ptr %658, i64 16
+  store i64 %656, ptr %660, align 8
+  %661 = getelementptr inbounds i8, ptr %658, i64 24
+  store i64 1, ptr %661, align 8
+  %662 = add nuw nsw i64 %648, 1
+  %663 = load i64, ptr %587, align 8
+  %664 = icmp slt i64 %662, %663
+  br i1 %664, label %646, label %644
+
+665:                                              ; preds = %82, %583, %396, %85, %644
+  %666 = phi i64 [ %645, %644 ], [ -1, %85 ], [ -1, %396 ], [ -1, %583 ], [ -2, %82 ]
+  ret i64 %666
 }
 
 declare void @llvm.lifetime.start.p0(i64 immarg, ptr nocapture) #1
 
 declare void @llvm.lifetime.end.p0(i64 immarg, ptr nocapture) #1
 
-define dso_local i64 @manipplan_look(ptr nocapture noundef readonly %0, ptr noundef readonly %1, double noundef %2, ptr noundef %3) local_unnamed_addr #0 {
-  %5 = alloca double, align 8
-  %6 = alloca [64 x double], align 16
-  %7 = alloca double, align 8
-  %8 = alloca double, align 8
-  %9 = alloca i64, align 8
-  %10 = alloca double, align 8
-  %11 = alloca [64 x double], align 16
-  %12 = alloca double, align 8
-  %13 = alloca double, align 8
-  %14 = alloca i64, align 8
-  %15 = alloca double, align 8
-  %16 = alloca [64 x double], align 16
-  %17 = alloca double, align 8
-  %18 = alloca double, align 8
-  %19 = alloca i64, align 8
-  %20 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 4
-  %21 = load i64, ptr %20, align 8
-  %22 = icmp sgt i64 %21, 0
-  br i1 %22, label %23, label %30
+declare void @qsort(ptr noundef, i64 noundef, i64 noundef, ptr nocapture noundef) local_unnamed_addr #2
 
-23:                                               ; preds = %4
-  %24 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
-  %25 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 5
-  %26 = load i64, ptr %25, align 8
-  %27 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 10
-  %28 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 15
-  %29 = load ptr, ptr %28, align 8
-  br label %151
-
-30:                                               ; preds = %151, %4
-  %31 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 1
-  %32 = load ptr, ptr %31, align 8
-  %33 = load ptr, ptr %0, align 8
-  %34 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 6
-  %35 = load ptr, ptr %34, align 8
-  %36 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 2
-  %37 = load double, ptr %36, align 8
-  %38 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 14
-  %39 = load ptr, ptr %38, align 8
-  %40 = tail call i64 %32(ptr noundef %33, ptr noundef %35, i64 noundef %21, double noundef %37, ptr noundef %39) #7
-  %41 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 3
-  %42 = load ptr, ptr %41, align 8
-  %43 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 3
-  %44 = load ptr, ptr %43, align 8
-  %45 = load ptr, ptr %38, align 8
-  %46 = load i64, ptr %20, align 8
-  %47 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 15
-  %48 = load ptr, ptr %47, align 8
-  %49 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 16
-  %50 = load i64, ptr %49, align 8
-  %51 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 17
-  %52 = load ptr, ptr %51, align 8
-  %53 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
-  %54 = load ptr, ptr %53, align 8
-  %55 = tail call i64 %42(ptr noundef %44, ptr noundef %45, i64 noundef %46, ptr noundef %48, i64 noundef %50, ptr noundef %52, ptr noundef %54) #7
-  %56 = load i64, ptr %49, align 8
-  %57 = icmp sgt i64 %55, %56
-  br i1 %57, label %510, label %58
-
-58:                                               ; preds = %30
-  %59 = icmp sgt i64 %55, 0
-  br i1 %59, label %60, label %295
-
-60:                                               ; preds = %58
-  %61 = load ptr, ptr %53, align 8
-  %62 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
-  %63 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 5
-  br label %66
-
-64:                                               ; preds = %90
-  %65 = icmp sgt i64 %91, 0
-  br i1 %65, label %94, label %142
-
-66:                                               ; preds = %90, %60
-  %67 = phi i64 [ 0, %60 ], [ %92, %90 ]
-  %68 = phi i64 [ 0, %60 ], [ %91, %90 ]
-  %69 = getelementptr inbounds double, ptr %61, i64 %67
-  %70 = load double, ptr %69, align 8
-  %71 = fcmp uno double %70, 0.000000e+00
-  br i1 %71, label %510, label %72
-
-72:                                               ; preds = %66
-  %73 = load ptr, ptr %47, align 8
-  %74 = load ptr, ptr %51, align 8
-  %75 = getelementptr inbounds i64, ptr %74, i64 %67
-  %76 = load i64, ptr %75, align 8
-  %77 = load i64, ptr %62, align 8
-  %78 = sdiv i64 %76, %77
-  %79 = getelementptr inbounds double, ptr %73, i64 %78
-  %80 = load double, ptr %79, align 8
-  %81 = fcmp ult double %70, %80
-  br i1 %81, label %82, label %90
-
-82:                                               ; preds = %72
-  %83 = getelementptr inbounds i64, ptr %74, i64 %68
-  store i64 %76, ptr %83, align 8
-  %84 = load double, ptr %63, align 8
-  %85 = fdiv double %70, %84
-  %86 = tail call double @llvm.rint.f64(double %85)
-  %87 = fmul double %84, %86
-  %88 = add nsw i64 %68, 1
-  %89 = getelementptr inbounds double, ptr %61, i64 %68
-  store double %87, ptr %89, align 8
-  br label %90
-
-90:                                               ; preds = %82, %72
-  %91 = phi i64 [ %68, %72 ], [ %88, %82 ]
-  %92 = add nuw nsw i64 %67, 1
-  %93 = icmp eq i64 %92, %55
-  br i1 %93, label %64, label %66
-
-94:                                               ; preds = %64, %139
-  %95 = phi i64 [ %140, %139 ], [ 0, %64 ]
-  %96 = getelementptr inbounds i64, ptr %74, i64 %95
-  %97 = load i64, ptr %96, align 8
-  %98 = load i64, ptr %62, align 8
-  %99 = sdiv i64 %97, %98
-  %100 = icmp slt i64 %95, %91
-  br i1 %100, label %101, label %139
-
-101:                                              ; preds = %94, %107
-  %102 = phi i64 [ %108, %107 ], [ %95, %94 ]
-  %103 = getelementptr inbounds i64, ptr %74, i64 %102
-  %104 = load i64, ptr %103, align 8
-  %105 = sdiv i64 %104, %98
-  %106 = icmp eq i64 %105, %99
-  br i1 %106, label %107, label %110
-
-107:                                              ; preds = %101
-  %108 = add i64 %102, 1
-  %109 = icmp eq i64 %108, %91
-  br i1 %109, label %110, label %101
-
-110:                                              ; preds = %107, %101
-  %111 = phi i64 [ %102, %101 ], [ %91, %107 ]
-  %112 = add nsw i64 %95, 1
-  %113 = icmp slt i64 %112, %111
-  br i1 %113, label %114, label %139
-
-114:                                              ; preds = %110, %133
-  %115 = phi i64 [ %137, %133 ], [ %112, %110 ]
-  %116 = getelementptr inbounds i64, ptr %74, i64 %115
-  %117 = load i64, ptr %116, align 8
-  %118 = getelementptr inbounds double, ptr %61, i64 %115
-  %119 = load double, ptr %118, align 8
-  %120 = icmp sgt i64 %115, %95
-  br i1 %120, label %121, label %133
-
-121:                                              ; preds = %114, %127
-  %122 = phi i64 [ %123, %127 ], [ %115, %114 ]
-  %123 = add nsw i64 %122, -1
-  %124 = getelementptr inbounds i64, ptr %74, i64 %123
-  %125 = load i64, ptr %124, align 8
-  %126 = icmp sgt i64 %125, %117
-  br i1 %126, label %127, label %133
-
-127:                                              ; preds = %121
-  %128 = getelementptr inbounds i64, ptr %74, i64 %122
-  store i64 %125, ptr %128, align 8
-  %129 = getelementptr inbounds double, ptr %61, i64 %123
-  %130 = load double, ptr %129, align 8
-  %131 = getelementptr inbounds double, ptr %61, i64 %122
-  store double %130, ptr %131, align 8
-  %132 = icmp sgt i64 %123, %95
-  br i1 %132, label %121, label %133
-
-133:                                              ; preds = %127, %121, %114
-  %134 = phi i64 [ %115, %114 ], [ %95, %127 ], [ %122, %121 ]
-  %135 = getelementptr inbounds i64, ptr %74, i64 %134
-  store i64 %117, ptr %135, align 8
-  %136 = getelementptr inbounds double, ptr %61, i64 %134
-  store double %119, ptr %136, align 8
-  %137 = add nsw i64 %115, 1
-  %138 = icmp eq i64 %137, %111
-  br i1 %138, label %139, label %114
-
-139:                                              ; preds = %133, %110, %94
-  %140 = phi i64 [ %111, %110 ], [ %95, %94 ], [ %111, %133 ]
-  %141 = icmp slt i64 %140, %91
-  br i1 %141, label %94, label %142
-
-142:                                              ; preds = %139, %64
-  %143 = icmp slt i64 %91, 0
-  br i1 %143, label %510, label %144
-
-144:                                              ; preds = %142
-  %145 = icmp eq i64 %91, 0
-  br i1 %145, label %295, label %146
-
-146:                                              ; preds = %144
-  %147 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
-  %148 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
-  %149 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 8
-  %150 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 5
-  br label %306
-
-151:                                              ; preds = %23, %151
-  %152 = phi i64 [ 0, %23 ], [ %164, %151 ]
-  %153 = load double, ptr %24, align 8
-  %154 = srem i64 %152, %26
-  %155 = icmp eq i64 %154, 0
-  %156 = load double, ptr %27, align 8
-  %157 = fcmp olt double %156, %2
-  %158 = select i1 %155, i1 %157, i1 false
-  %159 = select i1 %158, double %2, double %156
-  %160 = fadd double %153, %159
-  %161 = fcmp ogt double %160, 0.000000e+00
-  %162 = select i1 %161, double %160, double 0.000000e+00
-  %163 = getelementptr inbounds double, ptr %29, i64 %152
-  store double %162, ptr %163, align 8
-  %164 = add nuw nsw i64 %152, 1
-  %165 = icmp eq i64 %164, %21
-  br i1 %165, label %30, label %151
-
-166:                                              ; preds = %338
-  %167 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
-  %168 = load double, ptr %167, align 8
-  %169 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 10
-  %170 = load double, ptr %169, align 8
-  %171 = fadd double %168, %170
-  %172 = icmp sgt i64 %91, 0
-  br i1 %172, label %173, label %295
-
-173:                                              ; preds = %166
-  %174 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
-  %175 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 9
-  %176 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
-  %177 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
-  %178 = load ptr, ptr %51, align 8
-  br label %179
-
-179:                                              ; preds = %290, %173
-  %180 = phi ptr [ %178, %173 ], [ %291, %290 ]
-  %181 = phi i64 [ 0, %173 ], [ %292, %290 ]
-  %182 = phi i64 [ 0, %173 ], [ %293, %290 ]
-  %183 = phi i64 [ 0, %173 ], [ %240, %290 ]
-  %184 = phi i64 [ 0, %173 ], [ %214, %290 ]
-  %185 = getelementptr inbounds i64, ptr %180, i64 %182
-  %186 = load i64, ptr %185, align 8
-  %187 = load i64, ptr %174, align 8
-  %188 = sdiv i64 %186, %187
-  %189 = load i64, ptr %20, align 8
-  %190 = add nsw i64 %189, -1
-  %191 = load ptr, ptr %53, align 8
-  %192 = getelementptr inbounds double, ptr %191, i64 %182
-  %193 = load double, ptr %192, align 8
-  %194 = tail call double @llvm.minnum.f64(double %193, double %171)
-  %195 = icmp sgt i64 %188, 0
-  br i1 %195, label %196, label %213
-
-196:                                              ; preds = %179
-  %197 = sub nsw i64 %186, %187
-  %198 = icmp slt i64 %184, %182
-  br i1 %198, label %199, label %213
-
-199:                                              ; preds = %196, %204
-  %200 = phi i64 [ %205, %204 ], [ %184, %196 ]
-  %201 = getelementptr inbounds i64, ptr %180, i64 %200
-  %202 = load i64, ptr %201, align 8
-  %203 = icmp slt i64 %202, %197
-  br i1 %203, label %204, label %207
-
-204:                                              ; preds = %199
-  %205 = add i64 %200, 1
-  %206 = icmp eq i64 %205, %182
-  br i1 %206, label %213, label %199
-
-207:                                              ; preds = %199
-  %208 = icmp eq i64 %202, %197
-  br i1 %208, label %209, label %213
-
-209:                                              ; preds = %207
-  %210 = getelementptr inbounds double, ptr %191, i64 %200
-  %211 = load double, ptr %210, align 8
-  %212 = tail call double @llvm.minnum.f64(double %211, double %171)
-  br label %213
-
-213:                                              ; preds = %204, %209, %207, %196, %179
-  %214 = phi i64 [ %184, %179 ], [ %200, %209 ], [ %200, %207 ], [ %184, %196 ], [ %182, %204 ]
-  %215 = phi double [ 0xFFF0000000000000, %179 ], [ %212, %209 ], [ %171, %207 ], [ %171, %196 ], [ %171, %204 ]
-  %216 = phi double [ 0x7FF0000000000000, %179 ], [ %212, %209 ], [ %171, %207 ], [ %171, %196 ], [ %171, %204 ]
-  %217 = icmp slt i64 %188, %190
-  br i1 %217, label %218, label %239
-
-218:                                              ; preds = %213
-  %219 = add nsw i64 %187, %186
-  %220 = icmp slt i64 %183, %91
-  br i1 %220, label %221, label %235
-
-221:                                              ; preds = %218, %226
-  %222 = phi i64 [ %227, %226 ], [ %183, %218 ]
-  %223 = getelementptr inbounds i64, ptr %180, i64 %222
-  %224 = load i64, ptr %223, align 8
-  %225 = icmp slt i64 %224, %219
-  br i1 %225, label %226, label %229
-
-226:                                              ; preds = %221
-  %227 = add i64 %222, 1
-  %228 = icmp eq i64 %227, %91
-  br i1 %228, label %235, label %221
-
-229:                                              ; preds = %221
-  %230 = icmp eq i64 %224, %219
-  br i1 %230, label %231, label %235
-
-231:                                              ; preds = %229
-  %232 = getelementptr inbounds double, ptr %191, i64 %222
-  %233 = load double, ptr %232, align 8
-  %234 = tail call double @llvm.minnum.f64(double %233, double %171)
-  br label %235
-
-235:                                              ; preds = %226, %231, %229, %218
-  %236 = phi i64 [ %222, %231 ], [ %222, %229 ], [ %183, %218 ], [ %91, %226 ]
-  %237 = phi double [ %234, %231 ], [ %171, %229 ], [ %171, %218 ], [ %171, %226 ]
-  %238 = tail call double @llvm.maxnum.f64(double %215, double %237)
-  br label %239
-
-239:                                              ; preds = %235, %213
-  %240 = phi i64 [ %236, %235 ], [ %183, %213 ]
-  %241 = phi double [ %238, %235 ], [ %215, %213 ]
-  %242 = phi double [ %237, %235 ], [ 0x7FF0000000000000, %213 ]
-  %243 = fcmp oge double %216, %194
-  %244 = fcmp ogt double %242, %194
-  %245 = select i1 %243, i1 %244, i1 false
-  br i1 %245, label %246, label %290
-
-246:                                              ; preds = %239
-  %247 = fsub double %241, %194
-  %248 = fsub double %194, %247
-  %249 = load double, ptr %167, align 8
-  %250 = load double, ptr %175, align 8
-  %251 = fadd double %249, %250
-  %252 = fcmp olt double %248, %251
-  br i1 %252, label %253, label %290
-
-253:                                              ; preds = %246
-  %254 = load ptr, ptr %34, align 8
-  %255 = add nsw i64 %188, -1
-  %256 = select i1 %195, i64 %255, i64 0
-  %257 = getelementptr inbounds double, ptr %254, i64 %256
-  %258 = load double, ptr %257, align 8
-  %259 = getelementptr inbounds double, ptr %254, i64 %188
-  %260 = load double, ptr %259, align 8
-  %261 = add nsw i64 %188, 1
-  %262 = select i1 %217, i64 %261, i64 %190
-  %263 = getelementptr inbounds double, ptr %254, i64 %262
-  %264 = load double, ptr %263, align 8
-  %265 = icmp eq i64 %188, 0
-  %266 = fcmp olt double %216, %171
-  %267 = select i1 %266, double %216, double 0x7FF8000000000000
-  %268 = select i1 %265, double %194, double %267
-  %269 = icmp eq i64 %188, %190
-  %270 = fcmp olt double %242, %171
-  %271 = select i1 %270, double %242, double 0x7FF8000000000000
-  %272 = select i1 %269, double %194, double %271
-  %273 = load ptr, ptr %176, align 8
-  %274 = getelementptr inbounds %struct.Bracket, ptr %273, i64 %181
-  store double %258, ptr %274, align 8
-  %275 = getelementptr inbounds i8, ptr %274, i64 8
-  store double %260, ptr %275, align 8
-  %276 = getelementptr inbounds i8, ptr %274, i64 16
-  store double %264, ptr %276, align 8
-  %277 = getelementptr inbounds i8, ptr %274, i64 24
-  store double %268, ptr %277, align 8
-  %278 = getelementptr inbounds i8, ptr %274, i64 32
-  store double %194, ptr %278, align 8
-  %279 = getelementptr inbounds i8, ptr %274, i64 40
-  store double %272, ptr %279, align 8
-  %280 = getelementptr inbounds i8, ptr %274, i64 48
-  store double 0x7FF8000000000000, ptr %280, align 8
-  %281 = getelementptr inbounds i8, ptr %274, i64 56
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %281, i8 0, i64 16, i1 false)
-  %282 = load ptr, ptr %51, align 8
-  %283 = getelementptr inbounds i64, ptr %282, i64 %182
-  %284 = load i64, ptr %283, align 8
-  %285 = load i64, ptr %174, align 8
-  %286 = srem i64 %284, %285
-  %287 = load ptr, ptr %177, align 8
-  %288 = add nsw i64 %181, 1
-  %289 = getelementptr inbounds i64, ptr %287, i64 %181
-  store i64 %286, ptr %289, align 8
-  br label %290
-
-290:                                              ; preds = %253, %246, %239
-  %291 = phi ptr [ %282, %253 ], [ %180, %246 ], [ %180, %239 ]
-  %292 = phi i64 [ %288, %253 ], [ %181, %246 ], [ %181, %239 ]
-  %293 = add nuw nsw i64 %182, 1
-  %294 = icmp eq i64 %293, %91
-  br i1 %294, label %295, label %179
-
-295:                                              ; preds = %290, %58, %144, %166
-  %296 = phi i64 [ %339, %166 ], [ 0, %144 ], [ 0, %58 ], [ %339, %290 ]
-  %297 = phi i64 [ 0, %166 ], [ 0, %144 ], [ 0, %58 ], [ %292, %290 ]
-  %298 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 11
-  %299 = load i64, ptr %298, align 8
-  %300 = icmp sgt i64 %299, 0
-  br i1 %300, label %301, label %342
-
-301:                                              ; preds = %295
-  %302 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 12
-  %303 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
-  %304 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 13
-  %305 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
-  br label %352
-
-306:                                              ; preds = %146, %338
-  %307 = phi i64 [ 0, %146 ], [ %339, %338 ]
-  %308 = phi i64 [ 0, %146 ], [ %340, %338 ]
-  %309 = load ptr, ptr %51, align 8
-  %310 = getelementptr inbounds i64, ptr %309, i64 %308
-  %311 = load i64, ptr %310, align 8
-  %312 = load i64, ptr %147, align 8
-  %313 = sdiv i64 %311, %312
-  %314 = srem i64 %311, %312
-  %315 = load ptr, ptr %53, align 8
-  %316 = getelementptr inbounds double, ptr %315, i64 %308
-  %317 = load double, ptr %316, align 8
-  %318 = load double, ptr %148, align 8
-  %319 = load double, ptr %149, align 8
-  %320 = fadd double %318, %319
-  %321 = fcmp olt double %317, %320
-  br i1 %321, label %329, label %322
-
-322:                                              ; preds = %306
-  %323 = load i64, ptr %150, align 8
-  %324 = srem i64 %313, %323
-  %325 = icmp eq i64 %324, 0
-  %326 = fadd double %318, %2
-  %327 = fcmp olt double %317, %326
-  %328 = select i1 %325, i1 %327, i1 false
-  br i1 %328, label %329, label %338
-
-329:                                              ; preds = %322, %306
-  %330 = load ptr, ptr %34, align 8
-  %331 = getelementptr inbounds double, ptr %330, i64 %313
-  %332 = load double, ptr %331, align 8
-  %333 = add nsw i64 %307, 1
-  %334 = getelementptr inbounds %struct.Found, ptr %3, i64 %307
-  store double %317, ptr %334, align 8
-  %335 = getelementptr inbounds i8, ptr %334, i64 8
-  store double %332, ptr %335, align 8
-  %336 = getelementptr inbounds i8, ptr %334, i64 16
-  store i64 %314, ptr %336, align 8
-  %337 = getelementptr inbounds i8, ptr %334, i64 24
-  store i64 0, ptr %337, align 8
-  br label %338
-
-338:                                              ; preds = %322, %329
-  %339 = phi i64 [ %333, %329 ], [ %307, %322 ]
-  %340 = add nuw nsw i64 %308, 1
-  %341 = icmp eq i64 %340, %91
-  br i1 %341, label %166, label %306
-
-342:                                              ; preds = %352, %295
-  %343 = phi i64 [ %297, %295 ], [ %379, %352 ]
-  %344 = icmp sgt i64 %343, 0
-  br i1 %344, label %345, label %480
-
-345:                                              ; preds = %342
-  %346 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
-  %347 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 2
-  %348 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
-  %349 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
-  %350 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 4
-  %351 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 5
-  br label %387
-
-352:                                              ; preds = %301, %352
-  %353 = phi i64 [ %297, %301 ], [ %379, %352 ]
-  %354 = phi i64 [ 0, %301 ], [ %381, %352 ]
-  %355 = load ptr, ptr %302, align 8
-  %356 = getelementptr inbounds double, ptr %355, i64 %354
-  %357 = load double, ptr %356, align 8
-  %358 = load i64, ptr %20, align 8
-  %359 = add nsw i64 %358, -1
-  %360 = sitofp i64 %359 to double
-  %361 = fdiv double 1.000000e+00, %360
-  %362 = fsub double %357, %361
-  %363 = tail call double @llvm.maxnum.f64(double %362, double 0.000000e+00)
-  %364 = fadd double %357, %361
-  %365 = tail call double @llvm.minnum.f64(double %364, double 1.000000e+00)
-  %366 = load ptr, ptr %303, align 8
-  %367 = getelementptr inbounds %struct.Bracket, ptr %366, i64 %353
-  store double %363, ptr %367, align 8
-  %368 = getelementptr inbounds i8, ptr %367, i64 8
-  store double %357, ptr %368, align 8
-  %369 = getelementptr inbounds i8, ptr %367, i64 16
-  store double %365, ptr %369, align 8
-  %370 = getelementptr inbounds i8, ptr %367, i64 24
-  store double 0x7FF8000000000000, ptr %370, align 8
-  %371 = getelementptr inbounds i8, ptr %367, i64 32
-  store double 0x7FF8000000000000, ptr %371, align 8
-  %372 = getelementptr inbounds i8, ptr %367, i64 40
-  store double 0x7FF8000000000000, ptr %372, align 8
-  %373 = getelementptr inbounds i8, ptr %367, i64 48
-  store double 0x7FF8000000000000, ptr %373, align 8
-  %374 = getelementptr inbounds i8, ptr %367, i64 56
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %374, i8 0, i64 16, i1 false)
-  %375 = load ptr, ptr %304, align 8
-  %376 = getelementptr inbounds i64, ptr %375, i64 %354
-  %377 = load i64, ptr %376, align 8
-  %378 = load ptr, ptr %305, align 8
-  %379 = add nsw i64 %353, 1
-  %380 = getelementptr inbounds i64, ptr %378, i64 %353
-  store i64 %377, ptr %380, align 8
-  %381 = add nuw nsw i64 %354, 1
-  %382 = load i64, ptr %298, align 8
-  %383 = icmp slt i64 %381, %382
-  br i1 %383, label %352, label %342
-
-384:                                              ; preds = %475
-  %385 = add nuw nsw i64 %388, 1
-  %386 = icmp eq i64 %385, %343
-  br i1 %386, label %480, label %387
-
-387:                                              ; preds = %345, %384
-  %388 = phi i64 [ 0, %345 ], [ %385, %384 ]
-  %389 = load ptr, ptr %346, align 8
-  %390 = shl nuw nsw i64 %388, 1
-  %391 = getelementptr inbounds i64, ptr %389, i64 %390
-  %392 = load ptr, ptr %347, align 8
-  %393 = load ptr, ptr %348, align 8
-  %394 = getelementptr inbounds i64, ptr %393, i64 %388
-  %395 = load i64, ptr %394, align 8
-  %396 = shl nsw i64 %395, 1
-  %397 = getelementptr inbounds i64, ptr %392, i64 %396
-  %398 = load i64, ptr %397, align 8
-  store i64 %398, ptr %391, align 8
-  %399 = load i64, ptr %394, align 8
-  %400 = shl nsw i64 %399, 1
-  %401 = or i64 %400, 1
-  %402 = getelementptr inbounds i64, ptr %392, i64 %401
-  %403 = load i64, ptr %402, align 8
-  %404 = getelementptr inbounds i64, ptr %391, i64 1
-  store i64 %403, ptr %404, align 8
-  %405 = load ptr, ptr %349, align 8
-  %406 = getelementptr inbounds %struct.Bracket, ptr %405, i64 %388
-  %407 = getelementptr inbounds %struct.Bracket, ptr %405, i64 %388, i32 4
-  %408 = load double, ptr %407, align 8
-  %409 = fcmp uno double %408, 0.000000e+00
-  br i1 %409, label %410, label %428
-
-410:                                              ; preds = %387
-  %411 = getelementptr inbounds %struct.Bracket, ptr %405, i64 %388, i32 1
-  %412 = load double, ptr %411, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5)
-  store double %412, ptr %5, align 8
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %6) #7
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %7) #7
-  store double 0x7FF0000000000000, ptr %7, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #7
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #7
-  %413 = load ptr, ptr %31, align 8
-  %414 = load ptr, ptr %0, align 8
-  %415 = load double, ptr %36, align 8
-  %416 = call i64 %413(ptr noundef %414, ptr noundef nonnull %5, i64 noundef 1, double noundef %415, ptr noundef nonnull %6) #7
-  %417 = icmp eq i64 %416, 0
-  br i1 %417, label %418, label %426
-
-418:                                              ; preds = %410
-  %419 = load ptr, ptr %350, align 8
-  %420 = load ptr, ptr %43, align 8
-  call void %419(ptr noundef %420, ptr noundef nonnull %6, i64 noundef 1, ptr noundef nonnull %391, ptr noundef nonnull %7, ptr noundef nonnull %8, ptr noundef nonnull %9) #7
-  %421 = load double, ptr %8, align 8
-  %422 = load double, ptr %351, align 8
-  %423 = fdiv double %421, %422
-  %424 = call double @llvm.rint.f64(double %423)
-  %425 = fmul double %422, %424
-  br label %426
-
-426:                                              ; preds = %410, %418
-  %427 = phi double [ %425, %418 ], [ 0x7FF8000000000000, %410 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #7
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %6) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5)
-  store double %427, ptr %407, align 8
-  br label %428
-
-428:                                              ; preds = %426, %387
-  %429 = getelementptr inbounds %struct.Bracket, ptr %405, i64 %388, i32 3
-  %430 = load double, ptr %429, align 8
-  %431 = fcmp uno double %430, 0.000000e+00
-  br i1 %431, label %432, label %449
-
-432:                                              ; preds = %428
-  %433 = load double, ptr %406, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10)
-  store double %433, ptr %10, align 8
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %11) #7
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %12) #7
-  store double 0x7FF0000000000000, ptr %12, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %13) #7
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %14) #7
-  %434 = load ptr, ptr %31, align 8
-  %435 = load ptr, ptr %0, align 8
-  %436 = load double, ptr %36, align 8
-  %437 = call i64 %434(ptr noundef %435, ptr noundef nonnull %10, i64 noundef 1, double noundef %436, ptr noundef nonnull %11) #7
-  %438 = icmp eq i64 %437, 0
-  br i1 %438, label %439, label %447
-
-439:                                              ; preds = %432
-  %440 = load ptr, ptr %350, align 8
-  %441 = load ptr, ptr %43, align 8
-  call void %440(ptr noundef %441, ptr noundef nonnull %11, i64 noundef 1, ptr noundef nonnull %391, ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %14) #7
-  %442 = load double, ptr %13, align 8
-  %443 = load double, ptr %351, align 8
-  %444 = fdiv double %442, %443
-  %445 = call double @llvm.rint.f64(double %444)
-  %446 = fmul double %443, %445
-  br label %447
-
-447:                                              ; preds = %432, %439
-  %448 = phi double [ %446, %439 ], [ 0x7FF8000000000000, %432 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %13) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %12) #7
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %11) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10)
-  store double %448, ptr %429, align 8
-  br label %449
-
-449:                                              ; preds = %447, %428
-  %450 = getelementptr inbounds %struct.Bracket, ptr %405, i64 %388, i32 5
-  %451 = load double, ptr %450, align 8
-  %452 = fcmp uno double %451, 0.000000e+00
-  br i1 %452, label %453, label %471
-
-453:                                              ; preds = %449
-  %454 = getelementptr inbounds %struct.Bracket, ptr %405, i64 %388, i32 2
-  %455 = load double, ptr %454, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15)
-  store double %455, ptr %15, align 8
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %16) #7
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %17) #7
-  store double 0x7FF0000000000000, ptr %17, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #7
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %19) #7
-  %456 = load ptr, ptr %31, align 8
-  %457 = load ptr, ptr %0, align 8
-  %458 = load double, ptr %36, align 8
-  %459 = call i64 %456(ptr noundef %457, ptr noundef nonnull %15, i64 noundef 1, double noundef %458, ptr noundef nonnull %16) #7
-  %460 = icmp eq i64 %459, 0
-  br i1 %460, label %461, label %469
-
-461:                                              ; preds = %453
-  %462 = load ptr, ptr %350, align 8
-  %463 = load ptr, ptr %43, align 8
-  call void %462(ptr noundef %463, ptr noundef nonnull %16, i64 noundef 1, ptr noundef nonnull %391, ptr noundef nonnull %17, ptr noundef nonnull %18, ptr noundef nonnull %19) #7
-  %464 = load double, ptr %18, align 8
-  %465 = load double, ptr %351, align 8
-  %466 = fdiv double %464, %465
-  %467 = call double @llvm.rint.f64(double %466)
-  %468 = fmul double %465, %467
-  br label %469
-
-469:                                              ; preds = %453, %461
-  %470 = phi double [ %468, %461 ], [ 0x7FF8000000000000, %453 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %19) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %17) #7
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %16) #7
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15)
-  store double %470, ptr %450, align 8
-  br label %471
-
-471:                                              ; preds = %469, %449
-  %472 = phi double [ %470, %469 ], [ %451, %449 ]
-  %473 = load double, ptr %407, align 8
-  %474 = fcmp uno double %473, 0.000000e+00
-  br i1 %474, label %510, label %475
-
-475:                                              ; preds = %471
-  %476 = load double, ptr %429, align 8
-  %477 = fcmp uno double %476, 0.000000e+00
-  %478 = fcmp uno double %472, 0.000000e+00
-  %479 = select i1 %477, i1 true, i1 %478
-  br i1 %479, label %510, label %384
-
-480:                                              ; preds = %384, %342
-  %481 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
-  %482 = load ptr, ptr %481, align 8
-  %483 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
-  %484 = load ptr, ptr %483, align 8
-  %485 = call i64 @manipplan_bottoms(ptr noundef nonnull %0, ptr noundef %482, i64 noundef %343, ptr noundef %484)
-  %486 = icmp eq i64 %485, 0
-  br i1 %486, label %487, label %510
-
-487:                                              ; preds = %480
-  br i1 %344, label %488, label %490
-
-488:                                              ; preds = %487
-  %489 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
-  br label %492
-
-490:                                              ; preds = %492, %487
-  %491 = phi i64 [ %296, %487 ], [ %503, %492 ]
-  call void @qsort(ptr noundef %3, i64 noundef %491, i64 noundef 32, ptr noundef nonnull @order) #7
-  br label %510
-
-492:                                              ; preds = %488, %492
-  %493 = phi i64 [ %296, %488 ], [ %503, %492 ]
-  %494 = phi i64 [ 0, %488 ], [ %508, %492 ]
-  %495 = load ptr, ptr %483, align 8
-  %496 = getelementptr inbounds %struct.Bracket, ptr %495, i64 %494, i32 4
-  %497 = load double, ptr %496, align 8
-  %498 = getelementptr inbounds %struct.Bracket, ptr %495, i64 %494, i32 1
-  %499 = load double, ptr %498, align 8
-  %500 = load ptr, ptr %489, align 8
-  %501 = getelementptr inbounds i64, ptr %500, i64 %494
-  %502 = load i64, ptr %501, align 8
-  %503 = add nsw i64 %493, 1
-  %504 = getelementptr inbounds %struct.Found, ptr %3, i64 %493
-  store double %497, ptr %504, align 8
-  %505 = getelementptr inbounds i8, ptr %504, i64 8
-  store double %499, ptr %505, align 8
-  %506 = getelementptr inbounds i8, ptr %504, i64 16
-  store i64 %502, ptr %506, align 8
-  %507 = getelementptr inbounds i8, ptr %504, i64 24
-  store i64 1, ptr %507, align 8
-  %508 = add nuw nsw i64 %494, 1
-  %509 = icmp eq i64 %508, %343
-  br i1 %509, label %490, label %492
-
-510:                                              ; preds = %66, %471, %475, %30, %490, %480, %142
-  %511 = phi i64 [ %91, %142 ], [ %491, %490 ], [ -1, %480 ], [ -2, %30 ], [ -1, %475 ], [ -1, %471 ], [ -1, %66 ]
-  ret i64 %511
-}
-
-declare double @llvm.maxnum.f64(double, double) #2
-
-declare double @llvm.minnum.f64(double, double) #2
-
-declare void @qsort(ptr noundef, i64 noundef, i64 noundef, ptr nocapture noundef) local_unnamed_addr #3
-
-define internal i32 @order(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) #4 {
+define internal i32 @order(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) #3 {
   %3 = load double, ptr %0, align 8
   %4 = load double, ptr %1, align 8
   %5 = fcmp une double %3, %4
@@ -1051,21 +1008,69 @@ define internal i32 @order(ptr nocapture noundef readonly %0, ptr nocapture noun
   ret i32 %35
 }
 
-declare double @llvm.fabs.f64(double) #2
+declare double @llvm.rint.f64(double) #4
 
-declare double @llvm.copysign.f64(double, double) #2
+declare double @llvm.minnum.f64(double, double) #4
 
-declare double @llvm.rint.f64(double) #2
+declare double @llvm.maxnum.f64(double, double) #4
+
+define internal fastcc double @distance_at(ptr nocapture noundef readonly %0, double noundef %1, ptr noundef %2) unnamed_addr #0 {
+  %4 = alloca double, align 8
+  %5 = alloca double, align 8
+  %6 = alloca double, align 8
+  %7 = alloca i64, align 8
+  store double %1, ptr %4, align 8
+  %8 = load i64, ptr %0, align 8
+  %9 = alloca double, i64 %8, align 16
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #6
+  store double 0x7FF0000000000000, ptr %5, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #6
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %7) #6
+  %10 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 2
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 1
+  %13 = load ptr, ptr %12, align 8
+  %14 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 3
+  %15 = load double, ptr %14, align 8
+  %16 = call i64 %11(ptr noundef %13, ptr noundef nonnull %4, i64 noundef 1, double noundef %15, ptr noundef nonnull %9) #6
+  %17 = icmp eq i64 %16, 0
+  br i1 %17, label %18, label %29
+
+18:                                               ; preds = %3
+  %19 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 5
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 4
+  %22 = load ptr, ptr %21, align 8
+  call void %20(ptr noundef %22, ptr noundef nonnull %9, i64 noundef 1, ptr noundef %2, ptr noundef nonnull %5, ptr noundef nonnull %6, ptr noundef nonnull %7) #6
+  %23 = load double, ptr %6, align 8
+  %24 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 6
+  %25 = load double, ptr %24, align 8
+  %26 = fdiv double %23, %25
+  %27 = call double @llvm.rint.f64(double %26)
+  %28 = fmul double %25, %27
+  br label %29
+
+29:                                               ; preds = %3, %18
+  %30 = phi double [ %28, %18 ], [ 0x7FF8000000000000, %3 ]
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #6
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #6
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #6
+  ret double %30
+}
+
+declare double @llvm.fabs.f64(double) #4
+
+declare double @llvm.copysign.f64(double, double) #4
 
 declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #5
 
 attributes #0 = { nounwind uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #1 = { mustprogress nocallback nofree nosync nounwind willreturn memory(argmem: readwrite) }
-attributes #2 = { mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #3 = { nofree "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #4 = { mustprogress nofree norecurse nosync nounwind willreturn memory(argmem: read) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #2 = { nofree "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #3 = { mustprogress nofree norecurse nosync nounwind willreturn memory(argmem: read) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #4 = { mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none) }
 attributes #5 = { nocallback nofree nounwind willreturn memory(argmem: write) }
-attributes #6 = { memory(none) }
-attributes #7 = { nounwind }
+attributes #6 = { nounwind }
+attributes #7 = { memory(none) }
 
 

@@ -41,7 +41,7 @@ class Surroundings:
 
     @cached_property
     def _search(self) -> DistanceSearch:
-        return DistanceSearch(model=self.model)
+        return DistanceSearch(self.model)
 
     @property
     def target(self) -> float:
