@@ -101,7 +101,8 @@ def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
         return LimitUse(ratio=0.0, joint="", time=0.0)
     ratios = 6 * np.abs(third) / limits.jerk
     begins, ends = 2 * second, 2 * second + 6 * third * widths[:, None]
-    jumps = np.abs(begins[1:] - ends[:-1]) > JUMP * limits.acceleration
+    unit = np.where(np.isfinite(limits.acceleration), limits.acceleration, np.abs([begins, ends]).max())
+    jumps = np.abs(begins[1:] - ends[:-1]) > JUMP * unit
     ratios[1:][jumps & np.isfinite(limits.jerk)] = np.inf
     segment, joint = np.unravel_index(np.argmax(ratios), ratios.shape)
     return LimitUse(ratio=float(ratios[segment, joint]), joint=trajectory.joint_names[joint], time=float(trajectory.t[segment]))
