@@ -101,6 +101,14 @@ def test_a_jerk_that_is_not_limited_is_not_judged(arm, motion):
     assert not mp.check(arm.with_limits(acceleration=np.inf), rough).passed
 
 
+@pytest.mark.parametrize("factor", [1.3, 1.37123, 5.0])
+def test_a_slower_motion_has_no_jumps(arm, motion, factor):
+    """Its times are in whole nanoseconds, which moves the accelerations of both sides of a sample apart."""
+    fast, slow = (mp.check(arm, each, SCENE) for each in (motion, motion.slower(factor)))
+    assert slow.passed and slow.limits["jerk"].ratio == pytest.approx(fast.limits["jerk"].ratio / factor**3, rel=0.05)
+    assert slow.g == pytest.approx(fast.g, rel=1e-6) and slow.duration == pytest.approx(factor * fast.duration)
+
+
 def test_torque_is_judged_if_asked(panda):
     motion = mp.retime(mp.JointPath.line(panda.neutral, panda.neutral + 0.3), panda)
     weak = panda.with_limits(effort=10.0)
