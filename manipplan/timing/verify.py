@@ -92,8 +92,8 @@ def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
     """Largest use of the jerk limits, by the constant jerk of each cubic piece; ratio inf where acceleration jumps.
 
     Acceleration jumps between pieces of most splines. A change at a sample counts as a jump above 1e-5 of the acceleration
-    limit, and above what times in whole nanoseconds explain: 6 |q'| 1e-9 s (1 / h² + 1 / k²) between pieces of the widths h and
-    k, at most 1e-2 of the limit. Raises InvalidInputError for limits of a different number of joints.
+    limit, and above what times in whole nanoseconds explain: 6e-9 v (1 / h² + 1 / k²) at the speed v between pieces of the
+    widths h and k, at most 1e-2 of the limit. Raises InvalidInputError for limits of a different number of joints.
     """
     n = instance("trajectory", trajectory, Trajectory).n
     if instance("limits", limits, JointLimits).n != n:

@@ -176,7 +176,7 @@ class _Clearance:
             return f"collision: overlap by {-1e3 * self.smallest:.3g} mm of {where}"
         if self.smallest <= clearance:
             return f"clearance: {1e3 * self.smallest:.4g} mm instead of {1e3 * clearance:g} mm between {where}"
-        return f"collision: two bodies come nearer than {1e3 * clearance:g} mm where the motion is sampled every {CHECK_STEP:g} rad"
+        return f"collision: two bodies come nearer than {1e3 * clearance:g} mm, at a sample of those {CHECK_STEP:g} rad apart"
 
 
 def _limit_uses(trajectory: Trajectory, robot: Robot, *, torque: bool, jerk: bool) -> Mapping[str, LimitUse]:

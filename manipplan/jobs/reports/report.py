@@ -161,10 +161,9 @@ class Report:
 @one_line
 @dataclass(frozen=True, kw_only=True)
 class PlanReport(Report):
-    """The report of a plan: that of its trajectory, beside the seed and the straight line.
+    """The report of a plan: that of its trajectory, with the attributes of Report, beside the seed and the straight line.
 
-    Attributes: those of Report, and
-
+    Attributes:
         status: text of the Status.
         seed_g, seed_length, seed_min_manipulability: figures of the seed; for `improve`, of the recorded motion.
         straight_min_manipulability: minimum manipulability on the straight line from start to goal.
