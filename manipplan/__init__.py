@@ -7,7 +7,8 @@
     CartesianPath -> track (one QP per step, which raises m while following) -> Tracking
     start, goal -> seed_path (RRT-Connect) -> optimize_path (minimises ∫ ‖q'‖/m^p ds) -> retime (toppra) -> Trajectory -> Report
 
-One call runs a whole row, for instance ``mp.plan(robot, start, goal, scene)``.
+One call runs a whole row, for instance ``mp.plan(robot, start, goal, scene)``. ``mp.check(robot, trajectory, scene)`` judges a
+Trajectory that anybody made.
 """
 
 import gc
@@ -19,13 +20,14 @@ from manipplan.cost.crossings import Crossing
 from manipplan.cost.integral import PathCost, path_cost
 from manipplan.cost.objective import PathObjective
 from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
-from manipplan.jobs.check import Report
+from manipplan.jobs.check import check
 from manipplan.jobs.follow import follow
 from manipplan.jobs.improve import improve
 from manipplan.jobs.other_goals import OtherGoal, other_goals
 from manipplan.jobs.plan import plan
 from manipplan.jobs.plan_many import plan_many
 from manipplan.jobs.problem import Problem
+from manipplan.jobs.reports.report import PlanReport, Report
 from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.kinematics import Kinematics
@@ -136,6 +138,7 @@ __all__ = [
     "PathShape",
     "PinocchioCasadi",
     "Plan",
+    "PlanReport",
     "Plane",
     "PlanningError",
     "PointCloud",
@@ -166,6 +169,7 @@ __all__ = [
     "Yoshikawa",
     "available_measures",
     "available_robots",
+    "check",
     "dynamic_ellipsoid",
     "follow",
     "force_ellipsoid",

@@ -1,7 +1,7 @@
 """The command `manipplan`: the jobs from a shell.
 
-Exit codes: 0 done, 1 no result, 2 invalid input, 3 a checked motion that does not meet the request (its status says why), 130
-interrupted.
+Exit codes: 0 done, 1 no result, or a trajectory that does not pass `check`, 2 invalid input, 3 a checked motion that does not
+meet the request (its status says why), 130 interrupted.
 """
 
 import logging
@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 import tyro
 from rich.console import Console
 
+from manipplan.cli.check import check
 from manipplan.cli.demo import demo
 from manipplan.cli.follow import follow
 from manipplan.cli.improve import improve
@@ -27,6 +28,7 @@ COMMANDS: dict[str, Callable[..., int | None]] = {
     "plan": plan,
     "follow": follow,
     "improve": improve,
+    "check": check,
     "view": view,
     "study": study,
     "robots": robots,

@@ -7,6 +7,7 @@ from pathlib import Path
 from rich.console import Console
 
 from manipplan.jobs.result import Plan
+from manipplan.robots.robot import Robot
 from manipplan.support.progress import Progress
 from manipplan.support.untrusted import printable, terminal_text
 
@@ -47,13 +48,18 @@ def show_plan(plan: Plan, files: Sequence[Path], *lines: str) -> int:
 
     Returns the exit code: 0, or 3 for a checked motion that does not meet the request.
     """
-    assumed = [f"{kind} limits: {source}" for kind, source in plan.robot.limits.sources.items() if source.startswith(DEFAULT)]
-    if plan.robot.locked:
-        assumed.append("locked joints: " + ", ".join(f"{name} at {value:g}" for name, value in plan.robot.locked.items()))
-    for line in assumed:
-        show_line(Console(), line, style="dim")
+    show_assumptions(Console(), plan.robot)
     show_result("\n  ".join((str(plan.report), *lines)), files)
     return 0 if plan.status.ok else 3
+
+
+def show_assumptions(console: Console, robot: Robot) -> None:
+    """Print what was assumed about a robot: limits that nobody gave, and locked joints."""
+    assumed = [f"{kind} limits: {source}" for kind, source in robot.limits.sources.items() if source.startswith(DEFAULT)]
+    if robot.locked:
+        assumed.append("locked joints: " + ", ".join(f"{name} at {value:g}" for name, value in robot.locked.items()))
+    for line in assumed:
+        show_line(console, line, style="dim")
 
 
 def show_result(report: str, files: Sequence[Path]) -> None:

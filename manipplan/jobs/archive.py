@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathCost
-from manipplan.jobs.check import Report
+from manipplan.jobs.reports.report import PlanReport
 from manipplan.jobs.stored import robot_data, robot_of, scene_data, scene_of
 from manipplan.measures.measure import Measure
 from manipplan.measures.stored import measure_data, measure_of
@@ -121,7 +121,7 @@ def plan_of(
             "message": str(data["message"]),
             "path": joints,
             "trajectory": _maybe(data["trajectory"], lambda each: from_json(each, Trajectory)),
-            "report": _maybe(data["report"], lambda each: from_json(each, Report)),
+            "report": _maybe(data["report"], lambda each: from_json(each, PlanReport)),
             "result": _maybe(data["result"], lambda numbers: _path_result(path, data, numbers, joints, measure)),
             "workspace_path": _maybe(data["workspace_path"], _workspace),
             "tolerance": _maybe(data["tolerance"], lambda each: from_json(each, Tolerance)),

@@ -19,7 +19,7 @@ from manipplan.optimize.result import PathResult, make_result
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation, deviation_at, deviation_from
 from manipplan.paths.joint import JointPath
-from manipplan.paths.tolerance import Tolerance
+from manipplan.paths.tolerance import BETWEEN, Tolerance
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
@@ -35,8 +35,6 @@ from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import check_timing_limits, retime
 
-#: Default tolerance of the tool on the path between positions [m, rad].
-BETWEEN = Tolerance(position=1e-4, rotation=1e-3)
 #: Share of a tolerance that is used at the positions, and between them before knots are added: timing needs some of it, too.
 AT_POSITIONS, IN_TUBE = 0.9, 0.97
 #: The latter if no tolerance is given.

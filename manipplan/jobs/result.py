@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, TypeVar
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
-from manipplan.jobs.check import Report
+from manipplan.jobs.reports.measure import measure_plan
+from manipplan.jobs.reports.report import PlanReport
 from manipplan.measures.measure import Measure
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
@@ -19,7 +20,7 @@ from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement
 from manipplan.support.checks import Array
 from manipplan.support.display import Pictured, one_line
-from manipplan.support.errors import PlanningError
+from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.files import writable_folder, write_text
 from manipplan.support.status import Status
 from manipplan.tracking.track import Tracking
@@ -40,7 +41,7 @@ class PartialPlan(Pictured):
         status: how the path was obtained.
         path: the JointPath from start to goal.
         trajectory: the timed motion along it.
-        report: its figures, measured on the trajectory.
+        report: the figures of this trajectory, measured on it; raises InvalidInputError together with another trajectory.
         result: the optimiser's result, with seed and history; for `improve`, the motion compared with the recorded one.
         tracking: the steps of `improve`.
         search, refinement, deviation: for `follow`: the path found among the samples, its refinement, and the tool's
@@ -55,7 +56,7 @@ class PartialPlan(Pictured):
     status: Status
     path: JointPath | None = None
     trajectory: Trajectory | None = None
-    report: Report | None = None
+    report: PlanReport | None = None
     result: PathResult | None = None
     tracking: Tracking | None = None
     search: SearchResult | None = None
@@ -64,6 +65,16 @@ class PartialPlan(Pictured):
     workspace_path: CartesianPath | None = None
     tolerance: Tolerance | None = None
     message: str = ""
+
+    def __post_init__(self) -> None:
+        if self.report is None or (self.trajectory is not None and self.trajectory.digest == self.report.digest):
+            return
+        wanted = (
+            "the trajectory that plan.report was measured on. Another one is not part of this plan: judge it by "
+            "mp.check(plan.robot, trajectory, plan.scene), and write it by trajectory.to_csv"
+        )
+        other = "none" if self.trajectory is None else f"a motion of {self.trajectory.duration:.4g} s"
+        raise InvalidInputError("trajectory", other, wanted)
 
     def save(self, folder: str | Path) -> list[Path]:
         """Write trajectory.csv, .json and .yaml (ROS), report.json, report.txt, plan.png and plan.json; returns the files.
@@ -142,7 +153,7 @@ class Plan(PartialPlan):
 
     path: JointPath = field()
     trajectory: Trajectory = field()
-    report: Report = field()
+    report: PlanReport = field()
     result: PathResult = field()
 
 
@@ -160,7 +171,7 @@ def finish(
     throw: bool,
 ) -> Plan:
     """The plan with its report; its status is CHECK_FAILED if the report does not pass."""
-    report = Report.of(trajectory, result, model, goal, clearance=clearance, torque=torque, jerk=jerk)
+    report = measure_plan(trajectory, result, model, goal, clearance=clearance, torque=torque, jerk=jerk)
     parts = {each.name: getattr(draft, each.name) for each in fields(draft)}
     plan = Plan(**parts | {"path": path, "trajectory": trajectory, "result": result, "report": report})
     return plan if report.passed else check_failed(plan, throw, str(report))
@@ -168,7 +179,8 @@ def finish(
 
 def check_failed(plan: Plan, throw: bool, message: str) -> Plan:
     """The plan with Status.CHECK_FAILED, returned or raised."""
-    report = replace(plan.report, status=Status.CHECK_FAILED.value, passed=False)
+    faults = plan.report.faults or (message,)
+    report = replace(plan.report, status=Status.CHECK_FAILED.value, passed=False, faults=faults)
     return failed(replace(plan, status=Status.CHECK_FAILED, report=report), throw, message)
 
 

@@ -21,6 +21,7 @@ from manipplan.optimize.program import PathProgram
 from manipplan.optimize.proven import Candidate, Until
 from manipplan.optimize.result import PathResult, Step, make_result
 from manipplan.paths.basis import EndConditions, PathShape, named_basis
+from manipplan.paths.export import read_trajectory
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
@@ -30,7 +31,7 @@ from manipplan.seeds.seed import seed_path
 from manipplan.seeds.seeding import MOST_SEEDS, OPTIMISING, Seeding
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError
-from manipplan.support.errors import FileFormatError, InvalidInputError, PlanningError
+from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.memo import once_per_owner
 from manipplan.support.processes.one_thread import one_thread
@@ -327,16 +328,6 @@ def _programs(_robot: Robot) -> dict[tuple[object, ...], PathProgram]:
     return {}
 
 
-#: Readers of recorded motions, by file extension.
-READERS = {
-    ".csv": Trajectory.from_csv,
-    ".json": Trajectory.from_json,
-    ".yaml": Trajectory.from_ros,
-    ".yml": Trajectory.from_ros,
-    ".npz": Trajectory.from_npz,
-}
-
-
 def initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> JointPath:
     """A first path of any accepted type as a JointPath of this robot's joints."""
     if isinstance(initial, JointPath):
@@ -355,10 +346,7 @@ def initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> 
 def _recorded(file: str | Path) -> Trajectory:
     if not isinstance(file, str | Path):
         raise InvalidInputError("initial", file, "a JointPath, a Trajectory, or the path of a trajectory file")
-    read = READERS.get(Path(file).suffix.lower())
-    if read is None:
-        raise FileFormatError("initial", str(file), f"a trajectory file: {', '.join(READERS)}")
-    return read(file)
+    return read_trajectory("initial", file)
 
 
 def check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: Array) -> None:

@@ -46,11 +46,15 @@ def deviations(path: CartesianPath, poses: Array, axis: Array | None = None) -> 
     """
     if not len(poses):
         raise InvalidInputError("poses", f"an array of shape {poses.shape}", "at least one pose (4, 4)")
-    line = path(np.linspace(0.0, 1.0, POSES))
+    return distances_from(path.sample(POSES), poses, axis)
+
+
+def distances_from(line: Array, poses: Array, axis: Array | None = None) -> tuple[Array, Array]:
+    """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from the pieces between the poses of a line (m, 4, 4)."""
     position, rotation = np.empty(len(poses)), np.empty(len(poses))
     for begin in range(0, len(poses), BLOCK):
         some = poses[begin : begin + BLOCK]
-        pieces = [np.clip(k + side, 0, POSES - 2) for k in _nearest(some, line, axis) for side in (-1, 0)]
+        pieces = [np.clip(k + side, 0, len(line) - 2) for k in _nearest(some, line, axis) for side in (-1, 0)]
         found = np.array([_from_piece(some, line[k], line[k + 1], axis) for k in pieces])  # (4, 2, …)
         best = (found[:, 0] + RADIAN * found[:, 1]).argmin(axis=0)
         position[begin : begin + BLOCK], rotation[begin : begin + BLOCK] = found[best, :, np.arange(len(some))].T

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from manipplan.paths.trajectory import Trajectory
-from manipplan.support.checks import existing_file, finite_array, whole_number
+from manipplan.support.checks import Array, existing_file, whole_number
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_bytes, write_text
 
@@ -37,33 +37,56 @@ def to_csv(trajectory: Trajectory, file: str | Path) -> None:
 
 def from_csv(file: str | Path) -> Trajectory:
     """Read `to_csv`'s file, or a recorded demonstration with times and positions alone. Its velocities come from the cubic
-    spline through the positions.
+    spline through the positions. Times count from that of the first row.
 
-    Raises FileFormatError for another header, a short row, or a cell that is not a number.
+    Raises FileFormatError for another header, a short row, a cell that is not a finite number, or a time that is not after the
+    one before; the last three name the row.
     """
     path = existing_file("file", file)
     wanted = "a CSV with columns time, q_<joint>... (qd_<joint>... and qdd_<joint>... may follow)"
 
     def read() -> Trajectory:
         with path.open(newline="", encoding="utf-8-sig") as stream:
-            header, *rows = [row for row in csv.reader(stream) if row]
+            reader = csv.reader(stream)
+            (_, header), *rows = [(reader.line_num, row) for row in reader if row]
         names = [column.removeprefix("q_") for column in header[1:] if column.startswith("q_")]
         n = len(names)
         alone = len(header) == 1 + n
         columns = ["time", *(f"q_{x}" for x in names), *(f"qd_{x}" for x in names)]
         if n == 0 or header[: 1 + 2 * n] != columns[: 1 + n if alone else None]:
             raise FileFormatError("file", f"{path} with the first line {','.join(header)}", wanted)
-        data = np.array([[float(cell) for cell in row[: 1 + 2 * n]] for row in rows])
+        data = _numbers(path, header[: 1 + n if alone else 1 + 2 * n], rows)
+        t, q = data[:, 0] - data[0, 0], data[:, 1 : 1 + n]
         if alone:
             from scipy.interpolate import CubicSpline
 
-            data = finite_array("cells", data, (None, 1 + n))
-            t, q = data[:, 0] - data[0, 0], data[:, 1:]
             still = Trajectory(t=t, q=q, qd=np.zeros_like(q), joint_names=tuple(names))  # t and q are checked first
             return replace(still, qd=CubicSpline(t, q)(t, 1))
-        return Trajectory(t=data[:, 0], q=data[:, 1 : 1 + n], qd=data[:, 1 + n :], joint_names=tuple(names))
+        return Trajectory(t=t, q=q, qd=data[:, 1 + n :], joint_names=tuple(names))
 
     return _reading(path, wanted, read)
+
+
+def _numbers(path: Path, columns: list[str], rows: list[tuple[int, list[str]]]) -> Array:
+    """The cells of rows (line, cells) of a CSV as finite numbers, with increasing times in the first column."""
+    if len(rows) < 2:
+        raise FileFormatError("file", f"{path} with {len(rows)} rows of numbers", "at least two")
+    data = np.empty((len(rows), len(columns)))
+    for k, (line, row) in enumerate(rows):
+        if len(row) < len(columns):
+            wanted = f"at least {len(columns)} cells, as in the first row"
+            raise FileFormatError("file", f"{path}, row {line}, with {len(row)} cells", wanted)
+        try:
+            data[k] = [float(cell) for cell in row[: len(columns)]]
+        except ValueError as error:
+            raise FileFormatError("file", f"{path}, row {line}: {','.join(row)}", f"numbers ({error})") from error
+    for k, j in np.argwhere(~np.isfinite(data)).tolist():
+        got = f"{path}, row {rows[k][0]}, {columns[j]}: {rows[k][1][j]}"
+        raise FileFormatError("file", got, "a finite number, no NaN or inf")
+    for k in np.flatnonzero(np.diff(data[:, 0]) <= 0).tolist():
+        wanted = f"a time after that of row {rows[k][0]}, {float(data[k, 0])!r} s"
+        raise FileFormatError("file", f"{path}, row {rows[k + 1][0]}, {columns[0]}: {rows[k + 1][1][0]}", wanted)
+    return data
 
 
 def to_json(trajectory: Trajectory, file: str | Path) -> None:
@@ -187,6 +210,18 @@ def from_npz(file: str | Path) -> Trajectory:
             return Trajectory(t=data["t"], q=data["q"], qd=data["qd"], joint_names=tuple(data["joint_names"].tolist()))
 
     return _reading(path, wanted, read)
+
+
+#: Readers of trajectory files, by file extension.
+READERS = {".csv": from_csv, ".json": from_json, ".yaml": from_ros, ".yml": from_ros, ".npz": from_npz}
+
+
+def read_trajectory(argument: str, file: str | Path) -> Trajectory:
+    """Read a trajectory file by its extension. Raises FileFormatError for another extension, and as its reader does."""
+    read = READERS.get(Path(file).suffix.lower())
+    if read is None:
+        raise FileFormatError(argument, str(file), f"a trajectory file: {', '.join(READERS)}")
+    return read(file)
 
 
 def _reading(path: Path, wanted: str, read: Callable[[], Trajectory]) -> Trajectory:

@@ -65,6 +65,10 @@ class Tolerance:
         return Tolerance(position=position, rotation=None if self.rotation is None else factor * self.rotation)
 
 
+#: Default tolerance of the tool on a path.
+BETWEEN = Tolerance(position=1e-4, rotation=1e-3)
+
+
 def row_shares(task: Task) -> tuple[list[float], list[float]]:
     """Bounds on each row of `task` for tolerances of 1 m and of 1 rad, in the row's unit; 0: a row of the other kind.
 

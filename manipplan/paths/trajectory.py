@@ -1,7 +1,7 @@
 """Trajectory: motion q(t) in time, piecewise cubic through samples of position and velocity."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -9,8 +9,9 @@ from numpy.typing import ArrayLike
 
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array, distinct_names, finite_array, number, number_array, whole_number
+from manipplan.support.content import content_key
 from manipplan.support.display import Pictured, one_line
-from manipplan.support.errors import InvalidInputError
+from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 #: Shortest time between samples [s], and largest time [s], position [rad or m] and velocity [rad/s or m/s]: beyond these the
 #: coefficients of the cubics overflow.
@@ -27,6 +28,8 @@ class Trajectory(Pictured):
         q: (k, n) positions [rad or m].
         qd: (k, n) velocities [rad/s or m/s].
         joint_names: (n,) names in the order of the columns.
+
+    Raises InvalidInputError, which names the sample and the joint, when times do not increase from 0 or a number is not finite.
     """
 
     t: Array
@@ -35,16 +38,19 @@ class Trajectory(Pictured):
     joint_names: tuple[str, ...]
 
     def __post_init__(self) -> None:
-        t = finite_array("t", self.t, (None,))
+        t = _finite_samples("t", self.t, (None,))
         names = distinct_names("joint_names", self.joint_names, np.shape(self.q)[-1] if np.ndim(self.q) else 0)
-        if len(t) < 2 or t[0] != 0 or not (np.diff(t) > 0).all():
+        if len(t) < 2 or t[0] != 0:
             raise InvalidInputError("t", t, "at least two times, increasing from 0")
+        if (np.diff(t) <= 0).any():
+            k = int(np.argmax(np.diff(t) <= 0)) + 1
+            raise InvalidInputError(f"t[{k}]", float(t[k]), f"a time after t[{k - 1}] = {float(t[k - 1])!r} s")
         if not (np.diff(t) >= SHORTEST).all() or t[-1] > LARGEST:
             raise InvalidInputError("t", t, f"times at least {SHORTEST:g} s apart, up to {LARGEST:g} s")
         shape = (len(t), len(names))
         object.__setattr__(self, "t", t)
-        object.__setattr__(self, "q", finite_array("q", self.q, shape, most=LARGEST))
-        object.__setattr__(self, "qd", finite_array("qd", self.qd, shape, most=LARGEST))
+        object.__setattr__(self, "q", _finite_samples("q", self.q, shape, names))
+        object.__setattr__(self, "qd", _finite_samples("qd", self.qd, shape, names))
         object.__setattr__(self, "joint_names", names)
 
     @property
@@ -56,6 +62,28 @@ class Trajectory(Pictured):
     def duration(self) -> float:
         """Time from first to last sample [s]."""
         return float(self.t[-1])
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of samples and joint names, in hexadecimal digits: different for every other motion."""
+        return content_key([self.t, self.q, self.qd, self.joint_names])
+
+    def in_order(self, joint_names: Sequence[str]) -> "Trajectory":
+        """The same motion with its columns in the order of these names.
+
+        Raises UnknownNameError for a joint of the motion that is not among them, and InvalidInputError where one is missing.
+        """
+        if self.joint_names == tuple(joint_names):
+            return self
+        for name in self.joint_names:
+            if name not in joint_names:
+                raise UnknownNameError("trajectory.joint_names", name, joint_names)
+        missing = [name for name in joint_names if name not in self.joint_names]
+        if missing:
+            wanted = f"a motion of the joints {', '.join(joint_names)}; {', '.join(missing)} is missing"
+            raise InvalidInputError("trajectory.joint_names", ", ".join(self.joint_names), wanted)
+        column = [self.joint_names.index(name) for name in joint_names]
+        return replace(self, q=self.q[:, column], qd=self.qd[:, column], joint_names=tuple(joint_names))
 
     def segments(self) -> tuple[Array, Array]:
         """Widths (k - 1,) [s] and cubic coefficients (4, k - 1, n), lowest power first, in time from the segment's start."""
@@ -189,6 +217,17 @@ class Trajectory(Pictured):
         from manipplan.paths import export
 
         return export.from_npz(file)
+
+
+def _finite_samples(argument: str, value: ArrayLike, shape: tuple[int | None, ...], names: Sequence[str] = ()) -> Array:
+    """`value` as a read-only array; what is not finite is named by its sample and its joint."""
+    array = number_array(argument, value)
+    wrong = np.argwhere(~np.isfinite(array))
+    if array.ndim == len(shape) and len(wrong):
+        joint = f" ({names[wrong[0, 1]]})" if array.ndim == 2 and wrong[0, 1] < len(names) else ""
+        place = ", ".join(map(str, wrong[0]))
+        raise InvalidInputError(f"{argument}[{place}]{joint}", float(array[tuple(wrong[0])]), "a finite number, no NaN or inf")
+    return finite_array(argument, array, shape, most=LARGEST if names else np.inf)
 
 
 def joined(parts: Sequence[Trajectory]) -> Trajectory:

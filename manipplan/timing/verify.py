@@ -13,8 +13,9 @@ from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.timing.segment import Bounds, ToolSpeed
 
-#: A sudden change of acceleration counts as a jump above this share of its limit.
-JUMP = 1e-5
+#: A sudden change of acceleration counts as a jump above this share of its limit and above what the rounding of times to whole
+#: nanoseconds explains [s], but always above the larger share.
+JUMP, NANOSECOND, MOST_JUMP = 1e-5, 1e-9, 1e-2
 
 
 @one_line
@@ -90,8 +91,9 @@ def _bent(values: Array) -> Array:
 def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
     """Largest use of the jerk limits, by the constant jerk of each cubic piece; ratio inf where acceleration jumps.
 
-    Acceleration jumps between pieces of most splines. A change at a sample counts as a jump above `JUMP` of the limit, since
-    smaller ones come from rounding of files and times. Raises InvalidInputError for limits of a different number of joints.
+    Acceleration jumps between pieces of most splines. A change at a sample counts as a jump above 1e-5 of the acceleration
+    limit, and above what times in whole nanoseconds explain: 6e-9 v (1 / h² + 1 / k²) at the speed v between pieces of the
+    widths h and k, at most 1e-2 of the limit. Raises InvalidInputError for limits of a different number of joints.
     """
     n = instance("trajectory", trajectory, Trajectory).n
     if instance("limits", limits, JointLimits).n != n:
@@ -101,7 +103,9 @@ def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
         return LimitUse(ratio=0.0, joint="", time=0.0)
     ratios = 6 * np.abs(third) / limits.jerk
     begins, ends = 2 * second, 2 * second + 6 * third * widths[:, None]
-    jumps = np.abs(begins[1:] - ends[:-1]) > JUMP * limits.acceleration
+    unit = np.where(np.isfinite(limits.acceleration), limits.acceleration, np.abs([begins, ends]).max())
+    explained = 6 * np.abs(trajectory.qd[1:-1]) * (NANOSECOND / widths[1:] ** 2 + NANOSECOND / widths[:-1] ** 2)[:, None]
+    jumps = np.abs(begins[1:] - ends[:-1]) > np.clip(explained, JUMP * unit, MOST_JUMP * unit)
     ratios[1:][jumps & np.isfinite(limits.jerk)] = np.inf
     segment, joint = np.unravel_index(np.argmax(ratios), ratios.shape)
     return LimitUse(ratio=float(ratios[segment, joint]), joint=trajectory.joint_names[joint], time=float(trajectory.t[segment]))

@@ -14,6 +14,7 @@ import manipplan as mp
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 import against_01
+import check_trajectories
 import cold_start
 import control_step
 import demo_timing
@@ -286,3 +287,20 @@ def test_first_calls_compile_once_and_then_load(tmp_path):
     (_, ever), (_, later), (_, again) = (samples[0] for samples in found.values())
     assert ever > 3 * later > 3 * again > 0, "processor times"
     assert (tmp_path / "table.md").read_text().count("inverse_kinematics, ur5") == 3
+
+
+def test_checks_agree_with_the_other_judge_and_a_wrong_one_is_caught(tmp_path, monkeypatch, capsys):
+    arguments = ["--count", "18", "--out", str(tmp_path / "table.md")]
+    assert check_trajectories.main(arguments) == 0
+    rows = [line.split(" | ") for line in (tmp_path / "table.md").read_text().splitlines() if line.startswith("| ")][1:]
+    assert [row[0].strip("| ") for row in rows] == [*check_trajectories.RESPECTS, "all"]
+    assert sum(int(row[1]) for row in rows[:-1]) == int(rows[-1][1]) == 9  # every other one is spoilt
+    assert int(rows[-1][3]) >= 9
+    right = check_trajectories.judged
+
+    def lenient(case):
+        report, seconds = right(case)
+        return replace(report, faults=()), seconds
+
+    monkeypatch.setattr(check_trajectories, "judged", lenient)
+    assert check_trajectories.main(arguments) >= 9

@@ -23,7 +23,7 @@ from hypothesis import strategies as st
 import manipplan as mp
 from manipplan.cost.integral import PathIntegral
 from manipplan.jobs.archive import checksum
-from manipplan.jobs.check import Report
+from manipplan.jobs.reports.measure import measure_plan
 from manipplan.jobs.result import Plan
 from manipplan.jobs.stored import fingerprint
 from manipplan.optimize.result import make_result
@@ -71,7 +71,7 @@ def made_plan(robot, path, *, scene=None, task=None, measure=None, power=1.0, me
         path, objective, cost=cost, seed=seed, seed_cost=objective.cost(seed), model=model, clearance=0.0, status=status
     )
     trajectory = mp.retime(path, robot)
-    report = Report.of(trajectory, result, model, path.goal, clearance=0.0, torque=False, jerk=False)
+    report = measure_plan(trajectory, result, model, path.goal, clearance=0.0, torque=False, jerk=False)
     return Plan(
         robot=robot,
         scene=scene,
@@ -413,10 +413,10 @@ def test_a_broken_file_is_told(small_plan, tmp_path, change, message):
     ("change", "message"),
     [
         (lambda text: text.replace('"path":', '"paths":'), r"written by Plan.save, unchanged since \(KeyError: 'path'\)"),
-        (lambda text: text.replace('"passed": false', '"passed": "yes"'), "'yes' is not of type bool @ Report.passed"),
+        (lambda text: text.replace('"passed": false', '"passed": "yes"'), "'yes' is not of type bool @ PlanReport.passed"),
         (
             lambda text: text.replace('"goal_error": ', '"goal_error": "nought", "x": '),
-            "'nought' is not a number @ Report.goal_error",
+            "'nought' is not a number @ PlanReport.goal_error",
         ),
         (lambda text: text.replace('"power": 1.0', '"power": 1' + 400 * "0"), "int too large"),
         (lambda text: text.replace('"OPTIMAL"', '"PERFECT"'), "PERFECT"),

@@ -196,6 +196,76 @@ def test_improve_refuses_what_is_no_recording(arm_file, tmp_path, capsys):
     assert not (tmp_path / "out").exists()
 
 
+@pytest.fixture(scope="module")
+def motion_file(arm_file, tmp_path_factory):
+    """A motion of the planar arm from (0, 1.5, -2) to (1, 1, -1)."""
+    robot = mp.load_robot(arm_file)
+    file = tmp_path_factory.mktemp("motion") / "motion.csv"
+    mp.retime(mp.JointPath.line([0.0, 1.5, -2.0], [1.0, 1.0, -1.0]), robot).to_csv(file)
+    return str(file)
+
+
+def test_check_tells_by_its_exit_code_whether_a_motion_passes(arm_file, motion_file, tmp_path, capsys):
+    scene = tmp_path / "scene.yaml"
+    scene.write_text("obstacles:\n- {shape: sphere, radius: 0.2, position: [0.3, 2.4, 0.1], name: ball}\n")
+    arguments = ["check", motion_file, "--robot", arm_file, "--start", *START, "--goal", "1", "1", "-1"]
+    assert main(arguments) == 0
+    shown = capsys.readouterr().out
+    assert "acceleration limits: default" in shown and "all checks passed" in shown
+    assert main([*arguments, "--scene", str(scene), "--acceleration", "1", "--measure", "smallest_singular_value"]) == 1
+    shown = capsys.readouterr().out
+    assert "CHECK FAILED" in shown and "failed       acceleration: " in shown and " of l2_0 and ball at " in shown
+    assert main([*arguments, "--json"]) == 0
+    (tmp_path / "report.json").write_text(capsys.readouterr().out)
+    robot = mp.load_robot(arm_file)
+    same = mp.check(robot, motion_file, start=[0.0, 1.5, -2.0], goal=[1.0, 1.0, -1.0])
+    assert mp.Report.from_json(tmp_path / "report.json") == same
+
+
+def test_check_compares_the_tool_with_poses(six_file, seam, tmp_path, capsys):
+    robot, file = mp.load_robot(six_file), tmp_path / "motion.npz"
+    mp.follow(robot, mp.CartesianPath.from_csv(seam), positions=3, epsilon=0.8).trajectory.to_npz(file)
+    arguments = ["check", str(file), "--robot", six_file, "--path", seam]
+    assert main(arguments) == 0
+    assert "its poses are at most" in capsys.readouterr().out
+    assert main([*arguments, "--tolerance", "1e-9", "1e-9", "--pointing", "0", "0", "1"]) == 1
+    assert "tool: the tool leaves the path by" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"robot": ["no_such_arm"]}, "name: got 'no_such_arm'"),
+        ({"start": ["0", "1"]}, "start: got '0 1'; allowed: 3 numbers"),
+        ({"goal": ["home"]}, "goal: got 'home'"),
+        ({"clearance": ["-1"]}, "clearance: got -1.0"),
+        ({"scene": ["no_such_scene.yaml"]}, "scene: got 'no_such_scene.yaml'"),
+        ({"tolerance": ["0.1", "0.1"]}, "tolerance: got "),
+        ({"path": ["no_such_poses.csv"]}, "existing file"),
+        ({"measure": ["yoshi"]}, "did you mean yoshikawa"),
+        ({"jerk": ["0"]}, "jerk"),
+    ],
+)
+def test_wrong_input_to_check_is_one_line(arm_file, motion_file, capsys, changes, message):
+    options = {"robot": [arm_file], **changes}
+    assert main(["check", motion_file, *[word for key, values in options.items() for word in (f"--{key}", *values)]]) == 2
+    errors = [line for line in capsys.readouterr().err.splitlines() if not line.startswith("...")]
+    assert len(errors) == 1 and message in errors[0]
+
+
+def test_check_refuses_what_is_no_motion(arm_file, six_file, motion_file, tmp_path, capsys):
+    wrong = tmp_path / "wrong.csv"
+    wrong.write_text("time,q_j0,q_j1,q_j2\n0,0,0,0\n0,1,1,1\n")
+    for arguments, message in (
+        ([str(wrong), "--robot", arm_file], "row 3, time: 0"),
+        ([motion_file, "--robot", six_file], "j3, j4, j5 is missing"),
+        ([str(tmp_path / "none.csv"), "--robot", arm_file], "existing file"),
+        ([str(tmp_path / "none.xls"), "--robot", arm_file], "a trajectory file: .csv"),
+    ):
+        assert main(["check", *arguments]) == 2
+        assert message in capsys.readouterr().err
+
+
 def test_a_study_outside_its_sources_tells_where_they_are(tmp_path):
     """As for somebody who installed the package alone: `studies` is not on the path."""
     root = Path(mp.__file__).parents[1]

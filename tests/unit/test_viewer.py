@@ -87,7 +87,8 @@ def moved(plan, robot, start=None, scene=None):
     start = robot.neutral if start is None else np.asarray(start)
     path = mp.JointPath.line(start, robot.random_configuration(np.random.default_rng(1)) * 0.3 + start * 0.7)
     motion, result = mp.retime(path, robot), replace(plan.result, path=path, seed=path, task=robot.default_task)
-    return replace(plan, robot=robot, scene=scene or mp.Scene(), path=path, trajectory=motion, result=result)
+    report = replace(plan.report, digest=motion.digest)
+    return replace(plan, robot=robot, scene=scene or mp.Scene(), path=path, trajectory=motion, result=result, report=report)
 
 
 def picture(page):
@@ -594,11 +595,11 @@ def test_the_address_of_ipv6_is_one(plan):
 
 
 def test_a_motion_of_other_joints_is_told(plan):
-    other = moved(plan, mp.planar_arm([1.0, 1.0])).trajectory
+    other = moved(plan, mp.planar_arm([1.0, 1.0]))
     with pytest.raises(
         mp.InvalidInputError, match=r"plan.trajectory: got 'a motion of 2 joints'; allowed: one of the robot's 3"
     ):
-        replace(plan, trajectory=other).show(port=0, open_browser=False)
+        replace(other, robot=plan.robot).show(port=0, open_browser=False)
 
 
 def test_without_a_browser_the_address_is_told(plan, monkeypatch, caplog):

@@ -1,0 +1,79 @@
+"""`manipplan check`: judge a trajectory, whoever made it."""
+
+import json as json_module
+from pathlib import Path
+
+from rich.console import Console
+from tyro.conf import OmitArgPrefixes, Positional
+
+from manipplan.cli import terminal
+from manipplan.cli.arm import RobotOptions, configuration_of
+from manipplan.cost.objective import PathObjective
+from manipplan.jobs.check import check as check_job
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.tolerance import Tolerance
+from manipplan.support.json_data import json_ready
+from manipplan.symbolic.task import Task
+
+
+def check(
+    trajectory: Positional[Path],
+    /,
+    robot: str,
+    start: tuple[str, ...] = (),
+    goal: tuple[str, ...] = (),
+    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
+    jerk: tuple[float, ...] = (),
+    path: Path | None = None,
+    tolerance: tuple[float, float] | None = None,
+    pointing: tuple[float, float, float] | None = None,
+    clearance: float = 0.0,
+    torque: bool = False,
+    power: float = 1.0,
+    measure: str | None = None,
+    json: bool = False,
+) -> int:
+    """Judge a trajectory and print its report; the exit code is 0 if every check passed, and 1 if not.
+
+    Args:
+        trajectory: A trajectory file: .csv, .json, .yaml (ROS JointTrajectory) or .npz.
+        robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
+        start: Where the motion has to begin: one angle [rad] or length [m] per joint, or the name of a state in the SRDF.
+        goal: Where it has to end, as `start`.
+        options: Options of the robot and its scene.
+        jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint; inf: not checked.
+        path: CSV file of poses that the tool has to follow, with the columns x, y, z [m], qw, qx, qy, qz.
+        tolerance: Maximum distance of the tool from that path [m] [rad].
+        pointing: Tool axis about which the tool may turn.
+        clearance: Minimum distance to keep [m].
+        torque: Check the joints' effort limits as well.
+        power: Exponent of the manipulability in g.
+        measure: Name of the manipulability measure; default: Yoshikawa's.
+        json: Print the report as JSON.
+    """
+    with terminal.progress() as tell:
+        tell(0.0, "loading the robot")
+        arm, world = options.load(robot, jerk=jerk)
+        tell(0.3, "checking the motion")
+        report = check_job(
+            arm,
+            trajectory,
+            world,
+            start=configuration_of("start", start, arm) if start else None,
+            goal=configuration_of("goal", goal, arm) if goal else None,
+            path=CartesianPath.from_csv(path) if path is not None else None,
+            tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]) if tolerance is not None else None,
+            clearance=clearance,
+            objective=PathObjective(
+                task=Task.pointing(pointing) if pointing is not None else None, measure=measure, power=power
+            ),
+            torque=torque,
+        )
+        tell(1.0, "done")
+    console = Console()
+    if json:
+        terminal.show_line(console, json_module.dumps(json_ready(report), indent=1, allow_nan=False))
+    else:
+        terminal.show_assumptions(console, arm)
+        terminal.show_line(console, str(report))
+    return 0 if report.passed else 1

@@ -1,0 +1,211 @@
+"""Report: every figure of a finished trajectory, measured on the trajectory itself; PlanReport: what a plan adds."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from manipplan.paths.deviation import Deviation
+from manipplan.paths.tolerance import Tolerance
+from manipplan.support.checks import existing_file
+from manipplan.support.display import one_line
+from manipplan.support.errors import FileFormatError
+from manipplan.support.files import write_text
+from manipplan.support.json_data import from_json, json_ready
+from manipplan.support.status import RECORDED, Status
+from manipplan.timing.verify import LimitUse
+
+#: Manipulability below this is rounding noise.
+VANISHING = 1e-12
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True)
+class Report:
+    """Figures of a finished trajectory. Lengths are in radians or metres of joint space, times in seconds.
+
+    Attributes:
+        robot, tool, task, measure, measure_unit: the arm, the task and the measure of manipulability, with its unit.
+        power, floor: exponent and floor of g.
+        digest: `Trajectory.digest` of the motion that was measured.
+        duration: of the trajectory [s].
+        g: g of the objective along the trajectory.
+        length: in joint space.
+        min_manipulability, min_at: minimum manipulability along the trajectory, and the share of the duration at which it
+            occurs.
+        crossing_note: which singularities the trajectory meets, and whether that can be avoided; "" for none.
+        below_floor: time for which m is below the floor of g [s], to 1e-6 of the duration.
+        required_clearance: the clearance that was asked for [m].
+        clearance, nearest_pair: minimum distance [m] measured at evenly spaced times, and its pair; inf and () if nothing
+            is checked.
+        proven_clearance: lower bound on the distances of all checked pairs on the whole trajectory, at all times [m].
+        collision_free: whether the required clearance is proven on the whole trajectory or, where the proof does not decide,
+            kept at samples between which no joint moves more than 1e-3 rad or m.
+        limits: highest use of the limits of position, velocity, acceleration and, where they are checked, jerk and torque.
+        position_unit: "rad" or "m", of the joint that comes closest to a position limit.
+        start_error, goal_error: largest distance of the first sample from the start, and of the last one from the goal [rad or
+            m]; None where none was given.
+        deviation: largest distances of the tool from the workspace path, at shares of the duration; None without a path.
+        missed: largest distances of the poses of the workspace path from where the tool comes past, at s of the path. Its first
+            and last pose are compared with those of the motion.
+        tolerance: what was allowed of both; None without a path.
+        faults: one sentence for each check that did not pass.
+        passed: whether all checks passed: limits, collisions and, where they were given, start, goal and workspace path.
+    """
+
+    robot: str
+    tool: str
+    task: str
+    measure: str
+    measure_unit: str
+    power: float
+    digest: str
+    duration: float
+    g: float
+    length: float
+    min_manipulability: float
+    min_at: float
+    clearance: float
+    nearest_pair: tuple[str, ...]
+    proven_clearance: float
+    collision_free: bool
+    limits: Mapping[str, LimitUse]
+    position_unit: str
+    passed: bool
+    floor: float = 0.0
+    crossing_note: str = ""
+    below_floor: float = 0.0
+    required_clearance: float = 0.0
+    start_error: float | None = None
+    goal_error: float | None = None
+    deviation: Deviation | None = None
+    missed: Deviation | None = None
+    tolerance: Tolerance | None = None
+    faults: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        lines = [f"{self.robot}, tool {self.tool}, task {self.task}: {self._verdict()}"]
+        lines += [f"  failed       {fault}" for fault in self.faults]
+        lines += [
+            f"  duration     {self.duration:.3f} s",
+            f"  minimum m    {shown(self.min_manipulability)}{self._unit()} ({self.measure}), after "
+            f"{self.min_at * self.duration:.3f} s",
+            f"  g            {self.g:.5g}, exponent {self.power:g}",
+            f"  length       {self.length:.4g} rad",
+            *self._measured(),
+        ]
+        for name, error in (("start", self.start_error), ("goal", self.goal_error)):
+            if error is not None:
+                lines.append(f"  {name:<12} {error:.2g} rad or m away")
+        if self.deviation is not None:
+            lines.append(f"  tool         {self.deviation}")
+        if self.missed is not None:
+            lines.append(f"  path         its poses are {str(self.missed).replace('the path', 'the way of the tool')}")
+        return "\n".join(lines)
+
+    def _verdict(self) -> str:
+        """The verdict at the end of the first line."""
+        return "all checks passed" if self.passed else "CHECK FAILED"
+
+    def _unit(self) -> str:
+        """Unit of the measure behind a space; "" for none."""
+        return f" {self.measure_unit}" if self.measure_unit != "1" else ""
+
+    def _measured(self) -> list[str]:
+        """Lines on singularities, clearance and limits."""
+        lines = []
+        if self.crossing_note:
+            lines.append(f"  singularity  {self.crossing_note}")
+        if self.below_floor > 0:
+            lines.append(
+                f"               m is below {self.floor:.2g} for {1e3 * self.below_floor:.2g} ms: joint control is unaffected, "
+                "but a controller of the tool cannot correct errors in a lost direction"
+            )
+        if self.nearest_pair:
+            lines.append(
+                f"  clearance    {1e3 * self.clearance:.2f} mm between {' and '.join(self.nearest_pair)}; "
+                f"proven on the whole motion: {1e3 * self.proven_clearance:.2f} mm"
+            )
+        else:
+            lines.append(
+                "  clearance    nothing to check: no two bodies of the description can touch, and there is no obstacle"
+            )
+        for kind, use in self.limits.items():
+            if not use.joint:
+                continue
+            worst = f"{100 * use.ratio:.2f} %"
+            if kind == "position":
+                worst = (
+                    f"{use.ratio:.2e} {self.position_unit} outside"
+                    if use.ratio > 0
+                    else f"{abs(use.ratio):.3f} {self.position_unit} inside"
+                )
+            lines.append(f"  {kind:<12} {worst} of the limit, {use.joint} at {use.time:.2f} s")
+        return lines
+
+    def to_json(self, file: str | Path) -> None:
+        """Write all figures as JSON."""
+        write_text(file, json.dumps(json_ready(self), indent=1, allow_nan=False) + "\n")
+
+    @classmethod
+    def from_json(cls, file: str | Path) -> "Report":
+        """Read what `to_json` wrote, a PlanReport for that of a plan; raises FileFormatError for another file."""
+        path = existing_file("file", file)
+        try:
+            data = json.loads(path.read_text())
+            return from_json(data, PlanReport if "seed_g" in data else Report)
+        except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError, OSError) as error:
+            raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True)
+class PlanReport(Report):
+    """The report of a plan: that of its trajectory, with the attributes of Report, beside the seed and the straight line.
+
+    Attributes:
+        status: text of the Status.
+        seed_g, seed_length, seed_min_manipulability: figures of the seed; for `improve`, of the recorded motion.
+        straight_min_manipulability: minimum manipulability on the straight line from start to goal.
+        straight_free: whether that line is collision-free.
+        minimum_note: how the minimum manipulability compares with those two, and the reason if it is not twice both.
+    """
+
+    status: str
+    goal_error: float
+    seed_g: float
+    seed_length: float
+    seed_min_manipulability: float
+    straight_min_manipulability: float
+    minimum_note: str
+    straight_free: bool
+
+    def __str__(self) -> str:
+        first = first_path(self.status)
+        others = f"{first} {shown(self.seed_min_manipulability)}, straight {shown(self.straight_min_manipulability)}"
+        lines = [
+            f"{self.robot}, tool {self.tool}, task {self.task}: {self._verdict()}",
+            f"  status       {self.status}",
+            f"  duration     {self.duration:.3f} s",
+            f"  minimum m    {shown(self.min_manipulability)}{self._unit()} ({self.measure}; {others}"
+            f"{'' if self.straight_free else ', which collides'})",
+            f"               {self.minimum_note}",
+            f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
+            f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
+        ]
+        return "\n".join([*lines, *self._measured()])
+
+    def _verdict(self) -> str:
+        if self.passed and self.status == Status.SINGULAR.value:
+            return "limits, collisions and goal passed their checks, but the path is SINGULAR"
+        return super()._verdict()
+
+
+def shown(m: float) -> str:
+    """A manipulability in four digits; 0 for rounding noise."""
+    return f"{m:.4g}" if m >= VANISHING else "0"
+
+
+def first_path(status: str) -> str:
+    """Name of the path that the result is compared with."""
+    return "recorded" if status in {each.value for each in RECORDED} else "seed"
