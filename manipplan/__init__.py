@@ -21,6 +21,8 @@ from manipplan.cost.objective import PathObjective
 from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
 from manipplan.jobs.check import Report
 from manipplan.jobs.follow import follow
+from manipplan.jobs.goals.candidates import GoalCandidate
+from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.improve import improve
 from manipplan.jobs.other_goals import OtherGoal, other_goals
 from manipplan.jobs.plan import plan
@@ -107,6 +109,7 @@ __all__ = [
     "FileFormatError",
     "ForceTransmission",
     "FrobeniusNorm",
+    "GoalCandidate",
     "GuilamoResult",
     "InvalidInputError",
     "InverseCondition",
@@ -139,6 +142,7 @@ __all__ = [
     "Plane",
     "PlanningError",
     "PointCloud",
+    "PoseGoal",
     "Posture",
     "Problem",
     "Refinement",
