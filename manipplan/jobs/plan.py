@@ -115,7 +115,7 @@ def plan(
     minimum manipulability than the smaller one of start and candidate, so those with the largest bound are planned first, of
     equal bounds that of the smallest g on the straight line, and no more where no other bound is above what was reached; at
     most four paths. The path of the largest minimum manipulability is timed and, of two that differ by less than a share of
-    1e-4, that of the smaller g. With as many joints as task rows a candidate in another aspect than the start is planned only
+    1e-6, that of the smaller g. With as many joints as task rows a candidate in another aspect than the start is planned only
     if none in the same one is free or has a path. `candidates` of the plan tells what was left out, and why.
 
     The call takes at most `Seeding.time_limit` for each first path, 10 s by default, but for what is built once per machine,

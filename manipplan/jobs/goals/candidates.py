@@ -23,9 +23,11 @@ from manipplan.support.errors import InvalidInputError
 #: Number of places of the straight line at which m is evaluated.
 PLACES = 17
 #: Two minima of m count as equal when they differ by less than this share; then g decides.
-TIE = 1e-4
+TIE = 1e-6
 #: Number of the best solutions whose redundancy parameters are refined, and distance between them [rad or m].
 REFINED, APART = 6, 0.5
+#: Distance beyond the clearance that refined solutions keep, so that they are not pushed into contact [m].
+MARGIN = 1e-3
 #: What candidates say for which nothing else is known.
 FREE = "left out: its bound is too low"
 #: Number of pairs of bodies and of goals that an error names.
@@ -170,7 +172,7 @@ def _refined(
     enough = float(kinematics.manipulability(start[None])[0])
 
     def figure(q: Array) -> Array:
-        m = np.where(model.in_collision_rows(q, clearance=clearance), -np.inf, kinematics.manipulability(q))
+        m = np.where(model.in_collision_rows(q, clearance=clearance + MARGIN), -np.inf, kinematics.manipulability(q))
         return np.asarray(m)
 
     m = kinematics.manipulability(found.q)

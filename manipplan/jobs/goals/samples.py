@@ -21,7 +21,7 @@ INSIDE, ALL_INSIDE = 12, 120
 #: Share of the tolerance inside which they lie.
 SHARE = 0.9
 #: Number of times that the parameters of the best solutions are sampled more finely, and number of values on either side.
-ROUNDS, BESIDE = 4, 4
+ROUNDS, BESIDE = 10, 4
 #: Largest difference of a joint between a solution and a finer sample of it, in steps of the parameters, and at least [rad, m].
 FOLLOWS, LEAST_FOLLOWS = 6.0, 1e-3
 
