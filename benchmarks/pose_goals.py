@@ -171,7 +171,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     names = list(dict.fromkeys(pair.set for pair in of_pose))
     lines = [
         "| problems | number | solved: joint values, or nearest grasp | solved: pose, or set | minimum m at least as high "
-        "| its ratio: smallest | median | no motion has more than (median) | time ratio: median | 90 % | largest | median time |",
+        "| its ratio: smallest | median | at most possible | time ratio: median | 90 % | largest | median time |",
         "|---" * 12 + "|",
         *(line(name, [pair for pair in of_pose if pair.set == name]) for name in names),
         line("**all poses**", of_pose),

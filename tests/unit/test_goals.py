@@ -243,7 +243,7 @@ def chosen(candidates, results):
 def test_no_path_is_planned_that_cannot_win(planar):
     choice, tried = chosen(rows(0.1, 0.3, 0.2), {1: made(planar, 0.25)})
     assert tried == [1] and choice.goal_index == 1
-    assert "bound 0.2 is not above 0.25" in [each.status for each in choice.candidates if each.goal_index == 2][0]
+    assert "bound 0.2 is not above 0.25" in next(each.status for each in choice.candidates if each.goal_index == 2)
 
 
 def test_others_are_planned_where_they_can_be_better(planar):

@@ -8,13 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
-from manipplan.cost.crossings import least_crossings
+from manipplan.cost.crossings import least_crossings_to
 from manipplan.cost.integral import PathIntegral, speeds
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.reach import nearest
 from manipplan.jobs.goals.read import Target
 from manipplan.jobs.goals.samples import Reaching, reaching, refined
-from manipplan.kinematics.sides import sides_of
 from manipplan.paths.joint import SHORTEST
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
@@ -97,7 +96,7 @@ def find_candidates(
             goals.append(k)
     found = reaching(robot, poses, start)
     far = [k for k in poses if not (found.goals == k).any()]
-    for k, near in zip(far, nearest(robot, [poses[k] for k in far], start) if far else [], strict=True):
+    for k, near in zip(far, nearest(robot, [poses[k] for k in far], start), strict=True):
         if near.reached:
             rows.append(near.q)
             goals.append(k)
@@ -127,7 +126,7 @@ def measured(q: Array, goals: Sequence[int], start: Array, integral: PathIntegra
     with np.errstate(divide="ignore"):
         weights = 1.0 / np.hypot(m, integral.floor) ** integral.power
     g = speeds(q - start, integral.metric) * (weights[:, 1:] + weights[:, :-1]).mean(axis=1) / 2
-    needed = [least_crossings(kinematics, start, each) for each in q] if sides_of(kinematics) is not None else [None] * len(q)
+    needed = least_crossings_to(kinematics, start, q)
     bounds = np.where([bool(each) for each in needed], 0.0, np.minimum(m[:, 0], m[:, -1]))
     return [
         GoalCandidate(

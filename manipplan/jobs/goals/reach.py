@@ -12,8 +12,8 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.symbolic.task import Task
 
-#: Number of starts per pose, and of steps from each.
-STARTS, STEPS = 24, 60
+#: Smallest and largest number of starts per pose, and of all, and number of steps from each.
+STARTS, ALL_STARTS, STEPS = (8, 24), 600, 60
 #: Weight of an angle against a distance [m/rad].
 RADIAN = 0.1
 #: First damping of a step, its factors after a good and a bad step, and the largest change of a joint in one step [rad or m].
@@ -22,6 +22,8 @@ DAMPING, BETTER, WORSE, LONGEST = 1e-2, 1 / 3, 4.0, 0.5
 AT_LIMIT = 1e-6
 #: Distances below this count as reached [m, rad].
 REACHED = 1e-9
+#: Size of the miss at which no more steps are made.
+DONE = 1e-11
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -54,21 +56,29 @@ class Nearest:
 
 def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array) -> list[Nearest]:
     """The nearest configuration found to each goal, by damped steps inside the limits from `near` (n,) and random starts."""
+    if not goals:
+        return []
     kinematics = robot.kinematics(Task.pose(length=1.0), threads=1)
-    starts = np.vstack([near, robot.neutral, robot.random_configuration(np.random.default_rng(0), size=STARTS - 2)])
-    q, owners = np.tile(starts, (len(goals), 1)), np.repeat(np.arange(len(goals)), STARTS)
-    miss = _miss(kinematics, goals, owners, q)
-    damping = np.full(len(q), DAMPING)
+    count = int(np.clip(ALL_STARTS // len(goals), *STARTS))
+    starts = np.vstack([near, robot.neutral, robot.random_configuration(np.random.default_rng(0), size=count - 2)])
+    q, owners = np.tile(starts, (len(goals), 1)), np.repeat(np.arange(len(goals)), count)
+    missing = _Missing.of(kinematics, goals)
+    miss, damping, rows = missing(owners, q), np.full(len(q), DAMPING), np.arange(len(q))
     for _ in range(STEPS):
-        jacobian = kinematics.jacobian(q) * np.array([1.0] * 3 + [RADIAN] * 3)[:, None]
-        step = _step(jacobian, miss, damping)
-        stuck = ((q <= robot.limits.lower) & (step < 0)) | ((q >= robot.limits.upper) & (step > 0))
-        step = _step(jacobian * ~stuck[:, None, :], miss, damping)
-        moved = np.clip(q + step, robot.limits.lower, robot.limits.upper)
-        left = _miss(kinematics, goals, owners, moved)
-        good = (left**2).sum(axis=1) < (miss**2).sum(axis=1)
-        q, miss = np.where(good[:, None], moved, q), np.where(good[:, None], left, miss)
-        damping = np.clip(np.where(good, BETTER, WORSE) * damping, 1e-12, 1e6)
+        jacobian = kinematics.jacobian(q[rows]) * np.array([1.0] * 3 + [RADIAN] * 3)[:, None]
+        step = _step(jacobian, miss[rows], damping[rows])
+        # a joint at a limit that the step would take further does not move
+        stuck = ((q[rows] <= robot.limits.lower) & (step < 0)) | ((q[rows] >= robot.limits.upper) & (step > 0))
+        step = _step(jacobian * ~stuck[:, None, :], miss[rows], damping[rows])
+        moved = np.clip(q[rows] + step, robot.limits.lower, robot.limits.upper)
+        left = missing(owners[rows], moved)
+        good = (left**2).sum(axis=1) < (miss[rows] ** 2).sum(axis=1)
+        q[rows[good]], miss[rows[good]] = moved[good], left[good]
+        damping[rows] = np.clip(np.where(good, BETTER, WORSE) * damping[rows], 1e-12, 1e6)
+        reached = np.unique(owners[np.linalg.norm(miss, axis=1) <= DONE])
+        rows = np.flatnonzero(~np.isin(owners, reached))
+        if not len(rows):
+            break
     found = []
     for k, goal in enumerate(goals):
         rows = np.flatnonzero(owners == k)
@@ -86,31 +96,50 @@ def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array) -> list[Neares
     return found
 
 
-def _miss(kinematics: Kinematics, goals: Sequence[PoseGoal], owners: NDArray[np.intp], q: Array) -> Array:
-    """What is missing to the tolerance of each row's goal (k, 6): distances, and angles times RADIAN, in the world's axes."""
-    from scipy.spatial.transform import Rotation
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Missing:
+    """What is missing to the tolerances of g goals.
 
-    poses = kinematics.pose(q)
-    missing = np.empty((len(q), 6))
-    for k, goal in enumerate(goals):
-        rows = owners == k
-        missing[rows, :3] = _beyond(goal.matrix[:3, 3] - poses[rows, :3, 3], goal.allowed[0])
-        turned = poses[rows, :3, :3]
-        if goal.axis is None:
-            turn = Rotation.from_matrix(goal.matrix[:3, :3] @ np.swapaxes(turned, 1, 2)).as_rotvec()
-        else:
-            have, want = turned @ goal.axis, goal.matrix[:3, :3] @ goal.axis
-            across = np.cross(have, want)
-            sine = np.linalg.norm(across, axis=1)
-            turn = across / np.maximum(sine, 1e-12)[:, None] * np.arctan2(sine, have @ want)[:, None]
-        missing[rows, 3:] = RADIAN * _beyond(turn, goal.allowed[1])
-    return missing
+    Attributes:
+        kinematics: of the arm.
+        targets: (g, 4, 4) poses.
+        axes: (g, 3) free axes; zero where none is free.
+        allowed: (g, 2) tolerances [m, rad].
+    """
+
+    kinematics: Kinematics
+    targets: Array
+    axes: Array
+    allowed: Array
+
+    @classmethod
+    def of(cls, kinematics: Kinematics, goals: Sequence[PoseGoal]) -> "_Missing":
+        return cls(
+            kinematics=kinematics,
+            targets=np.array([each.matrix for each in goals]),
+            axes=np.array([np.zeros(3) if each.axis is None else each.axis for each in goals]),
+            allowed=np.array([each.allowed for each in goals]),
+        )
+
+    def __call__(self, owners: NDArray[np.intp], q: Array) -> Array:
+        """Distances, and angles times RADIAN, in the world's axes (k, 6), of q (k, n) to their goals (k,)."""
+        from scipy.spatial.transform import Rotation
+
+        poses, targets, axes = self.kinematics.pose(q), self.targets[owners], self.axes[owners]
+        turns = Rotation.from_matrix(targets[:, :3, :3] @ np.swapaxes(poses[:, :3, :3], 1, 2)).as_rotvec()
+        have, want = (np.einsum("kij,kj->ki", each[:, :3, :3], axes) for each in (poses, targets))
+        across = np.cross(have, want)
+        sine = np.linalg.norm(across, axis=1)
+        leans = across / np.maximum(sine, 1e-12)[:, None] * np.arctan2(sine, (have * want).sum(axis=1))[:, None]
+        free = (np.abs(axes).max(axis=1) > 0)[:, None]
+        position = _beyond(targets[:, :3, 3] - poses[:, :3, 3], self.allowed[owners, 0])
+        return np.hstack([position, RADIAN * _beyond(np.where(free, leans, turns), self.allowed[owners, 1])])
 
 
-def _beyond(vectors: Array, most: float) -> Array:
-    """Vectors (k, 3) shortened by `most`."""
-    length = np.linalg.norm(vectors, axis=1, keepdims=True)
-    return np.asarray(vectors * np.maximum(1 - most / np.maximum(length, 1e-300), 0.0))
+def _beyond(vectors: Array, most: Array) -> Array:
+    """Vectors (k, 3) shortened by lengths (k,)."""
+    length = np.linalg.norm(vectors, axis=1)
+    return np.asarray(vectors * np.maximum(1 - most / np.maximum(length, 1e-300), 0.0)[:, None])
 
 
 def _step(jacobian: Array, miss: Array, damping: Array) -> Array:

@@ -12,16 +12,20 @@ from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
-#: Number of samples of redundancy parameters and free angles for all goals together, with a closed form and without; and the
-#: smallest and the largest number of one parameter for each pose.
+#: Number of samples of redundancy parameters and free angles for all goals together, with a closed form and without; the
+#: smallest number of one of one, two, and more parameters of each pose, and the largest number.
 SAMPLES, SEARCHED = 512, 16
-FEWEST, MOST = 4, 64
+FEWEST, MOST = (16, 6, 4), 64
+#: The same smallest number without a closed form.
+FEWEST_SEARCHED = 3
 #: Number of poses inside the tolerance of one goal, and of all goals together.
 INSIDE, ALL_INSIDE = 12, 120
 #: Share of the tolerance inside which they lie.
 SHARE = 0.9
 #: Number of times that the parameters of the best solutions are sampled more finely, and number of values on either side.
 ROUNDS, BESIDE = 10, 4
+#: Solutions whose figure is below this share of the best one are not refined further.
+PROMISING = 0.8
 #: Largest difference of a joint between a solution and a finer sample of it, in steps of the parameters, and at least [rad, m].
 FOLLOWS, LEAST_FOLLOWS = 6.0, 1e-3
 
@@ -74,8 +78,10 @@ def reaching(robot: Robot, goals: dict[int, PoseGoal], near: Array) -> Reaching:
         targets = [poses_inside(goals[k], inside) for k in members]
         poses, owners = np.concatenate(targets), np.repeat(members, [len(each) for each in targets])
         names = len(solver.names)
-        most = SAMPLES if solver.form is not None else SEARCHED
-        count = int(np.clip((most / total) ** (1 / max(names, 1)), FEWEST, MOST))
+        most, fewest = SEARCHED, FEWEST_SEARCHED
+        if solver.form is not None:
+            most, fewest = SAMPLES, FEWEST[min(max(names, 1), len(FEWEST)) - 1]
+        count = int(np.clip((most / total) ** (1 / max(names, 1)), fewest, MOST))
         values = solver.grid(count, (count,))
         widths = np.ptp(values, axis=0) / max(count - 1, 1) if names else np.zeros(0)
         samples, sources = np.tile(values, (len(poses), 1)), np.repeat(np.arange(len(poses)), len(values))
@@ -108,33 +114,35 @@ def refined(
         figure: of configurations (k, n), (k,); -inf where one is not free.
         enough: a figure that need not be raised.
     """
-    made, rows = [], []
-    for k in range(len(best.q)):
-        solver, widths = best.families[best.solvers[k]]
+    q, rows = best.q.copy(), []
+    top = figure(q)
+    for family, (solver, widths) in enumerate(best.families):
         if solver.form is None or not len(widths):
             continue
-        q, value, top = best.q[k], best.values[k], float(figure(best.q[k : k + 1])[0])
-        step = widths
+        active, step = np.flatnonzero(best.solvers == family), widths
+        values = dict(zip(active.tolist(), (best.values[k] for k in active), strict=True))
+        shares = np.arange(-BESIDE, BESIDE + 1) / (BESIDE + 1)
         for _ in range(ROUNDS):
-            if top >= enough:
+            active = active[(top[active] < enough) & (top[active] >= PROMISING * top.max())]
+            if not len(active):
                 break
-            shares = np.arange(-BESIDE, BESIDE + 1) / (BESIDE + 1)
             offsets = np.concatenate([np.outer(shares[shares != 0], each) for each in np.diag(step)])
-            samples = value + offsets
-            solved = solver.solve(best.poses[k : k + 1], np.zeros(len(samples), dtype=np.int64), samples)
-            others = nearest_turns(robot, solved.q, near)
-            follows = np.abs(others - q).max(axis=1) <= max(FOLLOWS * float(step.max()), LEAST_FOLLOWS)
-            others, source = others[follows], solved.source[follows]
-            if len(others):
-                figures = figure(others)
-                first = int(figures.argmax())
-                if figures[first] > top:
-                    q, value, top = others[first], samples[source[first]], float(figures[first])
+            samples = np.concatenate([values[k] + offsets for k in active.tolist()])
+            owners = np.repeat(active, len(offsets))
+            solved = solver.solve(best.poses, owners, samples)
+            others, of = nearest_turns(robot, solved.q, near), owners[solved.source]
+            follows = np.abs(others - q[of]).max(axis=1) <= max(FOLLOWS * float(step.max()), LEAST_FOLLOWS)
+            others, of, source = others[follows], of[follows], solved.source[follows]
+            figures = figure(others) if len(others) else np.zeros(0)
+            for k in active.tolist():
+                mine = np.flatnonzero(of == k)
+                first = mine[figures[mine].argmax()] if len(mine) else -1
+                if first >= 0 and figures[first] > top[k]:
+                    q[k], top[k], values[k] = others[first], figures[first], samples[source[first]]
+                    rows.append(k)
             step = step / BESIDE
-        if q is not best.q[k] and not np.array_equal(q, best.q[k]):
-            made.append(q)
-            rows.append(k)
-    return np.array(made).reshape(-1, robot.n), np.array(rows, dtype=np.int64)
+    better = np.unique(np.array(rows, dtype=np.int64))
+    return q[better], better
 
 
 def poses_inside(goal: PoseGoal, count: int) -> Array:
