@@ -14,7 +14,7 @@ from manipplan.support.progress import Progress, part
 #: Maximum number of paths that are planned, and of candidates to which one is tried.
 PATHS, TRIES = 4, 8
 #: Share of the remaining time that one candidate gets while there are others.
-SHARE = 0.5
+SHARE = 0.75
 
 #: Plans a path to a configuration (n,) within a time [s]: the result, or why there is none.
 Planner = Callable[[Array, float, Progress], PathResult | str]
@@ -44,8 +44,8 @@ def choose(candidates: Sequence[GoalCandidate], planner: Planner, seconds: float
     """The motion of the largest minimum manipulability and, of those that tie, of the smallest g.
 
     Candidates are tried in their order. After the first path only those are tried whose bound is above its minimum
-    manipulability: first the one nearest to it, then the others, at most PATHS paths in all. Each candidate gets half of the
-    time that is left, the last one all of it, and one alone `seconds`.
+    manipulability: first the one nearest to it, then the others, at most PATHS paths in all. Each candidate gets SHARE of
+    the time that is left, the last one all of it, and one alone `seconds`.
     """
     search = _Search(rows=list(candidates), tried=[], paths={})
     if len(candidates) == 1:
