@@ -267,6 +267,19 @@ def test_only_a_few_paths_are_planned(planar):
     assert len(tried) == PATHS
 
 
+def test_candidates_share_the_time(planar):
+    given = []
+
+    def planner(q, seconds, tell):
+        given.append(seconds)
+        return made(planar, 0.1)
+
+    choose(rows(0.9, 0.91, 0.92, 0.93, 0.94), planner, 10.0, Deadline.within(10.0), lambda share, text: None)
+    assert len(given) == PATHS
+    assert all(0 < each <= 0.76 * 10.0 for each in given[:-1])
+    assert given == sorted(given, reverse=True) or given[-1] > given[-2]  # the last one gets what is left
+
+
 def test_of_equal_minima_the_smaller_g_is_taken(planar):
     results = {0: made(planar, 0.1, g=5.0), 1: made(planar, 0.1, g=4.0)}
     choice, tried = chosen(rows(0.2, 0.21), results)
@@ -290,7 +303,7 @@ def test_the_distance_out_of_reach_is_that_beyond_the_arm(planar):
     found = nearest(planar, [PoseGoal(goal)], planar.neutral)[0]
     assert found.position == pytest.approx(0.4, abs=1e-3) and found.rotation < 1e-2
     within = nearest(planar, [PoseGoal(goal, tolerance=mp.Tolerance(position=0.5, rotation=0.1))], planar.neutral)[0]
-    assert within.reached
+    assert len(within.reaching) and not len(found.reaching)
 
 
 def test_joints_that_stop_a_pose_are_named(planar):
@@ -305,8 +318,47 @@ def test_joints_that_stop_a_pose_are_named(planar):
 def test_colliding_candidates_are_counted(panda):
     with pytest.raises(mp.InvalidInputError, match=r"of \d+ configurations, \d+ x panda_link\d_0 collides with post"):
         mp.plan(panda, panda.neutral, tool_of(panda, THROUGH), POST)
-    with pytest.raises(mp.InvalidInputError, match=r"1 x panda_joint1 is 6\.1 outside its limits; 1 x .* collides with post"):
+    with pytest.raises(
+        mp.InvalidInputError, match=r"1 x panda_joint1 is 6\.1 rad outside its limits; 1 x .* collides with post"
+    ):
         mp.plan(panda, panda.neutral, [THROUGH, [9.0, 0, 0, -2, 0, 2, 0]], POST)
+
+
+def test_solutions_outside_the_limits_are_told(ur5):
+    goal = tool_of(ur5, UR5_START + [0.6, 0.3, -0.3, 0.2, 0.3, 0.5])
+    tight = ur5.with_limits(lower=UR5_START - 1.0, upper=UR5_START + 1.0)
+    plan = mp.plan(tight, UR5_START, goal)
+    np.testing.assert_allclose(tool_of(ur5, plan.trajectory.q[-1]), goal, atol=1e-6)
+    outside = [each for each in plan.candidates if "rad outside its limits" in each.status]
+    assert len(outside) + sum(each.is_free for each in plan.candidates) == len(mp.inverse_kinematics(ur5, goal, turns=False))
+    assert outside
+    for each in outside:
+        np.testing.assert_allclose(tool_of(ur5, each.q), goal, atol=1e-6)
+        joint = each.status.split()[2]
+        assert tight.limits.outside(each.q)[tight.joint_names.index(joint)] > 0
+
+
+def test_two_links_reach_a_pose_or_a_place():
+    two = mp.planar_arm([1.0, 0.5])
+    goal = tool_of(two, [0.4, 0.9])
+    plan = mp.plan(two, [0.1, 0.5], goal)
+    np.testing.assert_allclose(tool_of(two, plan.trajectory.q[-1]), goal, atol=1e-6)
+    free = mp.plan(two, [0.1, 0.5], mp.PoseGoal(goal, free_axis=[0, 0, -1]))
+    assert {round(each.q[1], 6) for each in free.candidates} == {0.9, -0.9}
+
+
+def test_five_joints_point_and_use_a_tolerance():
+    arm = mp.load_robot("so100")
+    q = arm.neutral + [0.3, 0.2, -0.2, 0.3, 0.4]
+    goal = arm.kinematics().pose(q).copy()
+    goal[:3, :3] = goal[:3, :3] @ Rotation.from_rotvec([0.0, 0.0, 0.3]).as_matrix()
+    for free in (
+        mp.PoseGoal(goal, free_axis=[0, 0, 1]),
+        mp.PoseGoal(goal, tolerance=mp.Tolerance(position=0.01, rotation=0.35)),
+    ):
+        plan = mp.plan(arm, arm.neutral, free)
+        off, turned = (float(each[0]) for each in free.distances(arm.kinematics().pose(plan.trajectory.q[-1:])))
+        assert off <= free.allowed[0] + 1e-6 and turned <= free.allowed[1] + 1e-6
 
 
 def test_the_start_itself_is_no_goal_of_a_list(panda):

@@ -13,8 +13,9 @@ from manipplan.cost.integral import PathIntegral, speeds
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.reach import nearest
 from manipplan.jobs.goals.read import Target
-from manipplan.jobs.goals.samples import Reaching, reaching, refined
+from manipplan.jobs.goals.samples import Reaching, beyond_limits, nearest_turns, reaching, refined
 from manipplan.paths.joint import SHORTEST
+from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
@@ -88,19 +89,18 @@ def find_candidates(
     for k, q in given.items():
         outside = robot.limits.outside(q)
         if (outside > 0).any():
-            joint = int(outside.argmax())
-            reason = f"left out: {robot.joint_names[joint]} is {outside[joint]:.3g} outside its limits"
-            useless.append(GoalCandidate(goal_index=k, q=q, status=reason))
+            useless.append(_outside(k, q, robot))
         else:
             rows.append(q)
             goals.append(k)
-    found = reaching(robot, poses, start)
+    solved = {k: pose for k, pose in poses.items() if not _needs_steps(robot, pose)}
+    found = reaching(robot, solved, start)
+    useless += [_outside(k, q, robot) for k, q in beyond_limits(robot, solved)]
     far = [k for k in poses if not (found.goals == k).any()]
     for k, near in zip(far, nearest(robot, [poses[k] for k in far], start), strict=True):
-        if near.reached:
-            rows.append(near.q)
-            goals.append(k)
-        else:
+        rows += list(nearest_turns(robot, near.reaching, start))
+        goals += [k] * len(near.reaching)
+        if not len(near.reaching):
             useless.append(GoalCandidate(goal_index=k, q=near.q, status=f"left out: {near}"))
     every = np.concatenate([np.array(rows).reshape(-1, robot.n), found.q])
     index = np.concatenate([np.array(goals, dtype=np.int64), found.goals])
@@ -159,6 +159,20 @@ def ordered(free: Sequence[GoalCandidate]) -> list[GoalCandidate]:
 
 def _ties(first: GoalCandidate, other: GoalCandidate) -> bool:
     return (first.least_crossings or 0) == (other.least_crossings or 0) and other.bound >= first.bound * (1 - TIE)
+
+
+def _needs_steps(robot: Robot, goal: PoseGoal) -> bool:
+    """Whether samples of what is free about a goal are out of reach, as the arm has too few joints to reach every pose."""
+    return robot.n < (3 if robot.planar else 6) and (goal.axis is not None or goal.tolerance is not None)
+
+
+def _outside(goal: int, q: Array, robot: Robot) -> GoalCandidate:
+    """The candidate of a configuration (n,) outside the limits."""
+    outside = robot.limits.outside(q)
+    joint = int(outside.argmax())
+    unit = "m" if robot.joint_types[joint] == "prismatic" else "rad"
+    reason = f"left out: {robot.joint_names[joint]} is {outside[joint]:.3g} {unit} outside its limits"
+    return GoalCandidate(goal_index=goal, q=_frozen(q), status=reason)
 
 
 def _refined(

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.ik.distinct import distinct
+from manipplan.ik.enumeration import Enumeration
 from manipplan.ik.solver import Solver
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.robots.robot import Robot
@@ -103,6 +104,23 @@ def reaching(robot: Robot, goals: dict[int, PoseGoal], near: Array) -> Reaching:
     )
 
 
+def beyond_limits(robot: Robot, goals: dict[int, PoseGoal]) -> list[tuple[int, Array]]:
+    """Solutions (n,) outside the limits, with the index of their goal, of arms that have few: those without a parameter."""
+    found: list[tuple[int, Array]] = []
+    free = np.full(robot.n, np.inf)
+    for k, goal in goals.items():
+        solver = Solver.of(robot, task=goal.task(robot), held=None, method="auto", seed=0)
+        if solver.form is None or solver.names:
+            continue
+        every = Enumeration(solver.form, -free, free, None)
+        blocks = list(every(goal.matrix[None], np.zeros(1, dtype=np.int64), np.zeros((1, 0))))
+        q = np.concatenate([each[0] for each in blocks])
+        low, high = robot.limits.lower, robot.limits.upper
+        q = nearest_turns(robot, q, np.where(np.isfinite(low), (low + high) / 2, 0.0), kept=False)
+        found += [(k, each) for each in q if (robot.limits.outside(each) > 0).any()]
+    return found
+
+
 def refined(
     robot: Robot, best: Reaching, near: Array, figure: Callable[[Array], Array], enough: float
 ) -> tuple[Array, NDArray[np.int64]]:
@@ -160,9 +178,12 @@ def poses_inside(goal: PoseGoal, count: int) -> Array:
     return poses
 
 
-def nearest_turns(robot: Robot, q: Array, near: Array) -> Array:
-    """Configurations (k, n) with each revolute joint turned to the nearest to `near` (n,) that its limits allow."""
+def nearest_turns(robot: Robot, q: Array, near: Array, *, kept: bool = True) -> Array:
+    """Configurations (k, n) with each revolute joint turned to the nearest to `near` (n,), with `kept` inside its limits."""
     turn = np.where([kind != "prismatic" for kind in robot.joint_types], 2 * np.pi, np.inf)
+    if not kept:
+        turns = np.round((near - q) / turn)
+        return q + np.where(np.isinf(turn), 0.0, turn) * turns
     most = np.floor((robot.limits.upper - q) / turn)
     least = np.ceil((robot.limits.lower - q) / turn)
     turns = np.clip(np.round((near - q) / turn), np.minimum(least, 0.0), np.maximum(most, 0.0))
