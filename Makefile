@@ -90,6 +90,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/plan_many.py
 	$(BIN)/python benchmarks/time_limits.py
 	$(BIN)/python benchmarks/check_trajectories.py
+	$(BIN)/python benchmarks/pose_goals.py
 	$(BIN)/python benchmarks/seeds.py
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py

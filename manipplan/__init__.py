@@ -22,6 +22,8 @@ from manipplan.cost.objective import PathObjective
 from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
 from manipplan.jobs.check import check
 from manipplan.jobs.follow import follow
+from manipplan.jobs.goals.candidates import GoalCandidate
+from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.improve import improve
 from manipplan.jobs.other_goals import OtherGoal, other_goals
 from manipplan.jobs.plan import plan
@@ -109,6 +111,7 @@ __all__ = [
     "FileFormatError",
     "ForceTransmission",
     "FrobeniusNorm",
+    "GoalCandidate",
     "GuilamoResult",
     "InvalidInputError",
     "InverseCondition",
@@ -142,6 +145,7 @@ __all__ = [
     "Plane",
     "PlanningError",
     "PointCloud",
+    "PoseGoal",
     "Posture",
     "Problem",
     "Refinement",

@@ -1,5 +1,6 @@
 """`manipplan plan`: plan a motion from start to goal among obstacles."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -8,11 +9,15 @@ from tyro.conf import OmitArgPrefixes, Positional
 from manipplan.cli import terminal
 from manipplan.cli.arm import RobotOptions, configuration_of
 from manipplan.cost.objective import PathObjective
+from manipplan.jobs.goals.goal_file import goals_from_yaml, pose_of_numbers
+from manipplan.jobs.goals.pose_goal import Goal
 from manipplan.jobs.other_goals import other_goals as find_other_goals
 from manipplan.jobs.plan import plan as plan_job
 from manipplan.paths.basis import PathShape
+from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import whole_number
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import place_for
 from manipplan.support.progress import part
 
@@ -24,7 +29,9 @@ def plan(
     robot: Positional[str],
     /,
     start: tuple[str, ...],
-    goal: tuple[str, ...],
+    goal: tuple[str, ...] = (),
+    goal_pose: tuple[float, ...] = (),
+    goals: Path | None = None,
     out: Path = Path("plan"),
     options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
     jerk: tuple[float, ...] = (),
@@ -45,7 +52,10 @@ def plan(
         options: Options of the robot and its scene.
         robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         start: One angle [rad] or length [m] per joint, or the name of a state in the robot's SRDF.
-        goal: As `start`.
+        goal: As `start`. Give one of goal, goal-pose and goals.
+        goal_pose: Pose of the tool in the world: x y z [m], then roll pitch yaw [rad] or a quaternion x y z w.
+        goals: YAML file with a list of goals under the key goals, of which the one with the best motion is chosen: each a
+            position [m] and rotation (roll pitch yaw [rad] or quaternion x y z w), a q, or a state.
         out: Folder for the files that are written.
         jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint.
         power: Exponent of the manipulability in the objective.
@@ -63,13 +73,15 @@ def plan(
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
         arm, world = options.load(robot, jerk=jerk)
-        ends = configuration_of("start", start, arm), configuration_of("goal", goal, arm)
+        begin = configuration_of("start", start, arm)
+        end = _goal(arm, goal, goal_pose, goals)
         objective = PathObjective(power=power, measure=measure)
         most = whole_number("other_goals", other_goals, least=0)
         shape = PathShape(degree=degree)
         made = plan_job(
             arm,
-            *ends,
+            begin,
+            end,
             world,
             objective=objective,
             shape=shape,
@@ -84,7 +96,8 @@ def plan(
         if most:
             others = find_other_goals(
                 arm,
-                *ends,
+                begin,
+                made.path.goal,
                 world,
                 objective=objective,
                 shape=shape,
@@ -94,4 +107,15 @@ def plan(
                 progress=part(tell, 0.6, 1.0),
             )
             lines = ["other configurations of the goal's pose", *(f"  {each}" for each in others)] if others else [NO_OTHER]
-    return terminal.show_plan(made, files, *lines)
+    chosen = [f"goal {made.goal_index} of {goals} was chosen"] if goals is not None else []
+    return terminal.show_plan(made, files, *chosen, *lines)
+
+
+def _goal(arm: Robot, words: Sequence[str], pose: Sequence[float], file: Path | None) -> Goal:
+    """The goal from the one option that gives it."""
+    given = sum(map(bool, (words, pose, file is not None)))
+    if given != 1:
+        raise InvalidInputError("goal", f"{given} of --goal, --goal-pose and --goals", "exactly one of them")
+    if file is not None:
+        return goals_from_yaml(file, arm)
+    return pose_of_numbers("goal_pose", pose) if pose else configuration_of("goal", words, arm)

@@ -168,9 +168,7 @@ class DistanceSearch:
                 break
             self._look = self._with_room(2 * look.room, len(known))
         found = self._found[:count].copy()
-        return Look(
-            distances=found["distance"], s=found["s"], pairs=found["pair"], is_bottom=found["is_bottom"].astype(bool)
-        )
+        return Look(distances=found["distance"], s=found["s"], pairs=found["pair"], is_bottom=found["is_bottom"].astype(bool))
 
     def _answer(self, curve: Curve) -> None:
         """Put distances in place of those that the kernel cannot tell."""

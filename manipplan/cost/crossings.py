@@ -123,18 +123,30 @@ def least_crossings(kinematics: Kinematics, start: Array, goal: Array) -> int | 
     at least once if it has different signs at start and goal. Where the factors are not known, det J counts as the only one.
     A factor that vanishes at start or goal has no sign there, so the path may leave to either side.
     """
+    return least_crossings_to(kinematics, start, goal[None])[0]
+
+
+def least_crossings_to(kinematics: Kinematics, start: Array, goals: Array) -> list[int] | list[None]:
+    """The same for paths from one configuration (n,) to several (k, n)."""
     sides = sides_of(kinematics)
     if sides is None:
-        return None
-    count = 0
+        return [None] * len(goals)
+    counts = np.zeros(len(goals), dtype=np.int64)
     for k, joint in enumerate(sides.joints):
-        q = np.array([start, goal])
-        if joint is not None:
-            q = np.tile(start, (2 + int(abs(goal[joint] - start[joint]) / COARSE_STEP), 1))
-            q[:, joint] = np.linspace(start[joint], goal[joint], len(q))
+        if joint is None:
+            q, owners = np.vstack([np.tile(start, (len(goals), 1)), goals]), np.tile(np.arange(len(goals)), 2)
+        else:
+            steps = 1 + (np.abs(goals[:, joint] - start[joint]) / COARSE_STEP).astype(np.int64)
+            owners = np.repeat(np.arange(len(goals)), steps + 1)
+            within = np.arange(len(owners)) - np.repeat(np.cumsum(steps + 1) - (steps + 1), steps + 1)
+            q = np.tile(start, (len(owners), 1))
+            q[:, joint] += within / steps[owners] * (goals[owners, joint] - start[joint])
         values = sides.values(q)[:, k]
-        count += len(_changes(values[np.abs(values) >= sides.zero[k]]))
-    return count
+        clear = np.flatnonzero(np.abs(values) >= sides.zero[k])
+        clear = clear[np.argsort(owners[clear], kind="stable")]
+        changed = (owners[clear[1:]] == owners[clear[:-1]]) & ((values[clear[1:]] >= 0) != (values[clear[:-1]] >= 0))
+        counts += np.bincount(owners[clear[1:]][changed], minlength=len(goals))
+    return [int(each) for each in counts]
 
 
 def is_beside_singular_end(path: JointPath, kinematics: Kinematics, s: float) -> bool:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathCost
+from manipplan.jobs.goals.candidates import GoalCandidate
 from manipplan.jobs.reports.report import PlanReport
 from manipplan.jobs.stored import robot_data, robot_of, scene_data, scene_of
 from manipplan.measures.measure import Measure
@@ -67,6 +68,8 @@ def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None) -
         "tolerance": plan.tolerance,
         "refinement": plan.refinement,
         "deviation": plan.deviation,
+        "goal_index": plan.goal_index,
+        "candidates": plan.candidates,
     }
     for part in ("robot", "scene", "measure", "workspace_path"):
         lost = data.get(part)
@@ -127,6 +130,8 @@ def plan_of(
             "tolerance": _maybe(data["tolerance"], lambda each: from_json(each, Tolerance)),
             "refinement": _maybe(data["refinement"], lambda each: from_json(each, Refinement)),
             "deviation": _maybe(data["deviation"], lambda each: from_json(each, Deviation)),
+            "goal_index": int(data.get("goal_index", 0)),  # older files have none
+            "candidates": tuple(from_json(each, GoalCandidate) for each in data.get("candidates", ())),
         }
         complete = all(parts[name] is not None for name in ("path", "trajectory", "report", "result"))
         return Plan(**parts) if complete else PartialPlan(**parts)

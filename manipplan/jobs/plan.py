@@ -9,16 +9,20 @@ from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.result import PartialPlan, Plan, failed, finish
-from manipplan.optimize.optimize import optimize_from, optimize_path
+from manipplan.jobs.goals.candidates import find_candidates, measured
+from manipplan.jobs.goals.choice import choose
+from manipplan.jobs.goals.pose_goal import Goal
+from manipplan.jobs.goals.read import named_configuration, read_goals
+from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
+from manipplan.optimize.optimize import check_options, optimize_from, optimize_path
 from manipplan.optimize.result import PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
-from manipplan.support.checks import instance
+from manipplan.support.checks import Array, instance, number
 from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.deadline import Deadline
-from manipplan.support.errors import PlanningError
+from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, part, teller
@@ -29,6 +33,8 @@ from manipplan.timing.retime import check_timing_limits, retime
 MORE_DEGREES, SPLINE_PIECES = 3, 8
 #: Share of the time limit, and at least so much, that is kept for timing and checking the motion [s].
 RESERVE, LEAST_RESERVE = 0.05, 0.05
+#: Shortest time for a path, where hardly any is left [s].
+SHORTEST_TIME = 1e-3
 #: C sources of this job that are compiled while it prepares collision shapes and generates code, at the first call ever.
 SOURCES = (
     *(
@@ -46,8 +52,8 @@ SOURCES = (
 @overload
 def plan(
     robot: Robot,
-    start: ArrayLike,
-    goal: ArrayLike,
+    start: ArrayLike | str,
+    goal: Goal,
     scene: Scene | None = ...,
     *,
     objective: PathObjective = ...,
@@ -64,8 +70,8 @@ def plan(
 @overload
 def plan(
     robot: Robot,
-    start: ArrayLike,
-    goal: ArrayLike,
+    start: ArrayLike | str,
+    goal: Goal,
     scene: Scene | None = ...,
     *,
     objective: PathObjective = ...,
@@ -83,8 +89,8 @@ def plan(
 @one_thread()
 def plan(
     robot: Robot,
-    start: ArrayLike,
-    goal: ArrayLike,
+    start: ArrayLike | str,
+    goal: Goal,
     scene: Scene | None = None,
     *,
     objective: PathObjective = PathObjective(),
@@ -103,16 +109,27 @@ def plan(
     a cubic B-spline of eight pieces, which starts from the fit to the first path. If that fails too, the first path itself is
     timed, and the status says so. A path that is checked but not at its optimum is timed with Status.STOPPED_EARLY.
 
+    A pose is reached by many configurations, and a list holds several goals. All solutions of inverse kinematics inside the
+    limits are candidates: at samples of the redundancy parameters, of the angle about a free axis and of the inside of a
+    tolerance; of full turns the nearest to the start. Those in collision are left out. No motion to a candidate has a larger
+    minimum manipulability than the smaller one of start and candidate, so those with the largest bound are planned first, of
+    equal bounds that of the smallest g on the straight line, and no more where no other bound is above what was reached; at
+    most four paths. The path of the largest minimum manipulability is timed and, of two that differ by less than a share of
+    1e-6, that of the smaller g. With as many joints as task rows a candidate in another aspect than the start is planned only
+    if none in the same one is free or has a path. `candidates` of the plan tells what was left out, and why.
+
     The call takes at most `Seeding.time_limit` for each first path, 10 s by default, but for what is built once per machine,
-    robot or scene. What was found by then is timed.
+    robot or scene. The candidates share it. What was found by then is timed.
 
     Args:
         robot: the arm.
-        start, goal: (n,) inside the limits and collision-free [rad or m].
+        start: (n,) inside the limits and collision-free [rad or m], or the name of one of `robot.states`.
+        goal: as `start`; or a pose of the tool in the world, (4, 4) or pin.SE3; or a `PoseGoal`, with a free axis or a
+            tolerance; or a list of these, such as a set of grasps.
         scene: obstacles; None: none. The arm is always checked against itself.
         objective: power, task, measure, metric and floor of g = ∫ ‖q'‖_W / (m² + floor²)^(power/2) ds.
         shape: degree, basis, pieces and end derivatives of the path.
-        seeding: how first paths are found, or a given one.
+        seeding: how first paths are found, or a given one, for a goal that is one configuration.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         torque: keep the joints' effort limits as well.
         executor: runs first paths and solves in parallel. Default: one after the other, in this process.
@@ -120,37 +137,62 @@ def plan(
         progress: called with the fraction done in [0, 1] and a text.
 
     Raises:
-        InvalidInputError: an argument is invalid (also with throw=False).
+        InvalidInputError: an argument is invalid (also with throw=False): of a list, the message names the entry. No goal can
+            be reached inside the limits and collision-free: the message says how far a pose is out of reach, or what collides.
+        UnknownNameError: no state has that name; the nearest names are listed.
         PlanningError: no collision-free path, or no motion within the limits; its `result` is the Plan so far.
     """
     instance("robot", robot, Robot)
-    limit = instance("seeding", seeding, Seeding).time_limit
+    check_options(objective, shape, seeding)
+    limit = seeding.time_limit
     reserve = max(RESERVE * limit, min(LEAST_RESERVE, limit / 2))
     deadline = Deadline.within(limit - reserve)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     tell = teller(progress)
+    targets, is_list = read_goals("goal", goal, robot)
+    q_start = named_configuration("start", start, robot)
     check_timing_limits(robot.limits)
     draft = PartialPlan(robot=robot, scene=scene, status=Status.NO_PATH)
     compile_ahead(*SOURCES)
-    try:
-        result = optimize_path(
-            robot,
-            start,
-            goal,
-            scene,
-            objective=objective,
-            shape=shape,
-            seeding=replace(seeding, time_limit=limit - reserve),
-            clearance=clearance,
-            executor=executor,
-            progress=part(tell, 0.0, 0.6),
-        )
-    except PlanningError as error:
-        if not isinstance(error.result, PathResult):
-            return failed(draft, throw, str(error))
-        result = error.result  # a singular one
-    if result.status is Status.INTERRUPTED:
-        raise KeyboardInterrupt
+
+    def path_to(q: Array, seconds: float, tell: Progress) -> PathResult | str:
+        """The path to a configuration, or why there is none."""
+        try:
+            found = optimize_path(
+                robot,
+                q_start,
+                q,
+                scene,
+                objective=objective,
+                shape=shape,
+                seeding=replace(seeding, time_limit=max(seconds, SHORTEST_TIME)),
+                clearance=clearance,
+                executor=executor,
+                progress=tell,
+            )
+        except PlanningError as error:
+            if not isinstance(error.result, PathResult):
+                return str(error)
+            found = error.result  # a singular one
+        if found.status is Status.INTERRUPTED:
+            raise KeyboardInterrupt
+        return found
+
+    integral = objective.integral(robot)
+    if targets[0].q is not None and not is_list:
+        candidates = measured(targets[0].q[None], [0], q_start, integral)
+    else:
+        if seeding.initial is not None:
+            raise InvalidInputError("seeding.initial", seeding.initial, "None: a goal with a first path is one configuration")
+        tell(0.0, "preparing collision shapes")
+        model = scene.collision_model(robot)
+        model.free_configuration("start", q_start, number("clearance", clearance, least=0.0))
+        candidates = find_candidates(targets, q_start, model, integral, clearance)
+    choice = choose(candidates, path_to, limit - reserve, deadline, part(tell, 0.0, 0.6))
+    draft = replace(draft, candidates=choice.candidates, goal_index=choice.goal_index)
+    if choice.result is None:
+        return failed(draft, throw, choice.failure)
+    result = choice.result
     for other in _other_shapes(shape):
         descended = result.certificate is not None and np.isfinite(result.certificate.projected_gradient)
         crosses = not np.isfinite(result.g)  # another degree crosses the same singularity
@@ -173,6 +215,9 @@ def plan(
     tell(0.9, "checking the result")
     model = scene.collision_model(robot)
     made = finish(draft, path, trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
+    missed = targets[made.goal_index].missed_by(robot, trajectory.q[-1])
+    if missed and made.report.passed:
+        made = check_failed(made, throw, missed)
     tell(1.0, "done")
     return made
 

@@ -10,12 +10,14 @@ from numpy.typing import ArrayLike
 from manipplan.collision.scene import Scene
 from manipplan.cost.metric import metric_matrix
 from manipplan.cost.objective import PathObjective
+from manipplan.jobs.goals.pose_goal import Goal
+from manipplan.jobs.goals.read import named_configuration, read_goals
 from manipplan.optimize.optimize import check_options
 from manipplan.optimize.problem import initial_path
 from manipplan.paths.basis import PathShape
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
-from manipplan.support.checks import Array, configurations, instance, number
+from manipplan.support.checks import instance, number
 from manipplan.support.content import content_key
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
@@ -36,8 +38,8 @@ class Problem:
     """
 
     robot: Robot
-    start: ArrayLike
-    goal: ArrayLike
+    start: ArrayLike | str
+    goal: Goal
     scene: Scene | None = None
     objective: PathObjective = PathObjective()
     shape: PathShape = PathShape()
@@ -48,7 +50,7 @@ class Problem:
 
 
 def checked(argument: str, problem: Problem) -> Problem:
-    """The problem with arrays for start, goal and first path; raises InvalidInputError, which names `argument`.
+    """The problem with arrays and poses for start, goal and first path; raises InvalidInputError, which names `argument`.
 
     Whether robot and scene allow start, goal and first path is left to `plan`: it depends on values that are computed, and one
     such problem is no reason to plan none.
@@ -61,7 +63,9 @@ def checked(argument: str, problem: Problem) -> Problem:
         instance("name", problem.name, str)
         instance("torque", problem.torque, bool)
         check_options(problem.objective, problem.shape, seeding)
-        start, goal = _configuration("start", problem.start, robot), _configuration("goal", problem.goal, robot)
+        start = named_configuration("start", problem.start, robot)
+        targets, is_list = read_goals("goal", problem.goal, robot)
+        goals = [each.q if each.q is not None else each.pose for each in targets]
         clearance = number("clearance", problem.clearance, least=0.0)
         check_timing_limits(robot.limits)
         problem.shape.ends(robot.n)
@@ -69,15 +73,7 @@ def checked(argument: str, problem: Problem) -> Problem:
         problem.objective.kinematics(robot)
         if seeding.initial is not None:
             seeding = replace(seeding, initial=initial_path(robot, seeding.initial))
-        return replace(problem, start=start, goal=goal, seeding=seeding, clearance=clearance)
-
-
-def _configuration(argument: str, q: ArrayLike, robot: Robot) -> Array:
-    """One configuration, also outside the limits."""
-    checked = configurations(argument, q, robot.n)
-    if checked.ndim != 1:
-        raise InvalidInputError(argument, q, f"one configuration of shape ({robot.n},)")
-    return checked
+        return replace(problem, start=start, goal=goals if is_list else goals[0], seeding=seeding, clearance=clearance)
 
 
 @contextmanager

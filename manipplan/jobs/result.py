@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
+from manipplan.jobs.goals.candidates import GoalCandidate
 from manipplan.jobs.reports.measure import measure_plan
 from manipplan.jobs.reports.report import PlanReport
 from manipplan.measures.measure import Measure
@@ -48,6 +49,8 @@ class PartialPlan(Pictured):
             deviation from the workspace path.
         workspace_path: the path that `follow` follows.
         tolerance: maximum deviation of the tool, for `follow` and `improve`.
+        goal_index: for `plan`: index of the goal that is reached in the list of goals; 0 for a single goal.
+        candidates: for `plan`: the configurations that reach a goal, and what was done with each.
         message: the reason of a failure.
     """
 
@@ -64,6 +67,8 @@ class PartialPlan(Pictured):
     deviation: Deviation | None = None
     workspace_path: CartesianPath | None = None
     tolerance: Tolerance | None = None
+    goal_index: int = 0
+    candidates: tuple[GoalCandidate, ...] = ()
     message: str = ""
 
     def __post_init__(self) -> None:

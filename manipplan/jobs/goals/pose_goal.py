@@ -1,0 +1,107 @@
+"""PoseGoal: a pose of the tool in which a motion ends, with what is free about it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import ArrayLike
+
+from manipplan.paths.deviation import angles_between
+from manipplan.paths.tolerance import Tolerance
+from manipplan.robots.model_tree import frame_index
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array, finite_array, instance, pose_matrix
+from manipplan.support.display import one_line
+from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.task import Task
+
+#: Distance [m] and angle [rad] up to which a pose counts as reached.
+REACHED = 1e-6
+
+
+@one_line
+@dataclass(frozen=True, eq=False)
+class PoseGoal:
+    """A pose of the tool in the world, exact or with a free axis or a tolerance.
+
+    Attributes:
+        pose: (4, 4) or pin.SE3, of the tool in the world; kept as a read-only matrix.
+        free_axis: (3,) axis of the tool, in the tool's frame, about which the tool may end at any angle; None: no such axis.
+        tolerance: how far the tool may end from the pose [m, rad]; the angle is that of the rotation or, with a free axis, that
+            between the axes. A tolerance without a rotation leaves the rotation free, and one without a position is no goal.
+            None: exact.
+
+    Raises InvalidInputError: not a rigid transform, an axis of zero length, or a tolerance without a position.
+    """
+
+    pose: ArrayLike | pin.SE3
+    free_axis: ArrayLike | None = field(default=None, kw_only=True)
+    tolerance: Tolerance | None = field(default=None, kw_only=True)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "pose", pose_matrix("pose", self.pose))
+        if self.free_axis is not None:
+            axis = finite_array("free_axis", self.free_axis, (3,))
+            length = float(np.linalg.norm(axis))
+            if length < 1e-9:
+                raise InvalidInputError("free_axis", self.free_axis, "an axis (3,) that is not zero")
+            axis = axis / length
+            axis.flags.writeable = False
+            object.__setattr__(self, "free_axis", axis)
+        if self.tolerance is not None and instance("tolerance", self.tolerance, Tolerance).position is None:
+            raise InvalidInputError("tolerance", self.tolerance, "one with a position [m]: without it any place would do")
+
+    @property
+    def matrix(self) -> Array:
+        """The pose as a matrix (4, 4)."""
+        return np.asarray(self.pose)
+
+    @property
+    def axis(self) -> Array | None:
+        """The free axis (3,), of unit length; None where there is none."""
+        return None if self.free_axis is None else np.asarray(self.free_axis)
+
+    @property
+    def allowed(self) -> tuple[float, float]:
+        """Largest distance [m] and angle [rad] from the pose."""
+        if self.tolerance is None:
+            return 0.0, 0.0
+        rotation = self.tolerance.rotation
+        return self.tolerance.position or 0.0, np.pi if rotation is None else min(rotation, np.pi)
+
+    def task(self, robot: Robot) -> Task:
+        """The task whose inverse kinematics reach the pose.
+
+        Raises InvalidInputError where a planar arm cannot turn about the free axis.
+        """
+        if self.axis is None:
+            return Task.pose()
+        if not robot.planar:
+            return Task.pointing(self.axis)
+        if abs(self.axis[2]) < 1 - REACHED:
+            raise InvalidInputError("free_axis", self.axis.tolist(), "the axis z: a planar arm turns its tool about no other")
+        return Task.planar()
+
+    def distances(self, poses: Array) -> tuple[Array, Array]:
+        """Distances (k,) [m] and angles (k,) [rad] of tool poses (k, 4, 4) from this one; of the axes if one is free."""
+        position = np.linalg.norm(poses[:, :3, 3] - self.matrix[:3, 3], axis=1)
+        return position, angles_between(poses[:, :3, :3], self.matrix[:3, :3], self.axis)
+
+    def missed_by(self, robot: Robot, q: Array) -> str:
+        """How far the tool is outside the tolerance at q (n,), by Pinocchio's own kinematics; "" where the goal is reached."""
+        data = robot.model.createData()
+        pin.framesForwardKinematics(robot.model, data, q)
+        tool = data.oMf[frame_index(robot.model, robot.tool)].homogeneous
+        position, rotation = (float(each[0]) for each in self.distances(tool[None]))
+        most = self.allowed
+        if position <= most[0] + REACHED and rotation <= most[1] + REACHED:
+            return ""
+        return f"the tool ends {1e3 * position:.3g} mm and {np.rad2deg(rotation):.2g}° from the pose of the goal"
+
+
+#: One goal: (n,) [rad or m], the name of a state, a pose of the tool, or a PoseGoal.
+OneGoal: TypeAlias = ArrayLike | str | pin.SE3 | PoseGoal
+#: A goal, or several, of which one is chosen.
+Goal: TypeAlias = OneGoal | Sequence[OneGoal]

@@ -1,0 +1,166 @@
+"""How far a pose is out of reach: the nearest configurations to it inside the limits."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.jobs.goals.pose_goal import PoseGoal
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.symbolic.task import Task
+
+#: Smallest and largest number of starts per pose, and of all, and number of steps from each.
+STARTS, ALL_STARTS, STEPS = (8, 24), 600, 60
+#: Weight of an angle against a distance [m/rad].
+RADIAN = 0.1
+#: First damping of a step, its factors after a good and a bad step, and the largest change of a joint in one step [rad or m].
+DAMPING, BETTER, WORSE, LONGEST = 1e-2, 1 / 3, 4.0, 0.5
+#: Distance from a limit up to which a joint counts as being at it [rad or m].
+AT_LIMIT = 1e-6
+#: Size of the miss that counts as none, and at which no more steps are made [m].
+REACHED, DONE = 1e-9, 1e-11
+#: Configurations are the same when no joint differs by more than this [rad or m].
+SAME = 1e-3
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Nearest:
+    """The configuration found that comes nearest to a pose.
+
+    Attributes:
+        q: (n,) inside the limits.
+        position, rotation: distance [m] and angle [rad] beyond the tolerance of the goal.
+        reaching: (k, n) different configurations found that reach the goal; (0, n) where none does.
+        stopped: names of the joints that are at a limit there.
+    """
+
+    q: Array
+    position: float
+    rotation: float
+    reaching: Array
+    stopped: tuple[str, ...]
+
+    def __str__(self) -> str:
+        joints = f"with {' and '.join(self.stopped)} at a limit" if self.stopped else "with no joint at a limit"
+        return (
+            f"out of reach: the nearest configuration found leaves the tool {1e3 * self.position:.3g} mm and "
+            f"{np.rad2deg(self.rotation):.2g}° away, {joints}"
+        )
+
+
+def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array) -> list[Nearest]:
+    """The nearest configuration found to each goal, by damped steps inside the limits from `near` (n,) and random starts."""
+    if not goals:
+        return []
+    kinematics = robot.kinematics(Task.pose(length=1.0), threads=1)
+    count = int(np.clip(ALL_STARTS // len(goals), *STARTS))
+    starts = np.vstack([near, robot.neutral, robot.random_configuration(np.random.default_rng(0), size=count - 2)])
+    q, owners = np.tile(starts, (len(goals), 1)), np.repeat(np.arange(len(goals)), count)
+    missing = _Missing.of(kinematics, goals)
+    miss, counting = missing(owners, q)
+    damping, rows = np.full(len(q), DAMPING), np.arange(len(q))
+    for _ in range(STEPS):
+        jacobian = counting[rows] @ (kinematics.jacobian(q[rows]) * np.array([1.0] * 3 + [RADIAN] * 3)[:, None])
+        step = _step(jacobian, miss[rows], damping[rows])
+        # a joint at a limit that the step would take further does not move
+        stuck = ((q[rows] <= robot.limits.lower) & (step < 0)) | ((q[rows] >= robot.limits.upper) & (step > 0))
+        step = _step(jacobian * ~stuck[:, None, :], miss[rows], damping[rows])
+        moved = np.clip(q[rows] + step, robot.limits.lower, robot.limits.upper)
+        left, counts = missing(owners[rows], moved)
+        good = (left**2).sum(axis=1) < (miss[rows] ** 2).sum(axis=1)
+        q[rows[good]], miss[rows[good]], counting[rows[good]] = moved[good], left[good], counts[good]
+        damping[rows] = np.clip(np.where(good, BETTER, WORSE) * damping[rows], 1e-12, 1e6)
+        rows = np.flatnonzero(np.linalg.norm(miss, axis=1) > DONE)
+        if not len(rows):
+            break
+    found = []
+    for k, goal in enumerate(goals):
+        rows = np.flatnonzero(owners == k)
+        best = q[rows[(miss[rows] ** 2).sum(axis=1).argmin()]]
+        position, rotation = (float(each[0]) for each in goal.distances(kinematics.pose(best[None])))
+        limited = np.minimum(best - robot.limits.lower, robot.limits.upper - best) <= AT_LIMIT
+        found.append(
+            Nearest(
+                q=best,
+                position=max(position - goal.allowed[0], 0.0),
+                rotation=max(rotation - goal.allowed[1], 0.0),
+                reaching=_different(q[rows[np.linalg.norm(miss[rows], axis=1) <= REACHED]]),
+                stopped=tuple(name for name, is_at in zip(robot.joint_names, limited, strict=True) if is_at),
+            )
+        )
+    return found
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Missing:
+    """What is missing to the tolerances of g goals.
+
+    Attributes:
+        kinematics: of the arm.
+        targets: (g, 4, 4) poses.
+        axes: (g, 3) free axes; zero where none is free.
+        allowed: (g, 2) tolerances [m, rad].
+    """
+
+    kinematics: Kinematics
+    targets: Array
+    axes: Array
+    allowed: Array
+
+    @classmethod
+    def of(cls, kinematics: Kinematics, goals: Sequence[PoseGoal]) -> "_Missing":
+        return cls(
+            kinematics=kinematics,
+            targets=np.array([each.matrix for each in goals]),
+            axes=np.array([np.zeros(3) if each.axis is None else each.axis for each in goals]),
+            allowed=np.array([each.allowed for each in goals]),
+        )
+
+    def __call__(self, owners: NDArray[np.intp], q: Array) -> tuple[Array, Array]:
+        """What q (k, n) miss of their goals (k,), and the part of a motion of the tool that counts.
+
+        Distances, and angles times RADIAN, in the world's axes (k, 6); and projections (k, 6, 6) of such motions: no rotation
+        about a free axis, and nothing inside a tolerance.
+        """
+        from scipy.spatial.transform import Rotation
+
+        poses, targets, axes = self.kinematics.pose(q), self.targets[owners], self.axes[owners]
+        turns = Rotation.from_matrix(targets[:, :3, :3] @ np.swapaxes(poses[:, :3, :3], 1, 2)).as_rotvec()
+        have, want = (np.einsum("kij,kj->ki", each[:, :3, :3], axes) for each in (poses, targets))
+        across = np.cross(have, want)
+        sine = np.linalg.norm(across, axis=1)
+        leans = across / np.maximum(sine, 1e-12)[:, None] * np.arctan2(sine, (have * want).sum(axis=1))[:, None]
+        free = (np.abs(axes).max(axis=1) > 0)[:, None]
+        counting = np.zeros((len(q), 6, 6))
+        position, counting[:, :3, :3] = _beyond(targets[:, :3, 3] - poses[:, :3, 3], self.allowed[owners, 0])
+        rotation, counting[:, 3:, 3:] = _beyond(np.where(free, leans, turns), self.allowed[owners, 1])
+        counting[:, 3:, 3:] -= counting[:, 3:, 3:] @ (have[:, :, None] * have[:, None])  # have is zero where no axis is free
+        return np.hstack([position, RADIAN * rotation]), counting
+
+
+def _different(q: Array) -> Array:
+    """Configurations (k, n) without those that are nearly the same as one before."""
+    kept: list[Array] = []
+    for each in q:
+        if all(np.abs(each - other).max() > SAME for other in kept):
+            kept.append(each)
+    return np.array(kept).reshape(-1, q.shape[1])
+
+
+def _beyond(vectors: Array, most: Array) -> tuple[Array, Array]:
+    """Vectors (k, 3) shortened by lengths (k,), and projections (k, 3, 3) on the motions that change their length."""
+    length = np.linalg.norm(vectors, axis=1)
+    unit = vectors / np.maximum(length, 1e-300)[:, None]
+    along = unit[:, :, None] * unit[:, None] * (length > most)[:, None, None]
+    shortened = vectors * np.maximum(1 - most / np.maximum(length, 1e-300), 0.0)[:, None]
+    return np.asarray(shortened), np.where((most > 0)[:, None, None], along, np.eye(3))
+
+
+def _step(jacobian: Array, miss: Array, damping: Array) -> Array:
+    """Damped steps (k, n) of the joints that reduce the miss (k, 6)."""
+    turned = np.swapaxes(jacobian, 1, 2)
+    solved = np.linalg.solve(jacobian @ turned + damping[:, None, None] * np.eye(6), miss[:, :, None])
+    return np.asarray(np.clip((turned @ solved)[:, :, 0], -LONGEST, LONGEST))

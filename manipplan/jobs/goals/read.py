@@ -1,0 +1,127 @@
+"""Reads start and goal in every form that a user may give."""
+
+import numbers
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from manipplan.jobs.goals.pose_goal import REACHED, PoseGoal
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import ROTATION, Array, configurations
+from manipplan.support.errors import InvalidInputError, UnknownNameError
+
+#: The forms of a goal, for messages.
+FORMS = "a configuration (n,), the name of a state, a pose (4, 4) or pin.SE3, a PoseGoal, or a list of these"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Target:
+    """One goal: a configuration or a pose.
+
+    Attributes:
+        argument: what messages call it, such as goal[3].
+        q: (n,) [rad or m], perhaps outside the limits; None for a pose.
+        pose: the pose; None for a configuration.
+    """
+
+    argument: str
+    q: Array | None = None
+    pose: PoseGoal | None = None
+
+    def missed_by(self, robot: Robot, q: Array) -> str:
+        """How far q (n,) is from the goal, up to full turns of revolute joints; "" where it is reached."""
+        if self.pose is not None:
+            return self.pose.missed_by(robot, q)
+        assert self.q is not None
+        off = q - self.q
+        turns = np.array([kind != "prismatic" for kind in robot.joint_types])
+        off = np.abs(np.where(turns, off - 2 * np.pi * np.round(off / (2 * np.pi)), off))
+        joint = int(off.argmax())
+        return "" if off[joint] <= REACHED else f"{robot.joint_names[joint]} ends {off[joint]:.3g} from the goal"
+
+
+def read_goals(argument: str, goal: Any, robot: Robot) -> tuple[tuple[Target, ...], bool]:
+    """The goals of one argument, and whether they were given as a list.
+
+    Raises InvalidInputError, which names the entry of the list, for an empty list, a wrong shape, numbers that are not finite
+    or a matrix that is no rigid transform, and UnknownNameError for the name of no state.
+    """
+    if not isinstance(goal, list | tuple) and not (isinstance(goal, np.ndarray) and goal.ndim == 3):
+        return (read_goal(argument, goal, robot),), False
+    if len(goal) == 0:
+        raise InvalidInputError(argument, goal, f"at least one goal: {FORMS}")
+    if _is_configuration(goal) or (isinstance(goal, list | tuple) and _is_pose(goal, robot.n)):
+        return (read_goal(argument, goal, robot),), False
+    return tuple(read_goal(f"{argument}[{k}]", each, robot) for k, each in enumerate(goal)), True
+
+
+def read_goal(argument: str, goal: Any, robot: Robot) -> Target:
+    """One goal; raises as `read_goals`."""
+    if isinstance(goal, PoseGoal):
+        if goal.axis is not None:
+            _task(argument, goal, robot)
+        return Target(argument=argument, pose=goal)
+    if isinstance(goal, str):
+        return Target(argument=argument, q=named_configuration(argument, goal, robot))
+    if hasattr(goal, "homogeneous") or np.shape(goal if _has_shape(goal) else ()) == (4, 4):
+        try:
+            return Target(argument=argument, pose=PoseGoal(goal))
+        except InvalidInputError as error:
+            raise InvalidInputError(argument, error.value, error.allowed) from error
+    if not isinstance(goal, list | tuple | np.ndarray):
+        raise InvalidInputError(argument, goal, FORMS)
+    return Target(argument=argument, q=_one_configuration(argument, goal, robot))
+
+
+def named_configuration(argument: str, q: Any, robot: Robot) -> Array:
+    """A configuration (n,), perhaps outside the limits, given by its numbers or by the name of a state.
+
+    Raises InvalidInputError for a wrong shape, and UnknownNameError, with the nearest names, for an unknown one.
+    """
+    if not isinstance(q, str):
+        return _one_configuration(argument, q, robot)
+    if q not in robot.states:
+        known = robot.states or ["none: the robot has no named states, so give one number per joint"]
+        raise UnknownNameError(argument, q, known)
+    return robot.states[q]
+
+
+def _one_configuration(argument: str, q: Any, robot: Robot) -> Array:
+    checked = configurations(argument, q, robot.n)
+    if checked.ndim != 1:
+        raise InvalidInputError(argument, q, f"one configuration of shape ({robot.n},)")
+    return checked
+
+
+def _task(argument: str, goal: PoseGoal, robot: Robot) -> None:
+    """Raise InvalidInputError, which names the argument, where the arm cannot turn about the free axis."""
+    try:
+        goal.task(robot)
+    except InvalidInputError as error:
+        raise InvalidInputError(f"{argument}.{error.argument}", error.value, error.allowed) from error
+
+
+def _is_configuration(goal: Any) -> bool:
+    return all(isinstance(each, numbers.Number | np.generic) for each in goal)
+
+
+def _is_pose(goal: Sequence[Any], n: int) -> bool:
+    """Whether four rows of four numbers are one pose: for an arm of four joints only if they are a rigid transform."""
+    if not _has_shape(goal) or np.shape(goal) != (4, 4) or any(isinstance(each, str) for each in goal):
+        return False
+    if n != 4:
+        return True
+    matrix = np.asarray(goal, dtype=float)
+    turned = np.abs(matrix[:3, :3].T @ matrix[:3, :3] - np.eye(3)).max() < ROTATION
+    return bool(turned and np.array_equal(matrix[3], [0.0, 0.0, 0.0, 1.0]))
+
+
+def _has_shape(goal: Any) -> bool:
+    """Whether the value is one array, not rows of different lengths."""
+    try:
+        np.shape(goal)
+    except ValueError:
+        return False
+    return True

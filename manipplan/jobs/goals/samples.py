@@ -1,0 +1,206 @@
+"""Configurations that reach poses: all solutions of inverse kinematics, for samples of what is free, refined where it pays."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.ik.distinct import distinct
+from manipplan.ik.enumeration import Enumeration
+from manipplan.ik.solver import Solver
+from manipplan.jobs.goals.pose_goal import PoseGoal
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+
+#: Number of samples of redundancy parameters and free angles for all goals together, with a closed form and without; the
+#: smallest number of one of one, two, and more parameters of each pose, and the largest number.
+SAMPLES, SEARCHED = 512, 16
+FEWEST, MOST = (16, 6, 4), 64
+#: The same smallest number without a closed form.
+FEWEST_SEARCHED = 3
+#: Number of poses inside the tolerance of one goal, and of all goals together.
+INSIDE, ALL_INSIDE = 12, 120
+#: Share of the tolerance inside which they lie.
+SHARE = 0.9
+#: Number of times that the parameters of the best solutions are sampled more finely, and number of values on either side.
+ROUNDS, BESIDE = 10, 4
+#: Solutions whose figure is below this share of the best one are not refined further.
+PROMISING = 0.8
+#: Largest difference of a joint between a solution and a finer sample of it, in steps of the parameters, and at least [rad, m].
+FOLLOWS, LEAST_FOLLOWS = 6.0, 1e-3
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Reaching:
+    """Configurations that reach goals.
+
+    Attributes:
+        q: (k, n) inside the limits.
+        goals: (k,) index of the goal that each reaches.
+        solvers: (k,) index of the entry of `families` that each comes from.
+        poses: (k, 4, 4) the pose that each reaches, inside the tolerance of its goal.
+        values: one array (r,) per row: the parameters.
+        families: the solvers, with the steps (r,) between their samples.
+    """
+
+    q: Array
+    goals: NDArray[np.int64]
+    solvers: NDArray[np.int64]
+    poses: Array
+    values: tuple[Array, ...]
+    families: tuple[tuple[Solver, Array], ...]
+
+    def rows(self, kept: NDArray[np.int64]) -> "Reaching":
+        """These rows only, in this order."""
+        values = tuple(self.values[k] for k in kept)
+        return Reaching(
+            q=self.q[kept],
+            goals=self.goals[kept],
+            solvers=self.solvers[kept],
+            poses=self.poses[kept],
+            values=values,
+            families=self.families,
+        )
+
+
+def reaching(robot: Robot, goals: dict[int, PoseGoal], near: Array) -> Reaching:
+    """All solutions for each goal, by its index; of those that differ by full turns the nearest to `near` (n,)."""
+    inside = min(INSIDE, ALL_INSIDE // max(sum(goal.tolerance is not None for goal in goals.values()), 1))
+    groups: dict[tuple[float, ...] | None, list[int]] = {}
+    for k, goal in goals.items():
+        groups.setdefault(None if goal.axis is None else tuple(goal.axis), []).append(k)
+    found: list[tuple[Array, NDArray[np.int64], NDArray[np.int64], Array, Array]] = []
+    families: list[tuple[Solver, Array]] = []
+    total = sum(1 if goal.tolerance is None else 1 + inside for goal in goals.values())
+    for members in groups.values():
+        task = goals[members[0]].task(robot)
+        solver = Solver.of(robot, task=task, held=None, method="auto", seed=0)
+        targets = [poses_inside(goals[k], inside) for k in members]
+        poses, owners = np.concatenate(targets), np.repeat(members, [len(each) for each in targets])
+        names = len(solver.names)
+        most, fewest = SEARCHED, FEWEST_SEARCHED
+        if solver.form is not None:
+            most, fewest = SAMPLES, FEWEST[min(max(names, 1), len(FEWEST)) - 1]
+        count = int(np.clip((most / total) ** (1 / max(names, 1)), fewest, MOST))
+        values = solver.grid(count, (count,))
+        widths = np.ptp(values, axis=0) / max(count - 1, 1) if names else np.zeros(0)
+        samples, sources = np.tile(values, (len(poses), 1)), np.repeat(np.arange(len(poses)), len(values))
+        solved = solver.solve(poses, sources, samples)
+        q = nearest_turns(robot, solved.q, near)
+        kept = distinct(q, sources[solved.source])
+        pose = sources[solved.source[kept]]
+        family = np.full(len(kept), len(families))
+        found.append((q[kept], owners[pose], family, poses[pose], samples[solved.source[kept]]))
+        families.append((solver, widths))
+    whole = np.zeros(0, dtype=np.int64)
+    return Reaching(
+        q=np.concatenate([np.zeros((0, robot.n)), *(each[0] for each in found)]),
+        goals=np.concatenate([whole, *(each[1] for each in found)]),
+        solvers=np.concatenate([whole, *(each[2] for each in found)]),
+        poses=np.concatenate([np.zeros((0, 4, 4)), *(each[3] for each in found)]),
+        values=tuple(row for each in found for row in each[4]),
+        families=tuple(families),
+    )
+
+
+def beyond_limits(robot: Robot, goals: dict[int, PoseGoal]) -> list[tuple[int, Array]]:
+    """Solutions (n,) outside the limits, with the index of their goal, of arms that have few: those without a parameter."""
+    found: list[tuple[int, Array]] = []
+    free = np.full(robot.n, np.inf)
+    for k, goal in goals.items():
+        solver = Solver.of(robot, task=goal.task(robot), held=None, method="auto", seed=0)
+        if solver.form is None or solver.names:
+            continue
+        every = Enumeration(solver.form, -free, free, None)
+        blocks = list(every(goal.matrix[None], np.zeros(1, dtype=np.int64), np.zeros((1, 0))))
+        q = np.concatenate([each[0] for each in blocks])
+        low, high = robot.limits.lower, robot.limits.upper
+        q = nearest_turns(robot, q, np.where(np.isfinite(low), (low + high) / 2, 0.0), kept=False)
+        found += [(k, each) for each in q if (robot.limits.outside(each) > 0).any()]
+    return found
+
+
+def refined(
+    robot: Robot, best: Reaching, near: Array, figure: Callable[[Array], Array], enough: float
+) -> tuple[Array, NDArray[np.int64]]:
+    """Configurations (k, n) like those of `best`, with other parameters where that raises a figure, and their rows in `best`.
+
+    Args:
+        best: the solutions to begin with; those without a parameter or a closed form are left out.
+        near: (n,) of those that differ by full turns the nearest to it is taken.
+        figure: of configurations (k, n), (k,); -inf where one is not free.
+        enough: a figure that need not be raised.
+    """
+    q, rows = best.q.copy(), []
+    top = figure(q)
+    for family, (solver, widths) in enumerate(best.families):
+        if solver.form is None or not len(widths):
+            continue
+        active, step = np.flatnonzero(best.solvers == family), widths
+        values = dict(zip(active.tolist(), (best.values[k] for k in active), strict=True))
+        shares = np.arange(-BESIDE, BESIDE + 1) / (BESIDE + 1)
+        for _ in range(ROUNDS):
+            active = active[(top[active] < enough) & (top[active] >= PROMISING * top.max())]
+            if not len(active):
+                break
+            offsets = np.concatenate([np.outer(shares[shares != 0], each) for each in np.diag(step)])
+            samples = np.concatenate([values[k] + offsets for k in active.tolist()])
+            owners = np.repeat(active, len(offsets))
+            solved = solver.solve(best.poses, owners, samples)
+            others, of = nearest_turns(robot, solved.q, near), owners[solved.source]
+            follows = np.abs(others - q[of]).max(axis=1) <= max(FOLLOWS * float(step.max()), LEAST_FOLLOWS)
+            others, of, source = others[follows], of[follows], solved.source[follows]
+            figures = figure(others) if len(others) else np.zeros(0)
+            for k in active.tolist():
+                mine = np.flatnonzero(of == k)
+                first = mine[figures[mine].argmax()] if len(mine) else -1
+                if first >= 0 and figures[first] > top[k]:
+                    q[k], top[k], values[k] = others[first], figures[first], samples[source[first]]
+                    rows.append(k)
+            step = step / BESIDE
+    better = np.unique(np.array(rows, dtype=np.int64))
+    return q[better], better
+
+
+def poses_inside(goal: PoseGoal, count: int) -> Array:
+    """The pose of a goal and `count` poses inside its tolerance, evenly spread and the same each time, (1 + count, 4, 4)."""
+    from scipy.spatial.transform import Rotation
+
+    if goal.tolerance is None:
+        return goal.matrix[None]
+    position, rotation = goal.allowed
+    u = _spread(count, 6)
+    poses = np.tile(goal.matrix, (count + 1, 1, 1))
+    poses[1:, :3, 3] += SHARE * position * _ball(u[:, :3])
+    turns = Rotation.from_rotvec(SHARE * rotation * _ball(u[:, 3:]))
+    poses[1:, :3, :3] = goal.matrix[:3, :3] @ turns.as_matrix()
+    return poses
+
+
+def nearest_turns(robot: Robot, q: Array, near: Array, *, kept: bool = True) -> Array:
+    """Configurations (k, n) with each revolute joint turned to the nearest to `near` (n,), with `kept` inside its limits."""
+    turn = np.where([kind != "prismatic" for kind in robot.joint_types], 2 * np.pi, np.inf)
+    if not kept:
+        turns = np.round((near - q) / turn)
+        return q + np.where(np.isinf(turn), 0.0, turn) * turns
+    most = np.floor((robot.limits.upper - q) / turn)
+    least = np.ceil((robot.limits.lower - q) / turn)
+    turns = np.clip(np.round((near - q) / turn), np.minimum(least, 0.0), np.maximum(most, 0.0))
+    return np.where(turns == 0, q, q + np.where(np.isinf(turn), 0.0, turn) * turns)
+
+
+def _spread(count: int, dimensions: int) -> Array:
+    """Points (count, dimensions) of [0, 1), evenly spread: multiples of powers of a generalised golden ratio."""
+    ratio = 2.0
+    for _ in range(50):
+        ratio = (1 + ratio) ** (1 / (dimensions + 1))
+    steps = ratio ** -np.arange(1.0, dimensions + 1)
+    return np.asarray((0.5 + np.arange(1, count + 1)[:, None] * steps) % 1.0)
+
+
+def _ball(u: Array) -> Array:
+    """Points of the unit ball (k, 3), uniform for uniform u (k, 3)."""
+    z, angle = 2 * u[:, 1] - 1, 2 * np.pi * u[:, 2]
+    across = np.sqrt(1 - z**2)
+    return np.asarray(np.cbrt(u[:, :1]) * np.stack([across * np.cos(angle), across * np.sin(angle), z], axis=1))
