@@ -146,7 +146,7 @@ def plan(
     check_options(objective, shape, seeding)
     limit = seeding.time_limit
     reserve = max(RESERVE * limit, min(LEAST_RESERVE, limit / 2))
-    deadline = Deadline.within(limit - reserve)
+    deadline = Deadline.within((limit - reserve) * seeding.count)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     tell = teller(progress)
     targets, is_list = read_goals("goal", goal, robot)
