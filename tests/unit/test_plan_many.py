@@ -195,7 +195,9 @@ def test_failures_are_results(hard, executor, caplog, tmp_path):
     again = mp.plan_many(hard, folder=tmp_path)
     assert [each.message for each in again] == [each.message for each in found]
     failed = next(file for file in tmp_path.iterdir() if "NO_PATH" in file.read_text())
-    with pytest.raises(mp.FileFormatError, match="a plan with a trajectory; this one has none, with status NO_PATH: it is proven"):
+    with pytest.raises(
+        mp.FileFormatError, match="a plan with a trajectory; this one has none, with status NO_PATH: it is proven"
+    ):
         mp.Plan.load(failed)
 
 
