@@ -89,6 +89,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/first_paths.py
 	$(BIN)/python benchmarks/plan_many.py
 	$(BIN)/python benchmarks/time_limits.py
+	$(BIN)/python benchmarks/again.py
 	$(BIN)/python benchmarks/check_trajectories.py
 	$(BIN)/python benchmarks/pose_goals.py
 	$(BIN)/python benchmarks/seeds.py

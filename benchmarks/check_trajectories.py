@@ -39,7 +39,7 @@ RESPECTS = {
 TOLERANCE, MARGIN = 1e-6, 1e-6
 #: Jerk limits of an arm that has none [rad/s³], largest distance of waypoints from each other [rad], and number of waypoints.
 JERK, REACH, WAYPOINTS = 5e3, 0.35, 4
-#: Of the motions one in so many is planned, and one in so many interpolates waypoints at 125 Hz; the others are retimed.
+#: Every PLANNED-th motion is planned, every INTERPOLATED-th one interpolates waypoints; the others are retimed. Period [s].
 PLANNED, INTERPOLATED, RATE = 10, 3, 0.008
 
 

@@ -89,7 +89,7 @@ typedef struct {
     const long *bodies;         /* (pairs, 2) */
     long (*near)(const void *world, const double *q, long m, const double *reach, long room, long *where,
                  double *out);  /* manipplan_near */
-    long places, spacing;       /* number of places of the grid; every so many have a wider band */
+    long places, spacing;       /* number of places of the grid; every `spacing`-th has a wider band */
     const double *s;            /* (places) from 0 to 1 */
     double target;              /* distance to keep [m] */
     double close;               /* every place nearer than the target plus this is returned [m] */
@@ -203,7 +203,7 @@ static void place_brackets(Look *l) {
     l->dips = found;
 }
 
-/* Where pairs are near along the curve of `dips`: places of the grid nearer than the target plus `close`, every so many nearer than
+/* Where pairs are near along the curve of `dips`: places of the grid nearer than the target plus `close`, every `spacing`-th nearer than
    the target plus `band`, and the bottoms of dips, ordered. out: (2 room + known). Returns their number; MORE_ROOM where there is
    no room; ASKING where the kernel cannot tell a distance. Then the caller puts it in place of NaN in `distance` (stage 1), or in
    `left`, `least` and `right` of a bracket or, where `next` is a place, into `found` (stage 2), and calls again. */

@@ -1,4 +1,4 @@
-; look.c 7ea962fd987b1909e77ab4409f2e335c4739e838ed83c4cae6a01b4bdf445f3b: written by make kernel
+; look.c 4188b8ffc43031a4d4aaf3585d716ae427abf0fdba723a8be67e3b3f921d2293: written by make kernel
 
 %struct.Look = type { i64, i64, i64, ptr, ptr, i64, i64, ptr, double, double, double, double, i64, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, i64, ptr, ptr }
 %struct.Dips = type { i64, ptr, ptr, double, ptr, ptr, double, double, i64 }

@@ -197,7 +197,7 @@ class DistanceSearch:
         brackets[name][asked] = on_grid(self.model.pair_distances(q, pairs[asked]), FINE_DISTANCE)
 
     def _with_room(self, room: int, known: int) -> _Look:
-        """Working memory for so many near pairs and known places."""
+        """Working memory for a number of near pairs, `room`, and of `known` places."""
         places, pairs = INTERVALS + 1, self._kernel.pairs
         self._found = np.empty(2 * room + known, dtype=_FOUND)
         self._kept = {

@@ -173,7 +173,7 @@ static void spread(double low, double high, long intervals, double *s) {
     s[intervals] = high;
 }
 
-/* The minimum of m on the path, its place, and the maximum on the first grid: out (3). On that grid of so many intervals the
+/* The minimum of m on the path, its place, and the maximum on the first grid: out (3). On that grid of `intervals` the
    `deepest` dips are found, and each is searched on `grids` successively finer grids of `fine` intervals. Returns 1 where that
    fails. */
 int manipplan_minimum(const Integral *f, long intervals, long deepest, long grids, long fine, double *out) {

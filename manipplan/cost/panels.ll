@@ -1,4 +1,4 @@
-; panels.c f91f6dd2760c9ab380a57b315b2b116d865da5d116ea0c0b6af679022dcab343: written by make kernel
+; panels.c edbe7c47aa8400cc1a8e6a432327a58857e3a3e6bc1789e3870112cf67d9b5c7: written by make kernel
 
 %struct.Integral = type { ptr, ptr, ptr, ptr, i64, i64, ptr, ptr, double, double }
 

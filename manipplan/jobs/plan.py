@@ -31,7 +31,7 @@ from manipplan.timing.retime import check_timing_limits, retime
 
 #: Degrees that are added where a path of the given degree fails, and number of pieces of the cubic B-spline tried after that.
 MORE_DEGREES, SPLINE_PIECES = 3, 8
-#: Share of the time limit, and at least so much, that is kept for timing and checking the motion [s].
+#: Time kept for timing and checking the motion: share of the time limit, and minimum [s].
 RESERVE, LEAST_RESERVE = 0.05, 0.05
 #: Shortest time for a path, where hardly any is left [s].
 SHORTEST_TIME = 1e-3

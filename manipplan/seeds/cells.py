@@ -16,7 +16,7 @@ from manipplan.support.checks import Array
 
 #: Margin on every distance [m].
 SLACK = 1e-5
-#: Number of times that a box of so many dimensions is halved at first, and at most.
+#: Initial and maximum number of halvings of a box, by its number of dimensions.
 FIRST, LAST = {1: 6, 2: 3, 3: 2, 4: 2}, {1: 13, 2: 9, 3: 7, 4: 5}
 #: In place of the index of a pair: no pair blocks the cell; it is out of reach.
 OPEN, OUTSIDE = -1, -2

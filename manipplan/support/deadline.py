@@ -22,7 +22,7 @@ class Deadline:
 
     @classmethod
     def within(cls, seconds: float) -> "Deadline":
-        """The time in so many seconds."""
+        """The deadline that passes after a number of seconds."""
         return cls(at=time.monotonic() + seconds)
 
     @property
@@ -40,16 +40,12 @@ class Deadline:
         if self.passed:
             raise OutOfTimeError
 
-    def earlier(self, seconds: float) -> "Deadline":
-        """A time so many seconds before."""
-        return Deadline(at=self.at - seconds)
-
     def __reduce__(self) -> tuple[object, ...]:
-        return _of_clock, (time.time() + self.left,)  # the monotonic clock of another machine counts from another time
+        return _of_clock, (time.time() + self.left,)  # monotonic clocks of two machines begin at different times
 
 
 def _of_clock(at: float) -> Deadline:
-    """The deadline at a time of the system's clock."""
+    """The deadline at a time of the system's clock [s]."""
     return Deadline.within(at - time.time())
 
 

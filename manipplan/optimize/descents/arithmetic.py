@@ -114,7 +114,8 @@ def rows_within(
     """The rows values (r,) + jacobian (r, k) p >= 0 that a p with |p_i| <= radius can come within `spacing` of.
 
     Returns:
-        Their numbers (c,), minus their values on a grid of the spacing (c,), and their jacobian (c, k) with so many bits.
+        Indices of the rows (c,); their negative values, rounded to multiples of the spacing (c,); and their jacobian (c, k),
+        rounded to `bits` bits.
     """
     (r, k), values, jacobian = jacobian.shape, np.ascontiguousarray(values), np.ascontiguousarray(jacobian)
     chosen, least, rows = np.empty(r, dtype=np.int64), np.empty(r), np.empty((r, k))

@@ -41,11 +41,11 @@ class DescentProgram:
             return NOTHING
         return self.surroundings.look(curve, min(max(BAND * radius, LEAST_BAND), MOST_BAND))
 
-    def measured(self, z: Array, radius: float = 0.0) -> MeasuredRows:
+    def measured(self, z: Array) -> MeasuredRows:
         """The rows at z (f, n) of the bodies near there."""
         assert self.surroundings is not None
         curve = self.length.curves.curve(z)
-        return MeasuredRows.of(self.length.curves, self.surroundings, z, curve, self.look(curve, radius))
+        return MeasuredRows.of(self.length.curves, self.surroundings, z, curve, self.look(curve, 0.0))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -139,7 +139,7 @@ static void keep_bits(long count, double *number, long bits) {
 }
 
 /* The rows value + jacobian p >= 0, of r with k entries each, that some p with |p_i| <= radius makes smaller than `spacing`. Their
-   numbers go to `chosen`, minus their values, on a grid of that spacing, to `least`, and their entries with so many bits to `rows`.
+   numbers go to `chosen`, minus their values, on a grid of that spacing, to `least`, and their entries, rounded to `bits`, to `rows`.
    Returns how many there are. */
 long manipplan_within(long r, long k, const double *value, const double *jacobian, double radius, double spacing, long bits,
                       long *chosen, double *least, double *rows) {

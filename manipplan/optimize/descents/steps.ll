@@ -1,4 +1,4 @@
-; steps.c f7f917e9be286af5b8d00bc2a934dd85ef6fed97a07b4bca7ad4ed12ced2f311: written by make kernel
+; steps.c 27b551f15c29b28e9f93e6e98a82850f9f205ac4c83acfb8221c8e8627229763: written by make kernel
 
 define dso_local void @manipplan_points(i64 noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef %6) local_unnamed_addr #0 {
   %8 = shl i64 %0, 3
