@@ -11,9 +11,12 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from manipplan.kinematics.simd import kernel_source
+from manipplan.kinematics.instructions import expressible
+from manipplan.kinematics.simd import OPERATIONS, kernel_source
 from manipplan.support.checks import Array
 from manipplan.support.compiling.compiler import NATIVE, load_library
+from manipplan.support.errors import CompilerError
+from manipplan.symbolic.machine_code import do_without, wants_machine_code
 
 #: Minimum number of configurations per thread.
 SHARE = 16384
@@ -48,6 +51,17 @@ def simd_kernel(function: ca.Function, subject: str) -> NativeKernel:
         return NativeKernel(BATCH(("manipplan_batch", ctypes.CDLL(str(file)))))
 
     return load_library(kernel_source(function), load, flags=(*NATIVE, "-fschedule-insns", "-lm"), subject=subject)
+
+
+def wanted_kernel(function: ca.Function, compiled: bool | str, subject: str) -> NativeKernel | None:
+    """The same where `compiled` asks for machine code and the function's operations are known; None otherwise."""
+    if not (wants_machine_code(compiled) and expressible(function, OPERATIONS)):
+        return None
+    try:
+        return simd_kernel(function, subject)
+    except CompilerError as error:
+        do_without(error, compiled)
+        return None
 
 
 def run_kernel(kernel: Kernel, q: Array, outputs: int, *, threads: int) -> Array | None:

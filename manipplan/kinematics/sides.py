@@ -6,19 +6,15 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from manipplan.kinematics import simd
-from manipplan.kinematics.batch import NativeKernel, run_kernel, simd_kernel
+from manipplan.kinematics.batch import NativeKernel, run_kernel, wanted_kernel
 from manipplan.kinematics.factors import DeterminantFactor, determinant_factors
-from manipplan.kinematics.instructions import expressible
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.model_tree import axis_of
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.errors import CompilerError
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.chain import SymbolicChain
 from manipplan.symbolic.determinant import determinant
-from manipplan.symbolic.machine_code import do_without, wants_machine_code
 from manipplan.symbolic.task import Task
 
 #: A value counts as zero below this share of its usual size.
@@ -82,7 +78,7 @@ def _sides(robot: Robot, task: Task, compiled: bool | str, backend: str) -> Side
         joints=tuple(each.joint for each in factors) or (None,),
         zero=ZERO * (np.array([each.usual for each in factors]) if factors else _usual(function, robot)),
         function=function,
-        kernel=_kernel(function, compiled, f"sides of {robot.name}, in batches"),
+        kernel=wanted_kernel(function, compiled, f"sides of {robot.name}, in batches"),
     )
 
 
@@ -108,12 +104,3 @@ def _usual(function: ca.Function, robot: Robot) -> Array:
     samples = robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
     return np.array([float(np.abs(np.array(function(ca.DM(samples.T)))).mean())])
 
-
-def _kernel(function: ca.Function, compiled: bool | str, subject: str) -> NativeKernel | None:
-    if not (wants_machine_code(compiled) and expressible(function, simd.OPERATIONS)):
-        return None
-    try:
-        return simd_kernel(function, subject)
-    except CompilerError as error:
-        do_without(error, compiled)
-        return None

@@ -13,7 +13,12 @@ from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.cost.crossings import Crossing, describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
+from manipplan.constraints.constraint_set import ConstraintSet
+from manipplan.constraints.figures import ConstraintFigure, figures
+from manipplan.constraints.proof import prove
+from manipplan.optimize.descents.constraint_rows import ConstraintRows
 from manipplan.optimize.descents.point import DescentProgram
+from manipplan.optimize.descents.rows import LinearRows
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -99,7 +104,9 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
         rows = looking.measured(z)
         beyond = rows.value + further
         jacobian, owner = rows.gradients_nearby(np.flatnonzero(beyond < reach - margin), KINK)
-    whole = np.concatenate([limits.jacobian, jacobian])
+    constraints = _active_constraints(program, z)
+    whole = np.concatenate([limits.jacobian, constraints.jacobian, jacobian])
+    gradient, whole = gradient[program.moving], whole[:, program.moving]
     if not len(whole):
         return Optimality(projected_gradient=float(np.linalg.norm(gradient)), complementarity=0.0, active_clearance=0.0)
     try:
@@ -108,13 +115,26 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
         log.debug("no multipliers for %d active rows: %s", len(whole), error)
         return UNKNOWN
     # several gradients of one row are one convex combination times the sum of their multipliers [goldstein1977]
-    multipliers = np.bincount(owner, multipliers[len(limits.value) :], minlength=len(beyond))
+    of_constraints = multipliers[len(limits.value) :][: len(constraints.value)]
+    of_clearance = multipliers[len(limits.value) + len(constraints.value) :]
+    multipliers = np.bincount(owner, of_clearance, minlength=len(beyond))
     active = multipliers > NOTABLE * multipliers.max(initial=0.0)
     return Optimality(
         projected_gradient=float(left),
-        complementarity=float(multipliers @ np.abs(beyond)),
+        complementarity=float(multipliers @ np.abs(beyond) + of_constraints @ np.abs(constraints.value)),
         active_clearance=float(np.abs(beyond[active] + margin).max(initial=0.0)),
     )
+
+
+def _active_constraints(program: DescentProgram, z: Array) -> LinearRows:
+    """The rows of constraints that are within ACTIVE of their targets at z (f, n)."""
+    search = program.constraints
+    if search is None:
+        return LinearRows.none(z.size)
+    curves = program.length.curves
+    found = ConstraintRows(curves=curves, search=search, z=z, look=search.look(curves.curve(z), 0.0)).linear
+    active = found.value < ACTIVE
+    return LinearRows(value=found.value[active], jacobian=found.jacobian[active])
 
 
 #: Number of intervals of the path at whose ends all distances are measured; the grid is refined around the smallest one.
@@ -171,6 +191,7 @@ class Certificate:
         least_crossings: lower bound on the number of crossings of any path between start and goal; None for an arm with more
             joints than task rows.
         limits: smallest distance to every finite position limit of every joint, nearest first.
+        constraints: how the path keeps each constraint.
     """
 
     status: Status
@@ -193,6 +214,7 @@ class Certificate:
     floor: float = 0.0
     crossings: tuple[Crossing, ...] = ()
     least_crossings: int | None = None
+    constraints: tuple[ConstraintFigure, ...] = ()
 
     @property
     def finite_g(self) -> float:
@@ -220,6 +242,7 @@ class Certificate:
         solver: str,
         unconstrained_g: float,
         optimality: Optimality | None = None,
+        constraints: ConstraintSet | None = None,
     ) -> "Certificate":
         """Measure a path whose cost is known, and that should keep `clearance` [m]."""
         kinematics = integral.kinematics
@@ -245,6 +268,7 @@ class Certificate:
             limits=limit_approaches(path, kinematics.robot),
             crossings=with_shares(find_crossings(path, integral, cost), path, integral, cost),
             least_crossings=least_crossings(kinematics, path.start, path.goal),
+            constraints=() if constraints is None else figures(constraints, prove(constraints, path)),
         )
 
     def __str__(self) -> str:
@@ -267,6 +291,7 @@ class Certificate:
             )
         else:
             lines.append("clearance    nothing is checked for collision")
+        lines += [f"constraint   {each}, at s = {each.at:.3f}" for each in self.constraints]
         lines += [
             f"limit        {each.joint}: {each.distance:.4g} {each.unit} to its {each.side} limit at s = {each.at:.3f}"
             for each in self.limits

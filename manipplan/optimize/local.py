@@ -89,7 +89,9 @@ class LocalSearch(ProvenDescents):
         """
         line = self._straight()
         floor = self._energy_floor(self.program.basis.path(self.start, self.goal, line))
-        solution = self.program.solve(self.start, self.goal, line, floor, deadline=self.deadline)
+        solution = self.program.solve(
+            self.start, self.goal, line, floor, deadline=self.deadline, constraints=self.constraint_search()
+        )
         is_free, *_ = self._judged("straight", solution)
         if not (is_free or solution.converged):
             return []
@@ -165,6 +167,8 @@ class LocalSearch(ProvenDescents):
             if not self._is_wedged(best):
                 break
             aside = rng.normal(size=(self.program.n, 1))
+            if self.constraints is not None:
+                aside[self.constraints.held] = 0.0
             step = ASIDE / np.abs(shape).max() * aside / np.linalg.norm(aside) @ self.program.free[:, :1].T
             for sign in (1.0, -1.0):
                 beside, most = best.coefficients + sign * step, best.cost.g * (1 - WORTH)
@@ -240,7 +244,9 @@ class LocalSearch(ProvenDescents):
             if self.model is not None:
                 watched = near.nearest(self.model, path, places, most=np.inf if free else self.clearance + near.FAR)
                 rows = near.rows_for(self.model, path, lambda at: first(np.interp(at, even, s)), watched, self.clearance)
-            solution = self.program.solve(self.start, self.goal, coefficients, floor, rows, self.deadline)
+            solution = self.program.solve(
+                self.start, self.goal, coefficients, floor, rows, self.deadline, self.constraint_search()
+            )
             if not solution.converged and np.array_equal(coefficients, beginning):
                 break
             if not solution.converged:  # where it stopped depends on rounding errors: restart with the same places
@@ -306,7 +312,9 @@ class LocalSearch(ProvenDescents):
         failed_at: tuple[near.Place, ...] = ()
         g = self.program.integral.cost(path).g
         self.history.append(Step(first=name, g=g, clearance=least, solver=solution.status))
-        if least > self.clearance and self.inside_limits(path, NEARLY_INSIDE):
+        constraints = self.constraint_proof(path)
+        keeps = constraints is None or constraints.kept
+        if keeps and least > self.clearance and self.inside_limits(path, NEARLY_INSIDE):
             proof = self.proof(path)
             if proof is None or proof.proven:
                 return True, profile, ()

@@ -1,5 +1,6 @@
 """optimize_path: the joint path of minimum g between two configurations, among obstacles."""
 
+from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import replace
 from typing import Literal, overload
@@ -8,6 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
+from manipplan.constraints.constraint import Constraint, constraint_tuple
+from manipplan.constraints.ends import check_ends
 from manipplan.cost.objective import PathObjective
 from manipplan.optimize.homotopy import FirstPath, SolvePool, best_and_rivals, seed_classes, shifted_goals
 from manipplan.optimize.problem import PathProblem, check_initial, initial_path, solve_local
@@ -35,6 +38,7 @@ def optimize_path(
     objective: PathObjective = ...,
     shape: PathShape = ...,
     seeding: Seeding = ...,
+    constraints: Sequence[Constraint] = ...,
     clearance: float = ...,
     executor: Executor | None = ...,
     compare: bool = ...,
@@ -54,6 +58,7 @@ def optimize_path(
     objective: PathObjective = ...,
     shape: PathShape = ...,
     seeding: Seeding = ...,
+    constraints: Sequence[Constraint] = ...,
     clearance: float = ...,
     executor: Executor | None = ...,
     compare: bool = ...,
@@ -72,6 +77,7 @@ def optimize_path(
     objective: PathObjective = PathObjective(),
     shape: PathShape = PathShape(),
     seeding: Seeding = Seeding(),
+    constraints: Sequence[Constraint] = (),
     clearance: float = 0.0,
     executor: Executor | None = None,
     compare: bool = False,
@@ -103,6 +109,7 @@ def optimize_path(
         objective: power, task, measure, metric and floor of g.
         shape: degree, basis, pieces and end derivatives of the path.
         seeding: how first paths are found, or a given one.
+        constraints: TiltLimit, PositionBox, HeldJoints or a Constraint of yours, kept on the whole path; they need a scene.
         clearance: minimum distance [m] from obstacles and between the arm's own links; needs a scene. An optimised path keeps
             0.05 mm more, so that the proof succeeds, and along clouds and meshes up to 3 mm more.
         executor: runs first paths and solves in parallel; the result does not depend on it. Default: in turn, in this process.
@@ -137,6 +144,9 @@ def optimize_path(
         raise InvalidInputError(
             "clearance", clearance, "0 without a scene, since nothing is checked then; scene=Scene() checks for self-collision"
         )
+    constraints = constraint_tuple(constraints)
+    if constraints and scene is None:
+        raise InvalidInputError("constraints", constraints, "none without a scene; scene=mp.Scene() checks for self-collision")
     if executor is not None:
         instance("executor", executor, Executor)
     tell = teller(progress)
@@ -154,7 +164,10 @@ def optimize_path(
         compiled=compiled,
         given=recorded is not None,
         compares=compare,
+        constraints=constraints,
     )
+    if problem.constraint_set is not None:
+        check_ends(problem.constraint_set, q_start, q_goal)
     if scene is not None:
         tell(0.0, "preparing collision shapes")
     model = problem.model()
@@ -192,6 +205,7 @@ def optimize_from(
     *,
     objective: PathObjective,
     shape: PathShape,
+    constraints: Sequence[Constraint],
     clearance: float,
     deadline: Deadline,
 ) -> PathResult:
@@ -205,6 +219,7 @@ def optimize_from(
         clearance=clearance,
         given=True,
         climbs=False,
+        constraints=tuple(constraints),
     )
     return solve_local(problem, first.start, first.goal, first, deadline=deadline)
 

@@ -12,6 +12,10 @@ from manipplan.collision.covers.coarse import coarse_scene, without_pieces_at
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene
+from manipplan.constraints.constraint import Constraint
+from manipplan.constraints.constraint_set import ConstraintSet
+from manipplan.constraints.figures import figures
+from manipplan.constraints.proof import prove
 from manipplan.cost.crossings import find_crossings, least_crossings, runs_along
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective
@@ -68,6 +72,7 @@ class PathProblem:
         given: the caller gave the first path, so the search also descends from it as it is.
         climbs: also start from the optimum of a lower degree, and where nothing is found search once more with more patience.
         compares: also find g of the nearby optimum without limits and obstacles.
+        constraints: what is kept beside limits and clearance; needs a scene.
     """
 
     robot: Robot
@@ -80,6 +85,7 @@ class PathProblem:
     given: bool = False
     climbs: bool = True
     compares: bool = False
+    constraints: tuple[Constraint, ...] = ()
 
     def integral(self) -> PathIntegral:
         """The objective as an integral along paths of this process's robot."""
@@ -89,6 +95,11 @@ class PathProblem:
     def ends(self) -> EndConditions:
         """The fixed derivatives at start and goal."""
         return self.shape.ends(self.robot.n)
+
+    @cached_property
+    def constraint_set(self) -> ConstraintSet | None:
+        """The constraints for this robot; None without any."""
+        return ConstraintSet.of(self.robot, self.constraints) if self.constraints else None
 
     def model(self) -> CollisionModel | None:
         """The collision model; None without a scene."""
@@ -141,6 +152,7 @@ def solve_local(
         ends=problem.ends,
         repaces=problem.lower() is None,
         deadline=deadline,
+        constraints=problem.constraint_set,
     )
     is_free = bool(program.free.size)
     interrupted = late = False
@@ -191,6 +203,7 @@ def solve_local(
         optimality=best.optimality if best is not None and path is best.path else None,
         unconstrained_g=unconstrained,
         history=tuple(history),
+        constraints=problem.constraint_set,
     )
 
 
@@ -298,6 +311,7 @@ def planned_path(problem: PathProblem, start: Array, goal: Array, seed: int, dea
         objective=problem.objective,
         fewest_crossings=True,
         clearance=problem.clearance,
+        constraints=problem.constraints,
     )
 
 
@@ -362,6 +376,11 @@ def check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: 
         robot.configuration("initial", q, tolerance=1e-9)
     if model is None:
         return
+    if problem.constraint_set is not None:
+        kept = prove(problem.constraint_set, initial)
+        if not kept.kept:
+            worst = min(figures(problem.constraint_set, kept), key=lambda each: each.least)
+            raise InvalidInputError("initial", f"a path with {worst} at s = {worst.at:.4f}", "a path that keeps the constraints")
     proof = path_clearance(model, initial, clearance=problem.clearance, tolerance=None)
     if proof.refuted:
         first, second = proof.pair

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from manipplan.cost.density import energy_density, length_density
 from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.optimize.clearance import ClearanceRow, row_functions
+from manipplan.optimize.descents.constraint_rows import ConstraintSearch
 from manipplan.optimize.descents.descent import FAILED, descend
 from manipplan.optimize.descents.fixed_rows import FixedRows
 from manipplan.optimize.descents.length import BatchDensity, Curves, LengthModel, MovingLengthModel
@@ -127,6 +129,7 @@ class PathProgram:
         edges: Array | None = None,
         floor: float | None = None,
         moving: bool = False,
+        constraints: ConstraintSearch | None = None,
     ) -> tuple[DescentProgram, Array]:
         """The program of g among the true obstacles, and the unknowns z (f, n) that give the path of coefficients (n, size).
 
@@ -139,6 +142,7 @@ class PathProgram:
             edges: panel edges (k + 1,) that earlier paths needed; they are kept and refined.
             floor: floor of g; None: that of the objective.
             moving: the panels follow each path; `edges` are ignored.
+            constraints: what is kept beside limits and clearance; None: nothing.
         """
         integral = self.integral if floor is None else replace(self.integral, floor=floor)
         curves, z = self._curves(start, goal, coefficients)
@@ -160,7 +164,10 @@ class PathProgram:
         if moving:
             length = MovingLengthModel(**vars(length), integral=integral)
         limits = self._limit_rows(self._fine_hull, curves, limited=limited)
-        return DescentProgram(length=length, limits=limits, functions=self._batch_rows, surroundings=surroundings), z
+        program = DescentProgram(
+            length=length, limits=limits, functions=self._batch_rows, surroundings=surroundings, **_kept(constraints)
+        )
+        return program, z
 
     def _curves(self, start: Array, goal: Array, coefficients: Array) -> tuple[Curves, Array]:
         """The curves with the free directions, and the unknowns z (f, n) of coefficients (n, size)."""
@@ -188,11 +195,12 @@ class PathProgram:
         floor: float,
         rows: Sequence[ClearanceRow] = (),
         deadline: Deadline = NEVER,
+        constraints: ConstraintSearch | None = None,
     ) -> Solution:
         """Minimise the energy with a floor from a guess (n, size), which has the fixed end derivatives.
 
-        Rows may be violated, so there is a solution even when they contradict each other. IPOPT minimises it where the descent
-        on it fails. Raises OutOfTimeError after the deadline.
+        Rows and constraints may be violated, so there is a solution even when they contradict each other. IPOPT minimises it,
+        without the constraints, where the descent on it fails. Raises OutOfTimeError after the deadline.
         """
         curves, z = self._curves(start, goal, guess)
         energy = self._energy_of(start, goal, guess, floor)
@@ -212,12 +220,13 @@ class PathProgram:
             functions=self._batch_rows,
             surroundings=None,
             rows=FixedRows.of(self._batch_rows, curves, rows) if rows else None,
+            **_kept(constraints),
         )
         descent = descend(
             program,
             z,
             tolerance=ENERGY_TOLERANCE,
-            steps=ENERGY_STEPS if rows else FREE_ENERGY_STEPS,
+            steps=ENERGY_STEPS if rows or constraints is not None else FREE_ENERGY_STEPS,
             first_radius=ENERGY_RADIUS,
             least_penalty=ENERGY_PENALTY,
             deadline=deadline,
@@ -240,3 +249,10 @@ class PathProgram:
         density = np.asarray(self._energy.density.value(q, v, np.array([[1.0], [self.integral.power], [floor]]))).ravel()
         value = float(density @ self._energy.weights)
         return value if np.isfinite(value) and value > 0 else 1.0
+
+
+def _kept(constraints: ConstraintSearch | None) -> dict[str, Any]:
+    """Attributes of a DescentProgram that keeps constraints."""
+    if constraints is None:
+        return {}
+    return {"constraints": constraints if constraints.constraints.count else None, "held": constraints.constraints.held}

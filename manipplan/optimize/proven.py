@@ -10,8 +10,11 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import PathClearance, path_clearance
+from manipplan.constraints.constraint_set import ConstraintSet
+from manipplan.constraints.proof import ConstraintProof, prove
 from manipplan.cost.integral import PathCost
 from manipplan.optimize.certificate import UNKNOWN, Optimality, measure_optimality
+from manipplan.optimize.descents.constraint_rows import ConstraintSearch
 from manipplan.optimize.descents.descent import LATE, descend
 from manipplan.optimize.descents.surroundings import MARGIN, Surroundings
 from manipplan.optimize.program import PathProgram
@@ -94,6 +97,7 @@ class ProvenDescents:
         until: when the descents from one path end.
         patient: descents go on where they hardly come out of an obstacle.
         deadline: when descents end.
+        constraints: what is kept beside limits and clearance; None: nothing.
     """
 
     program: PathProgram
@@ -107,6 +111,7 @@ class ProvenDescents:
     until: Until = Until.SETTLED
     patient: bool = False
     deadline: Deadline = NEVER
+    constraints: ConstraintSet | None = None
 
     def descend(
         self, name: str, coefficients: Array, *, kept: JointPath | None = None, softens: bool = True, below: float = np.inf
@@ -122,6 +127,7 @@ class ProvenDescents:
         """
         program, integral = self.program, self.program.integral
         surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
+        kept_rows = self.constraint_search()
         path = program.basis.path(self.start, self.goal, coefficients)
         beginning = integral.cost(path)
         if not np.isfinite(beginning.g):  # without a floor, a path through a singularity has no finite g
@@ -145,7 +151,14 @@ class ProvenDescents:
             if surroundings is not None:
                 surroundings.margin = margin
             true, z = program.descent_program(
-                self.start, self.goal, coefficients, surroundings, edges=edges, floor=floor, moving=moving
+                self.start,
+                self.goal,
+                coefficients,
+                surroundings,
+                edges=edges,
+                floor=floor,
+                moving=moving,
+                constraints=kept_rows,
             )
             refined = edges is None or len(true.length.edges) > len(edges)
             edges = true.length.edges
@@ -180,6 +193,13 @@ class ProvenDescents:
                     wider = WIDER[min(failures - 2, len(WIDER) - 1)]
                     final, backed_off = max(min(wider, self.room), final), True
                     waiting = [(final, floor)] * len(waiting)
+                continue
+            kept_everywhere = self.constraint_proof(path)
+            if kept_rows is not None and kept_everywhere is not None and not kept_everywhere.kept:
+                if kept_everywhere.failed_at in kept_rows.always:
+                    log.debug("descent: a constraint is not kept at s = %g", kept_everywhere.failed_at)
+                    break
+                kept_rows.always.append(kept_everywhere.failed_at)
                 continue
             if not self.inside_limits(path):
                 log.debug("descent: the path leaves the joint limits")
@@ -238,9 +258,20 @@ class ProvenDescents:
         return bool(cost.min_manipulability < SOFTER[-1] * self.program.integral.floor)
 
     def keeps(self, path: JointPath, margin: float = 0.0) -> bool:
-        """Whether a path is proven to keep the required clearance plus a margin [m], or nothing is checked."""
+        """Whether a path keeps the constraints, and is proven to keep the required clearance plus a margin [m]."""
+        constraints = self.constraint_proof(path)
+        if constraints is not None and not constraints.kept:
+            return False
         proof = self.proof(path, margin)
         return proof is None or proof.proven
+
+    def constraint_search(self) -> ConstraintSearch | None:
+        """A new search for the smallest rows of constraints; None without any."""
+        return None if self.constraints is None else ConstraintSearch.of(self.constraints, self.start, self.goal)
+
+    def constraint_proof(self, path: JointPath) -> ConstraintProof | None:
+        """What is known about the constraints on a path; None without any."""
+        return None if self.constraints is None else prove(self.constraints, path)
 
     def proof(self, path: JointPath, margin: float = 0.0) -> PathClearance | None:
         """The proof that a path keeps its clearance plus a margin [m]; None where nothing is checked."""

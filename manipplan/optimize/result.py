@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
+from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.measures.manipulability import Yoshikawa
 from manipplan.measures.measure import Measure
@@ -103,6 +104,7 @@ def make_result(
     optimality: Optimality | None = None,
     unconstrained_g: float = np.nan,
     history: tuple[Step, ...] = (),
+    constraints: ConstraintSet | None = None,
 ) -> PathResult:
     """The result for a path of known cost that came from `seed`, with every other figure measured on the path."""
     certificate = Certificate.of(
@@ -115,6 +117,7 @@ def make_result(
         solver=solver,
         optimality=optimality,
         unconstrained_g=unconstrained_g,
+        constraints=constraints,
     )
     return PathResult(
         path=path,

@@ -1,4 +1,4 @@
-"""Which paths are accepted as seeds: proven collision-free, with no more crossings of singularities than allowed."""
+"""Which paths are accepted as seeds: proven collision-free and within their constraints, with few crossings of singularities."""
 
 import logging
 from collections.abc import Callable
@@ -6,6 +6,7 @@ from collections.abc import Callable
 import numpy as np
 
 from manipplan.collision.path_clearance import path_clearance
+from manipplan.constraints.proof import TOLERANCE, prove
 from manipplan.paths.joint import JointPath
 from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
@@ -29,10 +30,12 @@ def acceptance(task: SeedTask) -> Callable[[JointPath], bool]:
     """
     if min(task.distances) <= task.clearance + PROVABLE:
         log.info("start or goal is too close to contact for a proof; the seed is checked at every milliradian")
-        return lambda path: looks_free(task, path) and is_free(task, path)
+        return lambda path: looks_free(task, path) and keeps_constraints(task, path) and is_free(task, path)
 
     def is_proven(path: JointPath) -> bool:
-        return looks_free(task, path) and path_clearance(task.model, path, clearance=task.clearance, tolerance=None).proven
+        if not (looks_free(task, path) and keeps_constraints(task, path)):
+            return False
+        return path_clearance(task.model, path, clearance=task.clearance, tolerance=None).proven
 
     return is_proven
 
@@ -45,9 +48,16 @@ def crossing_limit(task: SeedTask) -> Callable[[JointPath], bool]:
     return lambda path: sides.changes(configurations(path, SIDES_STEP)) <= most
 
 
+def keeps_constraints(task: SeedTask, path: JointPath) -> bool:
+    """Whether the path keeps the constraints everywhere, as `prove` says."""
+    return task.constraints is None or prove(task.constraints, path).kept
+
+
 def looks_free(task: SeedTask, path: JointPath) -> bool:
-    """Whether the path is free at samples."""
+    """Whether the path is free and keeps the constraints at samples."""
     q = configurations(path, LOOK_STEP)
+    if task.constraints is not None and task.constraints.values(q).min(initial=0.0) < -TOLERANCE:
+        return False
     few = q[FIRST // 2 :: FIRST]
     return not any(task.model.in_collision_rows(rows, clearance=task.clearance).any() for rows in (few, q))
 

@@ -2,14 +2,20 @@
 
    Two trees grow from start and goal. A path may cross singularities a limited number of times: each node knows the sides of the
    singularities on which it lies, as signs of the functions in `sides.py`, and how often one of them changed its sign on the way
-   from its root. All arrays belong to the caller. */
+   from its root. With constraints, the nodes are projected onto the configurations that keep them [berenson2009]. All arrays belong
+   to the caller. */
 
 #include <math.h>
 #include <string.h>
 
+#include "constraints.h"
+
 enum { FREE, TOUCHING, UNDECIDED };
 enum { SEARCHING, FOUND, FULL };
 static const double LEAST_GAIN = 0.01; /* share of a way's length that a shortcut must save */
+/* With constraints, shares of `range` that an edge tries in turn: the last one, and the ratio of neighbours; and the share of its
+   length by which an edge has to come nearer to its target. */
+static const double LAST_SHARE = 1.0 / 16, NEXT_SHARE = 1.0 / 4, NEARER = 0.25;
 enum { MOST_SIDES = 8, BLOCK = 64, MOST_JOINTS = 64 };
 
 typedef struct {
@@ -54,6 +60,7 @@ typedef struct {
     long met[2];            /* the nodes at which they met */
     long turn;              /* the tree that grows next */
     long checks;            /* number of configurations checked for collision */
+    const Constraints *constraints; /* or null */
 } Search;
 
 /* A random number in [0, 1): splitmix64 [steele2014]. */
@@ -91,6 +98,7 @@ static int is_free(Search *s, const double *q) {
     for (int end = 0; end < 2; end++)
         if (margin > s->spare[end]) margin = fmin(margin, s->spare[end] + s->growth * distance(s, q, s->node[end]));
     s->checks++;
+    if (s->constraints && !keeps(s->constraints, q)) return 0;
     int verdict = s->check(s->world, q, s->clearance + margin);
     return verdict == UNDECIDED ? s->decide(q, s->clearance + margin) == FREE : verdict == FREE;
 }
@@ -171,12 +179,17 @@ static long nearest(const Search *s, long tree, const double *q, double most) {
 }
 
 /* Add a node of `tree` towards `target`, at most `range` from node `from`; returns it, or -1 where the motion is not possible. */
-static long extend(Search *s, long tree, long from, const double *target) {
+static long extend_by(Search *s, long tree, long from, const double *target, double range) {
     const double *a = s->node[tree] + from * s->n;
     long made = s->size[tree];
     double *b = s->node[tree] + made * s->n, far = distance(s, a, target);
-    if (far > s->range) between(s, a, target, s->range / far, b);
+    if (far > range) between(s, a, target, range / far, b);
     else memcpy(b, target, (size_t)s->n * sizeof *b);
+    if (s->constraints) {
+        double gradient[MOST_JOINTS];
+        if (!project(s->constraints, s->low, s->high, b, gradient)) return -1;
+        if (!(far - distance(s, b, target) >= NEARER * fmin(far, range))) return -1;
+    }
     Side side = s->side[tree][from];
     if (s->bound < INFINITY) {
         s->cost[tree][made] = s->cost[tree][from] + s->cost_of(s->star, a, b);
@@ -189,11 +202,20 @@ static long extend(Search *s, long tree, long from, const double *target) {
     return made;
 }
 
+/* The same, with edges as long as possible. */
+static long extend(Search *s, long tree, long from, const double *target) {
+    long made = extend_by(s, tree, from, target, s->range);
+    if (s->constraints)
+        for (double share = NEXT_SHARE; made < 0 && share >= LAST_SHARE; share *= NEXT_SHARE)
+            made = extend_by(s, tree, from, target, share * s->range);
+    return made;
+}
+
 /* Whether either tree may run out of room before the next try to join them ends. */
 static int is_full(const Search *s) {
     double square = 0;
     for (long j = 0; j < s->n; j++) square += (s->high[j] - s->low[j]) * (s->high[j] - s->low[j]);
-    long longest = (long)(sqrt(square) / s->range) + 3;
+    long longest = (long)(sqrt(square) / (s->range * (s->constraints ? LAST_SHARE * NEARER : 1))) + 3;
     return s->size[0] + longest > s->room || s->size[1] + longest > s->room;
 }
 

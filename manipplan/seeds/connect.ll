@@ -1,7 +1,8 @@
-; connect.c 108a62294bb2cdf925062b34dd6a32d2aefd4274a5114c15360632a16a3324ae: written by make kernel
+; connect.c ea19f3eeb08c252a93913cde041873eadb011f8a09bcc4daf7e71d363ee37f48: written by make kernel
 
 %struct.Side = type { i8, i8, i64 }
-%struct.Search = type { i64, ptr, ptr, double, double, ptr, ptr, ptr, double, i64, ptr, ptr, [2 x double], double, ptr, i64, double, i64, ptr, ptr, i64, double, double, ptr, ptr, i64, i64, [2 x ptr], [2 x ptr], [2 x ptr], [2 x ptr], [2 x i64], [2 x i64], i64, i64 }
+%struct.Search = type { i64, ptr, ptr, double, double, ptr, ptr, ptr, double, i64, ptr, ptr, [2 x double], double, ptr, i64, double, i64, ptr, ptr, i64, double, double, ptr, ptr, i64, i64, [2 x ptr], [2 x ptr], [2 x ptr], [2 x ptr], [2 x i64], [2 x i64], i64, i64, ptr }
+%struct.Constraints = type { i64, i64, i64, ptr, ptr, ptr, ptr, ptr }
 
 define dso_local i32 @manipplan_state(ptr nocapture noundef %0, ptr noundef %1) local_unnamed_addr #0 {
   %3 = alloca %struct.Side, align 8
@@ -26,95 +27,16 @@ define dso_local i32 @manipplan_state(ptr nocapture noundef %0, ptr noundef %1) 
   %16 = load i64, ptr %15, align 8
   %17 = add nsw i64 %16, 1
   store i64 %17, ptr %15, align 8
-  br label %82
+  br label %20
 
 18:                                               ; preds = %9, %2
-  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
-  %20 = load ptr, ptr %19, align 8
-  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
-  %22 = load i64, ptr %21, align 8
-  %23 = getelementptr inbounds double, ptr %20, i64 %22
-  %24 = load double, ptr %23, align 8
-  %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
-  br label %39
+  %19 = tail call fastcc i32 @is_free(ptr noundef nonnull %0, ptr noundef %1)
+  br label %20
 
-26:                                               ; preds = %70
-  %27 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 34
-  %28 = load i64, ptr %27, align 8
-  %29 = add nsw i64 %28, 1
-  store i64 %29, ptr %27, align 8
-  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %31 = load ptr, ptr %30, align 8
-  %32 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %33 = load ptr, ptr %32, align 8
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %35 = load double, ptr %34, align 8
-  %36 = fadd double %71, %35
-  %37 = tail call i32 %31(ptr noundef %33, ptr noundef %1, double noundef %36) #8
-  %38 = icmp eq i32 %37, 2
-  br i1 %38, label %72, label %78
-
-39:                                               ; preds = %70, %18
-  %40 = phi i1 [ true, %18 ], [ false, %70 ]
-  %41 = phi i64 [ 0, %18 ], [ 1, %70 ]
-  %42 = phi double [ %24, %18 ], [ %71, %70 ]
-  %43 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12, i64 %41
-  %44 = load double, ptr %43, align 8
-  %45 = fcmp ogt double %42, %44
-  br i1 %45, label %46, label %70
-
-46:                                               ; preds = %39
-  %47 = load double, ptr %25, align 8
-  %48 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %41
-  %49 = load ptr, ptr %48, align 8
-  %50 = load i64, ptr %0, align 8
-  %51 = icmp sgt i64 %50, 0
-  br i1 %51, label %52, label %64
-
-52:                                               ; preds = %46, %52
-  %53 = phi i64 [ %62, %52 ], [ 0, %46 ]
-  %54 = phi double [ %61, %52 ], [ 0.000000e+00, %46 ]
-  %55 = getelementptr inbounds double, ptr %49, i64 %53
-  %56 = load double, ptr %55, align 8
-  %57 = getelementptr inbounds double, ptr %1, i64 %53
-  %58 = load double, ptr %57, align 8
-  %59 = fsub double %56, %58
-  %60 = fmul double %59, %59
-  %61 = fadd double %54, %60
-  %62 = add nuw nsw i64 %53, 1
-  %63 = icmp eq i64 %62, %50
-  br i1 %63, label %64, label %52
-
-64:                                               ; preds = %52, %46
-  %65 = phi double [ 0.000000e+00, %46 ], [ %61, %52 ]
-  %66 = tail call double @llvm.sqrt.f64(double %65)
-  %67 = fmul double %47, %66
-  %68 = fadd double %44, %67
-  %69 = tail call double @llvm.minnum.f64(double %42, double %68)
-  br label %70
-
-70:                                               ; preds = %64, %39
-  %71 = phi double [ %69, %64 ], [ %42, %39 ]
-  br i1 %40, label %39, label %26
-
-72:                                               ; preds = %26
-  %73 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  %74 = load ptr, ptr %73, align 8
-  %75 = load double, ptr %34, align 8
-  %76 = fadd double %71, %75
-  %77 = tail call i32 %74(ptr noundef %1, double noundef %76) #8
-  br label %78
-
-78:                                               ; preds = %26, %72
-  %79 = phi i32 [ %77, %72 ], [ %37, %26 ]
-  %80 = icmp eq i32 %79, 0
-  %81 = zext i1 %80 to i32
-  br label %82
-
-82:                                               ; preds = %78, %14
-  %83 = phi i32 [ %81, %78 ], [ 0, %14 ]
+20:                                               ; preds = %18, %14
+  %21 = phi i32 [ %19, %18 ], [ 0, %14 ]
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %3) #8
-  ret i32 %83
+  ret i32 %21
 }
 
 declare void @llvm.lifetime.start.p0(i64 immarg, ptr nocapture) #1
@@ -331,6 +253,105 @@ define internal fastcc i32 @carry(ptr nocapture noundef readonly %0, ptr nocaptu
   ret i32 %159
 }
 
+define internal fastcc i32 @is_free(ptr nocapture noundef %0, ptr noundef %1) unnamed_addr #0 {
+  %3 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  %4 = load ptr, ptr %3, align 8
+  %5 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr inbounds double, ptr %4, i64 %6
+  %8 = load double, ptr %7, align 8
+  %9 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
+  br label %17
+
+10:                                               ; preds = %48
+  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 34
+  %12 = load i64, ptr %11, align 8
+  %13 = add nsw i64 %12, 1
+  store i64 %13, ptr %11, align 8
+  %14 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 35
+  %15 = load ptr, ptr %14, align 8
+  %16 = icmp eq ptr %15, null
+  br i1 %16, label %53, label %50
+
+17:                                               ; preds = %2, %48
+  %18 = phi i1 [ true, %2 ], [ false, %48 ]
+  %19 = phi i64 [ 0, %2 ], [ 1, %48 ]
+  %20 = phi double [ %8, %2 ], [ %49, %48 ]
+  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12, i64 %19
+  %22 = load double, ptr %21, align 8
+  %23 = fcmp ogt double %20, %22
+  br i1 %23, label %24, label %48
+
+24:                                               ; preds = %17
+  %25 = load double, ptr %9, align 8
+  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %19
+  %27 = load ptr, ptr %26, align 8
+  %28 = load i64, ptr %0, align 8
+  %29 = icmp sgt i64 %28, 0
+  br i1 %29, label %30, label %42
+
+30:                                               ; preds = %24, %30
+  %31 = phi i64 [ %40, %30 ], [ 0, %24 ]
+  %32 = phi double [ %39, %30 ], [ 0.000000e+00, %24 ]
+  %33 = getelementptr inbounds double, ptr %27, i64 %31
+  %34 = load double, ptr %33, align 8
+  %35 = getelementptr inbounds double, ptr %1, i64 %31
+  %36 = load double, ptr %35, align 8
+  %37 = fsub double %34, %36
+  %38 = fmul double %37, %37
+  %39 = fadd double %32, %38
+  %40 = add nuw nsw i64 %31, 1
+  %41 = icmp eq i64 %40, %28
+  br i1 %41, label %42, label %30
+
+42:                                               ; preds = %30, %24
+  %43 = phi double [ 0.000000e+00, %24 ], [ %39, %30 ]
+  %44 = tail call double @llvm.sqrt.f64(double %43)
+  %45 = fmul double %25, %44
+  %46 = fadd double %22, %45
+  %47 = tail call double @llvm.minnum.f64(double %20, double %46)
+  br label %48
+
+48:                                               ; preds = %17, %42
+  %49 = phi double [ %47, %42 ], [ %20, %17 ]
+  br i1 %18, label %17, label %10
+
+50:                                               ; preds = %10
+  %51 = tail call fastcc i32 @keeps(ptr noundef nonnull %15, ptr noundef %1)
+  %52 = icmp eq i32 %51, 0
+  br i1 %52, label %73, label %53
+
+53:                                               ; preds = %50, %10
+  %54 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %55 = load ptr, ptr %54, align 8
+  %56 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %57 = load ptr, ptr %56, align 8
+  %58 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %59 = load double, ptr %58, align 8
+  %60 = fadd double %49, %59
+  %61 = tail call i32 %55(ptr noundef %57, ptr noundef %1, double noundef %60) #8
+  %62 = icmp eq i32 %61, 2
+  br i1 %62, label %63, label %69
+
+63:                                               ; preds = %53
+  %64 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %65 = load ptr, ptr %64, align 8
+  %66 = load double, ptr %58, align 8
+  %67 = fadd double %49, %66
+  %68 = tail call i32 %65(ptr noundef %1, double noundef %67) #8
+  br label %69
+
+69:                                               ; preds = %53, %63
+  %70 = phi i32 [ %68, %63 ], [ %61, %53 ]
+  %71 = icmp eq i32 %70, 0
+  %72 = zext i1 %71 to i32
+  br label %73
+
+73:                                               ; preds = %50, %69
+  %74 = phi i32 [ %72, %69 ], [ 0, %50 ]
+  ret i32 %74
+}
+
 declare void @llvm.lifetime.end.p0(i64 immarg, ptr nocapture) #1
 
 define dso_local i32 @manipplan_motion(ptr nocapture noundef %0, ptr nocapture noundef readonly %1, ptr noundef %2) local_unnamed_addr #0 {
@@ -430,219 +451,78 @@ define internal fastcc i32 @motion_is_free(ptr nocapture noundef %0, ptr nocaptu
   %27 = fdiv double %20, %26
   %28 = tail call double @llvm.ceil.f64(double %27)
   %29 = fptosi double %28 to i64
-  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
-  %31 = load ptr, ptr %30, align 8
-  %32 = getelementptr inbounds double, ptr %31, i64 %24
-  %33 = load double, ptr %32, align 8
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
-  br label %49
+  %30 = tail call i64 @llvm.smax.i64(i64 %29, i64 1)
+  %31 = tail call fastcc i32 @is_free(ptr noundef nonnull %0, ptr noundef %2)
+  %32 = icmp eq i32 %31, 0
+  br i1 %32, label %75, label %33
 
-35:                                               ; preds = %78
-  %36 = tail call i64 @llvm.smax.i64(i64 %29, i64 1)
-  %37 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 34
-  %38 = load i64, ptr %37, align 8
-  %39 = add nsw i64 %38, 1
-  store i64 %39, ptr %37, align 8
-  %40 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %41 = load ptr, ptr %40, align 8
-  %42 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %43 = load ptr, ptr %42, align 8
-  %44 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %45 = load double, ptr %44, align 8
-  %46 = fadd double %79, %45
-  %47 = tail call i32 %41(ptr noundef %43, ptr noundef %2, double noundef %46) #8
-  %48 = icmp eq i32 %47, 2
-  br i1 %48, label %80, label %86
+33:                                               ; preds = %19, %33
+  %34 = phi i64 [ %35, %33 ], [ 1, %19 ]
+  %35 = shl nsw i64 %34, 1
+  %36 = icmp slt i64 %35, %30
+  br i1 %36, label %33, label %37
 
-49:                                               ; preds = %78, %19
-  %50 = phi i1 [ true, %19 ], [ false, %78 ]
-  %51 = phi i64 [ 0, %19 ], [ 1, %78 ]
-  %52 = phi double [ %33, %19 ], [ %79, %78 ]
-  %53 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12, i64 %51
-  %54 = load double, ptr %53, align 8
-  %55 = fcmp ogt double %52, %54
-  br i1 %55, label %56, label %78
+37:                                               ; preds = %33
+  %38 = icmp ugt i64 %30, 1
+  %39 = icmp sgt i64 %34, 0
+  %40 = select i1 %39, i1 %38, i1 false
+  br i1 %40, label %41, label %75
 
-56:                                               ; preds = %49
-  %57 = load double, ptr %34, align 8
-  %58 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %51
-  %59 = load ptr, ptr %58, align 8
-  br i1 %6, label %60, label %72
+41:                                               ; preds = %37
+  %42 = sitofp i64 %30 to double
+  br label %43
 
-60:                                               ; preds = %56, %60
-  %61 = phi i64 [ %70, %60 ], [ 0, %56 ]
-  %62 = phi double [ %69, %60 ], [ 0.000000e+00, %56 ]
-  %63 = getelementptr inbounds double, ptr %59, i64 %61
-  %64 = load double, ptr %63, align 8
-  %65 = getelementptr inbounds double, ptr %2, i64 %61
-  %66 = load double, ptr %65, align 8
-  %67 = fsub double %64, %66
-  %68 = fmul double %67, %67
-  %69 = fadd double %62, %68
-  %70 = add nuw nsw i64 %61, 1
-  %71 = icmp eq i64 %70, %5
-  br i1 %71, label %72, label %60
+43:                                               ; preds = %41, %72
+  %44 = phi i64 [ %34, %41 ], [ %73, %72 ]
+  %45 = icmp slt i64 %44, %30
+  br i1 %45, label %46, label %72
 
-72:                                               ; preds = %60, %56
-  %73 = phi double [ 0.000000e+00, %56 ], [ %69, %60 ]
-  %74 = tail call double @llvm.sqrt.f64(double %73)
-  %75 = fmul double %57, %74
-  %76 = fadd double %54, %75
-  %77 = tail call double @llvm.minnum.f64(double %52, double %76)
-  br label %78
+46:                                               ; preds = %43
+  %47 = shl nuw nsw i64 %44, 1
+  br label %48
 
-78:                                               ; preds = %72, %49
-  %79 = phi double [ %77, %72 ], [ %52, %49 ]
-  br i1 %50, label %49, label %35
+48:                                               ; preds = %46, %69
+  %49 = phi i64 [ %44, %46 ], [ %70, %69 ]
+  %50 = sitofp i64 %49 to double
+  %51 = fdiv double %50, %42
+  %52 = load i64, ptr %0, align 8
+  %53 = icmp sgt i64 %52, 0
+  br i1 %53, label %54, label %66
 
-80:                                               ; preds = %35
-  %81 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  %82 = load ptr, ptr %81, align 8
-  %83 = load double, ptr %44, align 8
-  %84 = fadd double %79, %83
-  %85 = tail call i32 %82(ptr noundef %2, double noundef %84) #8
-  br label %86
+54:                                               ; preds = %48, %54
+  %55 = phi i64 [ %64, %54 ], [ 0, %48 ]
+  %56 = getelementptr inbounds double, ptr %1, i64 %55
+  %57 = load double, ptr %56, align 8
+  %58 = getelementptr inbounds double, ptr %2, i64 %55
+  %59 = load double, ptr %58, align 8
+  %60 = fsub double %59, %57
+  %61 = fmul double %51, %60
+  %62 = fadd double %57, %61
+  %63 = getelementptr inbounds double, ptr %4, i64 %55
+  store double %62, ptr %63, align 8
+  %64 = add nuw nsw i64 %55, 1
+  %65 = icmp eq i64 %64, %52
+  br i1 %65, label %66, label %54
 
-86:                                               ; preds = %35, %80
-  %87 = phi i32 [ %85, %80 ], [ %47, %35 ]
-  %88 = icmp eq i32 %87, 0
-  br i1 %88, label %89, label %182
+66:                                               ; preds = %54, %48
+  %67 = call fastcc i32 @is_free(ptr noundef nonnull %0, ptr noundef nonnull %4)
+  %68 = icmp eq i32 %67, 0
+  br i1 %68, label %75, label %69
 
-89:                                               ; preds = %86, %89
-  %90 = phi i64 [ %91, %89 ], [ 1, %86 ]
-  %91 = shl nsw i64 %90, 1
-  %92 = icmp slt i64 %91, %36
-  br i1 %92, label %89, label %93
+69:                                               ; preds = %66
+  %70 = add nsw i64 %49, %47
+  %71 = icmp slt i64 %70, %30
+  br i1 %71, label %48, label %72
 
-93:                                               ; preds = %89
-  %94 = icmp ugt i64 %36, 1
-  %95 = icmp sgt i64 %90, 0
-  %96 = select i1 %95, i1 %94, i1 false
-  br i1 %96, label %97, label %182
+72:                                               ; preds = %69, %43
+  %73 = lshr i64 %44, 1
+  %74 = icmp ugt i64 %44, 1
+  br i1 %74, label %43, label %75
 
-97:                                               ; preds = %93
-  %98 = sitofp i64 %36 to double
-  %99 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  br label %100
-
-100:                                              ; preds = %97, %179
-  %101 = phi i64 [ %90, %97 ], [ %180, %179 ]
-  %102 = icmp slt i64 %101, %36
-  br i1 %102, label %103, label %179
-
-103:                                              ; preds = %100
-  %104 = shl nuw nsw i64 %101, 1
-  br label %105
-
-105:                                              ; preds = %103, %176
-  %106 = phi i64 [ %101, %103 ], [ %177, %176 ]
-  %107 = sitofp i64 %106 to double
-  %108 = fdiv double %107, %98
-  %109 = load i64, ptr %0, align 8
-  %110 = icmp sgt i64 %109, 0
-  br i1 %110, label %111, label %123
-
-111:                                              ; preds = %105, %111
-  %112 = phi i64 [ %121, %111 ], [ 0, %105 ]
-  %113 = getelementptr inbounds double, ptr %1, i64 %112
-  %114 = load double, ptr %113, align 8
-  %115 = getelementptr inbounds double, ptr %2, i64 %112
-  %116 = load double, ptr %115, align 8
-  %117 = fsub double %116, %114
-  %118 = fmul double %108, %117
-  %119 = fadd double %114, %118
-  %120 = getelementptr inbounds double, ptr %4, i64 %112
-  store double %119, ptr %120, align 8
-  %121 = add nuw nsw i64 %112, 1
-  %122 = icmp eq i64 %121, %109
-  br i1 %122, label %123, label %111
-
-123:                                              ; preds = %111, %105
-  %124 = load ptr, ptr %30, align 8
-  %125 = load i64, ptr %23, align 8
-  %126 = getelementptr inbounds double, ptr %124, i64 %125
-  %127 = load double, ptr %126, align 8
-  br label %137
-
-128:                                              ; preds = %166
-  %129 = load i64, ptr %37, align 8
-  %130 = add nsw i64 %129, 1
-  store i64 %130, ptr %37, align 8
-  %131 = load ptr, ptr %40, align 8
-  %132 = load ptr, ptr %42, align 8
-  %133 = load double, ptr %44, align 8
-  %134 = fadd double %167, %133
-  %135 = call i32 %131(ptr noundef %132, ptr noundef nonnull %4, double noundef %134) #8
-  %136 = icmp eq i32 %135, 2
-  br i1 %136, label %168, label %173
-
-137:                                              ; preds = %166, %123
-  %138 = phi i1 [ true, %123 ], [ false, %166 ]
-  %139 = phi i64 [ 0, %123 ], [ 1, %166 ]
-  %140 = phi double [ %127, %123 ], [ %167, %166 ]
-  %141 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12, i64 %139
-  %142 = load double, ptr %141, align 8
-  %143 = fcmp ogt double %140, %142
-  br i1 %143, label %144, label %166
-
-144:                                              ; preds = %137
-  %145 = load double, ptr %34, align 8
-  %146 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %139
-  %147 = load ptr, ptr %146, align 8
-  br i1 %110, label %148, label %160
-
-148:                                              ; preds = %144, %148
-  %149 = phi i64 [ %158, %148 ], [ 0, %144 ]
-  %150 = phi double [ %157, %148 ], [ 0.000000e+00, %144 ]
-  %151 = getelementptr inbounds double, ptr %147, i64 %149
-  %152 = load double, ptr %151, align 8
-  %153 = getelementptr inbounds double, ptr %4, i64 %149
-  %154 = load double, ptr %153, align 8
-  %155 = fsub double %152, %154
-  %156 = fmul double %155, %155
-  %157 = fadd double %150, %156
-  %158 = add nuw nsw i64 %149, 1
-  %159 = icmp eq i64 %158, %109
-  br i1 %159, label %160, label %148
-
-160:                                              ; preds = %148, %144
-  %161 = phi double [ 0.000000e+00, %144 ], [ %157, %148 ]
-  %162 = call double @llvm.sqrt.f64(double %161)
-  %163 = fmul double %145, %162
-  %164 = fadd double %142, %163
-  %165 = call double @llvm.minnum.f64(double %140, double %164)
-  br label %166
-
-166:                                              ; preds = %160, %137
-  %167 = phi double [ %165, %160 ], [ %140, %137 ]
-  br i1 %138, label %137, label %128
-
-168:                                              ; preds = %128
-  %169 = load ptr, ptr %99, align 8
-  %170 = load double, ptr %44, align 8
-  %171 = fadd double %167, %170
-  %172 = call i32 %169(ptr noundef nonnull %4, double noundef %171) #8
-  br label %173
-
-173:                                              ; preds = %128, %168
-  %174 = phi i32 [ %172, %168 ], [ %135, %128 ]
-  %175 = icmp eq i32 %174, 0
-  br i1 %175, label %176, label %182
-
-176:                                              ; preds = %173
-  %177 = add nsw i64 %106, %104
-  %178 = icmp slt i64 %177, %36
-  br i1 %178, label %105, label %179
-
-179:                                              ; preds = %176, %100
-  %180 = lshr i64 %101, 1
-  %181 = icmp ugt i64 %101, 1
-  br i1 %181, label %100, label %182
-
-182:                                              ; preds = %179, %173, %93, %86
-  %183 = phi i32 [ 0, %86 ], [ 1, %93 ], [ 0, %173 ], [ 1, %179 ]
+75:                                               ; preds = %72, %66, %37, %19
+  %76 = phi i32 [ 0, %19 ], [ 1, %37 ], [ 0, %66 ], [ 1, %72 ]
   call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #8
-  ret i32 %183
+  ret i32 %76
 }
 
 define dso_local i32 @manipplan_connect(ptr noundef %0, i64 noundef %1) local_unnamed_addr #0 {
@@ -653,7 +533,7 @@ define dso_local i32 @manipplan_connect(ptr noundef %0, i64 noundef %1) local_un
   %7 = load i64, ptr %6, align 8
   %8 = add nsw i64 %7, %1
   %9 = icmp sgt i64 %1, 0
-  br i1 %9, label %10, label %519
+  br i1 %9, label %10, label %555
 
 10:                                               ; preds = %2
   %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
@@ -662,833 +542,717 @@ define dso_local i32 @manipplan_connect(ptr noundef %0, i64 noundef %1) local_un
   %14 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
   %15 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
   %16 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
-  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31
-  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
-  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 1
-  %20 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 33
-  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21
-  %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
-  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25
-  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27
-  %27 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 1
-  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
-  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20
-  br label %30
-
-30:                                               ; preds = %10, %516
-  %31 = phi i64 [ %7, %10 ], [ %517, %516 ]
-  %32 = load i64, ptr %12, align 8
-  %33 = load i64, ptr %11, align 8
-  %34 = add nsw i64 %33, 1
-  %35 = icmp slt i64 %34, %32
-  br i1 %35, label %36, label %47
-
-36:                                               ; preds = %30
-  %37 = load ptr, ptr %13, align 8
-  br label %38
-
-38:                                               ; preds = %44, %36
-  %39 = phi i64 [ %34, %36 ], [ %45, %44 ]
-  %40 = phi i64 [ %33, %36 ], [ %39, %44 ]
-  %41 = getelementptr inbounds i64, ptr %37, i64 %40
-  %42 = load i64, ptr %41, align 8
-  %43 = icmp slt i64 %31, %42
-  br i1 %43, label %47, label %44
-
-44:                                               ; preds = %38
-  store i64 %39, ptr %11, align 8
-  %45 = add i64 %39, 1
-  %46 = icmp eq i64 %45, %32
-  br i1 %46, label %47, label %38
-
-47:                                               ; preds = %38, %44, %30
-  %48 = load i64, ptr %0, align 8
-  %49 = icmp sgt i64 %48, 0
-  br i1 %49, label %50, label %53
-
-50:                                               ; preds = %47
-  %51 = load ptr, ptr %14, align 8
-  %52 = load ptr, ptr %15, align 8
-  br label %64
-
-53:                                               ; preds = %64, %47
-  %54 = phi double [ 0.000000e+00, %47 ], [ %73, %64 ]
-  %55 = tail call double @llvm.sqrt.f64(double %54)
-  %56 = load double, ptr %16, align 8
-  %57 = fdiv double %55, %56
-  %58 = fptosi double %57 to i64
-  %59 = add nsw i64 %58, 3
-  %60 = load i64, ptr %17, align 8
-  %61 = add nsw i64 %59, %60
-  %62 = load i64, ptr %18, align 8
-  %63 = icmp sgt i64 %61, %62
-  br i1 %63, label %519, label %76
-
-64:                                               ; preds = %64, %50
-  %65 = phi double [ 0.000000e+00, %50 ], [ %73, %64 ]
-  %66 = phi i64 [ 0, %50 ], [ %74, %64 ]
-  %67 = getelementptr inbounds double, ptr %51, i64 %66
-  %68 = load double, ptr %67, align 8
-  %69 = getelementptr inbounds double, ptr %52, i64 %66
-  %70 = load double, ptr %69, align 8
-  %71 = fsub double %68, %70
-  %72 = fmul double %71, %71
-  %73 = fadd double %65, %72
-  %74 = add nuw nsw i64 %66, 1
-  %75 = icmp eq i64 %74, %48
-  br i1 %75, label %53, label %64
-
-76:                                               ; preds = %53
-  %77 = load i64, ptr %19, align 8
-  %78 = add nsw i64 %77, %59
-  %79 = icmp sgt i64 %78, %62
-  br i1 %79, label %519, label %80
-
-80:                                               ; preds = %76
-  %81 = load i64, ptr %20, align 8
-  %82 = sub nsw i64 1, %81
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %5) #8
-  %83 = load double, ptr %21, align 8
-  %84 = fcmp olt double %83, 0x7FF0000000000000
-  br i1 %84, label %85, label %234
-
-85:                                               ; preds = %80
-  %86 = load double, ptr %22, align 8
-  %87 = fcmp ogt double %86, 0.000000e+00
-  br i1 %87, label %88, label %234
-
-88:                                               ; preds = %85
-  %89 = load i64, ptr %23, align 8
-  %90 = add i64 %89, -7046029254386353131
-  store i64 %90, ptr %23, align 8
-  %91 = lshr i64 %90, 30
-  %92 = xor i64 %91, %90
-  %93 = mul i64 %92, -4658895280553007687
-  %94 = lshr i64 %93, 27
-  %95 = xor i64 %94, %93
-  %96 = mul i64 %95, -7723592293110705685
-  %97 = lshr i64 %96, 42
-  %98 = lshr i64 %96, 11
-  %99 = xor i64 %97, %98
-  %100 = uitofp i64 %99 to double
-  %101 = fmul double %100, 0x3CA0000000000000
-  %102 = load double, ptr %24, align 8
-  %103 = fcmp olt double %101, %102
-  br i1 %103, label %104, label %234
-
-104:                                              ; preds = %88
-  %105 = fdiv double %83, %86
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %3) #8
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #8
-  %106 = load ptr, ptr %26, align 8
-  %107 = load ptr, ptr %27, align 8
-  br i1 %49, label %108, label %124
-
-108:                                              ; preds = %104, %108
-  %109 = phi i64 [ %118, %108 ], [ 0, %104 ]
-  %110 = phi double [ %117, %108 ], [ 0.000000e+00, %104 ]
-  %111 = getelementptr inbounds double, ptr %107, i64 %109
-  %112 = load double, ptr %111, align 8
-  %113 = getelementptr inbounds double, ptr %106, i64 %109
-  %114 = load double, ptr %113, align 8
-  %115 = fsub double %112, %114
-  %116 = fmul double %115, %115
-  %117 = fadd double %110, %116
-  %118 = add nuw nsw i64 %109, 1
-  %119 = icmp eq i64 %118, %48
-  br i1 %119, label %120, label %108
-
-120:                                              ; preds = %108, %139
-  %121 = phi i64 [ %148, %139 ], [ %90, %108 ]
-  %122 = phi i32 [ %140, %139 ], [ 0, %108 ]
-  br label %144
-
-123:                                              ; preds = %139
-  store i64 %148, ptr %23, align 8
-  br label %124
-
-124:                                              ; preds = %123, %104
-  %125 = phi i64 [ %148, %123 ], [ %90, %104 ]
-  %126 = phi double [ %117, %123 ], [ 0.000000e+00, %104 ]
-  %127 = phi i1 [ %141, %123 ], [ false, %104 ]
-  %128 = phi double [ %165, %123 ], [ 0.000000e+00, %104 ]
-  %129 = tail call double @llvm.sqrt.f64(double %126)
-  %130 = fmul double %105, %105
-  %131 = fmul double %129, %129
-  %132 = fsub double %130, %131
-  %133 = tail call double @llvm.maxnum.f64(double %132, double 0.000000e+00)
-  %134 = tail call double @llvm.sqrt.f64(double %133)
-  %135 = tail call double @llvm.sqrt.f64(double %128)
-  %136 = fdiv double 1.000000e+00, %135
-  %137 = freeze i1 %127
-  %138 = select i1 %137, double %136, double 1.000000e+00
-  br i1 %49, label %168, label %233
-
-139:                                              ; preds = %144
-  %140 = add nuw nsw i32 %122, 1
-  %141 = fcmp ogt double %165, 1.000000e+00
-  %142 = icmp ult i32 %122, 999
-  %143 = select i1 %141, i1 %142, i1 false
-  br i1 %143, label %120, label %123
-
-144:                                              ; preds = %144, %120
-  %145 = phi i64 [ %121, %120 ], [ %148, %144 ]
-  %146 = phi double [ 0.000000e+00, %120 ], [ %165, %144 ]
-  %147 = phi i64 [ 0, %120 ], [ %166, %144 ]
-  %148 = add i64 %145, -7046029254386353131
-  %149 = lshr i64 %148, 30
-  %150 = xor i64 %149, %148
-  %151 = mul i64 %150, -4658895280553007687
-  %152 = lshr i64 %151, 27
-  %153 = xor i64 %152, %151
-  %154 = mul i64 %153, -7723592293110705685
-  %155 = lshr i64 %154, 42
-  %156 = lshr i64 %154, 11
-  %157 = xor i64 %155, %156
-  %158 = uitofp i64 %157 to double
-  %159 = fmul double %158, 0x3CA0000000000000
-  %160 = fmul double %159, 2.000000e+00
-  %161 = fadd double %160, -1.000000e+00
-  %162 = getelementptr inbounds [64 x double], ptr %3, i64 0, i64 %147
-  store double %161, ptr %162, align 8
-  %163 = fmul double %161, %161
-  %164 = freeze double %163
-  %165 = fadd double %146, %164
-  %166 = add nuw nsw i64 %147, 1
-  %167 = icmp eq i64 %166, %48
-  br i1 %167, label %139, label %144
-
-168:                                              ; preds = %124, %168
-  %169 = phi i64 [ %189, %168 ], [ 0, %124 ]
-  %170 = phi double [ %188, %168 ], [ 0.000000e+00, %124 ]
-  %171 = icmp eq i64 %169, 0
-  %172 = select i1 %171, double %105, double %134
-  %173 = fmul double %172, 5.000000e-01
-  %174 = fmul double %138, %173
-  %175 = getelementptr inbounds [64 x double], ptr %3, i64 0, i64 %169
-  %176 = load double, ptr %175, align 8
-  %177 = fmul double %176, %174
-  store double %177, ptr %175, align 8
-  %178 = getelementptr inbounds double, ptr %107, i64 %169
-  %179 = load double, ptr %178, align 8
-  %180 = getelementptr inbounds double, ptr %106, i64 %169
-  %181 = load double, ptr %180, align 8
-  %182 = fsub double %179, %181
-  %183 = fdiv double %182, %129
-  %184 = uitofp i1 %171 to double
-  %185 = fsub double %183, %184
-  %186 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %169
-  store double %185, ptr %186, align 8
-  %187 = fmul double %177, %185
-  %188 = fadd double %170, %187
-  %189 = add nuw nsw i64 %169, 1
-  %190 = icmp eq i64 %189, %48
-  br i1 %190, label %197, label %168
-
-191:                                              ; preds = %197
-  %192 = fmul double %188, 2.000000e+00
-  %193 = fcmp ogt double %203, 0.000000e+00
-  %194 = fdiv double %192, %203
-  %195 = load ptr, ptr %15, align 8
-  %196 = load ptr, ptr %14, align 8
-  br label %206
-
-197:                                              ; preds = %168, %197
-  %198 = phi i64 [ %204, %197 ], [ 0, %168 ]
-  %199 = phi double [ %203, %197 ], [ 0.000000e+00, %168 ]
-  %200 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %198
-  %201 = load double, ptr %200, align 8
-  %202 = fmul double %201, %201
-  %203 = fadd double %199, %202
-  %204 = add nuw nsw i64 %198, 1
-  %205 = icmp eq i64 %204, %48
-  br i1 %205, label %191, label %197
-
-206:                                              ; preds = %221, %191
-  %207 = phi i64 [ 0, %191 ], [ %231, %221 ]
-  %208 = getelementptr inbounds double, ptr %106, i64 %207
-  %209 = load double, ptr %208, align 8
-  %210 = getelementptr inbounds double, ptr %107, i64 %207
-  %211 = load double, ptr %210, align 8
-  %212 = fadd double %209, %211
-  %213 = fmul double %212, 5.000000e-01
-  %214 = getelementptr inbounds [64 x double], ptr %3, i64 0, i64 %207
-  %215 = load double, ptr %214, align 8
-  %216 = fadd double %215, %213
-  br i1 %193, label %217, label %221
-
-217:                                              ; preds = %206
-  %218 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %207
-  %219 = load double, ptr %218, align 8
-  %220 = fmul double %194, %219
-  br label %221
-
-221:                                              ; preds = %217, %206
-  %222 = phi double [ %220, %217 ], [ 0.000000e+00, %206 ]
-  %223 = fsub double %216, %222
-  %224 = getelementptr inbounds double, ptr %5, i64 %207
-  %225 = getelementptr inbounds double, ptr %195, i64 %207
-  %226 = load double, ptr %225, align 8
-  %227 = tail call double @llvm.maxnum.f64(double %223, double %226)
-  %228 = getelementptr inbounds double, ptr %196, i64 %207
-  %229 = load double, ptr %228, align 8
-  %230 = tail call double @llvm.minnum.f64(double %227, double %229)
-  store double %230, ptr %224, align 8
-  %231 = add nuw nsw i64 %207, 1
-  %232 = icmp eq i64 %231, %48
-  br i1 %232, label %233, label %206
-
-233:                                              ; preds = %221, %124
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #8
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %3) #8
-  br label %309
-
-234:                                              ; preds = %88, %85, %80
-  %235 = load i64, ptr %23, align 8
-  %236 = add i64 %235, -7046029254386353131
-  store i64 %236, ptr %23, align 8
-  %237 = lshr i64 %236, 30
-  %238 = xor i64 %237, %236
-  %239 = mul i64 %238, -4658895280553007687
-  %240 = lshr i64 %239, 27
-  %241 = xor i64 %240, %239
-  %242 = mul i64 %241, -7723592293110705685
-  %243 = lshr i64 %242, 42
-  %244 = lshr i64 %242, 11
-  %245 = xor i64 %243, %244
-  %246 = uitofp i64 %245 to double
-  %247 = fmul double %246, 0x3CA0000000000000
-  %248 = load double, ptr %24, align 8
-  %249 = fcmp olt double %247, %248
-  br i1 %249, label %250, label %265
-
-250:                                              ; preds = %234
-  %251 = load double, ptr %25, align 8
-  %252 = add i64 %235, 4354685564936845354
-  store i64 %252, ptr %23, align 8
-  %253 = lshr i64 %252, 30
-  %254 = xor i64 %253, %252
-  %255 = mul i64 %254, -4658895280553007687
-  %256 = lshr i64 %255, 27
-  %257 = xor i64 %256, %255
-  %258 = mul i64 %257, -7723592293110705685
-  %259 = lshr i64 %258, 42
-  %260 = lshr i64 %258, 11
-  %261 = xor i64 %259, %260
-  %262 = uitofp i64 %261 to double
-  %263 = fmul double %262, 0x3CA0000000000000
-  %264 = fmul double %263, %251
-  br label %265
-
-265:                                              ; preds = %250, %234
-  %266 = phi i64 [ %252, %250 ], [ %236, %234 ]
-  %267 = phi double [ %264, %250 ], [ 0x7FF0000000000000, %234 ]
-  br i1 %49, label %268, label %309
-
-268:                                              ; preds = %265
-  %269 = load ptr, ptr %26, align 8
-  %270 = load ptr, ptr %27, align 8
-  %271 = load ptr, ptr %15, align 8
-  %272 = load ptr, ptr %14, align 8
-  br label %273
-
-273:                                              ; preds = %273, %268
-  %274 = phi i64 [ %266, %268 ], [ %290, %273 ]
-  %275 = phi i64 [ 0, %268 ], [ %306, %273 ]
-  %276 = getelementptr inbounds double, ptr %269, i64 %275
-  %277 = load double, ptr %276, align 8
-  %278 = getelementptr inbounds double, ptr %270, i64 %275
-  %279 = load double, ptr %278, align 8
-  %280 = getelementptr inbounds double, ptr %271, i64 %275
-  %281 = load double, ptr %280, align 8
-  %282 = tail call double @llvm.minnum.f64(double %277, double %279)
-  %283 = fsub double %282, %267
-  %284 = tail call double @llvm.maxnum.f64(double %281, double %283)
-  %285 = getelementptr inbounds double, ptr %272, i64 %275
-  %286 = load double, ptr %285, align 8
-  %287 = tail call double @llvm.maxnum.f64(double %277, double %279)
-  %288 = fadd double %267, %287
-  %289 = tail call double @llvm.minnum.f64(double %286, double %288)
-  %290 = add i64 %274, -7046029254386353131
-  %291 = lshr i64 %290, 30
-  %292 = xor i64 %291, %290
-  %293 = mul i64 %292, -4658895280553007687
-  %294 = lshr i64 %293, 27
-  %295 = xor i64 %294, %293
-  %296 = mul i64 %295, -7723592293110705685
-  %297 = lshr i64 %296, 42
-  %298 = lshr i64 %296, 11
-  %299 = xor i64 %297, %298
-  %300 = uitofp i64 %299 to double
-  %301 = fmul double %300, 0x3CA0000000000000
-  %302 = fsub double %289, %284
-  %303 = fmul double %302, %301
-  %304 = fadd double %284, %303
-  %305 = getelementptr inbounds double, ptr %5, i64 %275
-  store double %304, ptr %305, align 8
-  %306 = add nuw nsw i64 %275, 1
-  %307 = icmp eq i64 %306, %48
-  br i1 %307, label %308, label %273
-
-308:                                              ; preds = %273
-  store i64 %290, ptr %23, align 8
-  br label %309
-
-309:                                              ; preds = %233, %265, %308
-  %310 = phi i64 [ %125, %233 ], [ %266, %265 ], [ %290, %308 ]
-  br i1 %84, label %311, label %325
-
-311:                                              ; preds = %309
-  %312 = add i64 %310, -7046029254386353131
-  store i64 %312, ptr %23, align 8
-  %313 = lshr i64 %312, 30
-  %314 = xor i64 %313, %312
-  %315 = mul i64 %314, -4658895280553007687
-  %316 = lshr i64 %315, 27
-  %317 = xor i64 %316, %315
-  %318 = mul i64 %317, -7723592293110705685
-  %319 = lshr i64 %318, 42
-  %320 = lshr i64 %318, 11
-  %321 = xor i64 %319, %320
-  %322 = uitofp i64 %321 to double
-  %323 = fmul double %322, 0x3CA0000000000000
-  %324 = fmul double %83, %323
-  br label %325
-
-325:                                              ; preds = %309, %311
-  %326 = phi double [ %324, %311 ], [ 0.000000e+00, %309 ]
-  %327 = add nsw i64 %31, 1
-  store i64 %327, ptr %6, align 8
-  %328 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 %81
-  %329 = load i64, ptr %328, align 8
-  %330 = icmp sgt i64 %329, 0
-  br i1 %330, label %331, label %375
-
-331:                                              ; preds = %325
-  %332 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %81
-  %333 = load ptr, ptr %332, align 8
-  %334 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %81
-  %335 = fcmp oeq double %83, 0x7FF0000000000000
-  br label %336
-
-336:                                              ; preds = %370, %331
-  %337 = phi i64 [ 0, %331 ], [ %372, %370 ]
-  %338 = phi i64 [ 0, %331 ], [ %373, %370 ]
-  %339 = phi double [ 0x7FF0000000000000, %331 ], [ %371, %370 ]
-  %340 = mul nsw i64 %338, %48
-  %341 = getelementptr inbounds double, ptr %333, i64 %340
-  br i1 %49, label %345, label %342
-
-342:                                              ; preds = %345, %336
-  %343 = phi double [ 0.000000e+00, %336 ], [ %354, %345 ]
-  %344 = fcmp olt double %343, %339
-  br i1 %344, label %357, label %370
-
-345:                                              ; preds = %336, %345
-  %346 = phi i64 [ %355, %345 ], [ 0, %336 ]
-  %347 = phi double [ %354, %345 ], [ 0.000000e+00, %336 ]
-  %348 = getelementptr inbounds double, ptr %5, i64 %346
-  %349 = load double, ptr %348, align 8
-  %350 = getelementptr inbounds double, ptr %341, i64 %346
-  %351 = load double, ptr %350, align 8
-  %352 = fsub double %349, %351
-  %353 = fmul double %352, %352
-  %354 = fadd double %347, %353
-  %355 = add nuw nsw i64 %346, 1
-  %356 = icmp eq i64 %355, %48
-  br i1 %356, label %342, label %345
-
-357:                                              ; preds = %342
-  %358 = icmp eq i64 %338, 0
-  %359 = select i1 %358, i1 true, i1 %335
-  br i1 %359, label %369, label %360
-
-360:                                              ; preds = %357
-  %361 = load ptr, ptr %334, align 8
-  %362 = getelementptr inbounds double, ptr %361, i64 %338
-  %363 = load double, ptr %362, align 8
-  %364 = load double, ptr %22, align 8
-  %365 = tail call double @llvm.sqrt.f64(double %343)
-  %366 = fmul double %365, %364
-  %367 = fadd double %363, %366
-  %368 = fcmp ugt double %367, %326
-  br i1 %368, label %370, label %369
-
-369:                                              ; preds = %360, %357
-  br label %370
-
-370:                                              ; preds = %369, %360, %342
-  %371 = phi double [ %343, %369 ], [ %339, %360 ], [ %339, %342 ]
-  %372 = phi i64 [ %338, %369 ], [ %337, %360 ], [ %337, %342 ]
-  %373 = add nuw nsw i64 %338, 1
-  %374 = icmp eq i64 %373, %329
-  br i1 %374, label %375, label %336
-
-375:                                              ; preds = %370, %325
-  %376 = phi i64 [ 0, %325 ], [ %372, %370 ]
-  %377 = call fastcc i64 @extend(ptr noundef nonnull %0, i64 noundef %81, i64 noundef %376, ptr noundef nonnull %5)
-  %378 = icmp slt i64 %377, 0
-  br i1 %378, label %516, label %379
-
-379:                                              ; preds = %375
-  %380 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %81
-  %381 = load ptr, ptr %380, align 8
-  %382 = load i64, ptr %0, align 8
-  %383 = mul nsw i64 %382, %377
-  %384 = getelementptr inbounds double, ptr %381, i64 %383
-  %385 = shl i64 %382, 3
-  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 16 %5, ptr align 8 %384, i64 %385, i1 false)
-  %386 = load double, ptr %21, align 8
-  %387 = fcmp olt double %386, 0x7FF0000000000000
-  br i1 %387, label %388, label %394
-
-388:                                              ; preds = %379
-  %389 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %81
-  %390 = load ptr, ptr %389, align 8
-  %391 = getelementptr inbounds double, ptr %390, i64 %377
-  %392 = load double, ptr %391, align 8
-  %393 = fsub double %386, %392
-  br label %394
-
-394:                                              ; preds = %379, %388
-  %395 = phi double [ %393, %388 ], [ 0.000000e+00, %379 ]
-  %396 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 %82
-  %397 = load i64, ptr %396, align 8
-  %398 = icmp sgt i64 %397, 0
-  br i1 %398, label %399, label %446
-
-399:                                              ; preds = %394
-  %400 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %82
-  %401 = load ptr, ptr %400, align 8
-  %402 = icmp sgt i64 %382, 0
-  %403 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %82
-  %404 = fcmp oeq double %386, 0x7FF0000000000000
-  br label %405
-
-405:                                              ; preds = %439, %399
-  %406 = phi i64 [ 0, %399 ], [ %441, %439 ]
-  %407 = phi i64 [ 0, %399 ], [ %442, %439 ]
-  %408 = phi double [ 0x7FF0000000000000, %399 ], [ %440, %439 ]
-  %409 = mul nsw i64 %407, %382
-  %410 = getelementptr inbounds double, ptr %401, i64 %409
-  br i1 %402, label %414, label %411
-
-411:                                              ; preds = %414, %405
-  %412 = phi double [ 0.000000e+00, %405 ], [ %423, %414 ]
-  %413 = fcmp olt double %412, %408
-  br i1 %413, label %426, label %439
-
-414:                                              ; preds = %405, %414
-  %415 = phi i64 [ %424, %414 ], [ 0, %405 ]
-  %416 = phi double [ %423, %414 ], [ 0.000000e+00, %405 ]
-  %417 = getelementptr inbounds double, ptr %5, i64 %415
-  %418 = load double, ptr %417, align 8
-  %419 = getelementptr inbounds double, ptr %410, i64 %415
-  %420 = load double, ptr %419, align 8
-  %421 = fsub double %418, %420
-  %422 = fmul double %421, %421
-  %423 = fadd double %416, %422
-  %424 = add nuw nsw i64 %415, 1
-  %425 = icmp eq i64 %424, %382
-  br i1 %425, label %411, label %414
-
-426:                                              ; preds = %411
-  %427 = icmp eq i64 %407, 0
-  %428 = select i1 %427, i1 true, i1 %404
-  br i1 %428, label %438, label %429
-
-429:                                              ; preds = %426
-  %430 = load ptr, ptr %403, align 8
-  %431 = getelementptr inbounds double, ptr %430, i64 %407
-  %432 = load double, ptr %431, align 8
-  %433 = load double, ptr %22, align 8
-  %434 = tail call double @llvm.sqrt.f64(double %412)
-  %435 = fmul double %434, %433
-  %436 = fadd double %432, %435
-  %437 = fcmp ugt double %436, %395
-  br i1 %437, label %439, label %438
-
-438:                                              ; preds = %429, %426
-  br label %439
-
-439:                                              ; preds = %438, %429, %411
-  %440 = phi double [ %412, %438 ], [ %408, %429 ], [ %408, %411 ]
-  %441 = phi i64 [ %407, %438 ], [ %406, %429 ], [ %406, %411 ]
-  %442 = add nuw nsw i64 %407, 1
-  %443 = icmp eq i64 %442, %397
-  br i1 %443, label %444, label %405
-
-444:                                              ; preds = %439
-  %445 = icmp sgt i64 %441, -1
-  br i1 %445, label %446, label %511
-
-446:                                              ; preds = %394, %444
-  %447 = phi i64 [ %441, %444 ], [ 0, %394 ]
-  %448 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %82
-  br label %449
-
-449:                                              ; preds = %446, %508
-  %450 = phi i64 [ %447, %446 ], [ %509, %508 ]
-  %451 = load ptr, ptr %448, align 8
-  %452 = load i64, ptr %0, align 8
-  %453 = mul nsw i64 %452, %450
-  %454 = getelementptr inbounds double, ptr %451, i64 %453
-  %455 = shl i64 %452, 3
-  %456 = call i32 @bcmp(ptr %454, ptr nonnull %5, i64 %455)
-  %457 = icmp eq i32 %456, 0
-  br i1 %457, label %458, label %508
-
-458:                                              ; preds = %449
-  %459 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %81
-  %460 = load ptr, ptr %459, align 8
-  %461 = getelementptr inbounds %struct.Side, ptr %460, i64 %377
-  %462 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %82
-  %463 = load ptr, ptr %462, align 8
-  %464 = getelementptr inbounds %struct.Side, ptr %463, i64 %450
-  %465 = load double, ptr %21, align 8
-  %466 = fcmp olt double %465, 0x7FF0000000000000
-  br i1 %466, label %467, label %473
-
-467:                                              ; preds = %458
-  %468 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %82
-  %469 = load ptr, ptr %468, align 8
-  %470 = getelementptr inbounds double, ptr %469, i64 %450
-  %471 = load double, ptr %470, align 8
-  %472 = fcmp olt double %471, %395
-  br i1 %472, label %473, label %511
-
-473:                                              ; preds = %467, %458
-  %474 = load i64, ptr %28, align 8
-  %475 = icmp eq i64 %474, 0
-  br i1 %475, label %505, label %476
-
-476:                                              ; preds = %473
-  %477 = getelementptr inbounds %struct.Side, ptr %460, i64 %377, i32 2
-  %478 = load i64, ptr %477, align 8
-  %479 = getelementptr inbounds %struct.Side, ptr %463, i64 %450, i32 2
-  %480 = load i64, ptr %479, align 8
-  %481 = add nsw i64 %480, %478
-  %482 = load i8, ptr %461, align 8
-  %483 = load i8, ptr %464, align 8
-  %484 = xor i8 %483, %482
-  %485 = getelementptr inbounds %struct.Side, ptr %460, i64 %377, i32 1
-  %486 = load i8, ptr %485, align 1
-  %487 = and i8 %484, %486
-  %488 = getelementptr inbounds %struct.Side, ptr %463, i64 %450, i32 1
-  %489 = load i8, ptr %488, align 1
-  %490 = and i8 %487, %489
-  %491 = icmp eq i8 %490, 0
-  br i1 %491, label %499, label %492
-
-492:                                              ; preds = %476, %492
-  %493 = phi i32 [ %495, %492 ], [ 0, %476 ]
-  %494 = phi i8 [ %497, %492 ], [ %490, %476 ]
-  %495 = add nuw nsw i32 %493, 1
-  %496 = add i8 %494, -1
-  %497 = and i8 %496, %494
-  %498 = icmp eq i8 %497, 0
-  br i1 %498, label %499, label %492
-
-499:                                              ; preds = %492, %476
-  %500 = phi i32 [ 0, %476 ], [ %495, %492 ]
-  %501 = sext i32 %500 to i64
-  %502 = add nsw i64 %481, %501
-  %503 = load i64, ptr %29, align 8
-  %504 = icmp sgt i64 %502, %503
-  br i1 %504, label %511, label %505
-
-505:                                              ; preds = %499, %473
-  %506 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 32, i64 %81
-  store i64 %377, ptr %506, align 8
-  %507 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 32, i64 %82
-  store i64 %450, ptr %507, align 8
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %5) #8
-  br label %519
-
-508:                                              ; preds = %449
-  %509 = call fastcc i64 @extend(ptr noundef nonnull %0, i64 noundef %82, i64 noundef %450, ptr noundef nonnull %5)
-  %510 = icmp sgt i64 %509, -1
-  br i1 %510, label %449, label %511
-
-511:                                              ; preds = %508, %444, %499, %467
-  %512 = load i64, ptr %17, align 8
-  %513 = load i64, ptr %19, align 8
-  %514 = icmp sgt i64 %512, %513
-  %515 = zext i1 %514 to i64
-  store i64 %515, ptr %20, align 8
-  br label %516
-
-516:                                              ; preds = %511, %375
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %5) #8
-  %517 = load i64, ptr %6, align 8
-  %518 = icmp slt i64 %517, %8
-  br i1 %518, label %30, label %519
-
-519:                                              ; preds = %76, %516, %53, %2, %505
-  %520 = phi i32 [ 1, %505 ], [ 0, %2 ], [ 2, %76 ], [ 0, %516 ], [ 2, %53 ]
-  ret i32 %520
-}
-
-define internal fastcc i64 @extend(ptr nocapture noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #0 {
-  %5 = alloca %struct.Side, align 8
-  %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %1
-  %7 = load ptr, ptr %6, align 8
-  %8 = load i64, ptr %0, align 8
-  %9 = mul nsw i64 %8, %2
-  %10 = getelementptr inbounds double, ptr %7, i64 %9
-  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 %1
-  %12 = load i64, ptr %11, align 8
-  %13 = mul nsw i64 %12, %8
-  %14 = getelementptr inbounds double, ptr %7, i64 %13
-  %15 = icmp sgt i64 %8, 0
-  br i1 %15, label %16, label %33
-
-16:                                               ; preds = %4, %16
-  %17 = phi i64 [ %26, %16 ], [ 0, %4 ]
-  %18 = phi double [ %25, %16 ], [ 0.000000e+00, %4 ]
-  %19 = getelementptr inbounds double, ptr %3, i64 %17
-  %20 = load double, ptr %19, align 8
-  %21 = getelementptr inbounds double, ptr %10, i64 %17
-  %22 = load double, ptr %21, align 8
-  %23 = fsub double %20, %22
-  %24 = fmul double %23, %23
-  %25 = fadd double %18, %24
-  %26 = add nuw nsw i64 %17, 1
-  %27 = icmp eq i64 %26, %8
-  br i1 %27, label %28, label %16
-
-28:                                               ; preds = %16
-  %29 = tail call double @llvm.sqrt.f64(double %25)
-  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
-  %31 = load double, ptr %30, align 8
-  %32 = fcmp ogt double %29, %31
-  br i1 %32, label %37, label %51
-
-33:                                               ; preds = %4
-  %34 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
-  %35 = load double, ptr %34, align 8
-  %36 = fcmp olt double %35, 0.000000e+00
-  br i1 %36, label %53, label %51
-
-37:                                               ; preds = %28
-  %38 = fdiv double %31, %29
+  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 35
+  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31
+  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
+  %20 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 1
+  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 33
+  %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21
+  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
+  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25
+  %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %27 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27
+  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 1
+  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20
+  br label %31
+
+31:                                               ; preds = %10, %552
+  %32 = phi i64 [ %7, %10 ], [ %553, %552 ]
+  %33 = load i64, ptr %12, align 8
+  %34 = load i64, ptr %11, align 8
+  %35 = add nsw i64 %34, 1
+  %36 = icmp slt i64 %35, %33
+  br i1 %36, label %37, label %48
+
+37:                                               ; preds = %31
+  %38 = load ptr, ptr %13, align 8
   br label %39
 
-39:                                               ; preds = %37, %39
-  %40 = phi i64 [ %49, %39 ], [ 0, %37 ]
-  %41 = getelementptr inbounds double, ptr %10, i64 %40
-  %42 = load double, ptr %41, align 8
-  %43 = getelementptr inbounds double, ptr %3, i64 %40
-  %44 = load double, ptr %43, align 8
-  %45 = fsub double %44, %42
-  %46 = fmul double %38, %45
-  %47 = fadd double %42, %46
-  %48 = getelementptr inbounds double, ptr %14, i64 %40
-  store double %47, ptr %48, align 8
-  %49 = add nuw nsw i64 %40, 1
-  %50 = icmp eq i64 %49, %8
-  br i1 %50, label %53, label %39
+39:                                               ; preds = %45, %37
+  %40 = phi i64 [ %35, %37 ], [ %46, %45 ]
+  %41 = phi i64 [ %34, %37 ], [ %40, %45 ]
+  %42 = getelementptr inbounds i64, ptr %38, i64 %41
+  %43 = load i64, ptr %42, align 8
+  %44 = icmp slt i64 %32, %43
+  br i1 %44, label %48, label %45
 
-51:                                               ; preds = %33, %28
-  %52 = shl i64 %8, 3
-  tail call void @llvm.memcpy.p0.p0.i64(ptr align 8 %14, ptr align 8 %3, i64 %52, i1 false)
-  br label %53
+45:                                               ; preds = %39
+  store i64 %40, ptr %11, align 8
+  %46 = add i64 %40, 1
+  %47 = icmp eq i64 %46, %33
+  br i1 %47, label %48, label %39
 
-53:                                               ; preds = %39, %33, %51
-  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %5) #8
-  %54 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %1
-  %55 = load ptr, ptr %54, align 8
-  %56 = getelementptr inbounds %struct.Side, ptr %55, i64 %2
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %5, ptr noundef nonnull align 8 dereferenceable(16) %56, i64 16, i1 false)
-  %57 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21
-  %58 = load double, ptr %57, align 8
-  %59 = fcmp olt double %58, 0x7FF0000000000000
-  br i1 %59, label %60, label %99
+48:                                               ; preds = %39, %45, %31
+  %49 = load i64, ptr %0, align 8
+  %50 = icmp sgt i64 %49, 0
+  br i1 %50, label %51, label %54
 
-60:                                               ; preds = %53
-  %61 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %1
-  %62 = load ptr, ptr %61, align 8
-  %63 = getelementptr inbounds double, ptr %62, i64 %2
-  %64 = load double, ptr %63, align 8
-  %65 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23
-  %66 = load ptr, ptr %65, align 8
-  %67 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24
-  %68 = load ptr, ptr %67, align 8
-  %69 = tail call double %66(ptr noundef %68, ptr noundef %10, ptr noundef %14) #8
-  %70 = fadd double %64, %69
-  %71 = load ptr, ptr %61, align 8
-  %72 = getelementptr inbounds double, ptr %71, i64 %12
-  store double %70, ptr %72, align 8
-  %73 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
-  %74 = load double, ptr %73, align 8
-  %75 = sub nsw i64 1, %1
-  %76 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %75
-  %77 = load ptr, ptr %76, align 8
-  %78 = load i64, ptr %0, align 8
-  %79 = icmp sgt i64 %78, 0
-  br i1 %79, label %80, label %92
+51:                                               ; preds = %48
+  %52 = load ptr, ptr %14, align 8
+  %53 = load ptr, ptr %15, align 8
+  br label %69
 
-80:                                               ; preds = %60, %80
-  %81 = phi i64 [ %90, %80 ], [ 0, %60 ]
-  %82 = phi double [ %89, %80 ], [ 0.000000e+00, %60 ]
-  %83 = getelementptr inbounds double, ptr %77, i64 %81
-  %84 = load double, ptr %83, align 8
-  %85 = getelementptr inbounds double, ptr %14, i64 %81
-  %86 = load double, ptr %85, align 8
-  %87 = fsub double %84, %86
-  %88 = fmul double %87, %87
-  %89 = fadd double %82, %88
-  %90 = add nuw nsw i64 %81, 1
-  %91 = icmp eq i64 %90, %78
-  br i1 %91, label %92, label %80
+54:                                               ; preds = %69, %48
+  %55 = phi double [ 0.000000e+00, %48 ], [ %78, %69 ]
+  %56 = tail call double @llvm.sqrt.f64(double %55)
+  %57 = load double, ptr %16, align 8
+  %58 = load ptr, ptr %17, align 8
+  %59 = icmp eq ptr %58, null
+  %60 = select i1 %59, double 1.000000e+00, double 1.562500e-02
+  %61 = fmul double %57, %60
+  %62 = fdiv double %56, %61
+  %63 = fptosi double %62 to i64
+  %64 = add nsw i64 %63, 3
+  %65 = load i64, ptr %18, align 8
+  %66 = add nsw i64 %64, %65
+  %67 = load i64, ptr %19, align 8
+  %68 = icmp sgt i64 %66, %67
+  br i1 %68, label %555, label %81
 
-92:                                               ; preds = %80, %60
-  %93 = phi double [ 0.000000e+00, %60 ], [ %89, %80 ]
-  %94 = tail call double @llvm.sqrt.f64(double %93)
-  %95 = fmul double %74, %94
-  %96 = fadd double %70, %95
-  %97 = load double, ptr %57, align 8
-  %98 = fcmp olt double %96, %97
-  br i1 %98, label %99, label %120
+69:                                               ; preds = %69, %51
+  %70 = phi double [ 0.000000e+00, %51 ], [ %78, %69 ]
+  %71 = phi i64 [ 0, %51 ], [ %79, %69 ]
+  %72 = getelementptr inbounds double, ptr %52, i64 %71
+  %73 = load double, ptr %72, align 8
+  %74 = getelementptr inbounds double, ptr %53, i64 %71
+  %75 = load double, ptr %74, align 8
+  %76 = fsub double %73, %75
+  %77 = fmul double %76, %76
+  %78 = fadd double %70, %77
+  %79 = add nuw nsw i64 %71, 1
+  %80 = icmp eq i64 %79, %49
+  br i1 %80, label %54, label %69
 
-99:                                               ; preds = %92, %53
-  %100 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
-  %101 = load i64, ptr %100, align 8
-  %102 = icmp eq i64 %101, 0
-  br i1 %102, label %109, label %103
+81:                                               ; preds = %54
+  %82 = load i64, ptr %20, align 8
+  %83 = add nsw i64 %82, %64
+  %84 = icmp sgt i64 %83, %67
+  br i1 %84, label %555, label %85
 
-103:                                              ; preds = %99
-  %104 = sub nsw i64 1, %1
-  %105 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %104
-  %106 = load ptr, ptr %105, align 8
-  %107 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %10, ptr noundef %14, ptr noundef nonnull %5, ptr noundef %106)
-  %108 = icmp eq i32 %107, 0
-  br i1 %108, label %120, label %109
+85:                                               ; preds = %81
+  %86 = load i64, ptr %21, align 8
+  %87 = sub nsw i64 1, %86
+  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %5) #8
+  %88 = load double, ptr %22, align 8
+  %89 = fcmp olt double %88, 0x7FF0000000000000
+  br i1 %89, label %90, label %239
 
-109:                                              ; preds = %103, %99
-  %110 = tail call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef %10, ptr noundef %14)
-  %111 = icmp eq i32 %110, 0
-  br i1 %111, label %120, label %112
+90:                                               ; preds = %85
+  %91 = load double, ptr %23, align 8
+  %92 = fcmp ogt double %91, 0.000000e+00
+  br i1 %92, label %93, label %239
 
-112:                                              ; preds = %109
-  %113 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 28, i64 %1
-  %114 = load ptr, ptr %113, align 8
-  %115 = getelementptr inbounds i64, ptr %114, i64 %12
-  store i64 %2, ptr %115, align 8
-  %116 = load ptr, ptr %54, align 8
-  %117 = getelementptr inbounds %struct.Side, ptr %116, i64 %12
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %117, ptr noundef nonnull align 8 dereferenceable(16) %5, i64 16, i1 false)
-  %118 = load i64, ptr %11, align 8
-  %119 = add nsw i64 %118, 1
-  store i64 %119, ptr %11, align 8
-  br label %120
+93:                                               ; preds = %90
+  %94 = load i64, ptr %24, align 8
+  %95 = add i64 %94, -7046029254386353131
+  store i64 %95, ptr %24, align 8
+  %96 = lshr i64 %95, 30
+  %97 = xor i64 %96, %95
+  %98 = mul i64 %97, -4658895280553007687
+  %99 = lshr i64 %98, 27
+  %100 = xor i64 %99, %98
+  %101 = mul i64 %100, -7723592293110705685
+  %102 = lshr i64 %101, 42
+  %103 = lshr i64 %101, 11
+  %104 = xor i64 %102, %103
+  %105 = uitofp i64 %104 to double
+  %106 = fmul double %105, 0x3CA0000000000000
+  %107 = load double, ptr %25, align 8
+  %108 = fcmp olt double %106, %107
+  br i1 %108, label %109, label %239
 
-120:                                              ; preds = %109, %103, %92, %112
-  %121 = phi i64 [ %12, %112 ], [ -1, %92 ], [ -1, %103 ], [ -1, %109 ]
-  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %5) #8
-  ret i64 %121
+109:                                              ; preds = %93
+  %110 = fdiv double %88, %91
+  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %3) #8
+  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #8
+  %111 = load ptr, ptr %27, align 8
+  %112 = load ptr, ptr %28, align 8
+  br i1 %50, label %113, label %129
+
+113:                                              ; preds = %109, %113
+  %114 = phi i64 [ %123, %113 ], [ 0, %109 ]
+  %115 = phi double [ %122, %113 ], [ 0.000000e+00, %109 ]
+  %116 = getelementptr inbounds double, ptr %112, i64 %114
+  %117 = load double, ptr %116, align 8
+  %118 = getelementptr inbounds double, ptr %111, i64 %114
+  %119 = load double, ptr %118, align 8
+  %120 = fsub double %117, %119
+  %121 = fmul double %120, %120
+  %122 = fadd double %115, %121
+  %123 = add nuw nsw i64 %114, 1
+  %124 = icmp eq i64 %123, %49
+  br i1 %124, label %125, label %113
+
+125:                                              ; preds = %113, %144
+  %126 = phi i64 [ %153, %144 ], [ %95, %113 ]
+  %127 = phi i32 [ %145, %144 ], [ 0, %113 ]
+  br label %149
+
+128:                                              ; preds = %144
+  store i64 %153, ptr %24, align 8
+  br label %129
+
+129:                                              ; preds = %128, %109
+  %130 = phi i64 [ %153, %128 ], [ %95, %109 ]
+  %131 = phi double [ %122, %128 ], [ 0.000000e+00, %109 ]
+  %132 = phi i1 [ %146, %128 ], [ false, %109 ]
+  %133 = phi double [ %170, %128 ], [ 0.000000e+00, %109 ]
+  %134 = tail call double @llvm.sqrt.f64(double %131)
+  %135 = fmul double %110, %110
+  %136 = fmul double %134, %134
+  %137 = fsub double %135, %136
+  %138 = tail call double @llvm.maxnum.f64(double %137, double 0.000000e+00)
+  %139 = tail call double @llvm.sqrt.f64(double %138)
+  %140 = tail call double @llvm.sqrt.f64(double %133)
+  %141 = fdiv double 1.000000e+00, %140
+  %142 = freeze i1 %132
+  %143 = select i1 %142, double %141, double 1.000000e+00
+  br i1 %50, label %173, label %238
+
+144:                                              ; preds = %149
+  %145 = add nuw nsw i32 %127, 1
+  %146 = fcmp ogt double %170, 1.000000e+00
+  %147 = icmp ult i32 %127, 999
+  %148 = select i1 %146, i1 %147, i1 false
+  br i1 %148, label %125, label %128
+
+149:                                              ; preds = %149, %125
+  %150 = phi i64 [ %126, %125 ], [ %153, %149 ]
+  %151 = phi double [ 0.000000e+00, %125 ], [ %170, %149 ]
+  %152 = phi i64 [ 0, %125 ], [ %171, %149 ]
+  %153 = add i64 %150, -7046029254386353131
+  %154 = lshr i64 %153, 30
+  %155 = xor i64 %154, %153
+  %156 = mul i64 %155, -4658895280553007687
+  %157 = lshr i64 %156, 27
+  %158 = xor i64 %157, %156
+  %159 = mul i64 %158, -7723592293110705685
+  %160 = lshr i64 %159, 42
+  %161 = lshr i64 %159, 11
+  %162 = xor i64 %160, %161
+  %163 = uitofp i64 %162 to double
+  %164 = fmul double %163, 0x3CA0000000000000
+  %165 = fmul double %164, 2.000000e+00
+  %166 = fadd double %165, -1.000000e+00
+  %167 = getelementptr inbounds [64 x double], ptr %3, i64 0, i64 %152
+  store double %166, ptr %167, align 8
+  %168 = fmul double %166, %166
+  %169 = freeze double %168
+  %170 = fadd double %151, %169
+  %171 = add nuw nsw i64 %152, 1
+  %172 = icmp eq i64 %171, %49
+  br i1 %172, label %144, label %149
+
+173:                                              ; preds = %129, %173
+  %174 = phi i64 [ %194, %173 ], [ 0, %129 ]
+  %175 = phi double [ %193, %173 ], [ 0.000000e+00, %129 ]
+  %176 = icmp eq i64 %174, 0
+  %177 = select i1 %176, double %110, double %139
+  %178 = fmul double %177, 5.000000e-01
+  %179 = fmul double %143, %178
+  %180 = getelementptr inbounds [64 x double], ptr %3, i64 0, i64 %174
+  %181 = load double, ptr %180, align 8
+  %182 = fmul double %181, %179
+  store double %182, ptr %180, align 8
+  %183 = getelementptr inbounds double, ptr %112, i64 %174
+  %184 = load double, ptr %183, align 8
+  %185 = getelementptr inbounds double, ptr %111, i64 %174
+  %186 = load double, ptr %185, align 8
+  %187 = fsub double %184, %186
+  %188 = fdiv double %187, %134
+  %189 = uitofp i1 %176 to double
+  %190 = fsub double %188, %189
+  %191 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %174
+  store double %190, ptr %191, align 8
+  %192 = fmul double %182, %190
+  %193 = fadd double %175, %192
+  %194 = add nuw nsw i64 %174, 1
+  %195 = icmp eq i64 %194, %49
+  br i1 %195, label %202, label %173
+
+196:                                              ; preds = %202
+  %197 = fmul double %193, 2.000000e+00
+  %198 = fcmp ogt double %208, 0.000000e+00
+  %199 = fdiv double %197, %208
+  %200 = load ptr, ptr %15, align 8
+  %201 = load ptr, ptr %14, align 8
+  br label %211
+
+202:                                              ; preds = %173, %202
+  %203 = phi i64 [ %209, %202 ], [ 0, %173 ]
+  %204 = phi double [ %208, %202 ], [ 0.000000e+00, %173 ]
+  %205 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %203
+  %206 = load double, ptr %205, align 8
+  %207 = fmul double %206, %206
+  %208 = fadd double %204, %207
+  %209 = add nuw nsw i64 %203, 1
+  %210 = icmp eq i64 %209, %49
+  br i1 %210, label %196, label %202
+
+211:                                              ; preds = %226, %196
+  %212 = phi i64 [ 0, %196 ], [ %236, %226 ]
+  %213 = getelementptr inbounds double, ptr %111, i64 %212
+  %214 = load double, ptr %213, align 8
+  %215 = getelementptr inbounds double, ptr %112, i64 %212
+  %216 = load double, ptr %215, align 8
+  %217 = fadd double %214, %216
+  %218 = fmul double %217, 5.000000e-01
+  %219 = getelementptr inbounds [64 x double], ptr %3, i64 0, i64 %212
+  %220 = load double, ptr %219, align 8
+  %221 = fadd double %220, %218
+  br i1 %198, label %222, label %226
+
+222:                                              ; preds = %211
+  %223 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %212
+  %224 = load double, ptr %223, align 8
+  %225 = fmul double %199, %224
+  br label %226
+
+226:                                              ; preds = %222, %211
+  %227 = phi double [ %225, %222 ], [ 0.000000e+00, %211 ]
+  %228 = fsub double %221, %227
+  %229 = getelementptr inbounds double, ptr %5, i64 %212
+  %230 = getelementptr inbounds double, ptr %200, i64 %212
+  %231 = load double, ptr %230, align 8
+  %232 = tail call double @llvm.maxnum.f64(double %228, double %231)
+  %233 = getelementptr inbounds double, ptr %201, i64 %212
+  %234 = load double, ptr %233, align 8
+  %235 = tail call double @llvm.minnum.f64(double %232, double %234)
+  store double %235, ptr %229, align 8
+  %236 = add nuw nsw i64 %212, 1
+  %237 = icmp eq i64 %236, %49
+  br i1 %237, label %238, label %211
+
+238:                                              ; preds = %226, %129
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #8
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %3) #8
+  br label %314
+
+239:                                              ; preds = %93, %90, %85
+  %240 = load i64, ptr %24, align 8
+  %241 = add i64 %240, -7046029254386353131
+  store i64 %241, ptr %24, align 8
+  %242 = lshr i64 %241, 30
+  %243 = xor i64 %242, %241
+  %244 = mul i64 %243, -4658895280553007687
+  %245 = lshr i64 %244, 27
+  %246 = xor i64 %245, %244
+  %247 = mul i64 %246, -7723592293110705685
+  %248 = lshr i64 %247, 42
+  %249 = lshr i64 %247, 11
+  %250 = xor i64 %248, %249
+  %251 = uitofp i64 %250 to double
+  %252 = fmul double %251, 0x3CA0000000000000
+  %253 = load double, ptr %25, align 8
+  %254 = fcmp olt double %252, %253
+  br i1 %254, label %255, label %270
+
+255:                                              ; preds = %239
+  %256 = load double, ptr %26, align 8
+  %257 = add i64 %240, 4354685564936845354
+  store i64 %257, ptr %24, align 8
+  %258 = lshr i64 %257, 30
+  %259 = xor i64 %258, %257
+  %260 = mul i64 %259, -4658895280553007687
+  %261 = lshr i64 %260, 27
+  %262 = xor i64 %261, %260
+  %263 = mul i64 %262, -7723592293110705685
+  %264 = lshr i64 %263, 42
+  %265 = lshr i64 %263, 11
+  %266 = xor i64 %264, %265
+  %267 = uitofp i64 %266 to double
+  %268 = fmul double %267, 0x3CA0000000000000
+  %269 = fmul double %268, %256
+  br label %270
+
+270:                                              ; preds = %255, %239
+  %271 = phi i64 [ %257, %255 ], [ %241, %239 ]
+  %272 = phi double [ %269, %255 ], [ 0x7FF0000000000000, %239 ]
+  br i1 %50, label %273, label %314
+
+273:                                              ; preds = %270
+  %274 = load ptr, ptr %27, align 8
+  %275 = load ptr, ptr %28, align 8
+  %276 = load ptr, ptr %15, align 8
+  %277 = load ptr, ptr %14, align 8
+  br label %278
+
+278:                                              ; preds = %278, %273
+  %279 = phi i64 [ %271, %273 ], [ %295, %278 ]
+  %280 = phi i64 [ 0, %273 ], [ %311, %278 ]
+  %281 = getelementptr inbounds double, ptr %274, i64 %280
+  %282 = load double, ptr %281, align 8
+  %283 = getelementptr inbounds double, ptr %275, i64 %280
+  %284 = load double, ptr %283, align 8
+  %285 = getelementptr inbounds double, ptr %276, i64 %280
+  %286 = load double, ptr %285, align 8
+  %287 = tail call double @llvm.minnum.f64(double %282, double %284)
+  %288 = fsub double %287, %272
+  %289 = tail call double @llvm.maxnum.f64(double %286, double %288)
+  %290 = getelementptr inbounds double, ptr %277, i64 %280
+  %291 = load double, ptr %290, align 8
+  %292 = tail call double @llvm.maxnum.f64(double %282, double %284)
+  %293 = fadd double %272, %292
+  %294 = tail call double @llvm.minnum.f64(double %291, double %293)
+  %295 = add i64 %279, -7046029254386353131
+  %296 = lshr i64 %295, 30
+  %297 = xor i64 %296, %295
+  %298 = mul i64 %297, -4658895280553007687
+  %299 = lshr i64 %298, 27
+  %300 = xor i64 %299, %298
+  %301 = mul i64 %300, -7723592293110705685
+  %302 = lshr i64 %301, 42
+  %303 = lshr i64 %301, 11
+  %304 = xor i64 %302, %303
+  %305 = uitofp i64 %304 to double
+  %306 = fmul double %305, 0x3CA0000000000000
+  %307 = fsub double %294, %289
+  %308 = fmul double %307, %306
+  %309 = fadd double %289, %308
+  %310 = getelementptr inbounds double, ptr %5, i64 %280
+  store double %309, ptr %310, align 8
+  %311 = add nuw nsw i64 %280, 1
+  %312 = icmp eq i64 %311, %49
+  br i1 %312, label %313, label %278
+
+313:                                              ; preds = %278
+  store i64 %295, ptr %24, align 8
+  br label %314
+
+314:                                              ; preds = %238, %270, %313
+  %315 = phi i64 [ %130, %238 ], [ %271, %270 ], [ %295, %313 ]
+  br i1 %89, label %316, label %330
+
+316:                                              ; preds = %314
+  %317 = add i64 %315, -7046029254386353131
+  store i64 %317, ptr %24, align 8
+  %318 = lshr i64 %317, 30
+  %319 = xor i64 %318, %317
+  %320 = mul i64 %319, -4658895280553007687
+  %321 = lshr i64 %320, 27
+  %322 = xor i64 %321, %320
+  %323 = mul i64 %322, -7723592293110705685
+  %324 = lshr i64 %323, 42
+  %325 = lshr i64 %323, 11
+  %326 = xor i64 %324, %325
+  %327 = uitofp i64 %326 to double
+  %328 = fmul double %327, 0x3CA0000000000000
+  %329 = fmul double %88, %328
+  br label %330
+
+330:                                              ; preds = %314, %316
+  %331 = phi double [ %329, %316 ], [ 0.000000e+00, %314 ]
+  %332 = add nsw i64 %32, 1
+  store i64 %332, ptr %6, align 8
+  %333 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 %86
+  %334 = load i64, ptr %333, align 8
+  %335 = icmp sgt i64 %334, 0
+  br i1 %335, label %336, label %380
+
+336:                                              ; preds = %330
+  %337 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %86
+  %338 = load ptr, ptr %337, align 8
+  %339 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %86
+  %340 = fcmp oeq double %88, 0x7FF0000000000000
+  br label %341
+
+341:                                              ; preds = %375, %336
+  %342 = phi i64 [ 0, %336 ], [ %377, %375 ]
+  %343 = phi i64 [ 0, %336 ], [ %378, %375 ]
+  %344 = phi double [ 0x7FF0000000000000, %336 ], [ %376, %375 ]
+  %345 = mul nsw i64 %343, %49
+  %346 = getelementptr inbounds double, ptr %338, i64 %345
+  br i1 %50, label %350, label %347
+
+347:                                              ; preds = %350, %341
+  %348 = phi double [ 0.000000e+00, %341 ], [ %359, %350 ]
+  %349 = fcmp olt double %348, %344
+  br i1 %349, label %362, label %375
+
+350:                                              ; preds = %341, %350
+  %351 = phi i64 [ %360, %350 ], [ 0, %341 ]
+  %352 = phi double [ %359, %350 ], [ 0.000000e+00, %341 ]
+  %353 = getelementptr inbounds double, ptr %5, i64 %351
+  %354 = load double, ptr %353, align 8
+  %355 = getelementptr inbounds double, ptr %346, i64 %351
+  %356 = load double, ptr %355, align 8
+  %357 = fsub double %354, %356
+  %358 = fmul double %357, %357
+  %359 = fadd double %352, %358
+  %360 = add nuw nsw i64 %351, 1
+  %361 = icmp eq i64 %360, %49
+  br i1 %361, label %347, label %350
+
+362:                                              ; preds = %347
+  %363 = icmp eq i64 %343, 0
+  %364 = select i1 %363, i1 true, i1 %340
+  br i1 %364, label %374, label %365
+
+365:                                              ; preds = %362
+  %366 = load ptr, ptr %339, align 8
+  %367 = getelementptr inbounds double, ptr %366, i64 %343
+  %368 = load double, ptr %367, align 8
+  %369 = load double, ptr %23, align 8
+  %370 = tail call double @llvm.sqrt.f64(double %348)
+  %371 = fmul double %370, %369
+  %372 = fadd double %368, %371
+  %373 = fcmp ugt double %372, %331
+  br i1 %373, label %375, label %374
+
+374:                                              ; preds = %365, %362
+  br label %375
+
+375:                                              ; preds = %374, %365, %347
+  %376 = phi double [ %348, %374 ], [ %344, %365 ], [ %344, %347 ]
+  %377 = phi i64 [ %343, %374 ], [ %342, %365 ], [ %342, %347 ]
+  %378 = add nuw nsw i64 %343, 1
+  %379 = icmp eq i64 %378, %334
+  br i1 %379, label %380, label %341
+
+380:                                              ; preds = %375, %330
+  %381 = phi i64 [ 0, %330 ], [ %377, %375 ]
+  %382 = call fastcc i64 @extend_by(ptr noundef %0, i64 noundef %86, i64 noundef %381, ptr noundef nonnull %5, double noundef %57)
+  %383 = load ptr, ptr %17, align 8
+  %384 = icmp ne ptr %383, null
+  %385 = icmp slt i64 %382, 0
+  %386 = select i1 %384, i1 %385, i1 false
+  br i1 %386, label %387, label %396
+
+387:                                              ; preds = %380, %387
+  %388 = phi double [ %392, %387 ], [ 2.500000e-01, %380 ]
+  %389 = load double, ptr %16, align 8
+  %390 = fmul double %388, %389
+  %391 = call fastcc i64 @extend_by(ptr noundef nonnull %0, i64 noundef %86, i64 noundef %381, ptr noundef nonnull %5, double noundef %390)
+  %392 = fmul double %388, 2.500000e-01
+  %393 = icmp slt i64 %391, 0
+  %394 = fcmp oge double %392, 6.250000e-02
+  %395 = select i1 %393, i1 %394, i1 false
+  br i1 %395, label %387, label %396
+
+396:                                              ; preds = %387, %380
+  %397 = phi i64 [ %382, %380 ], [ %391, %387 ]
+  %398 = icmp slt i64 %397, 0
+  br i1 %398, label %552, label %399
+
+399:                                              ; preds = %396
+  %400 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %86
+  %401 = load ptr, ptr %400, align 8
+  %402 = load i64, ptr %0, align 8
+  %403 = mul nsw i64 %402, %397
+  %404 = getelementptr inbounds double, ptr %401, i64 %403
+  %405 = shl i64 %402, 3
+  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 16 %5, ptr align 8 %404, i64 %405, i1 false)
+  %406 = load double, ptr %22, align 8
+  %407 = fcmp olt double %406, 0x7FF0000000000000
+  br i1 %407, label %408, label %414
+
+408:                                              ; preds = %399
+  %409 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %86
+  %410 = load ptr, ptr %409, align 8
+  %411 = getelementptr inbounds double, ptr %410, i64 %397
+  %412 = load double, ptr %411, align 8
+  %413 = fsub double %406, %412
+  br label %414
+
+414:                                              ; preds = %399, %408
+  %415 = phi double [ %413, %408 ], [ 0.000000e+00, %399 ]
+  %416 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 %87
+  %417 = load i64, ptr %416, align 8
+  %418 = icmp sgt i64 %417, 0
+  br i1 %418, label %419, label %466
+
+419:                                              ; preds = %414
+  %420 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %87
+  %421 = load ptr, ptr %420, align 8
+  %422 = icmp sgt i64 %402, 0
+  %423 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %87
+  %424 = fcmp oeq double %406, 0x7FF0000000000000
+  br label %425
+
+425:                                              ; preds = %459, %419
+  %426 = phi i64 [ 0, %419 ], [ %461, %459 ]
+  %427 = phi i64 [ 0, %419 ], [ %462, %459 ]
+  %428 = phi double [ 0x7FF0000000000000, %419 ], [ %460, %459 ]
+  %429 = mul nsw i64 %427, %402
+  %430 = getelementptr inbounds double, ptr %421, i64 %429
+  br i1 %422, label %434, label %431
+
+431:                                              ; preds = %434, %425
+  %432 = phi double [ 0.000000e+00, %425 ], [ %443, %434 ]
+  %433 = fcmp olt double %432, %428
+  br i1 %433, label %446, label %459
+
+434:                                              ; preds = %425, %434
+  %435 = phi i64 [ %444, %434 ], [ 0, %425 ]
+  %436 = phi double [ %443, %434 ], [ 0.000000e+00, %425 ]
+  %437 = getelementptr inbounds double, ptr %5, i64 %435
+  %438 = load double, ptr %437, align 8
+  %439 = getelementptr inbounds double, ptr %430, i64 %435
+  %440 = load double, ptr %439, align 8
+  %441 = fsub double %438, %440
+  %442 = fmul double %441, %441
+  %443 = fadd double %436, %442
+  %444 = add nuw nsw i64 %435, 1
+  %445 = icmp eq i64 %444, %402
+  br i1 %445, label %431, label %434
+
+446:                                              ; preds = %431
+  %447 = icmp eq i64 %427, 0
+  %448 = select i1 %447, i1 true, i1 %424
+  br i1 %448, label %458, label %449
+
+449:                                              ; preds = %446
+  %450 = load ptr, ptr %423, align 8
+  %451 = getelementptr inbounds double, ptr %450, i64 %427
+  %452 = load double, ptr %451, align 8
+  %453 = load double, ptr %23, align 8
+  %454 = tail call double @llvm.sqrt.f64(double %432)
+  %455 = fmul double %454, %453
+  %456 = fadd double %452, %455
+  %457 = fcmp ugt double %456, %415
+  br i1 %457, label %459, label %458
+
+458:                                              ; preds = %449, %446
+  br label %459
+
+459:                                              ; preds = %458, %449, %431
+  %460 = phi double [ %432, %458 ], [ %428, %449 ], [ %428, %431 ]
+  %461 = phi i64 [ %427, %458 ], [ %426, %449 ], [ %426, %431 ]
+  %462 = add nuw nsw i64 %427, 1
+  %463 = icmp eq i64 %462, %417
+  br i1 %463, label %464, label %425
+
+464:                                              ; preds = %459
+  %465 = icmp sgt i64 %461, -1
+  br i1 %465, label %466, label %547
+
+466:                                              ; preds = %414, %464
+  %467 = phi i64 [ %461, %464 ], [ 0, %414 ]
+  %468 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %87
+  br label %469
+
+469:                                              ; preds = %466, %544
+  %470 = phi i64 [ %467, %466 ], [ %545, %544 ]
+  %471 = load ptr, ptr %468, align 8
+  %472 = load i64, ptr %0, align 8
+  %473 = mul nsw i64 %472, %470
+  %474 = getelementptr inbounds double, ptr %471, i64 %473
+  %475 = shl i64 %472, 3
+  %476 = call i32 @bcmp(ptr %474, ptr nonnull %5, i64 %475)
+  %477 = icmp eq i32 %476, 0
+  br i1 %477, label %478, label %528
+
+478:                                              ; preds = %469
+  %479 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %86
+  %480 = load ptr, ptr %479, align 8
+  %481 = getelementptr inbounds %struct.Side, ptr %480, i64 %397
+  %482 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %87
+  %483 = load ptr, ptr %482, align 8
+  %484 = getelementptr inbounds %struct.Side, ptr %483, i64 %470
+  %485 = load double, ptr %22, align 8
+  %486 = fcmp olt double %485, 0x7FF0000000000000
+  br i1 %486, label %487, label %493
+
+487:                                              ; preds = %478
+  %488 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %87
+  %489 = load ptr, ptr %488, align 8
+  %490 = getelementptr inbounds double, ptr %489, i64 %470
+  %491 = load double, ptr %490, align 8
+  %492 = fcmp olt double %491, %415
+  br i1 %492, label %493, label %547
+
+493:                                              ; preds = %487, %478
+  %494 = load i64, ptr %29, align 8
+  %495 = icmp eq i64 %494, 0
+  br i1 %495, label %525, label %496
+
+496:                                              ; preds = %493
+  %497 = getelementptr inbounds %struct.Side, ptr %480, i64 %397, i32 2
+  %498 = load i64, ptr %497, align 8
+  %499 = getelementptr inbounds %struct.Side, ptr %483, i64 %470, i32 2
+  %500 = load i64, ptr %499, align 8
+  %501 = add nsw i64 %500, %498
+  %502 = load i8, ptr %481, align 8
+  %503 = load i8, ptr %484, align 8
+  %504 = xor i8 %503, %502
+  %505 = getelementptr inbounds %struct.Side, ptr %480, i64 %397, i32 1
+  %506 = load i8, ptr %505, align 1
+  %507 = and i8 %504, %506
+  %508 = getelementptr inbounds %struct.Side, ptr %483, i64 %470, i32 1
+  %509 = load i8, ptr %508, align 1
+  %510 = and i8 %507, %509
+  %511 = icmp eq i8 %510, 0
+  br i1 %511, label %519, label %512
+
+512:                                              ; preds = %496, %512
+  %513 = phi i32 [ %515, %512 ], [ 0, %496 ]
+  %514 = phi i8 [ %517, %512 ], [ %510, %496 ]
+  %515 = add nuw nsw i32 %513, 1
+  %516 = add i8 %514, -1
+  %517 = and i8 %516, %514
+  %518 = icmp eq i8 %517, 0
+  br i1 %518, label %519, label %512
+
+519:                                              ; preds = %512, %496
+  %520 = phi i32 [ 0, %496 ], [ %515, %512 ]
+  %521 = sext i32 %520 to i64
+  %522 = add nsw i64 %501, %521
+  %523 = load i64, ptr %30, align 8
+  %524 = icmp sgt i64 %522, %523
+  br i1 %524, label %547, label %525
+
+525:                                              ; preds = %519, %493
+  %526 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 32, i64 %86
+  store i64 %397, ptr %526, align 8
+  %527 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 32, i64 %87
+  store i64 %470, ptr %527, align 8
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %5) #8
+  br label %555
+
+528:                                              ; preds = %469
+  %529 = load double, ptr %16, align 8
+  %530 = call fastcc i64 @extend_by(ptr noundef nonnull %0, i64 noundef %87, i64 noundef %470, ptr noundef nonnull %5, double noundef %529)
+  %531 = load ptr, ptr %17, align 8
+  %532 = icmp ne ptr %531, null
+  %533 = icmp slt i64 %530, 0
+  %534 = select i1 %532, i1 %533, i1 false
+  br i1 %534, label %535, label %544
+
+535:                                              ; preds = %528, %535
+  %536 = phi double [ %540, %535 ], [ 2.500000e-01, %528 ]
+  %537 = load double, ptr %16, align 8
+  %538 = fmul double %536, %537
+  %539 = call fastcc i64 @extend_by(ptr noundef nonnull %0, i64 noundef %87, i64 noundef %470, ptr noundef nonnull %5, double noundef %538)
+  %540 = fmul double %536, 2.500000e-01
+  %541 = icmp slt i64 %539, 0
+  %542 = fcmp oge double %540, 6.250000e-02
+  %543 = select i1 %541, i1 %542, i1 false
+  br i1 %543, label %535, label %544
+
+544:                                              ; preds = %535, %528
+  %545 = phi i64 [ %530, %528 ], [ %539, %535 ]
+  %546 = icmp sgt i64 %545, -1
+  br i1 %546, label %469, label %547
+
+547:                                              ; preds = %544, %464, %519, %487
+  %548 = load i64, ptr %18, align 8
+  %549 = load i64, ptr %20, align 8
+  %550 = icmp sgt i64 %548, %549
+  %551 = zext i1 %550 to i64
+  store i64 %551, ptr %21, align 8
+  br label %552
+
+552:                                              ; preds = %547, %396
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %5) #8
+  %553 = load i64, ptr %6, align 8
+  %554 = icmp slt i64 %553, %8
+  br i1 %554, label %31, label %555
+
+555:                                              ; preds = %81, %552, %54, %2, %525
+  %556 = phi i32 [ 1, %525 ], [ 0, %2 ], [ 2, %81 ], [ 0, %552 ], [ 2, %54 ]
+  ret i32 %556
 }
 
 define dso_local i64 @manipplan_way(ptr nocapture noundef readonly %0, ptr noundef writeonly %1) local_unnamed_addr #3 {
@@ -1819,7 +1583,7 @@ define dso_local i64 @manipplan_shorten(ptr nocapture noundef %0, ptr nocapture 
   %14 = icmp sgt i64 %4, 0
   %15 = icmp sgt i64 %3, 2
   %16 = and i1 %14, %15
-  br i1 %16, label %17, label %39
+  br i1 %16, label %17, label %31
 
 17:                                               ; preds = %5
   %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25
@@ -1830,418 +1594,341 @@ define dso_local i64 @manipplan_shorten(ptr nocapture noundef %0, ptr nocapture 
   %23 = getelementptr inbounds %struct.Side, ptr %7, i64 0, i32 2
   %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29
   %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 1
-  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
-  %27 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
-  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
-  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 34
-  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %32 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %33 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  br label %34
+  br label %26
 
-34:                                               ; preds = %307, %17
-  %35 = phi i64 [ %3, %17 ], [ %308, %307 ]
-  %36 = phi i64 [ 0, %17 ], [ %309, %307 ]
-  %37 = load i64, ptr %0, align 8
-  %38 = icmp sgt i64 %37, 0
-  br label %70
+26:                                               ; preds = %247, %17
+  %27 = phi i64 [ %3, %17 ], [ %248, %247 ]
+  %28 = phi i64 [ 0, %17 ], [ %249, %247 ]
+  %29 = load i64, ptr %0, align 8
+  %30 = icmp sgt i64 %29, 0
+  br label %62
 
-39:                                               ; preds = %307, %5
-  %40 = phi i64 [ %3, %5 ], [ %308, %307 ]
-  ret i64 %40
+31:                                               ; preds = %247, %5
+  %32 = phi i64 [ %3, %5 ], [ %248, %247 ]
+  ret i64 %32
 
-41:                                               ; preds = %90
+33:                                               ; preds = %82
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %9) #8
-  %42 = load i64, ptr %18, align 8
-  %43 = add i64 %42, -7046029254386353131
-  %44 = lshr i64 %43, 30
-  %45 = xor i64 %44, %43
-  %46 = mul i64 %45, -4658895280553007687
-  %47 = lshr i64 %46, 27
-  %48 = xor i64 %47, %46
-  %49 = mul i64 %48, -7723592293110705685
-  %50 = lshr i64 %49, 42
-  %51 = lshr i64 %49, 11
-  %52 = xor i64 %50, %51
-  %53 = uitofp i64 %52 to double
-  %54 = fmul double %53, 0x3CA0000000000000
-  %55 = fmul double %93, %54
-  store double %55, ptr %9, align 16
-  %56 = add i64 %42, 4354685564936845354
-  store i64 %56, ptr %18, align 8
-  %57 = lshr i64 %56, 30
-  %58 = xor i64 %57, %56
-  %59 = mul i64 %58, -4658895280553007687
-  %60 = lshr i64 %59, 27
-  %61 = xor i64 %60, %59
-  %62 = mul i64 %61, -7723592293110705685
-  %63 = lshr i64 %62, 42
-  %64 = lshr i64 %62, 11
-  %65 = xor i64 %63, %64
-  %66 = uitofp i64 %65 to double
-  %67 = fmul double %66, 0x3CA0000000000000
-  %68 = fmul double %93, %67
-  store double %68, ptr %19, align 8
+  %34 = load i64, ptr %18, align 8
+  %35 = add i64 %34, -7046029254386353131
+  %36 = lshr i64 %35, 30
+  %37 = xor i64 %36, %35
+  %38 = mul i64 %37, -4658895280553007687
+  %39 = lshr i64 %38, 27
+  %40 = xor i64 %39, %38
+  %41 = mul i64 %40, -7723592293110705685
+  %42 = lshr i64 %41, 42
+  %43 = lshr i64 %41, 11
+  %44 = xor i64 %42, %43
+  %45 = uitofp i64 %44 to double
+  %46 = fmul double %45, 0x3CA0000000000000
+  %47 = fmul double %85, %46
+  store double %47, ptr %9, align 16
+  %48 = add i64 %34, 4354685564936845354
+  store i64 %48, ptr %18, align 8
+  %49 = lshr i64 %48, 30
+  %50 = xor i64 %49, %48
+  %51 = mul i64 %50, -4658895280553007687
+  %52 = lshr i64 %51, 27
+  %53 = xor i64 %52, %51
+  %54 = mul i64 %53, -7723592293110705685
+  %55 = lshr i64 %54, 42
+  %56 = lshr i64 %54, 11
+  %57 = xor i64 %55, %56
+  %58 = uitofp i64 %57 to double
+  %59 = fmul double %58, 0x3CA0000000000000
+  %60 = fmul double %85, %59
+  store double %60, ptr %19, align 8
   call void @llvm.lifetime.start.p0(i64 1024, ptr nonnull %10) #8
-  %69 = fcmp ogt double %55, %68
-  br i1 %69, label %96, label %97
+  %61 = fcmp ogt double %47, %60
+  br i1 %61, label %88, label %89
 
-70:                                               ; preds = %34, %90
-  %71 = phi i64 [ 1, %34 ], [ %94, %90 ]
-  %72 = phi double [ 0.000000e+00, %34 ], [ %93, %90 ]
-  %73 = phi i64 [ 0, %34 ], [ %71, %90 ]
-  %74 = mul nsw i64 %37, %73
-  %75 = getelementptr inbounds double, ptr %1, i64 %74
-  %76 = mul nsw i64 %37, %71
-  %77 = getelementptr inbounds double, ptr %1, i64 %76
-  br i1 %38, label %78, label %90
+62:                                               ; preds = %26, %82
+  %63 = phi i64 [ 1, %26 ], [ %86, %82 ]
+  %64 = phi double [ 0.000000e+00, %26 ], [ %85, %82 ]
+  %65 = phi i64 [ 0, %26 ], [ %63, %82 ]
+  %66 = mul nsw i64 %29, %65
+  %67 = getelementptr inbounds double, ptr %1, i64 %66
+  %68 = mul nsw i64 %29, %63
+  %69 = getelementptr inbounds double, ptr %1, i64 %68
+  br i1 %30, label %70, label %82
 
-78:                                               ; preds = %70, %78
-  %79 = phi i64 [ %88, %78 ], [ 0, %70 ]
-  %80 = phi double [ %87, %78 ], [ 0.000000e+00, %70 ]
-  %81 = getelementptr inbounds double, ptr %77, i64 %79
-  %82 = load double, ptr %81, align 8
-  %83 = getelementptr inbounds double, ptr %75, i64 %79
-  %84 = load double, ptr %83, align 8
-  %85 = fsub double %82, %84
-  %86 = fmul double %85, %85
-  %87 = fadd double %80, %86
-  %88 = add nuw nsw i64 %79, 1
-  %89 = icmp eq i64 %88, %37
-  br i1 %89, label %90, label %78
+70:                                               ; preds = %62, %70
+  %71 = phi i64 [ %80, %70 ], [ 0, %62 ]
+  %72 = phi double [ %79, %70 ], [ 0.000000e+00, %62 ]
+  %73 = getelementptr inbounds double, ptr %69, i64 %71
+  %74 = load double, ptr %73, align 8
+  %75 = getelementptr inbounds double, ptr %67, i64 %71
+  %76 = load double, ptr %75, align 8
+  %77 = fsub double %74, %76
+  %78 = fmul double %77, %77
+  %79 = fadd double %72, %78
+  %80 = add nuw nsw i64 %71, 1
+  %81 = icmp eq i64 %80, %29
+  br i1 %81, label %82, label %70
 
-90:                                               ; preds = %78, %70
-  %91 = phi double [ 0.000000e+00, %70 ], [ %87, %78 ]
-  %92 = call double @llvm.sqrt.f64(double %91)
-  %93 = fadd double %72, %92
-  %94 = add nuw nsw i64 %71, 1
-  %95 = icmp eq i64 %94, %35
-  br i1 %95, label %41, label %70
+82:                                               ; preds = %70, %62
+  %83 = phi double [ 0.000000e+00, %62 ], [ %79, %70 ]
+  %84 = call double @llvm.sqrt.f64(double %83)
+  %85 = fadd double %64, %84
+  %86 = add nuw nsw i64 %63, 1
+  %87 = icmp eq i64 %86, %27
+  br i1 %87, label %33, label %62
 
-96:                                               ; preds = %41
-  store double %68, ptr %9, align 16
-  store double %55, ptr %19, align 8
-  br label %97
+88:                                               ; preds = %33
+  store double %60, ptr %9, align 16
+  store double %47, ptr %19, align 8
+  br label %89
 
-97:                                               ; preds = %41, %96
-  %98 = phi double [ %55, %96 ], [ %68, %41 ]
+89:                                               ; preds = %33, %88
+  %90 = phi double [ %47, %88 ], [ %60, %33 ]
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %11) #8
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(16) %11, i8 -1, i64 16, i1 false)
-  %99 = load i64, ptr %0, align 8
-  %100 = icmp sgt i64 %99, 0
-  br label %104
+  %91 = load i64, ptr %0, align 8
+  %92 = icmp sgt i64 %91, 0
+  br label %96
 
-101:                                              ; preds = %130
-  %102 = load i64, ptr %11, align 16
-  %103 = icmp eq i64 %102, %133
-  br i1 %103, label %307, label %167
+93:                                               ; preds = %122
+  %94 = load i64, ptr %11, align 16
+  %95 = icmp eq i64 %94, %125
+  br i1 %95, label %247, label %159
 
-104:                                              ; preds = %97, %130
-  %105 = phi i64 [ 1, %97 ], [ %131, %130 ]
-  %106 = phi i64 [ 0, %97 ], [ %105, %130 ]
-  %107 = phi double [ 0.000000e+00, %97 ], [ %126, %130 ]
-  %108 = mul nsw i64 %99, %106
-  %109 = getelementptr inbounds double, ptr %1, i64 %108
-  %110 = getelementptr inbounds double, ptr %109, i64 %99
-  br i1 %100, label %111, label %123
+96:                                               ; preds = %89, %122
+  %97 = phi i64 [ 1, %89 ], [ %123, %122 ]
+  %98 = phi i64 [ 0, %89 ], [ %97, %122 ]
+  %99 = phi double [ 0.000000e+00, %89 ], [ %118, %122 ]
+  %100 = mul nsw i64 %91, %98
+  %101 = getelementptr inbounds double, ptr %1, i64 %100
+  %102 = getelementptr inbounds double, ptr %101, i64 %91
+  br i1 %92, label %103, label %115
 
-111:                                              ; preds = %104, %111
-  %112 = phi i64 [ %121, %111 ], [ 0, %104 ]
-  %113 = phi double [ %120, %111 ], [ 0.000000e+00, %104 ]
-  %114 = getelementptr inbounds double, ptr %110, i64 %112
-  %115 = load double, ptr %114, align 8
-  %116 = getelementptr inbounds double, ptr %109, i64 %112
-  %117 = load double, ptr %116, align 8
-  %118 = fsub double %115, %117
-  %119 = fmul double %118, %118
-  %120 = fadd double %113, %119
-  %121 = add nuw nsw i64 %112, 1
-  %122 = icmp eq i64 %121, %99
-  br i1 %122, label %123, label %111
+103:                                              ; preds = %96, %103
+  %104 = phi i64 [ %113, %103 ], [ 0, %96 ]
+  %105 = phi double [ %112, %103 ], [ 0.000000e+00, %96 ]
+  %106 = getelementptr inbounds double, ptr %102, i64 %104
+  %107 = load double, ptr %106, align 8
+  %108 = getelementptr inbounds double, ptr %101, i64 %104
+  %109 = load double, ptr %108, align 8
+  %110 = fsub double %107, %109
+  %111 = fmul double %110, %110
+  %112 = fadd double %105, %111
+  %113 = add nuw nsw i64 %104, 1
+  %114 = icmp eq i64 %113, %91
+  br i1 %114, label %115, label %103
 
-123:                                              ; preds = %111, %104
-  %124 = phi double [ 0.000000e+00, %104 ], [ %120, %111 ]
-  %125 = call double @llvm.sqrt.f64(double %124)
-  %126 = fadd double %107, %125
-  %127 = add nuw nsw i64 %106, 2
-  %128 = icmp eq i64 %127, %35
-  %129 = fcmp ogt double %125, 0.000000e+00
-  br label %136
+115:                                              ; preds = %103, %96
+  %116 = phi double [ 0.000000e+00, %96 ], [ %112, %103 ]
+  %117 = call double @llvm.sqrt.f64(double %116)
+  %118 = fadd double %99, %117
+  %119 = add nuw nsw i64 %98, 2
+  %120 = icmp eq i64 %119, %27
+  %121 = fcmp ogt double %117, 0.000000e+00
+  br label %128
 
-130:                                              ; preds = %166
-  %131 = add nuw nsw i64 %105, 1
-  %132 = icmp slt i64 %131, %35
-  %133 = load i64, ptr %20, align 8
-  %134 = icmp slt i64 %133, 0
-  %135 = select i1 %132, i1 %134, i1 false
-  br i1 %135, label %104, label %101
+122:                                              ; preds = %158
+  %123 = add nuw nsw i64 %97, 1
+  %124 = icmp slt i64 %123, %27
+  %125 = load i64, ptr %20, align 8
+  %126 = icmp slt i64 %125, 0
+  %127 = select i1 %124, i1 %126, i1 false
+  br i1 %127, label %96, label %93
 
-136:                                              ; preds = %123, %166
-  %137 = phi i1 [ true, %123 ], [ false, %166 ]
-  %138 = phi i64 [ 0, %123 ], [ 1, %166 ]
-  %139 = getelementptr inbounds [2 x i64], ptr %11, i64 0, i64 %138
-  %140 = load i64, ptr %139, align 8
-  %141 = icmp slt i64 %140, 0
-  br i1 %141, label %142, label %166
+128:                                              ; preds = %115, %158
+  %129 = phi i1 [ true, %115 ], [ false, %158 ]
+  %130 = phi i64 [ 0, %115 ], [ 1, %158 ]
+  %131 = getelementptr inbounds [2 x i64], ptr %11, i64 0, i64 %130
+  %132 = load i64, ptr %131, align 8
+  %133 = icmp slt i64 %132, 0
+  br i1 %133, label %134, label %158
 
-142:                                              ; preds = %136
-  %143 = getelementptr inbounds [2 x double], ptr %9, i64 0, i64 %138
-  %144 = load double, ptr %143, align 8
-  %145 = fcmp olt double %144, %126
-  %146 = select i1 %145, i1 true, i1 %128
-  br i1 %146, label %147, label %166
+134:                                              ; preds = %128
+  %135 = getelementptr inbounds [2 x double], ptr %9, i64 0, i64 %130
+  %136 = load double, ptr %135, align 8
+  %137 = fcmp olt double %136, %118
+  %138 = select i1 %137, i1 true, i1 %120
+  br i1 %138, label %139, label %158
 
-147:                                              ; preds = %142
-  %148 = fsub double %144, %107
-  %149 = fdiv double %148, %125
-  %150 = select i1 %129, double %149, double 0.000000e+00
-  store i64 %106, ptr %139, align 8
-  %151 = call double @llvm.maxnum.f64(double %150, double 0.000000e+00)
-  %152 = call double @llvm.minnum.f64(double %151, double 1.000000e+00)
-  %153 = getelementptr inbounds [2 x [64 x double]], ptr %10, i64 0, i64 %138
-  br i1 %100, label %154, label %166
+139:                                              ; preds = %134
+  %140 = fsub double %136, %99
+  %141 = fdiv double %140, %117
+  %142 = select i1 %121, double %141, double 0.000000e+00
+  store i64 %98, ptr %131, align 8
+  %143 = call double @llvm.maxnum.f64(double %142, double 0.000000e+00)
+  %144 = call double @llvm.minnum.f64(double %143, double 1.000000e+00)
+  %145 = getelementptr inbounds [2 x [64 x double]], ptr %10, i64 0, i64 %130
+  br i1 %92, label %146, label %158
 
-154:                                              ; preds = %147, %154
-  %155 = phi i64 [ %164, %154 ], [ 0, %147 ]
-  %156 = getelementptr inbounds double, ptr %109, i64 %155
-  %157 = load double, ptr %156, align 8
-  %158 = getelementptr inbounds double, ptr %110, i64 %155
-  %159 = load double, ptr %158, align 8
-  %160 = fsub double %159, %157
-  %161 = fmul double %152, %160
-  %162 = fadd double %157, %161
-  %163 = getelementptr inbounds double, ptr %153, i64 %155
-  store double %162, ptr %163, align 8
-  %164 = add nuw nsw i64 %155, 1
-  %165 = icmp eq i64 %164, %99
-  br i1 %165, label %166, label %154
+146:                                              ; preds = %139, %146
+  %147 = phi i64 [ %156, %146 ], [ 0, %139 ]
+  %148 = getelementptr inbounds double, ptr %101, i64 %147
+  %149 = load double, ptr %148, align 8
+  %150 = getelementptr inbounds double, ptr %102, i64 %147
+  %151 = load double, ptr %150, align 8
+  %152 = fsub double %151, %149
+  %153 = fmul double %144, %152
+  %154 = fadd double %149, %153
+  %155 = getelementptr inbounds double, ptr %145, i64 %147
+  store double %154, ptr %155, align 8
+  %156 = add nuw nsw i64 %147, 1
+  %157 = icmp eq i64 %156, %91
+  br i1 %157, label %158, label %146
 
-166:                                              ; preds = %154, %147, %142, %136
-  br i1 %137, label %136, label %130
+158:                                              ; preds = %146, %139, %134, %128
+  br i1 %129, label %128, label %122
 
-167:                                              ; preds = %101
-  %168 = load double, ptr %9, align 16
-  %169 = fsub double %98, %168
-  %170 = load i64, ptr %0, align 8
-  %171 = icmp sgt i64 %170, 0
-  br i1 %171, label %172, label %184
+159:                                              ; preds = %93
+  %160 = load double, ptr %9, align 16
+  %161 = fsub double %90, %160
+  %162 = load i64, ptr %0, align 8
+  %163 = icmp sgt i64 %162, 0
+  br i1 %163, label %164, label %176
 
-172:                                              ; preds = %167, %172
-  %173 = phi i64 [ %182, %172 ], [ 0, %167 ]
-  %174 = phi double [ %181, %172 ], [ 0.000000e+00, %167 ]
-  %175 = getelementptr inbounds double, ptr %21, i64 %173
-  %176 = load double, ptr %175, align 8
-  %177 = getelementptr inbounds double, ptr %10, i64 %173
-  %178 = load double, ptr %177, align 8
-  %179 = fsub double %176, %178
-  %180 = fmul double %179, %179
-  %181 = fadd double %174, %180
-  %182 = add nuw nsw i64 %173, 1
-  %183 = icmp eq i64 %182, %170
-  br i1 %183, label %184, label %172
+164:                                              ; preds = %159, %164
+  %165 = phi i64 [ %174, %164 ], [ 0, %159 ]
+  %166 = phi double [ %173, %164 ], [ 0.000000e+00, %159 ]
+  %167 = getelementptr inbounds double, ptr %21, i64 %165
+  %168 = load double, ptr %167, align 8
+  %169 = getelementptr inbounds double, ptr %10, i64 %165
+  %170 = load double, ptr %169, align 8
+  %171 = fsub double %168, %170
+  %172 = fmul double %171, %171
+  %173 = fadd double %166, %172
+  %174 = add nuw nsw i64 %165, 1
+  %175 = icmp eq i64 %174, %162
+  br i1 %175, label %176, label %164
 
-184:                                              ; preds = %172, %167
-  %185 = phi double [ 0.000000e+00, %167 ], [ %181, %172 ]
-  %186 = call double @llvm.sqrt.f64(double %185)
-  %187 = fsub double %169, %186
-  %188 = fmul double %93, 1.000000e-02
-  %189 = fcmp olt double %187, %188
-  br i1 %189, label %307, label %190
+176:                                              ; preds = %164, %159
+  %177 = phi double [ 0.000000e+00, %159 ], [ %173, %164 ]
+  %178 = call double @llvm.sqrt.f64(double %177)
+  %179 = fsub double %161, %178
+  %180 = fmul double %85, 1.000000e-02
+  %181 = fcmp olt double %179, %180
+  br i1 %181, label %247, label %182
 
-190:                                              ; preds = %184
-  %191 = add nsw i64 %102, 1
-  %192 = mul i64 %191, %13
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %2, ptr align 8 %1, i64 %192, i1 false)
-  %193 = add nsw i64 %102, 2
-  %194 = load i64, ptr %0, align 8
-  %195 = mul nsw i64 %194, %191
-  %196 = getelementptr inbounds double, ptr %2, i64 %195
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %196, ptr nonnull align 16 %10, i64 %13, i1 false)
-  %197 = add nsw i64 %102, 3
-  %198 = load i64, ptr %0, align 8
-  %199 = mul nsw i64 %198, %193
-  %200 = getelementptr inbounds double, ptr %2, i64 %199
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %200, ptr nonnull align 16 %21, i64 %13, i1 false)
-  %201 = load i64, ptr %0, align 8
-  %202 = mul nsw i64 %201, %197
-  %203 = getelementptr inbounds double, ptr %2, i64 %202
-  %204 = add nsw i64 %133, 1
-  %205 = mul nsw i64 %201, %204
-  %206 = getelementptr inbounds double, ptr %1, i64 %205
-  %207 = xor i64 %133, -1
-  %208 = add i64 %35, %207
-  %209 = mul i64 %208, %13
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %203, ptr align 8 %206, i64 %209, i1 false)
-  %210 = add nsw i64 %197, %208
+182:                                              ; preds = %176
+  %183 = add nsw i64 %94, 1
+  %184 = mul i64 %183, %13
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %2, ptr align 8 %1, i64 %184, i1 false)
+  %185 = add nsw i64 %94, 2
+  %186 = load i64, ptr %0, align 8
+  %187 = mul nsw i64 %186, %183
+  %188 = getelementptr inbounds double, ptr %2, i64 %187
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %188, ptr nonnull align 16 %10, i64 %13, i1 false)
+  %189 = add nsw i64 %94, 3
+  %190 = load i64, ptr %0, align 8
+  %191 = mul nsw i64 %190, %185
+  %192 = getelementptr inbounds double, ptr %2, i64 %191
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %192, ptr nonnull align 16 %21, i64 %13, i1 false)
+  %193 = load i64, ptr %0, align 8
+  %194 = mul nsw i64 %193, %189
+  %195 = getelementptr inbounds double, ptr %2, i64 %194
+  %196 = add nsw i64 %125, 1
+  %197 = mul nsw i64 %193, %196
+  %198 = getelementptr inbounds double, ptr %1, i64 %197
+  %199 = xor i64 %125, -1
+  %200 = add i64 %27, %199
+  %201 = mul i64 %200, %13
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %195, ptr align 8 %198, i64 %201, i1 false)
+  %202 = add nsw i64 %189, %200
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %7) #8
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %7, i8 0, i64 16, i1 false)
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %8) #8
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %8, i8 0, i64 16, i1 false)
-  %211 = load i64, ptr %22, align 8
-  %212 = icmp eq i64 %211, 0
-  br i1 %212, label %213, label %214
+  %203 = load i64, ptr %22, align 8
+  %204 = icmp eq i64 %203, 0
+  br i1 %204, label %205, label %206
 
-213:                                              ; preds = %190
+205:                                              ; preds = %182
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %8) #8
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
-  br label %247
+  br label %239
 
-214:                                              ; preds = %190
-  %215 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef nonnull %10, ptr noundef nonnull %10, ptr noundef nonnull %7, ptr noundef nonnull %8)
-  %216 = icmp eq i32 %215, 0
-  br i1 %216, label %220, label %217
+206:                                              ; preds = %182
+  %207 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef nonnull %10, ptr noundef nonnull %10, ptr noundef nonnull %7, ptr noundef nonnull %8)
+  %208 = icmp eq i32 %207, 0
+  br i1 %208, label %212, label %209
 
-217:                                              ; preds = %214
-  %218 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef nonnull %10, ptr noundef nonnull %21, ptr noundef nonnull %7, ptr noundef nonnull %8)
-  %219 = icmp eq i32 %218, 0
+209:                                              ; preds = %206
+  %210 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef nonnull %10, ptr noundef nonnull %21, ptr noundef nonnull %7, ptr noundef nonnull %8)
+  %211 = icmp eq i32 %210, 0
+  br i1 %211, label %212, label %213
+
+212:                                              ; preds = %209, %206
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %8) #8
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
+  br label %216
+
+213:                                              ; preds = %209
+  %214 = load i64, ptr %23, align 8
+  %215 = icmp eq i64 %214, 0
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %8) #8
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
+  br i1 %215, label %239, label %216
+
+216:                                              ; preds = %212, %213
+  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %6) #8
+  %217 = load ptr, ptr %24, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %6, ptr noundef nonnull align 8 dereferenceable(16) %217, i64 16, i1 false)
+  %218 = load i64, ptr %22, align 8
+  %219 = icmp eq i64 %218, 0
   br i1 %219, label %220, label %221
 
-220:                                              ; preds = %217, %214
-  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %8) #8
-  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
+220:                                              ; preds = %216
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %6) #8
+  br label %239
+
+221:                                              ; preds = %216
+  %222 = call i64 @llvm.smax.i64(i64 %202, i64 1)
+  %223 = add nsw i64 %222, -1
   br label %224
 
-221:                                              ; preds = %217
-  %222 = load i64, ptr %23, align 8
-  %223 = icmp eq i64 %222, 0
-  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %8) #8
-  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
-  br i1 %223, label %247, label %224
-
-224:                                              ; preds = %220, %221
-  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %6) #8
-  %225 = load ptr, ptr %24, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %6, ptr noundef nonnull align 8 dereferenceable(16) %225, i64 16, i1 false)
-  %226 = load i64, ptr %22, align 8
-  %227 = icmp eq i64 %226, 0
-  br i1 %227, label %228, label %229
+224:                                              ; preds = %228, %221
+  %225 = phi i64 [ %226, %228 ], [ 0, %221 ]
+  %226 = add nuw nsw i64 %225, 1
+  %227 = icmp eq i64 %225, %223
+  br i1 %227, label %237, label %228
 
 228:                                              ; preds = %224
+  %229 = load i64, ptr %0, align 8
+  %230 = mul nsw i64 %229, %225
+  %231 = getelementptr inbounds double, ptr %2, i64 %230
+  %232 = mul nsw i64 %229, %226
+  %233 = getelementptr inbounds double, ptr %2, i64 %232
+  %234 = load ptr, ptr %25, align 8
+  %235 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %231, ptr noundef %233, ptr noundef nonnull %6, ptr noundef %234)
+  %236 = icmp eq i32 %235, 0
+  br i1 %236, label %237, label %224
+
+237:                                              ; preds = %224, %228
+  %238 = icmp slt i64 %226, %202
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %6) #8
+  br i1 %238, label %247, label %239
+
+239:                                              ; preds = %220, %205, %237, %213
+  %240 = call fastcc i32 @is_free(ptr noundef nonnull %0, ptr noundef nonnull %10)
+  %241 = icmp eq i32 %240, 0
+  br i1 %241, label %247, label %242
+
+242:                                              ; preds = %239
+  %243 = call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef nonnull %10, ptr noundef nonnull %21)
+  %244 = icmp eq i32 %243, 0
+  br i1 %244, label %247, label %245
+
+245:                                              ; preds = %242
+  %246 = mul i64 %202, %13
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %1, ptr align 8 %2, i64 %246, i1 false)
   br label %247
 
-229:                                              ; preds = %224
-  %230 = call i64 @llvm.smax.i64(i64 %210, i64 1)
-  %231 = add nsw i64 %230, -1
-  br label %232
-
-232:                                              ; preds = %236, %229
-  %233 = phi i64 [ %234, %236 ], [ 0, %229 ]
-  %234 = add nuw nsw i64 %233, 1
-  %235 = icmp eq i64 %233, %231
-  br i1 %235, label %245, label %236
-
-236:                                              ; preds = %232
-  %237 = load i64, ptr %0, align 8
-  %238 = mul nsw i64 %237, %233
-  %239 = getelementptr inbounds double, ptr %2, i64 %238
-  %240 = mul nsw i64 %237, %234
-  %241 = getelementptr inbounds double, ptr %2, i64 %240
-  %242 = load ptr, ptr %25, align 8
-  %243 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %239, ptr noundef %241, ptr noundef nonnull %6, ptr noundef %242)
-  %244 = icmp eq i32 %243, 0
-  br i1 %244, label %245, label %232
-
-245:                                              ; preds = %232, %236
-  %246 = icmp slt i64 %234, %210
-  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %6) #8
-  br i1 %246, label %307, label %247
-
-247:                                              ; preds = %228, %213, %245, %221
-  %248 = load ptr, ptr %26, align 8
-  %249 = load i64, ptr %27, align 8
-  %250 = getelementptr inbounds double, ptr %248, i64 %249
-  %251 = load double, ptr %250, align 8
-  br label %261
-
-252:                                              ; preds = %292
-  %253 = load i64, ptr %29, align 8
-  %254 = add nsw i64 %253, 1
-  store i64 %254, ptr %29, align 8
-  %255 = load ptr, ptr %30, align 8
-  %256 = load ptr, ptr %31, align 8
-  %257 = load double, ptr %32, align 8
-  %258 = fadd double %293, %257
-  %259 = call i32 %255(ptr noundef %256, ptr noundef nonnull %10, double noundef %258) #8
-  %260 = icmp eq i32 %259, 2
-  br i1 %260, label %294, label %299
-
-261:                                              ; preds = %292, %247
-  %262 = phi i1 [ true, %247 ], [ false, %292 ]
-  %263 = phi i64 [ 0, %247 ], [ 1, %292 ]
-  %264 = phi double [ %251, %247 ], [ %293, %292 ]
-  %265 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12, i64 %263
-  %266 = load double, ptr %265, align 8
-  %267 = fcmp ogt double %264, %266
-  br i1 %267, label %268, label %292
-
-268:                                              ; preds = %261
-  %269 = load double, ptr %28, align 8
-  %270 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %263
-  %271 = load ptr, ptr %270, align 8
-  %272 = load i64, ptr %0, align 8
-  %273 = icmp sgt i64 %272, 0
-  br i1 %273, label %274, label %286
-
-274:                                              ; preds = %268, %274
-  %275 = phi i64 [ %284, %274 ], [ 0, %268 ]
-  %276 = phi double [ %283, %274 ], [ 0.000000e+00, %268 ]
-  %277 = getelementptr inbounds double, ptr %271, i64 %275
-  %278 = load double, ptr %277, align 8
-  %279 = getelementptr inbounds double, ptr %10, i64 %275
-  %280 = load double, ptr %279, align 8
-  %281 = fsub double %278, %280
-  %282 = fmul double %281, %281
-  %283 = fadd double %276, %282
-  %284 = add nuw nsw i64 %275, 1
-  %285 = icmp eq i64 %284, %272
-  br i1 %285, label %286, label %274
-
-286:                                              ; preds = %274, %268
-  %287 = phi double [ 0.000000e+00, %268 ], [ %283, %274 ]
-  %288 = call double @llvm.sqrt.f64(double %287)
-  %289 = fmul double %269, %288
-  %290 = fadd double %266, %289
-  %291 = call double @llvm.minnum.f64(double %264, double %290)
-  br label %292
-
-292:                                              ; preds = %286, %261
-  %293 = phi double [ %291, %286 ], [ %264, %261 ]
-  br i1 %262, label %261, label %252
-
-294:                                              ; preds = %252
-  %295 = load ptr, ptr %33, align 8
-  %296 = load double, ptr %32, align 8
-  %297 = fadd double %293, %296
-  %298 = call i32 %295(ptr noundef nonnull %10, double noundef %297) #8
-  br label %299
-
-299:                                              ; preds = %252, %294
-  %300 = phi i32 [ %298, %294 ], [ %259, %252 ]
-  %301 = icmp eq i32 %300, 0
-  br i1 %301, label %302, label %307
-
-302:                                              ; preds = %299
-  %303 = call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef nonnull %10, ptr noundef nonnull %21)
-  %304 = icmp eq i32 %303, 0
-  br i1 %304, label %307, label %305
-
-305:                                              ; preds = %302
-  %306 = mul i64 %210, %13
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %1, ptr align 8 %2, i64 %306, i1 false)
-  br label %307
-
-307:                                              ; preds = %305, %245, %302, %299, %101, %184
-  %308 = phi i64 [ %35, %184 ], [ %35, %101 ], [ %210, %305 ], [ %35, %245 ], [ %35, %302 ], [ %35, %299 ]
+247:                                              ; preds = %245, %237, %242, %239, %93, %176
+  %248 = phi i64 [ %27, %176 ], [ %27, %93 ], [ %202, %245 ], [ %27, %237 ], [ %27, %242 ], [ %27, %239 ]
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %11) #8
   call void @llvm.lifetime.end.p0(i64 1024, ptr nonnull %10) #8
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %9) #8
-  %309 = add nuw nsw i64 %36, 1
-  %310 = icmp slt i64 %309, %4
-  %311 = icmp sgt i64 %308, 2
-  %312 = select i1 %310, i1 %311, i1 false
-  br i1 %312, label %34, label %39
+  %249 = add nuw nsw i64 %28, 1
+  %250 = icmp slt i64 %249, %4
+  %251 = icmp sgt i64 %248, 2
+  %252 = select i1 %250, i1 %251, i1 false
+  br i1 %252, label %26, label %31
 }
 
 declare double @llvm.maxnum.f64(double, double) #4
@@ -2252,7 +1939,661 @@ declare double @llvm.fabs.f64(double) #4
 
 declare double @llvm.ceil.f64(double) #4
 
+define internal fastcc i32 @keeps(ptr nocapture noundef readonly %0, ptr noundef %1) unnamed_addr #0 {
+  %3 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 7
+  %4 = load ptr, ptr %3, align 8
+  %5 = getelementptr inbounds double, ptr %4, i64 12
+  %6 = load i64, ptr %0, align 8
+  %7 = mul nsw i64 %6, 6
+  %8 = getelementptr inbounds double, ptr %5, i64 %7
+  %9 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 2
+  %10 = load i64, ptr %9, align 8
+  %11 = icmp eq i64 %10, 0
+  br i1 %11, label %19, label %12
+
+12:                                               ; preds = %2
+  %13 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 4
+  %14 = load ptr, ptr %13, align 8
+  %15 = tail call i32 %14(ptr noundef %1, ptr noundef %4, i64 noundef 1) #8
+  %16 = icmp eq i32 %15, 0
+  br i1 %16, label %17, label %77
+
+17:                                               ; preds = %12
+  %18 = load i64, ptr %9, align 8
+  br label %19
+
+19:                                               ; preds = %17, %2
+  %20 = phi i64 [ %18, %17 ], [ 0, %2 ]
+  %21 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 1
+  %22 = load i64, ptr %21, align 8
+  %23 = icmp sgt i64 %22, %20
+  br i1 %23, label %24, label %31
+
+24:                                               ; preds = %19
+  %25 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 5
+  %26 = load ptr, ptr %25, align 8
+  %27 = tail call i32 %26(ptr noundef %1, ptr noundef nonnull %8, i64 noundef 1) #8
+  %28 = icmp eq i32 %27, 0
+  br i1 %28, label %29, label %77
+
+29:                                               ; preds = %24
+  %30 = load i64, ptr %21, align 8
+  br label %31
+
+31:                                               ; preds = %29, %19
+  %32 = phi i64 [ %30, %29 ], [ %22, %19 ]
+  %33 = icmp sgt i64 %32, 0
+  br i1 %33, label %34, label %77
+
+34:                                               ; preds = %31
+  %35 = load i64, ptr %9, align 8
+  %36 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 3
+  br label %37
+
+37:                                               ; preds = %63, %34
+  %38 = phi double [ 0.000000e+00, %34 ], [ %68, %63 ]
+  %39 = phi i64 [ 0, %34 ], [ %70, %63 ]
+  %40 = phi i64 [ -1, %34 ], [ %69, %63 ]
+  %41 = icmp slt i64 %39, %35
+  br i1 %41, label %42, label %59
+
+42:                                               ; preds = %37
+  %43 = load ptr, ptr %36, align 8
+  %44 = mul nsw i64 %39, 13
+  %45 = getelementptr inbounds double, ptr %43, i64 %44
+  %46 = getelementptr inbounds double, ptr %45, i64 12
+  %47 = load double, ptr %46, align 8
+  br label %48
+
+48:                                               ; preds = %48, %42
+  %49 = phi i64 [ 0, %42 ], [ %57, %48 ]
+  %50 = phi double [ %47, %42 ], [ %56, %48 ]
+  %51 = getelementptr inbounds double, ptr %45, i64 %49
+  %52 = load double, ptr %51, align 8
+  %53 = getelementptr inbounds double, ptr %4, i64 %49
+  %54 = load double, ptr %53, align 8
+  %55 = fmul double %52, %54
+  %56 = fadd double %50, %55
+  %57 = add nuw nsw i64 %49, 1
+  %58 = icmp eq i64 %57, 12
+  br i1 %58, label %63, label %48
+
+59:                                               ; preds = %37
+  %60 = sub nsw i64 %39, %35
+  %61 = getelementptr inbounds double, ptr %8, i64 %60
+  %62 = load double, ptr %61, align 8
+  br label %63
+
+63:                                               ; preds = %48, %59
+  %64 = phi double [ %62, %59 ], [ %56, %48 ]
+  %65 = icmp slt i64 %40, 0
+  %66 = fcmp ult double %64, %38
+  %67 = select i1 %65, i1 true, i1 %66
+  %68 = select i1 %67, double %64, double %38
+  %69 = select i1 %67, i64 %39, i64 %40
+  %70 = add nuw nsw i64 %39, 1
+  %71 = icmp eq i64 %70, %32
+  br i1 %71, label %72, label %37
+
+72:                                               ; preds = %63
+  %73 = icmp sgt i64 %69, -1
+  %74 = fcmp oge double %68, 0.000000e+00
+  %75 = select i1 %73, i1 %74, i1 false
+  %76 = zext i1 %75 to i32
+  br label %77
+
+77:                                               ; preds = %72, %12, %24, %31
+  %78 = phi i32 [ 0, %31 ], [ 0, %24 ], [ 0, %12 ], [ %76, %72 ]
+  ret i32 %78
+}
+
 declare double @llvm.sqrt.f64(double) #4
+
+define internal fastcc i64 @extend_by(ptr nocapture noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, double noundef %4) unnamed_addr #0 {
+  %6 = alloca [64 x double], align 16
+  %7 = alloca %struct.Side, align 8
+  %8 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %1
+  %9 = load ptr, ptr %8, align 8
+  %10 = load i64, ptr %0, align 8
+  %11 = mul nsw i64 %10, %2
+  %12 = getelementptr inbounds double, ptr %9, i64 %11
+  %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 %1
+  %14 = load i64, ptr %13, align 8
+  %15 = mul nsw i64 %14, %10
+  %16 = getelementptr inbounds double, ptr %9, i64 %15
+  %17 = icmp sgt i64 %10, 0
+  br i1 %17, label %18, label %33
+
+18:                                               ; preds = %5, %18
+  %19 = phi i64 [ %28, %18 ], [ 0, %5 ]
+  %20 = phi double [ %27, %18 ], [ 0.000000e+00, %5 ]
+  %21 = getelementptr inbounds double, ptr %3, i64 %19
+  %22 = load double, ptr %21, align 8
+  %23 = getelementptr inbounds double, ptr %12, i64 %19
+  %24 = load double, ptr %23, align 8
+  %25 = fsub double %22, %24
+  %26 = fmul double %25, %25
+  %27 = fadd double %20, %26
+  %28 = add nuw nsw i64 %19, 1
+  %29 = icmp eq i64 %28, %10
+  br i1 %29, label %30, label %18
+
+30:                                               ; preds = %18
+  %31 = tail call double @llvm.sqrt.f64(double %27)
+  %32 = fcmp ogt double %31, %4
+  br i1 %32, label %35, label %49
+
+33:                                               ; preds = %5
+  %34 = fcmp olt double %4, 0.000000e+00
+  br i1 %34, label %52, label %49
+
+35:                                               ; preds = %30
+  %36 = fdiv double %4, %31
+  br label %37
+
+37:                                               ; preds = %35, %37
+  %38 = phi i64 [ %47, %37 ], [ 0, %35 ]
+  %39 = getelementptr inbounds double, ptr %12, i64 %38
+  %40 = load double, ptr %39, align 8
+  %41 = getelementptr inbounds double, ptr %3, i64 %38
+  %42 = load double, ptr %41, align 8
+  %43 = fsub double %42, %40
+  %44 = fmul double %36, %43
+  %45 = fadd double %40, %44
+  %46 = getelementptr inbounds double, ptr %16, i64 %38
+  store double %45, ptr %46, align 8
+  %47 = add nuw nsw i64 %38, 1
+  %48 = icmp eq i64 %47, %10
+  br i1 %48, label %52, label %37
+
+49:                                               ; preds = %33, %30
+  %50 = phi double [ 0.000000e+00, %33 ], [ %31, %30 ]
+  %51 = shl i64 %10, 3
+  tail call void @llvm.memcpy.p0.p0.i64(ptr align 8 %16, ptr align 8 %3, i64 %51, i1 false)
+  br label %52
+
+52:                                               ; preds = %37, %33, %49
+  %53 = phi double [ %50, %49 ], [ 0.000000e+00, %33 ], [ %31, %37 ]
+  %54 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 35
+  %55 = load ptr, ptr %54, align 8
+  %56 = icmp eq ptr %55, null
+  br i1 %56, label %336, label %57
+
+57:                                               ; preds = %52
+  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %6) #8
+  %58 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %59 = load ptr, ptr %58, align 8
+  %60 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %61 = load ptr, ptr %60, align 8
+  %62 = tail call fastcc i32 @keeps(ptr noundef nonnull %55, ptr noundef %16)
+  %63 = icmp eq i32 %62, 0
+  br i1 %63, label %64, label %314
+
+64:                                               ; preds = %57
+  %65 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 6
+  %66 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 7
+  %67 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 2
+  %68 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 4
+  %69 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 1
+  %70 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 5
+  %71 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 3
+  %72 = load ptr, ptr %66, align 8
+  %73 = load i64, ptr %55, align 8
+  %74 = load i64, ptr %67, align 8
+  br label %75
+
+75:                                               ; preds = %303, %64
+  %76 = phi i64 [ %74, %64 ], [ %107, %303 ]
+  %77 = phi i64 [ %73, %64 ], [ %239, %303 ]
+  %78 = phi ptr [ %72, %64 ], [ %153, %303 ]
+  %79 = phi i1 [ false, %64 ], [ %305, %303 ]
+  %80 = phi i32 [ 0, %64 ], [ %304, %303 ]
+  %81 = phi double [ 0.000000e+00, %64 ], [ %146, %303 ]
+  %82 = load ptr, ptr %65, align 8
+  %83 = getelementptr inbounds double, ptr %78, i64 12
+  %84 = mul nsw i64 %77, 6
+  %85 = getelementptr inbounds double, ptr %83, i64 %84
+  %86 = icmp eq i64 %76, 0
+  br i1 %86, label %93, label %87
+
+87:                                               ; preds = %75
+  %88 = load ptr, ptr %68, align 8
+  %89 = tail call i32 %88(ptr noundef %16, ptr noundef %78, i64 noundef 1) #8
+  %90 = icmp eq i32 %89, 0
+  br i1 %90, label %91, label %405
+
+91:                                               ; preds = %87
+  %92 = load i64, ptr %67, align 8
+  br label %93
+
+93:                                               ; preds = %91, %75
+  %94 = phi i64 [ %92, %91 ], [ 0, %75 ]
+  %95 = load i64, ptr %69, align 8
+  %96 = icmp sgt i64 %95, %94
+  br i1 %96, label %97, label %103
+
+97:                                               ; preds = %93
+  %98 = load ptr, ptr %70, align 8
+  %99 = tail call i32 %98(ptr noundef %16, ptr noundef nonnull %85, i64 noundef 1) #8
+  %100 = icmp eq i32 %99, 0
+  br i1 %100, label %101, label %405
+
+101:                                              ; preds = %97
+  %102 = load i64, ptr %69, align 8
+  br label %103
+
+103:                                              ; preds = %101, %93
+  %104 = phi i64 [ %102, %101 ], [ %95, %93 ]
+  %105 = icmp sgt i64 %104, 0
+  br i1 %105, label %106, label %405
+
+106:                                              ; preds = %103
+  %107 = load i64, ptr %67, align 8
+  %108 = icmp eq ptr %82, null
+  br label %109
+
+109:                                              ; preds = %141, %106
+  %110 = phi double [ %81, %106 ], [ %146, %141 ]
+  %111 = phi i64 [ 0, %106 ], [ %148, %141 ]
+  %112 = phi i64 [ -1, %106 ], [ %147, %141 ]
+  %113 = icmp slt i64 %111, %107
+  br i1 %113, label %114, label %131
+
+114:                                              ; preds = %109
+  %115 = load ptr, ptr %71, align 8
+  %116 = mul nsw i64 %111, 13
+  %117 = getelementptr inbounds double, ptr %115, i64 %116
+  %118 = getelementptr inbounds double, ptr %117, i64 12
+  %119 = load double, ptr %118, align 8
+  br label %120
+
+120:                                              ; preds = %120, %114
+  %121 = phi i64 [ 0, %114 ], [ %129, %120 ]
+  %122 = phi double [ %119, %114 ], [ %128, %120 ]
+  %123 = getelementptr inbounds double, ptr %117, i64 %121
+  %124 = load double, ptr %123, align 8
+  %125 = getelementptr inbounds double, ptr %78, i64 %121
+  %126 = load double, ptr %125, align 8
+  %127 = fmul double %124, %126
+  %128 = fadd double %122, %127
+  %129 = add nuw nsw i64 %121, 1
+  %130 = icmp eq i64 %129, 12
+  br i1 %130, label %135, label %120
+
+131:                                              ; preds = %109
+  %132 = sub nsw i64 %111, %107
+  %133 = getelementptr inbounds double, ptr %85, i64 %132
+  %134 = load double, ptr %133, align 8
+  br label %135
+
+135:                                              ; preds = %120, %131
+  %136 = phi double [ %134, %131 ], [ %128, %120 ]
+  br i1 %108, label %141, label %137
+
+137:                                              ; preds = %135
+  %138 = getelementptr inbounds double, ptr %82, i64 %111
+  %139 = load double, ptr %138, align 8
+  %140 = fsub double %136, %139
+  br label %141
+
+141:                                              ; preds = %137, %135
+  %142 = phi double [ %140, %137 ], [ %136, %135 ]
+  %143 = icmp slt i64 %112, 0
+  %144 = fcmp ult double %142, %110
+  %145 = select i1 %143, i1 true, i1 %144
+  %146 = select i1 %145, double %142, double %110
+  %147 = select i1 %145, i64 %111, i64 %112
+  %148 = add nuw nsw i64 %111, 1
+  %149 = icmp eq i64 %148, %104
+  br i1 %149, label %150, label %109
+
+150:                                              ; preds = %141
+  %151 = fcmp ult double %146, 0.000000e+00
+  br i1 %151, label %152, label %307
+
+152:                                              ; preds = %150
+  %153 = load ptr, ptr %66, align 8
+  %154 = getelementptr inbounds double, ptr %153, i64 12
+  %155 = icmp slt i64 %147, %107
+  br i1 %155, label %168, label %156
+
+156:                                              ; preds = %152
+  %157 = load i64, ptr %55, align 8
+  %158 = icmp sgt i64 %157, 0
+  br i1 %158, label %159, label %307
+
+159:                                              ; preds = %156
+  %160 = mul nsw i64 %157, 6
+  %161 = getelementptr inbounds double, ptr %154, i64 %160
+  %162 = sub nsw i64 %104, %107
+  %163 = getelementptr inbounds double, ptr %161, i64 %162
+  %164 = sub nsw i64 %147, %107
+  %165 = mul nsw i64 %157, %164
+  %166 = getelementptr double, ptr %163, i64 %165
+  %167 = shl nuw i64 %157, 3
+  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 16 %6, ptr align 8 %166, i64 %167, i1 false)
+  br label %238
+
+168:                                              ; preds = %152
+  %169 = load ptr, ptr %71, align 8
+  %170 = mul nsw i64 %147, 13
+  %171 = getelementptr inbounds double, ptr %169, i64 %170
+  %172 = load i64, ptr %55, align 8
+  %173 = icmp sgt i64 %172, 0
+  br i1 %173, label %174, label %307
+
+174:                                              ; preds = %168
+  %175 = getelementptr inbounds double, ptr %171, i64 1
+  %176 = getelementptr inbounds double, ptr %171, i64 2
+  %177 = load double, ptr %171, align 8
+  %178 = load double, ptr %175, align 8
+  %179 = load double, ptr %176, align 8
+  br label %180
+
+180:                                              ; preds = %201, %174
+  %181 = phi i64 [ 0, %174 ], [ %202, %201 ]
+  %182 = mul nuw nsw i64 %181, 6
+  %183 = getelementptr inbounds double, ptr %154, i64 %182
+  %184 = getelementptr inbounds double, ptr %183, i64 3
+  %185 = load double, ptr %183, align 8
+  %186 = fmul double %177, %185
+  %187 = getelementptr inbounds double, ptr %183, i64 1
+  %188 = load double, ptr %187, align 8
+  %189 = fmul double %178, %188
+  %190 = fadd double %186, %189
+  %191 = getelementptr inbounds double, ptr %183, i64 2
+  %192 = load double, ptr %191, align 8
+  %193 = fmul double %179, %192
+  %194 = fadd double %190, %193
+  %195 = getelementptr inbounds double, ptr %6, i64 %181
+  %196 = getelementptr inbounds double, ptr %184, i64 1
+  %197 = getelementptr inbounds double, ptr %184, i64 2
+  %198 = load double, ptr %196, align 8
+  %199 = load double, ptr %197, align 8
+  %200 = load double, ptr %184, align 8
+  br label %204
+
+201:                                              ; preds = %204
+  store double %233, ptr %195, align 8
+  %202 = add nuw nsw i64 %181, 1
+  %203 = icmp eq i64 %202, %172
+  br i1 %203, label %236, label %180
+
+204:                                              ; preds = %204, %180
+  %205 = phi double [ %194, %180 ], [ %233, %204 ]
+  %206 = phi i64 [ 3, %180 ], [ %234, %204 ]
+  %207 = getelementptr inbounds double, ptr %153, i64 %206
+  %208 = getelementptr inbounds double, ptr %171, i64 %206
+  %209 = load double, ptr %208, align 8
+  %210 = getelementptr inbounds double, ptr %207, i64 2
+  %211 = load double, ptr %210, align 8
+  %212 = fmul double %198, %211
+  %213 = getelementptr inbounds double, ptr %207, i64 1
+  %214 = load double, ptr %213, align 8
+  %215 = fmul double %199, %214
+  %216 = fsub double %212, %215
+  %217 = fmul double %209, %216
+  %218 = getelementptr inbounds double, ptr %208, i64 1
+  %219 = load double, ptr %218, align 8
+  %220 = load double, ptr %207, align 8
+  %221 = fmul double %199, %220
+  %222 = fmul double %211, %200
+  %223 = fsub double %221, %222
+  %224 = fmul double %219, %223
+  %225 = fadd double %217, %224
+  %226 = getelementptr inbounds double, ptr %208, i64 2
+  %227 = load double, ptr %226, align 8
+  %228 = fmul double %214, %200
+  %229 = fmul double %198, %220
+  %230 = fsub double %228, %229
+  %231 = fmul double %227, %230
+  %232 = fadd double %231, %225
+  %233 = fadd double %205, %232
+  %234 = add nuw nsw i64 %206, 3
+  %235 = icmp ult i64 %206, 9
+  br i1 %235, label %204, label %201
+
+236:                                              ; preds = %201
+  %237 = icmp sgt i64 %172, 0
+  br i1 %237, label %238, label %307
+
+238:                                              ; preds = %159, %236
+  %239 = phi i64 [ %157, %159 ], [ %172, %236 ]
+  br label %244
+
+240:                                              ; preds = %264
+  %241 = fcmp ogt double %267, 0x3D719799812DEA11
+  br i1 %241, label %242, label %307
+
+242:                                              ; preds = %240
+  %243 = fneg double %146
+  br label %276
+
+244:                                              ; preds = %238, %264
+  %245 = phi i64 [ %268, %264 ], [ 0, %238 ]
+  %246 = phi double [ %267, %264 ], [ 0.000000e+00, %238 ]
+  %247 = getelementptr inbounds double, ptr %16, i64 %245
+  %248 = load double, ptr %247, align 8
+  %249 = getelementptr inbounds double, ptr %59, i64 %245
+  %250 = load double, ptr %249, align 8
+  %251 = fcmp ole double %248, %250
+  %252 = getelementptr inbounds double, ptr %6, i64 %245
+  %253 = load double, ptr %252, align 8
+  %254 = fcmp olt double %253, 0.000000e+00
+  %255 = select i1 %251, i1 %254, i1 false
+  br i1 %255, label %262, label %256
+
+256:                                              ; preds = %244
+  %257 = getelementptr inbounds double, ptr %61, i64 %245
+  %258 = load double, ptr %257, align 8
+  %259 = fcmp oge double %248, %258
+  %260 = fcmp ogt double %253, 0.000000e+00
+  %261 = select i1 %259, i1 %260, i1 false
+  br i1 %261, label %262, label %264
+
+262:                                              ; preds = %244, %256
+  %263 = getelementptr inbounds double, ptr %6, i64 %245
+  store double 0.000000e+00, ptr %263, align 8
+  br label %264
+
+264:                                              ; preds = %262, %256
+  %265 = phi double [ 0.000000e+00, %262 ], [ %253, %256 ]
+  %266 = fmul double %265, %265
+  %267 = fadd double %246, %266
+  %268 = add nuw nsw i64 %245, 1
+  %269 = icmp eq i64 %268, %239
+  br i1 %269, label %240, label %244
+
+270:                                              ; preds = %276
+  %271 = fcmp ogt double %284, 5.000000e-01
+  %272 = fdiv double 5.000000e-01, %284
+  %273 = select i1 %271, double %272, double 1.000000e+00
+  %274 = fmul double %273, %243
+  %275 = fdiv double %274, %267
+  br label %287
+
+276:                                              ; preds = %276, %242
+  %277 = phi i64 [ 0, %242 ], [ %285, %276 ]
+  %278 = phi double [ 0.000000e+00, %242 ], [ %284, %276 ]
+  %279 = getelementptr inbounds double, ptr %6, i64 %277
+  %280 = load double, ptr %279, align 8
+  %281 = tail call double @llvm.fabs.f64(double %280)
+  %282 = fmul double %281, %243
+  %283 = fdiv double %282, %267
+  %284 = tail call double @llvm.maxnum.f64(double %278, double %283)
+  %285 = add nuw nsw i64 %277, 1
+  %286 = icmp eq i64 %285, %239
+  br i1 %286, label %270, label %276
+
+287:                                              ; preds = %270, %287
+  %288 = phi i64 [ %301, %287 ], [ 0, %270 ]
+  %289 = getelementptr inbounds double, ptr %16, i64 %288
+  %290 = load double, ptr %289, align 8
+  %291 = getelementptr inbounds double, ptr %6, i64 %288
+  %292 = load double, ptr %291, align 8
+  %293 = fmul double %275, %292
+  %294 = fadd double %290, %293
+  %295 = getelementptr inbounds double, ptr %59, i64 %288
+  %296 = load double, ptr %295, align 8
+  %297 = tail call double @llvm.maxnum.f64(double %294, double %296)
+  %298 = getelementptr inbounds double, ptr %61, i64 %288
+  %299 = load double, ptr %298, align 8
+  %300 = tail call double @llvm.minnum.f64(double %297, double %299)
+  store double %300, ptr %289, align 8
+  %301 = add nuw nsw i64 %288, 1
+  %302 = icmp eq i64 %301, %239
+  br i1 %302, label %303, label %287
+
+303:                                              ; preds = %287
+  %304 = add nuw nsw i32 %80, 1
+  %305 = icmp ugt i32 %80, 38
+  %306 = icmp eq i32 %304, 40
+  br i1 %306, label %309, label %75
+
+307:                                              ; preds = %240, %236, %168, %156, %150
+  %308 = phi i32 [ 0, %240 ], [ 1, %150 ], [ 0, %236 ], [ 0, %156 ], [ 0, %168 ]
+  br i1 %79, label %309, label %311
+
+309:                                              ; preds = %303, %307
+  %310 = tail call fastcc i32 @keeps(ptr noundef nonnull %55, ptr noundef %16)
+  br label %311
+
+311:                                              ; preds = %307, %309
+  %312 = phi i32 [ %310, %309 ], [ %308, %307 ]
+  %313 = icmp eq i32 %312, 0
+  br i1 %313, label %405, label %314
+
+314:                                              ; preds = %57, %311
+  %315 = load i64, ptr %0, align 8
+  %316 = icmp sgt i64 %315, 0
+  br i1 %316, label %317, label %329
+
+317:                                              ; preds = %314, %317
+  %318 = phi i64 [ %327, %317 ], [ 0, %314 ]
+  %319 = phi double [ %326, %317 ], [ 0.000000e+00, %314 ]
+  %320 = getelementptr inbounds double, ptr %3, i64 %318
+  %321 = load double, ptr %320, align 8
+  %322 = getelementptr inbounds double, ptr %16, i64 %318
+  %323 = load double, ptr %322, align 8
+  %324 = fsub double %321, %323
+  %325 = fmul double %324, %324
+  %326 = fadd double %319, %325
+  %327 = add nuw nsw i64 %318, 1
+  %328 = icmp eq i64 %327, %315
+  br i1 %328, label %329, label %317
+
+329:                                              ; preds = %317, %314
+  %330 = phi double [ 0.000000e+00, %314 ], [ %326, %317 ]
+  %331 = tail call double @llvm.sqrt.f64(double %330)
+  %332 = fsub double %53, %331
+  %333 = tail call double @llvm.minnum.f64(double %53, double %4)
+  %334 = fmul double %333, 2.500000e-01
+  %335 = fcmp ult double %332, %334
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %6) #8
+  br i1 %335, label %406, label %336
+
+336:                                              ; preds = %329, %52
+  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %7) #8
+  %337 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %1
+  %338 = load ptr, ptr %337, align 8
+  %339 = getelementptr inbounds %struct.Side, ptr %338, i64 %2
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %7, ptr noundef nonnull align 8 dereferenceable(16) %339, i64 16, i1 false)
+  %340 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21
+  %341 = load double, ptr %340, align 8
+  %342 = fcmp olt double %341, 0x7FF0000000000000
+  br i1 %342, label %343, label %382
+
+343:                                              ; preds = %336
+  %344 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %1
+  %345 = load ptr, ptr %344, align 8
+  %346 = getelementptr inbounds double, ptr %345, i64 %2
+  %347 = load double, ptr %346, align 8
+  %348 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23
+  %349 = load ptr, ptr %348, align 8
+  %350 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24
+  %351 = load ptr, ptr %350, align 8
+  %352 = tail call double %349(ptr noundef %351, ptr noundef %12, ptr noundef %16) #8
+  %353 = fadd double %347, %352
+  %354 = load ptr, ptr %344, align 8
+  %355 = getelementptr inbounds double, ptr %354, i64 %14
+  store double %353, ptr %355, align 8
+  %356 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
+  %357 = load double, ptr %356, align 8
+  %358 = sub nsw i64 1, %1
+  %359 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %358
+  %360 = load ptr, ptr %359, align 8
+  %361 = load i64, ptr %0, align 8
+  %362 = icmp sgt i64 %361, 0
+  br i1 %362, label %363, label %375
+
+363:                                              ; preds = %343, %363
+  %364 = phi i64 [ %373, %363 ], [ 0, %343 ]
+  %365 = phi double [ %372, %363 ], [ 0.000000e+00, %343 ]
+  %366 = getelementptr inbounds double, ptr %360, i64 %364
+  %367 = load double, ptr %366, align 8
+  %368 = getelementptr inbounds double, ptr %16, i64 %364
+  %369 = load double, ptr %368, align 8
+  %370 = fsub double %367, %369
+  %371 = fmul double %370, %370
+  %372 = fadd double %365, %371
+  %373 = add nuw nsw i64 %364, 1
+  %374 = icmp eq i64 %373, %361
+  br i1 %374, label %375, label %363
+
+375:                                              ; preds = %363, %343
+  %376 = phi double [ 0.000000e+00, %343 ], [ %372, %363 ]
+  %377 = tail call double @llvm.sqrt.f64(double %376)
+  %378 = fmul double %357, %377
+  %379 = fadd double %353, %378
+  %380 = load double, ptr %340, align 8
+  %381 = fcmp olt double %379, %380
+  br i1 %381, label %382, label %403
+
+382:                                              ; preds = %375, %336
+  %383 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %384 = load i64, ptr %383, align 8
+  %385 = icmp eq i64 %384, 0
+  br i1 %385, label %392, label %386
+
+386:                                              ; preds = %382
+  %387 = sub nsw i64 1, %1
+  %388 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %387
+  %389 = load ptr, ptr %388, align 8
+  %390 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %12, ptr noundef %16, ptr noundef nonnull %7, ptr noundef %389)
+  %391 = icmp eq i32 %390, 0
+  br i1 %391, label %403, label %392
+
+392:                                              ; preds = %386, %382
+  %393 = tail call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef %12, ptr noundef %16)
+  %394 = icmp eq i32 %393, 0
+  br i1 %394, label %403, label %395
+
+395:                                              ; preds = %392
+  %396 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 28, i64 %1
+  %397 = load ptr, ptr %396, align 8
+  %398 = getelementptr inbounds i64, ptr %397, i64 %14
+  store i64 %2, ptr %398, align 8
+  %399 = load ptr, ptr %337, align 8
+  %400 = getelementptr inbounds %struct.Side, ptr %399, i64 %14
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %400, ptr noundef nonnull align 8 dereferenceable(16) %7, i64 16, i1 false)
+  %401 = load i64, ptr %13, align 8
+  %402 = add nsw i64 %401, 1
+  store i64 %402, ptr %13, align 8
+  br label %403
+
+403:                                              ; preds = %392, %386, %375, %395
+  %404 = phi i64 [ %14, %395 ], [ -1, %375 ], [ -1, %386 ], [ -1, %392 ]
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
+  br label %406
+
+405:                                              ; preds = %87, %97, %103, %311
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %6) #8
+  br label %406
+
+406:                                              ; preds = %405, %329, %403
+  %407 = phi i64 [ %404, %403 ], [ -1, %329 ], [ -1, %405 ]
+  ret i64 %407
+}
 
 declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #5
 

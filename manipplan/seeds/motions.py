@@ -15,14 +15,15 @@ from manipplan.collision.kernel import FREE, TOUCHING
 from manipplan.collision.model import CollisionModel
 from manipplan.kinematics.batch import BATCH
 from manipplan.kinematics.sides import Sides
+from manipplan.seeds.constraints import SearchConstraints
 from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
 from manipplan.support.compiling.native import NativeCode, native_code
 
 #: As in connect.c.
 MOST_SIDES, MOST_JOINTS = 8, 64
-#: Maximum length of an edge [rad or m].
-RANGE = 1.0
+#: Maximum length of an edge, and with constraints, whose edges are nearly tangential to what they allow [rad or m].
+RANGE, CONSTRAINED_RANGE = 1.0, 0.3
 #: Share of the random configurations that come from a box around start and goal, and its maximum distance from them [rad or m].
 NEAR, AROUND = 0.8, 3.0
 #: Share of the distances of start and goal beyond the clearance that counts as margin, and margin per rad or m away from them.
@@ -91,6 +92,7 @@ class Search(ctypes.Structure):
         ("met", N * 2),
         ("turn", N),
         ("checks", N),
+        ("constraints", P),
     ]
 
 
@@ -142,6 +144,7 @@ class MotionCheck:
             for root, values in zip(self.root_sides, sides.values(self.roots), strict=True):
                 root["positive"], root["known"] = bits[values >= sides.zero].sum(), bits[np.abs(values) >= sides.zero].sum()
         self._decide, self._values = _DECIDE(self._ask), _batch(sides, self)
+        self._constraints = None if task.constraints is None else SearchConstraints.of(task.constraints, self.guarded)
         self._q: Any = (D * (2 * self.n))()
         self._kept = vectors, kernel
         self.data = Search(
@@ -155,7 +158,8 @@ class MotionCheck:
             levels=len(levels),
             spare=(D * 2)(*(SPARE * (distance - task.clearance) for distance in task.distances)),
             growth=GROWTH,
-            range=RANGE,
+            range=RANGE if self._constraints is None else CONSTRAINED_RANGE,
+            constraints=None if self._constraints is None else self._constraints.address,
             sides=0 if sides is None else len(sides.names),
             values=None if self._values is None else ctypes.cast(self._values, P),
             most_changes=ANY if task.most_crossings is None else task.most_crossings,

@@ -14,6 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
+from manipplan.constraints.constraint import Constraint, constraint_tuple
+from manipplan.constraints.constraint_set import ConstraintSet
+from manipplan.constraints.ends import check_ends
 from manipplan.cost.crossings import least_crossings
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import PathObjective
@@ -62,6 +65,7 @@ def seed_path(
     same_aspect: bool = False,
     fewest_crossings: bool = False,
     checks: int = 50_000,
+    constraints: Sequence[Constraint] = (),
     clearance: float = 0.0,
 ) -> JointPath:
     """Find a collision-free path: the straight line if that is free, else the path of a planner, simplified and rounded.
@@ -82,6 +86,7 @@ def seed_path(
             arms with more joints than the task has rows.
         checks: maximum number of configurations that an optimising planner checks, about 3 µs each; of connect-star, together
             with the random changes of its path.
+        constraints: TiltLimit, PositionBox, HeldJoints or a Constraint of yours; only with the planner "auto".
         clearance: minimum distance [m] to every obstacle and between the arm's own links.
 
     Returns:
@@ -108,6 +113,13 @@ def seed_path(
     compiled = can_check(model) and seeding.planner in ("auto", STAR)  # before time counts, since code may have to be compiled
     if seeding.planner == STAR and not (compiled and star_code()):
         raise InvalidInputError("seeding.planner", STAR, "another one: here its code cannot be compiled")
+    kept = ConstraintSet.of(robot, constraints) if constraint_tuple(constraints) else None
+    if kept is not None:
+        check_ends(kept, q_start, q_goal)
+        if seeding.planner != "auto":
+            raise InvalidInputError("seeding.planner", seeding.planner, "'auto': the other planners keep no constraints")
+        if not compiled:
+            raise InvalidInputError("constraints", constraints, "none: here the search that keeps them cannot be compiled")
     kinematics = integral.kinematics
     at_goal, _, nearest = model.least_distance(q_goal[None])
     task = SeedTask(
@@ -122,6 +134,7 @@ def seed_path(
         checks=None,
         deadline=time.monotonic() + seeding.time_limit,
         grace=min(GRACE * seeding.time_limit, MOST_GRACE),
+        constraints=kept,
     )
     task = replace(task, why_unreachable=cache(partial(why_unreachable, task)))
     finder = _Finder(
@@ -131,6 +144,7 @@ def seed_path(
         compiled=compiled,
         free=acceptance(task),
         nearest=(*model.pair_names[nearest], at_goal) if nearest >= 0 else None,
+        constrained="" if kept is None else f", widen the constraints ({'; '.join(each.name for each in kept.constraints)})",
     )
     if same_aspect:
         _check_aspect(task, kinematics)
@@ -182,6 +196,7 @@ class _Finder:
         compiled: search by our own compiled code, not by OMPL.
         free: the acceptance test.
         nearest: the two bodies that are nearest at the goal, and their distance [m]; None where nothing is checked.
+        constrained: what messages say of constraints; "" without any.
         spent: the number of checks, not the time limit, ended the search.
     """
 
@@ -191,6 +206,7 @@ class _Finder:
     compiled: bool
     free: Callable[[JointPath], bool]
     nearest: tuple[str, str, float] | None
+    constrained: str
     spent: bool = False
 
     def cost(self, path: JointPath) -> float:
@@ -275,7 +291,7 @@ class _Finder:
             there = f": there {first} and {second} are the nearest bodies, {1e3 * distance:.3g} mm apart"
         return (
             f"no path from start to goal was found by {'RRT-Connect' if is_auto else self.planner} {spent}; "
-            f"{remedy}, reduce the clearance, or check that the goal can be reached{there}"
+            f"{remedy}, reduce the clearance{self.constrained}, or check that the goal can be reached{there}"
         )
 
 

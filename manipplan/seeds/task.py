@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
+from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.kinematics.sides import Sides
 from manipplan.support.checks import Array
 
@@ -32,6 +33,7 @@ class SeedTask:
         checks: maximum number of configurations checked for collision; None: any number.
         deadline: in time.monotonic() [s].
         grace: time beyond it for simplifying and rounding a path [s].
+        constraints: what is kept beside limits and clearance; None: nothing.
         why_unreachable: why no path joins start and goal; None where that is not proven.
     """
 
@@ -46,6 +48,7 @@ class SeedTask:
     checks: int | None
     deadline: float
     grace: float = 0.0
+    constraints: ConstraintSet | None = None
     why_unreachable: Callable[[], str | None] = lambda: None
 
     @property
@@ -57,7 +60,7 @@ class SeedTask:
         """Least and largest joint values (n,) of a search.
 
         These are the limits. A range that is infinite or HUGE is cut half a turn beyond start and goal, and that of a prismatic
-        joint π m and the distance of start and goal beyond them.
+        joint π m and the distance of start and goal beyond them. Held joints keep the value of the start.
         """
         robot = self.model.robot
         lower, upper = robot.limits.lower, robot.limits.upper
@@ -65,4 +68,6 @@ class SeedTask:
         is_huge = ~(upper - lower <= HUGE)
         low = np.where(is_huge, np.maximum(np.minimum(self.start, self.goal) - beyond, lower), lower)
         high = np.where(is_huge, np.minimum(np.maximum(self.start, self.goal) + beyond, upper), upper)
+        if self.constraints is not None:
+            low, high = (np.where(self.constraints.held, self.start, each) for each in (low, high))
         return low, high

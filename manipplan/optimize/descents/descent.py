@@ -2,7 +2,7 @@
 
 Each step minimises a quadratic model of g in a trust region, with linear rows for the joint limits and for the clearance at
 every place where the path is near something. A step is accepted only when the merit function φ = g + ν v falls. Here v is the
-largest violation of limits and clearance, measured on the whole path with the true distances, and ν is the penalty parameter.
+largest violation of limits, clearance and constraints, measured on the whole path with the true distances, and ν is the penalty parameter.
 
 The Hessian of the model is that of the Lagrangian. It includes the second derivatives of the clearance: the turn of the plane
 between two bodies, and the shift of the place where they are nearest. The model is made convex before it is minimised.
@@ -64,7 +64,7 @@ class Descent:
         z: unknowns (f, n).
         steps: number of steps that were tried.
         reason: why it ended.
-        violation: largest violation of limits and target clearance there [rad or m].
+        violation: largest violation of limits, target clearance and constraints there [rad or m].
         exhausted: it ended after the maximum number of steps, or at the deadline, before it converged.
     """
 
@@ -82,17 +82,17 @@ class _Model:
     Attributes:
         gradient: (f n,) of g.
         hessian: (f n, f n) of the Lagrangian: that of g minus `curvature`. It may be indefinite.
-        clearance: linear clearance rows about the point.
+        near: linear rows of clearance and constraints about the point.
         active: the active rows.
         bend: largest diagonal entry of the Hessian of g.
-        curvature: (f n, f n) Σ_i λ_i ∇²d_i of the clearance rows.
+        curvature: (f n, f n) Σ_i λ_i ∇²d_i of these rows.
         first: where no row is active, the convex Hessian of the first quadratic program, its radius and its step, which are
             those of the model itself; otherwise None.
     """
 
     gradient: Array
     hessian: Array
-    clearance: LinearRows
+    near: LinearRows
     active: LinearRows
     bend: float
     curvature: Array
@@ -102,26 +102,25 @@ class _Model:
     def of(cls, program: DescentProgram, at: Point, radius: float, penalty: float, previous: Array) -> "_Model | None":
         """The model about a point; None where DAQP fails, or a derivative of g is not finite.
 
-        The multipliers come from a first quadratic program, with the `previous` curvature (f n, f n) of the clearance.
+        The multipliers come from a first quadratic program, with the `previous` curvature (f n, f n) of the rows.
         """
         slope, hessian = program.length.derivatives(at.z)
         gradient = slope.ravel()
         if not (np.isfinite(gradient).all() and np.isfinite(hessian).all()):
             return None
-        clearance = at.clearance
-        rows = at.limits(radius).with_rows(clearance)
+        near = at.linear
+        rows = at.limits(radius).with_rows(near)
         quadratic = convex(hessian - previous)
-        step = solve_step(quadratic, gradient, rows, radius, penalty)
+        step = solve_step(quadratic, gradient, rows, radius, penalty, program.moving)
         if step is None:
             return None
         multipliers = step.multipliers
-        of_clearance = multipliers[len(multipliers) - len(clearance.value) :]
-        curvature = np.zeros_like(hessian) if at.rows is None else at.rows.curvature(of_clearance)
+        curvature = at.curvature(multipliers[len(multipliers) - len(near.value) :])
         active = multipliers > 0
         return cls(
             gradient=gradient,
             hessian=hessian - curvature,
-            clearance=clearance,
+            near=near,
             active=LinearRows(value=rows.value[active], jacobian=rows.jacobian[active]),
             bend=float(np.abs(np.diag(hessian)).max()),
             curvature=curvature,
@@ -133,7 +132,7 @@ class _Model:
         if self.first is not None and self.first[1] == radius:
             return self.first[2]
         quadratic = self.plain if is_plain else self.augmented
-        return solve_step(*quadratic, here.limits(radius).with_rows(self.clearance), radius, penalty)
+        return solve_step(*quadratic, here.limits(radius).with_rows(self.near), radius, penalty, here.program.moving)
 
     @cached_property
     def augmented(self) -> tuple[Array, Array]:
@@ -159,7 +158,7 @@ class _Model:
             return self
         curves = program.length.curves
         more = rejected_rows(program.functions, curves, program.surroundings, here.z, there.curve, there.look)
-        return self if more is None else replace(self, clearance=self.clearance.with_rows(more), first=None)
+        return self if more is None else replace(self, near=self.near.with_rows(more), first=None)
 
     def predicted_decrease(self, step: Step, restored: float, penalty: float) -> float:
         """Decrease of the merit function that the model predicts for a step that lowers the violation by `restored`.
@@ -280,8 +279,8 @@ def _tried(
     decrease = before - new.merit(penalty)
     if decrease > CORRECTED * predicted or new.violation < EXACT or not np.isfinite(new.value):
         return new, decrease
-    rows = here.limits(radius).with_rows(new.clearance.from_step((here.z - new.z).ravel()))
-    corrected = solve_step(*quadratic, rows, radius, penalty)
+    rows = here.limits(radius).with_rows(new.linear.from_step((here.z - new.z).ravel()))
+    corrected = solve_step(*quadratic, rows, radius, penalty, program.moving)
     if corrected is not None:
         other = Point.of(program, here.z + corrected.p.reshape(here.z.shape), radius)
         if before - other.merit(penalty) > decrease:

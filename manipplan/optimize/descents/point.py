@@ -2,10 +2,13 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from manipplan.collision.look import NOTHING, Look
+from manipplan.optimize.descents.constraint_rows import ConstraintLook, ConstraintRows, ConstraintSearch
 from manipplan.optimize.descents.fixed_rows import FixedRows, FixedRowsAt
 from manipplan.optimize.descents.length import LengthModel
 from manipplan.optimize.descents.rows import LimitRows, LinearRows, MeasuredRows, RowFunctions
@@ -27,6 +30,8 @@ class DescentProgram:
         functions: functions of the clearance rows.
         surroundings: distances of the true bodies; None: nothing is checked for collision.
         rows: without surroundings, clearance rows that stay where they are; None: there are none.
+        constraints: what is kept beside limits and clearance; None: nothing.
+        held: (n,) whether a joint keeps its value.
     """
 
     length: LengthModel
@@ -34,6 +39,15 @@ class DescentProgram:
     functions: RowFunctions
     surroundings: Surroundings | None
     rows: FixedRows | None = None
+    constraints: ConstraintSearch | None = None
+    held: NDArray[np.bool_] | None = None
+
+    @cached_property
+    def moving(self) -> Any:
+        """Index of the unknowns (f n,) that steps may change."""
+        if self.held is None or not self.held.any():
+            return slice(None)
+        return np.flatnonzero(np.tile(~self.held, self.length.curves.directions.shape[1]))
 
     def look(self, curve: Curve, radius: float) -> Look:
         """The bodies near a curve, within the distance that a step of `radius` can use up."""
@@ -58,6 +72,7 @@ class Point:
         value: g over g₀; inf where it is not finite.
         curve: the path.
         look: the bodies near it.
+        constraint_look: the constraints near their limits; None where there are none.
     """
 
     program: DescentProgram
@@ -65,6 +80,7 @@ class Point:
     value: float
     curve: Curve
     look: Look
+    constraint_look: ConstraintLook | None
 
     @classmethod
     def of(cls, program: DescentProgram, z: Array, radius: float) -> "Point":
@@ -76,32 +92,55 @@ class Point:
             value=value if np.isfinite(value) else np.inf,
             curve=curve,
             look=program.look(curve, radius),
+            constraint_look=None if program.constraints is None else program.constraints.look(curve, radius),
         )
 
     @cached_property
     def violation(self) -> float:
-        """Largest violation of limits and target clearance [rad or m]."""
+        """Largest violation of limits, target clearance and constraints [rad or m]."""
         program, short = self.program, 0.0
         if program.surroundings is not None:
             short = max(program.surroundings.target - self.look.least, 0.0)
-        elif isinstance(self.rows, FixedRowsAt):
-            short = self.rows.violation
+        elif program.rows is not None:
+            short = self._fixed.violation
+        if self.constraint_look is not None:
+            short = max(short, self.constraint_look.violation)
         return max(short, program.limits.violation(self._control))
 
     @cached_property
-    def rows(self) -> MeasuredRows | FixedRowsAt | None:
-        """The clearance rows here; None where nothing is checked."""
-        program = self.program
+    def rows(self) -> tuple[MeasuredRows | FixedRowsAt | ConstraintRows, ...]:
+        """The rows of clearance and of constraints here, none where nothing is checked."""
+        program, curves = self.program, self.program.length.curves
+        found: list[MeasuredRows | FixedRowsAt | ConstraintRows] = []
         if program.rows is not None:
-            return program.rows.at(self.z)
-        if program.surroundings is None:
-            return None
-        return MeasuredRows.of(program.length.curves, program.surroundings, self.z, self.curve, self.look)
+            found.append(self._fixed)
+        elif program.surroundings is not None:
+            found.append(MeasuredRows.of(curves, program.surroundings, self.z, self.curve, self.look))
+        if program.constraints is not None and self.constraint_look is not None:
+            found.append(ConstraintRows(curves=curves, search=program.constraints, z=self.z, look=self.constraint_look))
+        return tuple(found)
 
-    @property
-    def clearance(self) -> LinearRows:
-        """The clearance rows for steps from here."""
-        return LinearRows.none(self.z.size) if self.rows is None else self.rows.linear
+    @cached_property
+    def linear(self) -> LinearRows:
+        """All these rows for steps from here."""
+        whole = LinearRows.none(self.z.size)
+        for each in self.rows:
+            whole = whole.with_rows(each.linear)
+        return whole
+
+    def curvature(self, multipliers: Array) -> Array:
+        """Σ_i λ_i ∇²c_i (f n, f n) of these rows, with multipliers λ (r,)."""
+        total, first = np.zeros((self.z.size, self.z.size)), 0
+        for each in self.rows:
+            count = len(each.linear.value)
+            total += each.curvature(multipliers[first : first + count])
+            first += count
+        return total
+
+    @cached_property
+    def _fixed(self) -> FixedRowsAt:
+        assert self.program.rows is not None
+        return self.program.rows.at(self.z)
 
     def limits(self, radius: float) -> LinearRows:
         """The joint limits that a step whose entries are at most `radius` can reach."""

@@ -1,6 +1,7 @@
 """The quadratic program of one step, by DAQP: a convex model, and rows that are relaxed where they contradict each other."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import daqp
 import numpy as np
@@ -42,22 +43,25 @@ def convex(hessian: Array) -> Array:
     return np.asarray((vectors * values) @ vectors.T)
 
 
-def solve_step(hessian: Array, gradient: Array, rows: LinearRows, radius: float, penalty: float) -> Step | None:
+def solve_step(
+    hessian: Array, gradient: Array, rows: LinearRows, radius: float, penalty: float, moving: Any = slice(None)
+) -> Step | None:
     """Minimise ½ pᵀ H p + gᵀ p with value + jacobian p >= 0 and |p_i| <= radius, up to rounding; None where DAQP fails.
 
-    Where no p meets these, or the multipliers are very large, the rows are relaxed to value + jacobian p + t >= 0 with one
-    slack t >= 0 that costs ν t [nocedal2006, sec. 18.3].
+    Only the entries of p at the index `moving` change; the others are 0. Where no p meets these, or the multipliers are very
+    large, the rows are relaxed to value + jacobian p + t >= 0 with one slack t >= 0 that costs ν t [nocedal2006, sec. 18.3].
     """
+    # rows that no step reaches cannot be active
+    jacobian = np.ascontiguousarray(rows.jacobian[:, moving])
+    within, least, jacobian = arithmetic.rows_within(rows.value, jacobian, radius, ROW_SPACING, QP_BITS)
+    multipliers, p = np.zeros(len(rows.value)), np.zeros(len(gradient))
+    hessian, gradient = with_bits(np.ascontiguousarray(hessian[moving][:, moving]), QP_BITS), with_bits(gradient[moving], QP_BITS)
     size = len(gradient)
     bound = np.full(size, radius)
-    # rows that no step reaches cannot be active
-    within, least, jacobian = arithmetic.rows_within(rows.value, rows.jacobian, radius, ROW_SPACING, QP_BITS)
-    multipliers = np.zeros(len(rows.value))
-    hessian, gradient = with_bits(hessian, QP_BITS), with_bits(gradient, QP_BITS)
     step = _daqp(hessian, gradient, jacobian, least, -bound, bound)
     if step is not None and step.multipliers.sum() < LARGEST_PENALTY:
-        multipliers[within] = step.multipliers
-        return Step(p=with_bits(step.p, STEP_BITS), slack=0.0, multipliers=multipliers)
+        multipliers[within], p[moving] = step.multipliers, with_bits(step.p, STEP_BITS)
+        return Step(p=p, slack=0.0, multipliers=multipliers)
     # where rows contradict each other DAQP needs some curvature in every unknown, the slack included
     largest = float(np.abs(np.diag(hessian)).max())
     penalty = max(penalty, SOFT_PENALTY)
@@ -67,8 +71,8 @@ def solve_step(hessian: Array, gradient: Array, rows: LinearRows, radius: float,
     soft = _daqp(whole, np.append(gradient, penalty), jacobian, least, np.append(-bound, 0.0), np.append(bound, NONE))
     if soft is None:
         return None
-    multipliers[within] = soft.multipliers
-    return Step(p=with_bits(soft.p[:size], STEP_BITS), slack=float(soft.p[size]), multipliers=multipliers)
+    multipliers[within], p[moving] = soft.multipliers, with_bits(soft.p[:size], STEP_BITS)
+    return Step(p=p, slack=float(soft.p[size]), multipliers=multipliers)
 
 
 def _daqp(hessian: Array, gradient: Array, jacobian: Array, least: Array, low: Array, high: Array) -> Step | None:
