@@ -261,8 +261,9 @@ int manipplan_connect(Search *s, long checks) {
         narrow(s);
         if (is_full(s)) return FULL;
         long tree = s->turn, other = 1 - tree, at;
-        double target[MOST_JOINTS];
+        double target[MOST_JOINTS], gradient[MOST_JOINTS];
         sample(s, target);
+        if (s->constraints) project(s->constraints, s->low, s->high, target, gradient);
         double most = s->bound < INFINITY ? uniform(s) * s->bound : 0;
         s->checks++; /* so that it ends even where no motion is checked */
         long made = extend(s, tree, nearest(s, tree, target, most), target);

@@ -1,8 +1,8 @@
-; connect.c ea19f3eeb08c252a93913cde041873eadb011f8a09bcc4daf7e71d363ee37f48: written by make kernel
+; connect.c 0f0e60f3819d1c6b15006bc43febbcbd2a8689d3e230379066726f5be6fbe60f: written by make kernel
 
 %struct.Side = type { i8, i8, i64 }
 %struct.Search = type { i64, ptr, ptr, double, double, ptr, ptr, ptr, double, i64, ptr, ptr, [2 x double], double, ptr, i64, double, i64, ptr, ptr, i64, double, double, ptr, ptr, i64, i64, [2 x ptr], [2 x ptr], [2 x ptr], [2 x ptr], [2 x i64], [2 x i64], i64, i64, ptr }
-%struct.Constraints = type { i64, i64, i64, ptr, ptr, ptr, ptr, ptr }
+%struct.Constraints = type { i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr }
 
 define dso_local i32 @manipplan_state(ptr nocapture noundef %0, ptr noundef %1) local_unnamed_addr #0 {
   %3 = alloca %struct.Side, align 8
@@ -529,199 +529,200 @@ define dso_local i32 @manipplan_connect(ptr noundef %0, i64 noundef %1) local_un
   %3 = alloca [64 x double], align 16
   %4 = alloca [64 x double], align 16
   %5 = alloca [64 x double], align 16
-  %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 34
-  %7 = load i64, ptr %6, align 8
-  %8 = add nsw i64 %7, %1
-  %9 = icmp sgt i64 %1, 0
-  br i1 %9, label %10, label %555
+  %6 = alloca [64 x double], align 16
+  %7 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 34
+  %8 = load i64, ptr %7, align 8
+  %9 = add nsw i64 %8, %1
+  %10 = icmp sgt i64 %1, 0
+  br i1 %10, label %11, label %567
 
-10:                                               ; preds = %2
-  %11 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
-  %12 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
-  %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
-  %14 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %15 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
-  %16 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
-  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 35
-  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31
-  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
-  %20 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 1
-  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 33
-  %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21
-  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
-  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25
-  %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %27 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27
-  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 1
-  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
-  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20
-  br label %31
+11:                                               ; preds = %2
+  %12 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  %14 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  %15 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %16 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
+  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 35
+  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31
+  %20 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 26
+  %21 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 1
+  %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 33
+  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21
+  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
+  %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 25
+  %26 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %27 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %28 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27
+  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 1
+  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 20
+  br label %32
 
-31:                                               ; preds = %10, %552
-  %32 = phi i64 [ %7, %10 ], [ %553, %552 ]
-  %33 = load i64, ptr %12, align 8
-  %34 = load i64, ptr %11, align 8
-  %35 = add nsw i64 %34, 1
-  %36 = icmp slt i64 %35, %33
-  br i1 %36, label %37, label %48
+32:                                               ; preds = %11, %564
+  %33 = phi i64 [ %8, %11 ], [ %565, %564 ]
+  %34 = load i64, ptr %13, align 8
+  %35 = load i64, ptr %12, align 8
+  %36 = add nsw i64 %35, 1
+  %37 = icmp slt i64 %36, %34
+  br i1 %37, label %38, label %49
 
-37:                                               ; preds = %31
-  %38 = load ptr, ptr %13, align 8
-  br label %39
+38:                                               ; preds = %32
+  %39 = load ptr, ptr %14, align 8
+  br label %40
 
-39:                                               ; preds = %45, %37
-  %40 = phi i64 [ %35, %37 ], [ %46, %45 ]
-  %41 = phi i64 [ %34, %37 ], [ %40, %45 ]
-  %42 = getelementptr inbounds i64, ptr %38, i64 %41
-  %43 = load i64, ptr %42, align 8
-  %44 = icmp slt i64 %32, %43
-  br i1 %44, label %48, label %45
+40:                                               ; preds = %46, %38
+  %41 = phi i64 [ %36, %38 ], [ %47, %46 ]
+  %42 = phi i64 [ %35, %38 ], [ %41, %46 ]
+  %43 = getelementptr inbounds i64, ptr %39, i64 %42
+  %44 = load i64, ptr %43, align 8
+  %45 = icmp slt i64 %33, %44
+  br i1 %45, label %49, label %46
 
-45:                                               ; preds = %39
-  store i64 %40, ptr %11, align 8
-  %46 = add i64 %40, 1
-  %47 = icmp eq i64 %46, %33
-  br i1 %47, label %48, label %39
+46:                                               ; preds = %40
+  store i64 %41, ptr %12, align 8
+  %47 = add i64 %41, 1
+  %48 = icmp eq i64 %47, %34
+  br i1 %48, label %49, label %40
 
-48:                                               ; preds = %39, %45, %31
-  %49 = load i64, ptr %0, align 8
-  %50 = icmp sgt i64 %49, 0
-  br i1 %50, label %51, label %54
+49:                                               ; preds = %40, %46, %32
+  %50 = load i64, ptr %0, align 8
+  %51 = icmp sgt i64 %50, 0
+  br i1 %51, label %52, label %55
 
-51:                                               ; preds = %48
-  %52 = load ptr, ptr %14, align 8
+52:                                               ; preds = %49
   %53 = load ptr, ptr %15, align 8
-  br label %69
+  %54 = load ptr, ptr %16, align 8
+  br label %70
 
-54:                                               ; preds = %69, %48
-  %55 = phi double [ 0.000000e+00, %48 ], [ %78, %69 ]
-  %56 = tail call double @llvm.sqrt.f64(double %55)
-  %57 = load double, ptr %16, align 8
-  %58 = load ptr, ptr %17, align 8
-  %59 = icmp eq ptr %58, null
-  %60 = select i1 %59, double 1.000000e+00, double 1.562500e-02
-  %61 = fmul double %57, %60
-  %62 = fdiv double %56, %61
-  %63 = fptosi double %62 to i64
-  %64 = add nsw i64 %63, 3
-  %65 = load i64, ptr %18, align 8
-  %66 = add nsw i64 %64, %65
-  %67 = load i64, ptr %19, align 8
-  %68 = icmp sgt i64 %66, %67
-  br i1 %68, label %555, label %81
+55:                                               ; preds = %70, %49
+  %56 = phi double [ 0.000000e+00, %49 ], [ %79, %70 ]
+  %57 = call double @llvm.sqrt.f64(double %56)
+  %58 = load double, ptr %17, align 8
+  %59 = load ptr, ptr %18, align 8
+  %60 = icmp eq ptr %59, null
+  %61 = select i1 %60, double 1.000000e+00, double 1.562500e-02
+  %62 = fmul double %58, %61
+  %63 = fdiv double %57, %62
+  %64 = fptosi double %63 to i64
+  %65 = add nsw i64 %64, 3
+  %66 = load i64, ptr %19, align 8
+  %67 = add nsw i64 %65, %66
+  %68 = load i64, ptr %20, align 8
+  %69 = icmp sgt i64 %67, %68
+  br i1 %69, label %567, label %82
 
-69:                                               ; preds = %69, %51
-  %70 = phi double [ 0.000000e+00, %51 ], [ %78, %69 ]
-  %71 = phi i64 [ 0, %51 ], [ %79, %69 ]
-  %72 = getelementptr inbounds double, ptr %52, i64 %71
-  %73 = load double, ptr %72, align 8
-  %74 = getelementptr inbounds double, ptr %53, i64 %71
-  %75 = load double, ptr %74, align 8
-  %76 = fsub double %73, %75
-  %77 = fmul double %76, %76
-  %78 = fadd double %70, %77
-  %79 = add nuw nsw i64 %71, 1
-  %80 = icmp eq i64 %79, %49
-  br i1 %80, label %54, label %69
+70:                                               ; preds = %70, %52
+  %71 = phi double [ 0.000000e+00, %52 ], [ %79, %70 ]
+  %72 = phi i64 [ 0, %52 ], [ %80, %70 ]
+  %73 = getelementptr inbounds double, ptr %53, i64 %72
+  %74 = load double, ptr %73, align 8
+  %75 = getelementptr inbounds double, ptr %54, i64 %72
+  %76 = load double, ptr %75, align 8
+  %77 = fsub double %74, %76
+  %78 = fmul double %77, %77
+  %79 = fadd double %71, %78
+  %80 = add nuw nsw i64 %72, 1
+  %81 = icmp eq i64 %80, %50
+  br i1 %81, label %55, label %70
 
-81:                                               ; preds = %54
-  %82 = load i64, ptr %20, align 8
-  %83 = add nsw i64 %82, %64
-  %84 = icmp sgt i64 %83, %67
-  br i1 %84, label %555, label %85
+82:                                               ; preds = %55
+  %83 = load i64, ptr %21, align 8
+  %84 = add nsw i64 %83, %65
+  %85 = icmp sgt i64 %84, %68
+  br i1 %85, label %567, label %86
 
-85:                                               ; preds = %81
-  %86 = load i64, ptr %21, align 8
-  %87 = sub nsw i64 1, %86
+86:                                               ; preds = %82
+  %87 = load i64, ptr %22, align 8
+  %88 = sub nsw i64 1, %87
   call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %5) #8
-  %88 = load double, ptr %22, align 8
-  %89 = fcmp olt double %88, 0x7FF0000000000000
-  br i1 %89, label %90, label %239
+  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %6) #8
+  %89 = load double, ptr %23, align 8
+  %90 = fcmp olt double %89, 0x7FF0000000000000
+  br i1 %90, label %91, label %239
 
-90:                                               ; preds = %85
-  %91 = load double, ptr %23, align 8
-  %92 = fcmp ogt double %91, 0.000000e+00
-  br i1 %92, label %93, label %239
+91:                                               ; preds = %86
+  %92 = load double, ptr %24, align 8
+  %93 = fcmp ogt double %92, 0.000000e+00
+  br i1 %93, label %94, label %239
 
-93:                                               ; preds = %90
-  %94 = load i64, ptr %24, align 8
-  %95 = add i64 %94, -7046029254386353131
-  store i64 %95, ptr %24, align 8
-  %96 = lshr i64 %95, 30
-  %97 = xor i64 %96, %95
-  %98 = mul i64 %97, -4658895280553007687
-  %99 = lshr i64 %98, 27
-  %100 = xor i64 %99, %98
-  %101 = mul i64 %100, -7723592293110705685
-  %102 = lshr i64 %101, 42
-  %103 = lshr i64 %101, 11
-  %104 = xor i64 %102, %103
-  %105 = uitofp i64 %104 to double
-  %106 = fmul double %105, 0x3CA0000000000000
-  %107 = load double, ptr %25, align 8
-  %108 = fcmp olt double %106, %107
-  br i1 %108, label %109, label %239
+94:                                               ; preds = %91
+  %95 = load i64, ptr %25, align 8
+  %96 = add i64 %95, -7046029254386353131
+  store i64 %96, ptr %25, align 8
+  %97 = lshr i64 %96, 30
+  %98 = xor i64 %97, %96
+  %99 = mul i64 %98, -4658895280553007687
+  %100 = lshr i64 %99, 27
+  %101 = xor i64 %100, %99
+  %102 = mul i64 %101, -7723592293110705685
+  %103 = lshr i64 %102, 42
+  %104 = lshr i64 %102, 11
+  %105 = xor i64 %103, %104
+  %106 = uitofp i64 %105 to double
+  %107 = fmul double %106, 0x3CA0000000000000
+  %108 = load double, ptr %26, align 8
+  %109 = fcmp olt double %107, %108
+  br i1 %109, label %110, label %239
 
-109:                                              ; preds = %93
-  %110 = fdiv double %88, %91
+110:                                              ; preds = %94
+  %111 = fdiv double %89, %92
   call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %3) #8
   call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #8
-  %111 = load ptr, ptr %27, align 8
   %112 = load ptr, ptr %28, align 8
-  br i1 %50, label %113, label %129
+  %113 = load ptr, ptr %29, align 8
+  br i1 %51, label %114, label %130
 
-113:                                              ; preds = %109, %113
-  %114 = phi i64 [ %123, %113 ], [ 0, %109 ]
-  %115 = phi double [ %122, %113 ], [ 0.000000e+00, %109 ]
-  %116 = getelementptr inbounds double, ptr %112, i64 %114
-  %117 = load double, ptr %116, align 8
-  %118 = getelementptr inbounds double, ptr %111, i64 %114
-  %119 = load double, ptr %118, align 8
-  %120 = fsub double %117, %119
-  %121 = fmul double %120, %120
-  %122 = fadd double %115, %121
-  %123 = add nuw nsw i64 %114, 1
-  %124 = icmp eq i64 %123, %49
-  br i1 %124, label %125, label %113
+114:                                              ; preds = %110, %114
+  %115 = phi i64 [ %124, %114 ], [ 0, %110 ]
+  %116 = phi double [ %123, %114 ], [ 0.000000e+00, %110 ]
+  %117 = getelementptr inbounds double, ptr %113, i64 %115
+  %118 = load double, ptr %117, align 8
+  %119 = getelementptr inbounds double, ptr %112, i64 %115
+  %120 = load double, ptr %119, align 8
+  %121 = fsub double %118, %120
+  %122 = fmul double %121, %121
+  %123 = fadd double %116, %122
+  %124 = add nuw nsw i64 %115, 1
+  %125 = icmp eq i64 %124, %50
+  br i1 %125, label %126, label %114
 
-125:                                              ; preds = %113, %144
-  %126 = phi i64 [ %153, %144 ], [ %95, %113 ]
-  %127 = phi i32 [ %145, %144 ], [ 0, %113 ]
+126:                                              ; preds = %114, %144
+  %127 = phi i64 [ %153, %144 ], [ %96, %114 ]
+  %128 = phi i32 [ %145, %144 ], [ 0, %114 ]
   br label %149
 
-128:                                              ; preds = %144
-  store i64 %153, ptr %24, align 8
-  br label %129
+129:                                              ; preds = %144
+  store i64 %153, ptr %25, align 8
+  br label %130
 
-129:                                              ; preds = %128, %109
-  %130 = phi i64 [ %153, %128 ], [ %95, %109 ]
-  %131 = phi double [ %122, %128 ], [ 0.000000e+00, %109 ]
-  %132 = phi i1 [ %146, %128 ], [ false, %109 ]
-  %133 = phi double [ %170, %128 ], [ 0.000000e+00, %109 ]
-  %134 = tail call double @llvm.sqrt.f64(double %131)
-  %135 = fmul double %110, %110
+130:                                              ; preds = %129, %110
+  %131 = phi double [ %123, %129 ], [ 0.000000e+00, %110 ]
+  %132 = phi i1 [ %146, %129 ], [ false, %110 ]
+  %133 = phi double [ %170, %129 ], [ 0.000000e+00, %110 ]
+  %134 = call double @llvm.sqrt.f64(double %131)
+  %135 = fmul double %111, %111
   %136 = fmul double %134, %134
   %137 = fsub double %135, %136
-  %138 = tail call double @llvm.maxnum.f64(double %137, double 0.000000e+00)
-  %139 = tail call double @llvm.sqrt.f64(double %138)
-  %140 = tail call double @llvm.sqrt.f64(double %133)
+  %138 = call double @llvm.maxnum.f64(double %137, double 0.000000e+00)
+  %139 = call double @llvm.sqrt.f64(double %138)
+  %140 = call double @llvm.sqrt.f64(double %133)
   %141 = fdiv double 1.000000e+00, %140
   %142 = freeze i1 %132
   %143 = select i1 %142, double %141, double 1.000000e+00
-  br i1 %50, label %173, label %238
+  br i1 %51, label %173, label %238
 
 144:                                              ; preds = %149
-  %145 = add nuw nsw i32 %127, 1
+  %145 = add nuw nsw i32 %128, 1
   %146 = fcmp ogt double %170, 1.000000e+00
-  %147 = icmp ult i32 %127, 999
+  %147 = icmp ult i32 %128, 999
   %148 = select i1 %146, i1 %147, i1 false
-  br i1 %148, label %125, label %128
+  br i1 %148, label %126, label %129
 
-149:                                              ; preds = %149, %125
-  %150 = phi i64 [ %126, %125 ], [ %153, %149 ]
-  %151 = phi double [ 0.000000e+00, %125 ], [ %170, %149 ]
-  %152 = phi i64 [ 0, %125 ], [ %171, %149 ]
+149:                                              ; preds = %149, %126
+  %150 = phi i64 [ %127, %126 ], [ %153, %149 ]
+  %151 = phi double [ 0.000000e+00, %126 ], [ %170, %149 ]
+  %152 = phi i64 [ 0, %126 ], [ %171, %149 ]
   %153 = add i64 %150, -7046029254386353131
   %154 = lshr i64 %153, 30
   %155 = xor i64 %154, %153
@@ -742,23 +743,23 @@ define dso_local i32 @manipplan_connect(ptr noundef %0, i64 noundef %1) local_un
   %169 = freeze double %168
   %170 = fadd double %151, %169
   %171 = add nuw nsw i64 %152, 1
-  %172 = icmp eq i64 %171, %49
+  %172 = icmp eq i64 %171, %50
   br i1 %172, label %144, label %149
 
-173:                                              ; preds = %129, %173
-  %174 = phi i64 [ %194, %173 ], [ 0, %129 ]
-  %175 = phi double [ %193, %173 ], [ 0.000000e+00, %129 ]
+173:                                              ; preds = %130, %173
+  %174 = phi i64 [ %194, %173 ], [ 0, %130 ]
+  %175 = phi double [ %193, %173 ], [ 0.000000e+00, %130 ]
   %176 = icmp eq i64 %174, 0
-  %177 = select i1 %176, double %110, double %139
+  %177 = select i1 %176, double %111, double %139
   %178 = fmul double %177, 5.000000e-01
   %179 = fmul double %143, %178
   %180 = getelementptr inbounds [64 x double], ptr %3, i64 0, i64 %174
   %181 = load double, ptr %180, align 8
   %182 = fmul double %181, %179
   store double %182, ptr %180, align 8
-  %183 = getelementptr inbounds double, ptr %112, i64 %174
+  %183 = getelementptr inbounds double, ptr %113, i64 %174
   %184 = load double, ptr %183, align 8
-  %185 = getelementptr inbounds double, ptr %111, i64 %174
+  %185 = getelementptr inbounds double, ptr %112, i64 %174
   %186 = load double, ptr %185, align 8
   %187 = fsub double %184, %186
   %188 = fdiv double %187, %134
@@ -769,15 +770,15 @@ define dso_local i32 @manipplan_connect(ptr noundef %0, i64 noundef %1) local_un
   %192 = fmul double %182, %190
   %193 = fadd double %175, %192
   %194 = add nuw nsw i64 %174, 1
-  %195 = icmp eq i64 %194, %49
+  %195 = icmp eq i64 %194, %50
   br i1 %195, label %202, label %173
 
 196:                                              ; preds = %202
   %197 = fmul double %193, 2.000000e+00
   %198 = fcmp ogt double %208, 0.000000e+00
   %199 = fdiv double %197, %208
-  %200 = load ptr, ptr %15, align 8
-  %201 = load ptr, ptr %14, align 8
+  %200 = load ptr, ptr %16, align 8
+  %201 = load ptr, ptr %15, align 8
   br label %211
 
 202:                                              ; preds = %173, %202
@@ -788,14 +789,14 @@ define dso_local i32 @manipplan_connect(ptr noundef %0, i64 noundef %1) local_un
   %207 = fmul double %206, %206
   %208 = fadd double %204, %207
   %209 = add nuw nsw i64 %203, 1
-  %210 = icmp eq i64 %209, %49
+  %210 = icmp eq i64 %209, %50
   br i1 %210, label %196, label %202
 
 211:                                              ; preds = %226, %196
   %212 = phi i64 [ 0, %196 ], [ %236, %226 ]
-  %213 = getelementptr inbounds double, ptr %111, i64 %212
+  %213 = getelementptr inbounds double, ptr %112, i64 %212
   %214 = load double, ptr %213, align 8
-  %215 = getelementptr inbounds double, ptr %112, i64 %212
+  %215 = getelementptr inbounds double, ptr %113, i64 %212
   %216 = load double, ptr %215, align 8
   %217 = fadd double %214, %216
   %218 = fmul double %217, 5.000000e-01
@@ -814,26 +815,27 @@ define dso_local i32 @manipplan_connect(ptr noundef %0, i64 noundef %1) local_un
   %227 = phi double [ %225, %222 ], [ 0.000000e+00, %211 ]
   %228 = fsub double %221, %227
   %229 = getelementptr inbounds double, ptr %5, i64 %212
+  store double %228, ptr %229, align 8
   %230 = getelementptr inbounds double, ptr %200, i64 %212
   %231 = load double, ptr %230, align 8
-  %232 = tail call double @llvm.maxnum.f64(double %228, double %231)
+  %232 = call double @llvm.maxnum.f64(double %228, double %231)
   %233 = getelementptr inbounds double, ptr %201, i64 %212
   %234 = load double, ptr %233, align 8
-  %235 = tail call double @llvm.minnum.f64(double %232, double %234)
+  %235 = call double @llvm.minnum.f64(double %232, double %234)
   store double %235, ptr %229, align 8
   %236 = add nuw nsw i64 %212, 1
-  %237 = icmp eq i64 %236, %49
+  %237 = icmp eq i64 %236, %50
   br i1 %237, label %238, label %211
 
-238:                                              ; preds = %226, %129
+238:                                              ; preds = %226, %130
   call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #8
   call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %3) #8
   br label %314
 
-239:                                              ; preds = %93, %90, %85
-  %240 = load i64, ptr %24, align 8
+239:                                              ; preds = %94, %91, %86
+  %240 = load i64, ptr %25, align 8
   %241 = add i64 %240, -7046029254386353131
-  store i64 %241, ptr %24, align 8
+  store i64 %241, ptr %25, align 8
   %242 = lshr i64 %241, 30
   %243 = xor i64 %242, %241
   %244 = mul i64 %243, -4658895280553007687
@@ -845,14 +847,14 @@ define dso_local i32 @manipplan_connect(ptr noundef %0, i64 noundef %1) local_un
   %250 = xor i64 %248, %249
   %251 = uitofp i64 %250 to double
   %252 = fmul double %251, 0x3CA0000000000000
-  %253 = load double, ptr %25, align 8
+  %253 = load double, ptr %26, align 8
   %254 = fcmp olt double %252, %253
   br i1 %254, label %255, label %270
 
 255:                                              ; preds = %239
-  %256 = load double, ptr %26, align 8
+  %256 = load double, ptr %27, align 8
   %257 = add i64 %240, 4354685564936845354
-  store i64 %257, ptr %24, align 8
+  store i64 %257, ptr %25, align 8
   %258 = lshr i64 %257, 30
   %259 = xor i64 %258, %257
   %260 = mul i64 %259, -4658895280553007687
@@ -870,13 +872,13 @@ define dso_local i32 @manipplan_connect(ptr noundef %0, i64 noundef %1) local_un
 270:                                              ; preds = %255, %239
   %271 = phi i64 [ %257, %255 ], [ %241, %239 ]
   %272 = phi double [ %269, %255 ], [ 0x7FF0000000000000, %239 ]
-  br i1 %50, label %273, label %314
+  br i1 %51, label %273, label %314
 
 273:                                              ; preds = %270
-  %274 = load ptr, ptr %27, align 8
-  %275 = load ptr, ptr %28, align 8
-  %276 = load ptr, ptr %15, align 8
-  %277 = load ptr, ptr %14, align 8
+  %274 = load ptr, ptr %28, align 8
+  %275 = load ptr, ptr %29, align 8
+  %276 = load ptr, ptr %16, align 8
+  %277 = load ptr, ptr %15, align 8
   br label %278
 
 278:                                              ; preds = %278, %273
@@ -888,14 +890,14 @@ define dso_local i32 @manipplan_connect(ptr noundef %0, i64 noundef %1) local_un
   %284 = load double, ptr %283, align 8
   %285 = getelementptr inbounds double, ptr %276, i64 %280
   %286 = load double, ptr %285, align 8
-  %287 = tail call double @llvm.minnum.f64(double %282, double %284)
+  %287 = call double @llvm.minnum.f64(double %282, double %284)
   %288 = fsub double %287, %272
-  %289 = tail call double @llvm.maxnum.f64(double %286, double %288)
+  %289 = call double @llvm.maxnum.f64(double %286, double %288)
   %290 = getelementptr inbounds double, ptr %277, i64 %280
   %291 = load double, ptr %290, align 8
-  %292 = tail call double @llvm.maxnum.f64(double %282, double %284)
+  %292 = call double @llvm.maxnum.f64(double %282, double %284)
   %293 = fadd double %272, %292
-  %294 = tail call double @llvm.minnum.f64(double %291, double %293)
+  %294 = call double @llvm.minnum.f64(double %291, double %293)
   %295 = add i64 %279, -7046029254386353131
   %296 = lshr i64 %295, 30
   %297 = xor i64 %296, %295
@@ -914,345 +916,704 @@ define dso_local i32 @manipplan_connect(ptr noundef %0, i64 noundef %1) local_un
   %310 = getelementptr inbounds double, ptr %5, i64 %280
   store double %309, ptr %310, align 8
   %311 = add nuw nsw i64 %280, 1
-  %312 = icmp eq i64 %311, %49
+  %312 = icmp eq i64 %311, %50
   br i1 %312, label %313, label %278
 
 313:                                              ; preds = %278
-  store i64 %295, ptr %24, align 8
+  store i64 %295, ptr %25, align 8
   br label %314
 
 314:                                              ; preds = %238, %270, %313
-  %315 = phi i64 [ %130, %238 ], [ %271, %270 ], [ %295, %313 ]
-  br i1 %89, label %316, label %330
+  br i1 %60, label %320, label %315
 
-316:                                              ; preds = %314
-  %317 = add i64 %315, -7046029254386353131
-  store i64 %317, ptr %24, align 8
-  %318 = lshr i64 %317, 30
-  %319 = xor i64 %318, %317
-  %320 = mul i64 %319, -4658895280553007687
-  %321 = lshr i64 %320, 27
-  %322 = xor i64 %321, %320
-  %323 = mul i64 %322, -7723592293110705685
-  %324 = lshr i64 %323, 42
-  %325 = lshr i64 %323, 11
-  %326 = xor i64 %324, %325
-  %327 = uitofp i64 %326 to double
-  %328 = fmul double %327, 0x3CA0000000000000
-  %329 = fmul double %88, %328
-  br label %330
+315:                                              ; preds = %314
+  %316 = load ptr, ptr %16, align 8
+  %317 = load ptr, ptr %15, align 8
+  %318 = call fastcc i32 @project(ptr noundef nonnull %59, ptr noundef %316, ptr noundef %317, ptr noundef nonnull %5, ptr noundef nonnull %6)
+  %319 = load double, ptr %23, align 8
+  br label %320
 
-330:                                              ; preds = %314, %316
-  %331 = phi double [ %329, %316 ], [ 0.000000e+00, %314 ]
-  %332 = add nsw i64 %32, 1
-  store i64 %332, ptr %6, align 8
-  %333 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 %86
-  %334 = load i64, ptr %333, align 8
-  %335 = icmp sgt i64 %334, 0
-  br i1 %335, label %336, label %380
+320:                                              ; preds = %315, %314
+  %321 = phi double [ %319, %315 ], [ %89, %314 ]
+  %322 = fcmp olt double %321, 0x7FF0000000000000
+  br i1 %322, label %323, label %338
 
-336:                                              ; preds = %330
-  %337 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %86
-  %338 = load ptr, ptr %337, align 8
-  %339 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %86
-  %340 = fcmp oeq double %88, 0x7FF0000000000000
-  br label %341
+323:                                              ; preds = %320
+  %324 = load i64, ptr %25, align 8
+  %325 = add i64 %324, -7046029254386353131
+  store i64 %325, ptr %25, align 8
+  %326 = lshr i64 %325, 30
+  %327 = xor i64 %326, %325
+  %328 = mul i64 %327, -4658895280553007687
+  %329 = lshr i64 %328, 27
+  %330 = xor i64 %329, %328
+  %331 = mul i64 %330, -7723592293110705685
+  %332 = lshr i64 %331, 42
+  %333 = lshr i64 %331, 11
+  %334 = xor i64 %332, %333
+  %335 = uitofp i64 %334 to double
+  %336 = fmul double %335, 0x3CA0000000000000
+  %337 = fmul double %321, %336
+  br label %338
 
-341:                                              ; preds = %375, %336
-  %342 = phi i64 [ 0, %336 ], [ %377, %375 ]
-  %343 = phi i64 [ 0, %336 ], [ %378, %375 ]
-  %344 = phi double [ 0x7FF0000000000000, %336 ], [ %376, %375 ]
-  %345 = mul nsw i64 %343, %49
-  %346 = getelementptr inbounds double, ptr %338, i64 %345
-  br i1 %50, label %350, label %347
+338:                                              ; preds = %320, %323
+  %339 = phi double [ %337, %323 ], [ 0.000000e+00, %320 ]
+  %340 = load i64, ptr %7, align 8
+  %341 = add nsw i64 %340, 1
+  store i64 %341, ptr %7, align 8
+  %342 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 %87
+  %343 = load i64, ptr %342, align 8
+  %344 = icmp sgt i64 %343, 0
+  br i1 %344, label %345, label %391
 
-347:                                              ; preds = %350, %341
-  %348 = phi double [ 0.000000e+00, %341 ], [ %359, %350 ]
-  %349 = fcmp olt double %348, %344
-  br i1 %349, label %362, label %375
+345:                                              ; preds = %338
+  %346 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %87
+  %347 = load ptr, ptr %346, align 8
+  %348 = load i64, ptr %0, align 8
+  %349 = icmp sgt i64 %348, 0
+  %350 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %87
+  %351 = fcmp oeq double %321, 0x7FF0000000000000
+  br label %352
 
-350:                                              ; preds = %341, %350
-  %351 = phi i64 [ %360, %350 ], [ 0, %341 ]
-  %352 = phi double [ %359, %350 ], [ 0.000000e+00, %341 ]
-  %353 = getelementptr inbounds double, ptr %5, i64 %351
-  %354 = load double, ptr %353, align 8
-  %355 = getelementptr inbounds double, ptr %346, i64 %351
-  %356 = load double, ptr %355, align 8
-  %357 = fsub double %354, %356
-  %358 = fmul double %357, %357
-  %359 = fadd double %352, %358
-  %360 = add nuw nsw i64 %351, 1
-  %361 = icmp eq i64 %360, %49
-  br i1 %361, label %347, label %350
+352:                                              ; preds = %386, %345
+  %353 = phi i64 [ 0, %345 ], [ %388, %386 ]
+  %354 = phi i64 [ 0, %345 ], [ %389, %386 ]
+  %355 = phi double [ 0x7FF0000000000000, %345 ], [ %387, %386 ]
+  %356 = mul nsw i64 %354, %348
+  %357 = getelementptr inbounds double, ptr %347, i64 %356
+  br i1 %349, label %361, label %358
 
-362:                                              ; preds = %347
-  %363 = icmp eq i64 %343, 0
-  %364 = select i1 %363, i1 true, i1 %340
-  br i1 %364, label %374, label %365
+358:                                              ; preds = %361, %352
+  %359 = phi double [ 0.000000e+00, %352 ], [ %370, %361 ]
+  %360 = fcmp olt double %359, %355
+  br i1 %360, label %373, label %386
 
-365:                                              ; preds = %362
-  %366 = load ptr, ptr %339, align 8
-  %367 = getelementptr inbounds double, ptr %366, i64 %343
-  %368 = load double, ptr %367, align 8
-  %369 = load double, ptr %23, align 8
-  %370 = tail call double @llvm.sqrt.f64(double %348)
-  %371 = fmul double %370, %369
-  %372 = fadd double %368, %371
-  %373 = fcmp ugt double %372, %331
-  br i1 %373, label %375, label %374
+361:                                              ; preds = %352, %361
+  %362 = phi i64 [ %371, %361 ], [ 0, %352 ]
+  %363 = phi double [ %370, %361 ], [ 0.000000e+00, %352 ]
+  %364 = getelementptr inbounds double, ptr %5, i64 %362
+  %365 = load double, ptr %364, align 8
+  %366 = getelementptr inbounds double, ptr %357, i64 %362
+  %367 = load double, ptr %366, align 8
+  %368 = fsub double %365, %367
+  %369 = fmul double %368, %368
+  %370 = fadd double %363, %369
+  %371 = add nuw nsw i64 %362, 1
+  %372 = icmp eq i64 %371, %348
+  br i1 %372, label %358, label %361
 
-374:                                              ; preds = %365, %362
-  br label %375
+373:                                              ; preds = %358
+  %374 = icmp eq i64 %354, 0
+  %375 = select i1 %374, i1 true, i1 %351
+  br i1 %375, label %385, label %376
 
-375:                                              ; preds = %374, %365, %347
-  %376 = phi double [ %348, %374 ], [ %344, %365 ], [ %344, %347 ]
-  %377 = phi i64 [ %343, %374 ], [ %342, %365 ], [ %342, %347 ]
-  %378 = add nuw nsw i64 %343, 1
-  %379 = icmp eq i64 %378, %334
-  br i1 %379, label %380, label %341
+376:                                              ; preds = %373
+  %377 = load ptr, ptr %350, align 8
+  %378 = getelementptr inbounds double, ptr %377, i64 %354
+  %379 = load double, ptr %378, align 8
+  %380 = load double, ptr %24, align 8
+  %381 = call double @llvm.sqrt.f64(double %359)
+  %382 = fmul double %381, %380
+  %383 = fadd double %379, %382
+  %384 = fcmp ugt double %383, %339
+  br i1 %384, label %386, label %385
 
-380:                                              ; preds = %375, %330
-  %381 = phi i64 [ 0, %330 ], [ %377, %375 ]
-  %382 = call fastcc i64 @extend_by(ptr noundef %0, i64 noundef %86, i64 noundef %381, ptr noundef nonnull %5, double noundef %57)
-  %383 = load ptr, ptr %17, align 8
-  %384 = icmp ne ptr %383, null
-  %385 = icmp slt i64 %382, 0
-  %386 = select i1 %384, i1 %385, i1 false
-  br i1 %386, label %387, label %396
+385:                                              ; preds = %376, %373
+  br label %386
 
-387:                                              ; preds = %380, %387
-  %388 = phi double [ %392, %387 ], [ 2.500000e-01, %380 ]
-  %389 = load double, ptr %16, align 8
-  %390 = fmul double %388, %389
-  %391 = call fastcc i64 @extend_by(ptr noundef nonnull %0, i64 noundef %86, i64 noundef %381, ptr noundef nonnull %5, double noundef %390)
-  %392 = fmul double %388, 2.500000e-01
-  %393 = icmp slt i64 %391, 0
-  %394 = fcmp oge double %392, 6.250000e-02
-  %395 = select i1 %393, i1 %394, i1 false
-  br i1 %395, label %387, label %396
+386:                                              ; preds = %385, %376, %358
+  %387 = phi double [ %359, %385 ], [ %355, %376 ], [ %355, %358 ]
+  %388 = phi i64 [ %354, %385 ], [ %353, %376 ], [ %353, %358 ]
+  %389 = add nuw nsw i64 %354, 1
+  %390 = icmp eq i64 %389, %343
+  br i1 %390, label %391, label %352
 
-396:                                              ; preds = %387, %380
-  %397 = phi i64 [ %382, %380 ], [ %391, %387 ]
-  %398 = icmp slt i64 %397, 0
-  br i1 %398, label %552, label %399
+391:                                              ; preds = %386, %338
+  %392 = phi i64 [ 0, %338 ], [ %388, %386 ]
+  %393 = load double, ptr %17, align 8
+  %394 = call fastcc i64 @extend_by(ptr noundef %0, i64 noundef %87, i64 noundef %392, ptr noundef nonnull %5, double noundef %393)
+  %395 = load ptr, ptr %18, align 8
+  %396 = icmp ne ptr %395, null
+  %397 = icmp slt i64 %394, 0
+  %398 = select i1 %396, i1 %397, i1 false
+  br i1 %398, label %399, label %408
 
-399:                                              ; preds = %396
-  %400 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %86
-  %401 = load ptr, ptr %400, align 8
-  %402 = load i64, ptr %0, align 8
-  %403 = mul nsw i64 %402, %397
-  %404 = getelementptr inbounds double, ptr %401, i64 %403
-  %405 = shl i64 %402, 3
-  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 16 %5, ptr align 8 %404, i64 %405, i1 false)
-  %406 = load double, ptr %22, align 8
-  %407 = fcmp olt double %406, 0x7FF0000000000000
-  br i1 %407, label %408, label %414
+399:                                              ; preds = %391, %399
+  %400 = phi double [ %404, %399 ], [ 2.500000e-01, %391 ]
+  %401 = load double, ptr %17, align 8
+  %402 = fmul double %400, %401
+  %403 = call fastcc i64 @extend_by(ptr noundef nonnull %0, i64 noundef %87, i64 noundef %392, ptr noundef nonnull %5, double noundef %402)
+  %404 = fmul double %400, 2.500000e-01
+  %405 = icmp slt i64 %403, 0
+  %406 = fcmp oge double %404, 6.250000e-02
+  %407 = select i1 %405, i1 %406, i1 false
+  br i1 %407, label %399, label %408
 
-408:                                              ; preds = %399
-  %409 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %86
-  %410 = load ptr, ptr %409, align 8
-  %411 = getelementptr inbounds double, ptr %410, i64 %397
-  %412 = load double, ptr %411, align 8
-  %413 = fsub double %406, %412
-  br label %414
+408:                                              ; preds = %399, %391
+  %409 = phi i64 [ %394, %391 ], [ %403, %399 ]
+  %410 = icmp slt i64 %409, 0
+  br i1 %410, label %564, label %411
 
-414:                                              ; preds = %399, %408
-  %415 = phi double [ %413, %408 ], [ 0.000000e+00, %399 ]
-  %416 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 %87
-  %417 = load i64, ptr %416, align 8
-  %418 = icmp sgt i64 %417, 0
-  br i1 %418, label %419, label %466
+411:                                              ; preds = %408
+  %412 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %87
+  %413 = load ptr, ptr %412, align 8
+  %414 = load i64, ptr %0, align 8
+  %415 = mul nsw i64 %414, %409
+  %416 = getelementptr inbounds double, ptr %413, i64 %415
+  %417 = shl i64 %414, 3
+  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 16 %5, ptr align 8 %416, i64 %417, i1 false)
+  %418 = load double, ptr %23, align 8
+  %419 = fcmp olt double %418, 0x7FF0000000000000
+  br i1 %419, label %420, label %426
 
-419:                                              ; preds = %414
-  %420 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %87
-  %421 = load ptr, ptr %420, align 8
-  %422 = icmp sgt i64 %402, 0
-  %423 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %87
-  %424 = fcmp oeq double %406, 0x7FF0000000000000
-  br label %425
+420:                                              ; preds = %411
+  %421 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %87
+  %422 = load ptr, ptr %421, align 8
+  %423 = getelementptr inbounds double, ptr %422, i64 %409
+  %424 = load double, ptr %423, align 8
+  %425 = fsub double %418, %424
+  br label %426
 
-425:                                              ; preds = %459, %419
-  %426 = phi i64 [ 0, %419 ], [ %461, %459 ]
-  %427 = phi i64 [ 0, %419 ], [ %462, %459 ]
-  %428 = phi double [ 0x7FF0000000000000, %419 ], [ %460, %459 ]
-  %429 = mul nsw i64 %427, %402
-  %430 = getelementptr inbounds double, ptr %421, i64 %429
-  br i1 %422, label %434, label %431
+426:                                              ; preds = %411, %420
+  %427 = phi double [ %425, %420 ], [ 0.000000e+00, %411 ]
+  %428 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 31, i64 %88
+  %429 = load i64, ptr %428, align 8
+  %430 = icmp sgt i64 %429, 0
+  br i1 %430, label %431, label %478
 
-431:                                              ; preds = %434, %425
-  %432 = phi double [ 0.000000e+00, %425 ], [ %443, %434 ]
-  %433 = fcmp olt double %432, %428
-  br i1 %433, label %446, label %459
+431:                                              ; preds = %426
+  %432 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %88
+  %433 = load ptr, ptr %432, align 8
+  %434 = icmp sgt i64 %414, 0
+  %435 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %88
+  %436 = fcmp oeq double %418, 0x7FF0000000000000
+  br label %437
 
-434:                                              ; preds = %425, %434
-  %435 = phi i64 [ %444, %434 ], [ 0, %425 ]
-  %436 = phi double [ %443, %434 ], [ 0.000000e+00, %425 ]
-  %437 = getelementptr inbounds double, ptr %5, i64 %435
-  %438 = load double, ptr %437, align 8
-  %439 = getelementptr inbounds double, ptr %430, i64 %435
-  %440 = load double, ptr %439, align 8
-  %441 = fsub double %438, %440
-  %442 = fmul double %441, %441
-  %443 = fadd double %436, %442
-  %444 = add nuw nsw i64 %435, 1
-  %445 = icmp eq i64 %444, %402
-  br i1 %445, label %431, label %434
+437:                                              ; preds = %471, %431
+  %438 = phi i64 [ 0, %431 ], [ %473, %471 ]
+  %439 = phi i64 [ 0, %431 ], [ %474, %471 ]
+  %440 = phi double [ 0x7FF0000000000000, %431 ], [ %472, %471 ]
+  %441 = mul nsw i64 %439, %414
+  %442 = getelementptr inbounds double, ptr %433, i64 %441
+  br i1 %434, label %446, label %443
 
-446:                                              ; preds = %431
-  %447 = icmp eq i64 %427, 0
-  %448 = select i1 %447, i1 true, i1 %424
-  br i1 %448, label %458, label %449
+443:                                              ; preds = %446, %437
+  %444 = phi double [ 0.000000e+00, %437 ], [ %455, %446 ]
+  %445 = fcmp olt double %444, %440
+  br i1 %445, label %458, label %471
 
-449:                                              ; preds = %446
-  %450 = load ptr, ptr %423, align 8
-  %451 = getelementptr inbounds double, ptr %450, i64 %427
+446:                                              ; preds = %437, %446
+  %447 = phi i64 [ %456, %446 ], [ 0, %437 ]
+  %448 = phi double [ %455, %446 ], [ 0.000000e+00, %437 ]
+  %449 = getelementptr inbounds double, ptr %5, i64 %447
+  %450 = load double, ptr %449, align 8
+  %451 = getelementptr inbounds double, ptr %442, i64 %447
   %452 = load double, ptr %451, align 8
-  %453 = load double, ptr %23, align 8
-  %454 = tail call double @llvm.sqrt.f64(double %432)
-  %455 = fmul double %454, %453
-  %456 = fadd double %452, %455
-  %457 = fcmp ugt double %456, %415
-  br i1 %457, label %459, label %458
+  %453 = fsub double %450, %452
+  %454 = fmul double %453, %453
+  %455 = fadd double %448, %454
+  %456 = add nuw nsw i64 %447, 1
+  %457 = icmp eq i64 %456, %414
+  br i1 %457, label %443, label %446
 
-458:                                              ; preds = %449, %446
-  br label %459
+458:                                              ; preds = %443
+  %459 = icmp eq i64 %439, 0
+  %460 = select i1 %459, i1 true, i1 %436
+  br i1 %460, label %470, label %461
 
-459:                                              ; preds = %458, %449, %431
-  %460 = phi double [ %432, %458 ], [ %428, %449 ], [ %428, %431 ]
-  %461 = phi i64 [ %427, %458 ], [ %426, %449 ], [ %426, %431 ]
-  %462 = add nuw nsw i64 %427, 1
-  %463 = icmp eq i64 %462, %417
-  br i1 %463, label %464, label %425
+461:                                              ; preds = %458
+  %462 = load ptr, ptr %435, align 8
+  %463 = getelementptr inbounds double, ptr %462, i64 %439
+  %464 = load double, ptr %463, align 8
+  %465 = load double, ptr %24, align 8
+  %466 = call double @llvm.sqrt.f64(double %444)
+  %467 = fmul double %466, %465
+  %468 = fadd double %464, %467
+  %469 = fcmp ugt double %468, %427
+  br i1 %469, label %471, label %470
 
-464:                                              ; preds = %459
-  %465 = icmp sgt i64 %461, -1
-  br i1 %465, label %466, label %547
+470:                                              ; preds = %461, %458
+  br label %471
 
-466:                                              ; preds = %414, %464
-  %467 = phi i64 [ %461, %464 ], [ 0, %414 ]
-  %468 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %87
-  br label %469
+471:                                              ; preds = %470, %461, %443
+  %472 = phi double [ %444, %470 ], [ %440, %461 ], [ %440, %443 ]
+  %473 = phi i64 [ %439, %470 ], [ %438, %461 ], [ %438, %443 ]
+  %474 = add nuw nsw i64 %439, 1
+  %475 = icmp eq i64 %474, %429
+  br i1 %475, label %476, label %437
 
-469:                                              ; preds = %466, %544
-  %470 = phi i64 [ %467, %466 ], [ %545, %544 ]
-  %471 = load ptr, ptr %468, align 8
-  %472 = load i64, ptr %0, align 8
-  %473 = mul nsw i64 %472, %470
-  %474 = getelementptr inbounds double, ptr %471, i64 %473
-  %475 = shl i64 %472, 3
-  %476 = call i32 @bcmp(ptr %474, ptr nonnull %5, i64 %475)
-  %477 = icmp eq i32 %476, 0
-  br i1 %477, label %478, label %528
+476:                                              ; preds = %471
+  %477 = icmp sgt i64 %473, -1
+  br i1 %477, label %478, label %559
 
-478:                                              ; preds = %469
-  %479 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %86
-  %480 = load ptr, ptr %479, align 8
-  %481 = getelementptr inbounds %struct.Side, ptr %480, i64 %397
-  %482 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %87
-  %483 = load ptr, ptr %482, align 8
-  %484 = getelementptr inbounds %struct.Side, ptr %483, i64 %470
-  %485 = load double, ptr %22, align 8
-  %486 = fcmp olt double %485, 0x7FF0000000000000
-  br i1 %486, label %487, label %493
+478:                                              ; preds = %426, %476
+  %479 = phi i64 [ %473, %476 ], [ 0, %426 ]
+  %480 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %88
+  br label %481
 
-487:                                              ; preds = %478
-  %488 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %87
-  %489 = load ptr, ptr %488, align 8
-  %490 = getelementptr inbounds double, ptr %489, i64 %470
-  %491 = load double, ptr %490, align 8
-  %492 = fcmp olt double %491, %415
-  br i1 %492, label %493, label %547
+481:                                              ; preds = %478, %556
+  %482 = phi i64 [ %479, %478 ], [ %557, %556 ]
+  %483 = load ptr, ptr %480, align 8
+  %484 = load i64, ptr %0, align 8
+  %485 = mul nsw i64 %484, %482
+  %486 = getelementptr inbounds double, ptr %483, i64 %485
+  %487 = shl i64 %484, 3
+  %488 = call i32 @bcmp(ptr %486, ptr nonnull %5, i64 %487)
+  %489 = icmp eq i32 %488, 0
+  br i1 %489, label %490, label %540
 
-493:                                              ; preds = %487, %478
-  %494 = load i64, ptr %29, align 8
-  %495 = icmp eq i64 %494, 0
-  br i1 %495, label %525, label %496
+490:                                              ; preds = %481
+  %491 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %87
+  %492 = load ptr, ptr %491, align 8
+  %493 = getelementptr inbounds %struct.Side, ptr %492, i64 %409
+  %494 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %88
+  %495 = load ptr, ptr %494, align 8
+  %496 = getelementptr inbounds %struct.Side, ptr %495, i64 %482
+  %497 = load double, ptr %23, align 8
+  %498 = fcmp olt double %497, 0x7FF0000000000000
+  br i1 %498, label %499, label %505
 
-496:                                              ; preds = %493
-  %497 = getelementptr inbounds %struct.Side, ptr %480, i64 %397, i32 2
-  %498 = load i64, ptr %497, align 8
-  %499 = getelementptr inbounds %struct.Side, ptr %483, i64 %470, i32 2
-  %500 = load i64, ptr %499, align 8
-  %501 = add nsw i64 %500, %498
-  %502 = load i8, ptr %481, align 8
-  %503 = load i8, ptr %484, align 8
-  %504 = xor i8 %503, %502
-  %505 = getelementptr inbounds %struct.Side, ptr %480, i64 %397, i32 1
-  %506 = load i8, ptr %505, align 1
-  %507 = and i8 %504, %506
-  %508 = getelementptr inbounds %struct.Side, ptr %483, i64 %470, i32 1
-  %509 = load i8, ptr %508, align 1
-  %510 = and i8 %507, %509
-  %511 = icmp eq i8 %510, 0
-  br i1 %511, label %519, label %512
+499:                                              ; preds = %490
+  %500 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %88
+  %501 = load ptr, ptr %500, align 8
+  %502 = getelementptr inbounds double, ptr %501, i64 %482
+  %503 = load double, ptr %502, align 8
+  %504 = fcmp olt double %503, %427
+  br i1 %504, label %505, label %559
 
-512:                                              ; preds = %496, %512
-  %513 = phi i32 [ %515, %512 ], [ 0, %496 ]
-  %514 = phi i8 [ %517, %512 ], [ %510, %496 ]
-  %515 = add nuw nsw i32 %513, 1
-  %516 = add i8 %514, -1
-  %517 = and i8 %516, %514
-  %518 = icmp eq i8 %517, 0
-  br i1 %518, label %519, label %512
+505:                                              ; preds = %499, %490
+  %506 = load i64, ptr %30, align 8
+  %507 = icmp eq i64 %506, 0
+  br i1 %507, label %537, label %508
 
-519:                                              ; preds = %512, %496
-  %520 = phi i32 [ 0, %496 ], [ %515, %512 ]
-  %521 = sext i32 %520 to i64
-  %522 = add nsw i64 %501, %521
-  %523 = load i64, ptr %30, align 8
-  %524 = icmp sgt i64 %522, %523
-  br i1 %524, label %547, label %525
+508:                                              ; preds = %505
+  %509 = getelementptr inbounds %struct.Side, ptr %492, i64 %409, i32 2
+  %510 = load i64, ptr %509, align 8
+  %511 = getelementptr inbounds %struct.Side, ptr %495, i64 %482, i32 2
+  %512 = load i64, ptr %511, align 8
+  %513 = add nsw i64 %512, %510
+  %514 = load i8, ptr %493, align 8
+  %515 = load i8, ptr %496, align 8
+  %516 = xor i8 %515, %514
+  %517 = getelementptr inbounds %struct.Side, ptr %492, i64 %409, i32 1
+  %518 = load i8, ptr %517, align 1
+  %519 = and i8 %516, %518
+  %520 = getelementptr inbounds %struct.Side, ptr %495, i64 %482, i32 1
+  %521 = load i8, ptr %520, align 1
+  %522 = and i8 %519, %521
+  %523 = icmp eq i8 %522, 0
+  br i1 %523, label %531, label %524
 
-525:                                              ; preds = %519, %493
-  %526 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 32, i64 %86
-  store i64 %397, ptr %526, align 8
-  %527 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 32, i64 %87
-  store i64 %470, ptr %527, align 8
+524:                                              ; preds = %508, %524
+  %525 = phi i32 [ %527, %524 ], [ 0, %508 ]
+  %526 = phi i8 [ %529, %524 ], [ %522, %508 ]
+  %527 = add nuw nsw i32 %525, 1
+  %528 = add i8 %526, -1
+  %529 = and i8 %528, %526
+  %530 = icmp eq i8 %529, 0
+  br i1 %530, label %531, label %524
+
+531:                                              ; preds = %524, %508
+  %532 = phi i32 [ 0, %508 ], [ %527, %524 ]
+  %533 = sext i32 %532 to i64
+  %534 = add nsw i64 %513, %533
+  %535 = load i64, ptr %31, align 8
+  %536 = icmp sgt i64 %534, %535
+  br i1 %536, label %559, label %537
+
+537:                                              ; preds = %531, %505
+  %538 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 32, i64 %87
+  store i64 %409, ptr %538, align 8
+  %539 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 32, i64 %88
+  store i64 %482, ptr %539, align 8
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %6) #8
   call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %5) #8
-  br label %555
+  br label %567
 
-528:                                              ; preds = %469
-  %529 = load double, ptr %16, align 8
-  %530 = call fastcc i64 @extend_by(ptr noundef nonnull %0, i64 noundef %87, i64 noundef %470, ptr noundef nonnull %5, double noundef %529)
-  %531 = load ptr, ptr %17, align 8
-  %532 = icmp ne ptr %531, null
-  %533 = icmp slt i64 %530, 0
-  %534 = select i1 %532, i1 %533, i1 false
-  br i1 %534, label %535, label %544
+540:                                              ; preds = %481
+  %541 = load double, ptr %17, align 8
+  %542 = call fastcc i64 @extend_by(ptr noundef nonnull %0, i64 noundef %88, i64 noundef %482, ptr noundef nonnull %5, double noundef %541)
+  %543 = load ptr, ptr %18, align 8
+  %544 = icmp ne ptr %543, null
+  %545 = icmp slt i64 %542, 0
+  %546 = select i1 %544, i1 %545, i1 false
+  br i1 %546, label %547, label %556
 
-535:                                              ; preds = %528, %535
-  %536 = phi double [ %540, %535 ], [ 2.500000e-01, %528 ]
-  %537 = load double, ptr %16, align 8
-  %538 = fmul double %536, %537
-  %539 = call fastcc i64 @extend_by(ptr noundef nonnull %0, i64 noundef %87, i64 noundef %470, ptr noundef nonnull %5, double noundef %538)
-  %540 = fmul double %536, 2.500000e-01
-  %541 = icmp slt i64 %539, 0
-  %542 = fcmp oge double %540, 6.250000e-02
-  %543 = select i1 %541, i1 %542, i1 false
-  br i1 %543, label %535, label %544
+547:                                              ; preds = %540, %547
+  %548 = phi double [ %552, %547 ], [ 2.500000e-01, %540 ]
+  %549 = load double, ptr %17, align 8
+  %550 = fmul double %548, %549
+  %551 = call fastcc i64 @extend_by(ptr noundef nonnull %0, i64 noundef %88, i64 noundef %482, ptr noundef nonnull %5, double noundef %550)
+  %552 = fmul double %548, 2.500000e-01
+  %553 = icmp slt i64 %551, 0
+  %554 = fcmp oge double %552, 6.250000e-02
+  %555 = select i1 %553, i1 %554, i1 false
+  br i1 %555, label %547, label %556
 
-544:                                              ; preds = %535, %528
-  %545 = phi i64 [ %530, %528 ], [ %539, %535 ]
-  %546 = icmp sgt i64 %545, -1
-  br i1 %546, label %469, label %547
+556:                                              ; preds = %547, %540
+  %557 = phi i64 [ %542, %540 ], [ %551, %547 ]
+  %558 = icmp sgt i64 %557, -1
+  br i1 %558, label %481, label %559
 
-547:                                              ; preds = %544, %464, %519, %487
-  %548 = load i64, ptr %18, align 8
-  %549 = load i64, ptr %20, align 8
-  %550 = icmp sgt i64 %548, %549
-  %551 = zext i1 %550 to i64
-  store i64 %551, ptr %21, align 8
-  br label %552
+559:                                              ; preds = %556, %476, %531, %499
+  %560 = load i64, ptr %19, align 8
+  %561 = load i64, ptr %21, align 8
+  %562 = icmp sgt i64 %560, %561
+  %563 = zext i1 %562 to i64
+  store i64 %563, ptr %22, align 8
+  br label %564
 
-552:                                              ; preds = %547, %396
+564:                                              ; preds = %559, %408
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %6) #8
   call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %5) #8
-  %553 = load i64, ptr %6, align 8
-  %554 = icmp slt i64 %553, %8
-  br i1 %554, label %31, label %555
+  %565 = load i64, ptr %7, align 8
+  %566 = icmp slt i64 %565, %9
+  br i1 %566, label %32, label %567
 
-555:                                              ; preds = %81, %552, %54, %2, %525
-  %556 = phi i32 [ 1, %525 ], [ 0, %2 ], [ 2, %81 ], [ 0, %552 ], [ 2, %54 ]
-  ret i32 %556
+567:                                              ; preds = %82, %564, %55, %2, %537
+  %568 = phi i32 [ 1, %537 ], [ 0, %2 ], [ 2, %82 ], [ 0, %564 ], [ 2, %55 ]
+  ret i32 %568
+}
+
+define internal fastcc i32 @project(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr noundef %3, ptr nocapture noundef %4) unnamed_addr #0 {
+  %6 = tail call fastcc i32 @keeps(ptr noundef %0, ptr noundef %3)
+  %7 = icmp eq i32 %6, 0
+  br i1 %7, label %8, label %258
+
+8:                                                ; preds = %5
+  %9 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 7
+  %10 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 8
+  %11 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 2
+  %12 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 4
+  %13 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 1
+  %14 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 5
+  %15 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 3
+  %16 = load ptr, ptr %10, align 8
+  %17 = load i64, ptr %0, align 8
+  %18 = load i64, ptr %11, align 8
+  br label %19
+
+19:                                               ; preds = %8, %250
+  %20 = phi i64 [ %18, %8 ], [ %51, %250 ]
+  %21 = phi i64 [ %17, %8 ], [ %182, %250 ]
+  %22 = phi ptr [ %16, %8 ], [ %93, %250 ]
+  %23 = phi i1 [ false, %8 ], [ %252, %250 ]
+  %24 = phi i32 [ 0, %8 ], [ %251, %250 ]
+  %25 = phi double [ 0.000000e+00, %8 ], [ %86, %250 ]
+  %26 = load ptr, ptr %9, align 8
+  %27 = getelementptr inbounds double, ptr %22, i64 12
+  %28 = mul nsw i64 %21, 6
+  %29 = getelementptr inbounds double, ptr %27, i64 %28
+  %30 = icmp eq i64 %20, 0
+  br i1 %30, label %37, label %31
+
+31:                                               ; preds = %19
+  %32 = load ptr, ptr %12, align 8
+  %33 = tail call i32 %32(ptr noundef %3, ptr noundef %22, i64 noundef 1) #8
+  %34 = icmp eq i32 %33, 0
+  br i1 %34, label %35, label %258
+
+35:                                               ; preds = %31
+  %36 = load i64, ptr %11, align 8
+  br label %37
+
+37:                                               ; preds = %35, %19
+  %38 = phi i64 [ %36, %35 ], [ 0, %19 ]
+  %39 = load i64, ptr %13, align 8
+  %40 = icmp sgt i64 %39, %38
+  br i1 %40, label %41, label %47
+
+41:                                               ; preds = %37
+  %42 = load ptr, ptr %14, align 8
+  %43 = tail call i32 %42(ptr noundef %3, ptr noundef nonnull %29, i64 noundef 1) #8
+  %44 = icmp eq i32 %43, 0
+  br i1 %44, label %45, label %258
+
+45:                                               ; preds = %41
+  %46 = load i64, ptr %13, align 8
+  br label %47
+
+47:                                               ; preds = %45, %37
+  %48 = phi i64 [ %46, %45 ], [ %39, %37 ]
+  %49 = icmp sgt i64 %48, 0
+  br i1 %49, label %50, label %258
+
+50:                                               ; preds = %47
+  %51 = load i64, ptr %11, align 8
+  br label %52
+
+52:                                               ; preds = %78, %50
+  %53 = phi double [ %25, %50 ], [ %86, %78 ]
+  %54 = phi i64 [ 0, %50 ], [ %88, %78 ]
+  %55 = phi i64 [ -1, %50 ], [ %87, %78 ]
+  %56 = icmp slt i64 %54, %51
+  br i1 %56, label %57, label %74
+
+57:                                               ; preds = %52
+  %58 = load ptr, ptr %15, align 8
+  %59 = mul nsw i64 %54, 13
+  %60 = getelementptr inbounds double, ptr %58, i64 %59
+  %61 = getelementptr inbounds double, ptr %60, i64 12
+  %62 = load double, ptr %61, align 8
+  br label %63
+
+63:                                               ; preds = %63, %57
+  %64 = phi i64 [ 0, %57 ], [ %72, %63 ]
+  %65 = phi double [ %62, %57 ], [ %71, %63 ]
+  %66 = getelementptr inbounds double, ptr %60, i64 %64
+  %67 = load double, ptr %66, align 8
+  %68 = getelementptr inbounds double, ptr %22, i64 %64
+  %69 = load double, ptr %68, align 8
+  %70 = fmul double %67, %69
+  %71 = fadd double %65, %70
+  %72 = add nuw nsw i64 %64, 1
+  %73 = icmp eq i64 %72, 12
+  br i1 %73, label %78, label %63
+
+74:                                               ; preds = %52
+  %75 = sub nsw i64 %54, %51
+  %76 = getelementptr inbounds double, ptr %29, i64 %75
+  %77 = load double, ptr %76, align 8
+  br label %78
+
+78:                                               ; preds = %63, %74
+  %79 = phi double [ %77, %74 ], [ %71, %63 ]
+  %80 = getelementptr inbounds double, ptr %26, i64 %54
+  %81 = load double, ptr %80, align 8
+  %82 = fsub double %79, %81
+  %83 = icmp slt i64 %55, 0
+  %84 = fcmp ult double %82, %53
+  %85 = select i1 %83, i1 true, i1 %84
+  %86 = select i1 %85, double %82, double %53
+  %87 = select i1 %85, i64 %54, i64 %55
+  %88 = add nuw nsw i64 %54, 1
+  %89 = icmp eq i64 %88, %48
+  br i1 %89, label %90, label %52
+
+90:                                               ; preds = %78
+  %91 = fcmp ult double %86, 0.000000e+00
+  br i1 %91, label %92, label %254
+
+92:                                               ; preds = %90
+  %93 = load ptr, ptr %10, align 8
+  %94 = getelementptr inbounds double, ptr %93, i64 12
+  %95 = icmp slt i64 %87, %51
+  br i1 %95, label %113, label %96
+
+96:                                               ; preds = %92
+  %97 = load i64, ptr %0, align 8
+  %98 = mul nsw i64 %97, 6
+  %99 = getelementptr inbounds double, ptr %94, i64 %98
+  %100 = sub nsw i64 %48, %51
+  %101 = getelementptr inbounds double, ptr %99, i64 %100
+  %102 = sub nsw i64 %87, %51
+  %103 = mul nsw i64 %97, %102
+  %104 = getelementptr double, ptr %101, i64 %103
+  %105 = icmp sgt i64 %97, 0
+  br i1 %105, label %106, label %254
+
+106:                                              ; preds = %96, %106
+  %107 = phi i64 [ %111, %106 ], [ 0, %96 ]
+  %108 = getelementptr inbounds double, ptr %104, i64 %107
+  %109 = load double, ptr %108, align 8
+  %110 = getelementptr inbounds double, ptr %4, i64 %107
+  store double %109, ptr %110, align 8
+  %111 = add nuw nsw i64 %107, 1
+  %112 = icmp eq i64 %111, %97
+  br i1 %112, label %181, label %106
+
+113:                                              ; preds = %92
+  %114 = load ptr, ptr %15, align 8
+  %115 = mul nsw i64 %87, 13
+  %116 = getelementptr inbounds double, ptr %114, i64 %115
+  %117 = load i64, ptr %0, align 8
+  %118 = icmp sgt i64 %117, 0
+  br i1 %118, label %119, label %254
+
+119:                                              ; preds = %113
+  %120 = getelementptr inbounds double, ptr %116, i64 1
+  %121 = getelementptr inbounds double, ptr %116, i64 2
+  br label %122
+
+122:                                              ; preds = %143, %119
+  %123 = phi i64 [ 0, %119 ], [ %144, %143 ]
+  %124 = mul nuw nsw i64 %123, 6
+  %125 = getelementptr inbounds double, ptr %94, i64 %124
+  %126 = getelementptr inbounds double, ptr %125, i64 3
+  %127 = load double, ptr %116, align 8
+  %128 = load double, ptr %125, align 8
+  %129 = fmul double %127, %128
+  %130 = load double, ptr %120, align 8
+  %131 = getelementptr inbounds double, ptr %125, i64 1
+  %132 = load double, ptr %131, align 8
+  %133 = fmul double %130, %132
+  %134 = fadd double %129, %133
+  %135 = load double, ptr %121, align 8
+  %136 = getelementptr inbounds double, ptr %125, i64 2
+  %137 = load double, ptr %136, align 8
+  %138 = fmul double %135, %137
+  %139 = fadd double %134, %138
+  %140 = getelementptr inbounds double, ptr %4, i64 %123
+  store double %139, ptr %140, align 8
+  %141 = getelementptr inbounds double, ptr %126, i64 1
+  %142 = getelementptr inbounds double, ptr %126, i64 2
+  br label %146
+
+143:                                              ; preds = %146
+  %144 = add nuw nsw i64 %123, 1
+  %145 = icmp eq i64 %144, %117
+  br i1 %145, label %181, label %122
+
+146:                                              ; preds = %146, %122
+  %147 = phi double [ %139, %122 ], [ %178, %146 ]
+  %148 = phi i64 [ 3, %122 ], [ %179, %146 ]
+  %149 = getelementptr inbounds double, ptr %93, i64 %148
+  %150 = getelementptr inbounds double, ptr %116, i64 %148
+  %151 = load double, ptr %150, align 8
+  %152 = load double, ptr %141, align 8
+  %153 = getelementptr inbounds double, ptr %149, i64 2
+  %154 = load double, ptr %153, align 8
+  %155 = fmul double %152, %154
+  %156 = load double, ptr %142, align 8
+  %157 = getelementptr inbounds double, ptr %149, i64 1
+  %158 = load double, ptr %157, align 8
+  %159 = fmul double %156, %158
+  %160 = fsub double %155, %159
+  %161 = fmul double %151, %160
+  %162 = getelementptr inbounds double, ptr %150, i64 1
+  %163 = load double, ptr %162, align 8
+  %164 = load double, ptr %149, align 8
+  %165 = fmul double %156, %164
+  %166 = load double, ptr %126, align 8
+  %167 = fmul double %154, %166
+  %168 = fsub double %165, %167
+  %169 = fmul double %163, %168
+  %170 = fadd double %161, %169
+  %171 = getelementptr inbounds double, ptr %150, i64 2
+  %172 = load double, ptr %171, align 8
+  %173 = fmul double %158, %166
+  %174 = fmul double %152, %164
+  %175 = fsub double %173, %174
+  %176 = fmul double %172, %175
+  %177 = fadd double %176, %170
+  %178 = fadd double %147, %177
+  store double %178, ptr %140, align 8
+  %179 = add nuw nsw i64 %148, 3
+  %180 = icmp ult i64 %148, 9
+  br i1 %180, label %146, label %143
+
+181:                                              ; preds = %106, %143
+  %182 = phi i64 [ %117, %143 ], [ %97, %106 ]
+  %183 = icmp sgt i64 %182, 0
+  br i1 %183, label %189, label %254
+
+184:                                              ; preds = %211
+  %185 = fcmp ogt double %214, 0x3D719799812DEA11
+  br i1 %185, label %186, label %254
+
+186:                                              ; preds = %184
+  br i1 %183, label %187, label %250
+
+187:                                              ; preds = %186
+  %188 = fneg double %86
+  br label %223
+
+189:                                              ; preds = %181, %211
+  %190 = phi i64 [ %215, %211 ], [ 0, %181 ]
+  %191 = phi double [ %214, %211 ], [ 0.000000e+00, %181 ]
+  %192 = getelementptr inbounds double, ptr %3, i64 %190
+  %193 = load double, ptr %192, align 8
+  %194 = getelementptr inbounds double, ptr %1, i64 %190
+  %195 = load double, ptr %194, align 8
+  %196 = fcmp ugt double %193, %195
+  br i1 %196, label %201, label %197
+
+197:                                              ; preds = %189
+  %198 = getelementptr inbounds double, ptr %4, i64 %190
+  %199 = load double, ptr %198, align 8
+  %200 = fcmp olt double %199, 0.000000e+00
+  br i1 %200, label %209, label %201
+
+201:                                              ; preds = %197, %189
+  %202 = getelementptr inbounds double, ptr %2, i64 %190
+  %203 = load double, ptr %202, align 8
+  %204 = fcmp oge double %193, %203
+  %205 = getelementptr inbounds double, ptr %4, i64 %190
+  %206 = load double, ptr %205, align 8
+  %207 = fcmp ogt double %206, 0.000000e+00
+  %208 = select i1 %204, i1 %207, i1 false
+  br i1 %208, label %209, label %211
+
+209:                                              ; preds = %201, %197
+  %210 = getelementptr inbounds double, ptr %4, i64 %190
+  store double 0.000000e+00, ptr %210, align 8
+  br label %211
+
+211:                                              ; preds = %201, %209
+  %212 = phi double [ 0.000000e+00, %209 ], [ %206, %201 ]
+  %213 = fmul double %212, %212
+  %214 = fadd double %191, %213
+  %215 = add nuw nsw i64 %190, 1
+  %216 = icmp eq i64 %215, %182
+  br i1 %216, label %184, label %189
+
+217:                                              ; preds = %223
+  %218 = fcmp ogt double %231, 5.000000e-01
+  %219 = fdiv double 5.000000e-01, %231
+  %220 = select i1 %218, double %219, double 1.000000e+00
+  %221 = fmul double %220, %188
+  %222 = fdiv double %221, %214
+  br i1 %183, label %234, label %250
+
+223:                                              ; preds = %187, %223
+  %224 = phi i64 [ 0, %187 ], [ %232, %223 ]
+  %225 = phi double [ 0.000000e+00, %187 ], [ %231, %223 ]
+  %226 = getelementptr inbounds double, ptr %4, i64 %224
+  %227 = load double, ptr %226, align 8
+  %228 = tail call double @llvm.fabs.f64(double %227)
+  %229 = fmul double %228, %188
+  %230 = fdiv double %229, %214
+  %231 = tail call double @llvm.maxnum.f64(double %225, double %230)
+  %232 = add nuw nsw i64 %224, 1
+  %233 = icmp eq i64 %232, %182
+  br i1 %233, label %217, label %223
+
+234:                                              ; preds = %217, %234
+  %235 = phi i64 [ %248, %234 ], [ 0, %217 ]
+  %236 = getelementptr inbounds double, ptr %3, i64 %235
+  %237 = load double, ptr %236, align 8
+  %238 = getelementptr inbounds double, ptr %4, i64 %235
+  %239 = load double, ptr %238, align 8
+  %240 = fmul double %222, %239
+  %241 = fadd double %237, %240
+  %242 = getelementptr inbounds double, ptr %1, i64 %235
+  %243 = load double, ptr %242, align 8
+  %244 = tail call double @llvm.maxnum.f64(double %241, double %243)
+  %245 = getelementptr inbounds double, ptr %2, i64 %235
+  %246 = load double, ptr %245, align 8
+  %247 = tail call double @llvm.minnum.f64(double %244, double %246)
+  store double %247, ptr %236, align 8
+  %248 = add nuw nsw i64 %235, 1
+  %249 = icmp eq i64 %248, %182
+  br i1 %249, label %250, label %234
+
+250:                                              ; preds = %234, %186, %217
+  %251 = add nuw nsw i32 %24, 1
+  %252 = icmp ugt i32 %24, 38
+  %253 = icmp eq i32 %251, 40
+  br i1 %253, label %256, label %19
+
+254:                                              ; preds = %113, %96, %181, %90, %184
+  %255 = phi i32 [ 0, %184 ], [ 1, %90 ], [ 0, %181 ], [ 0, %96 ], [ 0, %113 ]
+  br i1 %23, label %256, label %258
+
+256:                                              ; preds = %250, %254
+  %257 = tail call fastcc i32 @keeps(ptr noundef nonnull %0, ptr noundef %3)
+  br label %258
+
+258:                                              ; preds = %31, %41, %47, %5, %254, %256
+  %259 = phi i32 [ %257, %256 ], [ %255, %254 ], [ 1, %5 ], [ 0, %47 ], [ 0, %41 ], [ 0, %31 ]
+  ret i32 %259
 }
 
 define dso_local i64 @manipplan_way(ptr nocapture noundef readonly %0, ptr noundef writeonly %1) local_unnamed_addr #3 {
@@ -1940,111 +2301,116 @@ declare double @llvm.fabs.f64(double) #4
 declare double @llvm.ceil.f64(double) #4
 
 define internal fastcc i32 @keeps(ptr nocapture noundef readonly %0, ptr noundef %1) unnamed_addr #0 {
-  %3 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 7
+  %3 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 6
   %4 = load ptr, ptr %3, align 8
-  %5 = getelementptr inbounds double, ptr %4, i64 12
-  %6 = load i64, ptr %0, align 8
-  %7 = mul nsw i64 %6, 6
-  %8 = getelementptr inbounds double, ptr %5, i64 %7
-  %9 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 2
-  %10 = load i64, ptr %9, align 8
-  %11 = icmp eq i64 %10, 0
-  br i1 %11, label %19, label %12
+  %5 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 8
+  %6 = load ptr, ptr %5, align 8
+  %7 = getelementptr inbounds double, ptr %6, i64 12
+  %8 = load i64, ptr %0, align 8
+  %9 = mul nsw i64 %8, 6
+  %10 = getelementptr inbounds double, ptr %7, i64 %9
+  %11 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 2
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp eq i64 %12, 0
+  br i1 %13, label %21, label %14
 
-12:                                               ; preds = %2
-  %13 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 4
-  %14 = load ptr, ptr %13, align 8
-  %15 = tail call i32 %14(ptr noundef %1, ptr noundef %4, i64 noundef 1) #8
-  %16 = icmp eq i32 %15, 0
-  br i1 %16, label %17, label %77
+14:                                               ; preds = %2
+  %15 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 4
+  %16 = load ptr, ptr %15, align 8
+  %17 = tail call i32 %16(ptr noundef %1, ptr noundef %6, i64 noundef 1) #8
+  %18 = icmp eq i32 %17, 0
+  br i1 %18, label %19, label %82
 
-17:                                               ; preds = %12
-  %18 = load i64, ptr %9, align 8
-  br label %19
+19:                                               ; preds = %14
+  %20 = load i64, ptr %11, align 8
+  br label %21
 
-19:                                               ; preds = %17, %2
-  %20 = phi i64 [ %18, %17 ], [ 0, %2 ]
-  %21 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 1
-  %22 = load i64, ptr %21, align 8
-  %23 = icmp sgt i64 %22, %20
-  br i1 %23, label %24, label %31
+21:                                               ; preds = %19, %2
+  %22 = phi i64 [ %20, %19 ], [ 0, %2 ]
+  %23 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 1
+  %24 = load i64, ptr %23, align 8
+  %25 = icmp sgt i64 %24, %22
+  br i1 %25, label %26, label %33
 
-24:                                               ; preds = %19
-  %25 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 5
-  %26 = load ptr, ptr %25, align 8
-  %27 = tail call i32 %26(ptr noundef %1, ptr noundef nonnull %8, i64 noundef 1) #8
-  %28 = icmp eq i32 %27, 0
-  br i1 %28, label %29, label %77
+26:                                               ; preds = %21
+  %27 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 5
+  %28 = load ptr, ptr %27, align 8
+  %29 = tail call i32 %28(ptr noundef %1, ptr noundef nonnull %10, i64 noundef 1) #8
+  %30 = icmp eq i32 %29, 0
+  br i1 %30, label %31, label %82
 
-29:                                               ; preds = %24
-  %30 = load i64, ptr %21, align 8
-  br label %31
+31:                                               ; preds = %26
+  %32 = load i64, ptr %23, align 8
+  br label %33
 
-31:                                               ; preds = %29, %19
-  %32 = phi i64 [ %30, %29 ], [ %22, %19 ]
-  %33 = icmp sgt i64 %32, 0
-  br i1 %33, label %34, label %77
+33:                                               ; preds = %31, %21
+  %34 = phi i64 [ %32, %31 ], [ %24, %21 ]
+  %35 = icmp sgt i64 %34, 0
+  br i1 %35, label %36, label %82
 
-34:                                               ; preds = %31
-  %35 = load i64, ptr %9, align 8
-  %36 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 3
-  br label %37
+36:                                               ; preds = %33
+  %37 = load i64, ptr %11, align 8
+  %38 = getelementptr inbounds %struct.Constraints, ptr %0, i64 0, i32 3
+  br label %39
 
-37:                                               ; preds = %63, %34
-  %38 = phi double [ 0.000000e+00, %34 ], [ %68, %63 ]
-  %39 = phi i64 [ 0, %34 ], [ %70, %63 ]
-  %40 = phi i64 [ -1, %34 ], [ %69, %63 ]
-  %41 = icmp slt i64 %39, %35
-  br i1 %41, label %42, label %59
+39:                                               ; preds = %65, %36
+  %40 = phi double [ 0.000000e+00, %36 ], [ %73, %65 ]
+  %41 = phi i64 [ 0, %36 ], [ %75, %65 ]
+  %42 = phi i64 [ -1, %36 ], [ %74, %65 ]
+  %43 = icmp slt i64 %41, %37
+  br i1 %43, label %44, label %61
 
-42:                                               ; preds = %37
-  %43 = load ptr, ptr %36, align 8
-  %44 = mul nsw i64 %39, 13
-  %45 = getelementptr inbounds double, ptr %43, i64 %44
-  %46 = getelementptr inbounds double, ptr %45, i64 12
-  %47 = load double, ptr %46, align 8
-  br label %48
+44:                                               ; preds = %39
+  %45 = load ptr, ptr %38, align 8
+  %46 = mul nsw i64 %41, 13
+  %47 = getelementptr inbounds double, ptr %45, i64 %46
+  %48 = getelementptr inbounds double, ptr %47, i64 12
+  %49 = load double, ptr %48, align 8
+  br label %50
 
-48:                                               ; preds = %48, %42
-  %49 = phi i64 [ 0, %42 ], [ %57, %48 ]
-  %50 = phi double [ %47, %42 ], [ %56, %48 ]
-  %51 = getelementptr inbounds double, ptr %45, i64 %49
-  %52 = load double, ptr %51, align 8
-  %53 = getelementptr inbounds double, ptr %4, i64 %49
+50:                                               ; preds = %50, %44
+  %51 = phi i64 [ 0, %44 ], [ %59, %50 ]
+  %52 = phi double [ %49, %44 ], [ %58, %50 ]
+  %53 = getelementptr inbounds double, ptr %47, i64 %51
   %54 = load double, ptr %53, align 8
-  %55 = fmul double %52, %54
-  %56 = fadd double %50, %55
-  %57 = add nuw nsw i64 %49, 1
-  %58 = icmp eq i64 %57, 12
-  br i1 %58, label %63, label %48
+  %55 = getelementptr inbounds double, ptr %6, i64 %51
+  %56 = load double, ptr %55, align 8
+  %57 = fmul double %54, %56
+  %58 = fadd double %52, %57
+  %59 = add nuw nsw i64 %51, 1
+  %60 = icmp eq i64 %59, 12
+  br i1 %60, label %65, label %50
 
-59:                                               ; preds = %37
-  %60 = sub nsw i64 %39, %35
-  %61 = getelementptr inbounds double, ptr %8, i64 %60
-  %62 = load double, ptr %61, align 8
-  br label %63
+61:                                               ; preds = %39
+  %62 = sub nsw i64 %41, %37
+  %63 = getelementptr inbounds double, ptr %10, i64 %62
+  %64 = load double, ptr %63, align 8
+  br label %65
 
-63:                                               ; preds = %48, %59
-  %64 = phi double [ %62, %59 ], [ %56, %48 ]
-  %65 = icmp slt i64 %40, 0
-  %66 = fcmp ult double %64, %38
-  %67 = select i1 %65, i1 true, i1 %66
-  %68 = select i1 %67, double %64, double %38
-  %69 = select i1 %67, i64 %39, i64 %40
-  %70 = add nuw nsw i64 %39, 1
-  %71 = icmp eq i64 %70, %32
-  br i1 %71, label %72, label %37
+65:                                               ; preds = %50, %61
+  %66 = phi double [ %64, %61 ], [ %58, %50 ]
+  %67 = getelementptr inbounds double, ptr %4, i64 %41
+  %68 = load double, ptr %67, align 8
+  %69 = fsub double %66, %68
+  %70 = icmp slt i64 %42, 0
+  %71 = fcmp ult double %69, %40
+  %72 = select i1 %70, i1 true, i1 %71
+  %73 = select i1 %72, double %69, double %40
+  %74 = select i1 %72, i64 %41, i64 %42
+  %75 = add nuw nsw i64 %41, 1
+  %76 = icmp eq i64 %75, %34
+  br i1 %76, label %77, label %39
 
-72:                                               ; preds = %63
-  %73 = icmp sgt i64 %69, -1
-  %74 = fcmp oge double %68, 0.000000e+00
-  %75 = select i1 %73, i1 %74, i1 false
-  %76 = zext i1 %75 to i32
-  br label %77
+77:                                               ; preds = %65
+  %78 = icmp sgt i64 %74, -1
+  %79 = fcmp oge double %73, 0.000000e+00
+  %80 = select i1 %78, i1 %79, i1 false
+  %81 = zext i1 %80 to i32
+  br label %82
 
-77:                                               ; preds = %72, %12, %24, %31
-  %78 = phi i32 [ 0, %31 ], [ 0, %24 ], [ 0, %12 ], [ %76, %72 ]
-  ret i32 %78
+82:                                               ; preds = %77, %14, %26, %33
+  %83 = phi i32 [ 0, %33 ], [ 0, %26 ], [ 0, %14 ], [ %81, %77 ]
+  ret i32 %83
 }
 
 declare double @llvm.sqrt.f64(double) #4
@@ -2117,7 +2483,7 @@ define internal fastcc i64 @extend_by(ptr nocapture noundef %0, i64 noundef %1, 
   %54 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 35
   %55 = load ptr, ptr %54, align 8
   %56 = icmp eq ptr %55, null
-  br i1 %56, label %336, label %57
+  br i1 %56, label %86, label %57
 
 57:                                               ; preds = %52
   call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %6) #8
@@ -2125,474 +2491,140 @@ define internal fastcc i64 @extend_by(ptr nocapture noundef %0, i64 noundef %1, 
   %59 = load ptr, ptr %58, align 8
   %60 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
   %61 = load ptr, ptr %60, align 8
-  %62 = tail call fastcc i32 @keeps(ptr noundef nonnull %55, ptr noundef %16)
+  %62 = call fastcc i32 @project(ptr noundef nonnull %55, ptr noundef %59, ptr noundef %61, ptr noundef %16, ptr noundef nonnull %6)
   %63 = icmp eq i32 %62, 0
-  br i1 %63, label %64, label %314
+  br i1 %63, label %155, label %64
 
 64:                                               ; preds = %57
-  %65 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 6
-  %66 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 7
-  %67 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 2
-  %68 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 4
-  %69 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 1
-  %70 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 5
-  %71 = getelementptr inbounds %struct.Constraints, ptr %55, i64 0, i32 3
-  %72 = load ptr, ptr %66, align 8
-  %73 = load i64, ptr %55, align 8
-  %74 = load i64, ptr %67, align 8
-  br label %75
+  %65 = load i64, ptr %0, align 8
+  %66 = icmp sgt i64 %65, 0
+  br i1 %66, label %67, label %79
 
-75:                                               ; preds = %303, %64
-  %76 = phi i64 [ %74, %64 ], [ %107, %303 ]
-  %77 = phi i64 [ %73, %64 ], [ %239, %303 ]
-  %78 = phi ptr [ %72, %64 ], [ %153, %303 ]
-  %79 = phi i1 [ false, %64 ], [ %305, %303 ]
-  %80 = phi i32 [ 0, %64 ], [ %304, %303 ]
-  %81 = phi double [ 0.000000e+00, %64 ], [ %146, %303 ]
-  %82 = load ptr, ptr %65, align 8
-  %83 = getelementptr inbounds double, ptr %78, i64 12
-  %84 = mul nsw i64 %77, 6
-  %85 = getelementptr inbounds double, ptr %83, i64 %84
-  %86 = icmp eq i64 %76, 0
-  br i1 %86, label %93, label %87
+67:                                               ; preds = %64, %67
+  %68 = phi i64 [ %77, %67 ], [ 0, %64 ]
+  %69 = phi double [ %76, %67 ], [ 0.000000e+00, %64 ]
+  %70 = getelementptr inbounds double, ptr %3, i64 %68
+  %71 = load double, ptr %70, align 8
+  %72 = getelementptr inbounds double, ptr %16, i64 %68
+  %73 = load double, ptr %72, align 8
+  %74 = fsub double %71, %73
+  %75 = fmul double %74, %74
+  %76 = fadd double %69, %75
+  %77 = add nuw nsw i64 %68, 1
+  %78 = icmp eq i64 %77, %65
+  br i1 %78, label %79, label %67
 
-87:                                               ; preds = %75
-  %88 = load ptr, ptr %68, align 8
-  %89 = tail call i32 %88(ptr noundef %16, ptr noundef %78, i64 noundef 1) #8
-  %90 = icmp eq i32 %89, 0
-  br i1 %90, label %91, label %405
-
-91:                                               ; preds = %87
-  %92 = load i64, ptr %67, align 8
-  br label %93
-
-93:                                               ; preds = %91, %75
-  %94 = phi i64 [ %92, %91 ], [ 0, %75 ]
-  %95 = load i64, ptr %69, align 8
-  %96 = icmp sgt i64 %95, %94
-  br i1 %96, label %97, label %103
-
-97:                                               ; preds = %93
-  %98 = load ptr, ptr %70, align 8
-  %99 = tail call i32 %98(ptr noundef %16, ptr noundef nonnull %85, i64 noundef 1) #8
-  %100 = icmp eq i32 %99, 0
-  br i1 %100, label %101, label %405
-
-101:                                              ; preds = %97
-  %102 = load i64, ptr %69, align 8
-  br label %103
-
-103:                                              ; preds = %101, %93
-  %104 = phi i64 [ %102, %101 ], [ %95, %93 ]
-  %105 = icmp sgt i64 %104, 0
-  br i1 %105, label %106, label %405
-
-106:                                              ; preds = %103
-  %107 = load i64, ptr %67, align 8
-  %108 = icmp eq ptr %82, null
-  br label %109
-
-109:                                              ; preds = %141, %106
-  %110 = phi double [ %81, %106 ], [ %146, %141 ]
-  %111 = phi i64 [ 0, %106 ], [ %148, %141 ]
-  %112 = phi i64 [ -1, %106 ], [ %147, %141 ]
-  %113 = icmp slt i64 %111, %107
-  br i1 %113, label %114, label %131
-
-114:                                              ; preds = %109
-  %115 = load ptr, ptr %71, align 8
-  %116 = mul nsw i64 %111, 13
-  %117 = getelementptr inbounds double, ptr %115, i64 %116
-  %118 = getelementptr inbounds double, ptr %117, i64 12
-  %119 = load double, ptr %118, align 8
-  br label %120
-
-120:                                              ; preds = %120, %114
-  %121 = phi i64 [ 0, %114 ], [ %129, %120 ]
-  %122 = phi double [ %119, %114 ], [ %128, %120 ]
-  %123 = getelementptr inbounds double, ptr %117, i64 %121
-  %124 = load double, ptr %123, align 8
-  %125 = getelementptr inbounds double, ptr %78, i64 %121
-  %126 = load double, ptr %125, align 8
-  %127 = fmul double %124, %126
-  %128 = fadd double %122, %127
-  %129 = add nuw nsw i64 %121, 1
-  %130 = icmp eq i64 %129, 12
-  br i1 %130, label %135, label %120
-
-131:                                              ; preds = %109
-  %132 = sub nsw i64 %111, %107
-  %133 = getelementptr inbounds double, ptr %85, i64 %132
-  %134 = load double, ptr %133, align 8
-  br label %135
-
-135:                                              ; preds = %120, %131
-  %136 = phi double [ %134, %131 ], [ %128, %120 ]
-  br i1 %108, label %141, label %137
-
-137:                                              ; preds = %135
-  %138 = getelementptr inbounds double, ptr %82, i64 %111
-  %139 = load double, ptr %138, align 8
-  %140 = fsub double %136, %139
-  br label %141
-
-141:                                              ; preds = %137, %135
-  %142 = phi double [ %140, %137 ], [ %136, %135 ]
-  %143 = icmp slt i64 %112, 0
-  %144 = fcmp ult double %142, %110
-  %145 = select i1 %143, i1 true, i1 %144
-  %146 = select i1 %145, double %142, double %110
-  %147 = select i1 %145, i64 %111, i64 %112
-  %148 = add nuw nsw i64 %111, 1
-  %149 = icmp eq i64 %148, %104
-  br i1 %149, label %150, label %109
-
-150:                                              ; preds = %141
-  %151 = fcmp ult double %146, 0.000000e+00
-  br i1 %151, label %152, label %307
-
-152:                                              ; preds = %150
-  %153 = load ptr, ptr %66, align 8
-  %154 = getelementptr inbounds double, ptr %153, i64 12
-  %155 = icmp slt i64 %147, %107
-  br i1 %155, label %168, label %156
-
-156:                                              ; preds = %152
-  %157 = load i64, ptr %55, align 8
-  %158 = icmp sgt i64 %157, 0
-  br i1 %158, label %159, label %307
-
-159:                                              ; preds = %156
-  %160 = mul nsw i64 %157, 6
-  %161 = getelementptr inbounds double, ptr %154, i64 %160
-  %162 = sub nsw i64 %104, %107
-  %163 = getelementptr inbounds double, ptr %161, i64 %162
-  %164 = sub nsw i64 %147, %107
-  %165 = mul nsw i64 %157, %164
-  %166 = getelementptr double, ptr %163, i64 %165
-  %167 = shl nuw i64 %157, 3
-  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 16 %6, ptr align 8 %166, i64 %167, i1 false)
-  br label %238
-
-168:                                              ; preds = %152
-  %169 = load ptr, ptr %71, align 8
-  %170 = mul nsw i64 %147, 13
-  %171 = getelementptr inbounds double, ptr %169, i64 %170
-  %172 = load i64, ptr %55, align 8
-  %173 = icmp sgt i64 %172, 0
-  br i1 %173, label %174, label %307
-
-174:                                              ; preds = %168
-  %175 = getelementptr inbounds double, ptr %171, i64 1
-  %176 = getelementptr inbounds double, ptr %171, i64 2
-  %177 = load double, ptr %171, align 8
-  %178 = load double, ptr %175, align 8
-  %179 = load double, ptr %176, align 8
-  br label %180
-
-180:                                              ; preds = %201, %174
-  %181 = phi i64 [ 0, %174 ], [ %202, %201 ]
-  %182 = mul nuw nsw i64 %181, 6
-  %183 = getelementptr inbounds double, ptr %154, i64 %182
-  %184 = getelementptr inbounds double, ptr %183, i64 3
-  %185 = load double, ptr %183, align 8
-  %186 = fmul double %177, %185
-  %187 = getelementptr inbounds double, ptr %183, i64 1
-  %188 = load double, ptr %187, align 8
-  %189 = fmul double %178, %188
-  %190 = fadd double %186, %189
-  %191 = getelementptr inbounds double, ptr %183, i64 2
-  %192 = load double, ptr %191, align 8
-  %193 = fmul double %179, %192
-  %194 = fadd double %190, %193
-  %195 = getelementptr inbounds double, ptr %6, i64 %181
-  %196 = getelementptr inbounds double, ptr %184, i64 1
-  %197 = getelementptr inbounds double, ptr %184, i64 2
-  %198 = load double, ptr %196, align 8
-  %199 = load double, ptr %197, align 8
-  %200 = load double, ptr %184, align 8
-  br label %204
-
-201:                                              ; preds = %204
-  store double %233, ptr %195, align 8
-  %202 = add nuw nsw i64 %181, 1
-  %203 = icmp eq i64 %202, %172
-  br i1 %203, label %236, label %180
-
-204:                                              ; preds = %204, %180
-  %205 = phi double [ %194, %180 ], [ %233, %204 ]
-  %206 = phi i64 [ 3, %180 ], [ %234, %204 ]
-  %207 = getelementptr inbounds double, ptr %153, i64 %206
-  %208 = getelementptr inbounds double, ptr %171, i64 %206
-  %209 = load double, ptr %208, align 8
-  %210 = getelementptr inbounds double, ptr %207, i64 2
-  %211 = load double, ptr %210, align 8
-  %212 = fmul double %198, %211
-  %213 = getelementptr inbounds double, ptr %207, i64 1
-  %214 = load double, ptr %213, align 8
-  %215 = fmul double %199, %214
-  %216 = fsub double %212, %215
-  %217 = fmul double %209, %216
-  %218 = getelementptr inbounds double, ptr %208, i64 1
-  %219 = load double, ptr %218, align 8
-  %220 = load double, ptr %207, align 8
-  %221 = fmul double %199, %220
-  %222 = fmul double %211, %200
-  %223 = fsub double %221, %222
-  %224 = fmul double %219, %223
-  %225 = fadd double %217, %224
-  %226 = getelementptr inbounds double, ptr %208, i64 2
-  %227 = load double, ptr %226, align 8
-  %228 = fmul double %214, %200
-  %229 = fmul double %198, %220
-  %230 = fsub double %228, %229
-  %231 = fmul double %227, %230
-  %232 = fadd double %231, %225
-  %233 = fadd double %205, %232
-  %234 = add nuw nsw i64 %206, 3
-  %235 = icmp ult i64 %206, 9
-  br i1 %235, label %204, label %201
-
-236:                                              ; preds = %201
-  %237 = icmp sgt i64 %172, 0
-  br i1 %237, label %238, label %307
-
-238:                                              ; preds = %159, %236
-  %239 = phi i64 [ %157, %159 ], [ %172, %236 ]
-  br label %244
-
-240:                                              ; preds = %264
-  %241 = fcmp ogt double %267, 0x3D719799812DEA11
-  br i1 %241, label %242, label %307
-
-242:                                              ; preds = %240
-  %243 = fneg double %146
-  br label %276
-
-244:                                              ; preds = %238, %264
-  %245 = phi i64 [ %268, %264 ], [ 0, %238 ]
-  %246 = phi double [ %267, %264 ], [ 0.000000e+00, %238 ]
-  %247 = getelementptr inbounds double, ptr %16, i64 %245
-  %248 = load double, ptr %247, align 8
-  %249 = getelementptr inbounds double, ptr %59, i64 %245
-  %250 = load double, ptr %249, align 8
-  %251 = fcmp ole double %248, %250
-  %252 = getelementptr inbounds double, ptr %6, i64 %245
-  %253 = load double, ptr %252, align 8
-  %254 = fcmp olt double %253, 0.000000e+00
-  %255 = select i1 %251, i1 %254, i1 false
-  br i1 %255, label %262, label %256
-
-256:                                              ; preds = %244
-  %257 = getelementptr inbounds double, ptr %61, i64 %245
-  %258 = load double, ptr %257, align 8
-  %259 = fcmp oge double %248, %258
-  %260 = fcmp ogt double %253, 0.000000e+00
-  %261 = select i1 %259, i1 %260, i1 false
-  br i1 %261, label %262, label %264
-
-262:                                              ; preds = %244, %256
-  %263 = getelementptr inbounds double, ptr %6, i64 %245
-  store double 0.000000e+00, ptr %263, align 8
-  br label %264
-
-264:                                              ; preds = %262, %256
-  %265 = phi double [ 0.000000e+00, %262 ], [ %253, %256 ]
-  %266 = fmul double %265, %265
-  %267 = fadd double %246, %266
-  %268 = add nuw nsw i64 %245, 1
-  %269 = icmp eq i64 %268, %239
-  br i1 %269, label %240, label %244
-
-270:                                              ; preds = %276
-  %271 = fcmp ogt double %284, 5.000000e-01
-  %272 = fdiv double 5.000000e-01, %284
-  %273 = select i1 %271, double %272, double 1.000000e+00
-  %274 = fmul double %273, %243
-  %275 = fdiv double %274, %267
-  br label %287
-
-276:                                              ; preds = %276, %242
-  %277 = phi i64 [ 0, %242 ], [ %285, %276 ]
-  %278 = phi double [ 0.000000e+00, %242 ], [ %284, %276 ]
-  %279 = getelementptr inbounds double, ptr %6, i64 %277
-  %280 = load double, ptr %279, align 8
-  %281 = tail call double @llvm.fabs.f64(double %280)
-  %282 = fmul double %281, %243
-  %283 = fdiv double %282, %267
-  %284 = tail call double @llvm.maxnum.f64(double %278, double %283)
-  %285 = add nuw nsw i64 %277, 1
-  %286 = icmp eq i64 %285, %239
-  br i1 %286, label %270, label %276
-
-287:                                              ; preds = %270, %287
-  %288 = phi i64 [ %301, %287 ], [ 0, %270 ]
-  %289 = getelementptr inbounds double, ptr %16, i64 %288
-  %290 = load double, ptr %289, align 8
-  %291 = getelementptr inbounds double, ptr %6, i64 %288
-  %292 = load double, ptr %291, align 8
-  %293 = fmul double %275, %292
-  %294 = fadd double %290, %293
-  %295 = getelementptr inbounds double, ptr %59, i64 %288
-  %296 = load double, ptr %295, align 8
-  %297 = tail call double @llvm.maxnum.f64(double %294, double %296)
-  %298 = getelementptr inbounds double, ptr %61, i64 %288
-  %299 = load double, ptr %298, align 8
-  %300 = tail call double @llvm.minnum.f64(double %297, double %299)
-  store double %300, ptr %289, align 8
-  %301 = add nuw nsw i64 %288, 1
-  %302 = icmp eq i64 %301, %239
-  br i1 %302, label %303, label %287
-
-303:                                              ; preds = %287
-  %304 = add nuw nsw i32 %80, 1
-  %305 = icmp ugt i32 %80, 38
-  %306 = icmp eq i32 %304, 40
-  br i1 %306, label %309, label %75
-
-307:                                              ; preds = %240, %236, %168, %156, %150
-  %308 = phi i32 [ 0, %240 ], [ 1, %150 ], [ 0, %236 ], [ 0, %156 ], [ 0, %168 ]
-  br i1 %79, label %309, label %311
-
-309:                                              ; preds = %303, %307
-  %310 = tail call fastcc i32 @keeps(ptr noundef nonnull %55, ptr noundef %16)
-  br label %311
-
-311:                                              ; preds = %307, %309
-  %312 = phi i32 [ %310, %309 ], [ %308, %307 ]
-  %313 = icmp eq i32 %312, 0
-  br i1 %313, label %405, label %314
-
-314:                                              ; preds = %57, %311
-  %315 = load i64, ptr %0, align 8
-  %316 = icmp sgt i64 %315, 0
-  br i1 %316, label %317, label %329
-
-317:                                              ; preds = %314, %317
-  %318 = phi i64 [ %327, %317 ], [ 0, %314 ]
-  %319 = phi double [ %326, %317 ], [ 0.000000e+00, %314 ]
-  %320 = getelementptr inbounds double, ptr %3, i64 %318
-  %321 = load double, ptr %320, align 8
-  %322 = getelementptr inbounds double, ptr %16, i64 %318
-  %323 = load double, ptr %322, align 8
-  %324 = fsub double %321, %323
-  %325 = fmul double %324, %324
-  %326 = fadd double %319, %325
-  %327 = add nuw nsw i64 %318, 1
-  %328 = icmp eq i64 %327, %315
-  br i1 %328, label %329, label %317
-
-329:                                              ; preds = %317, %314
-  %330 = phi double [ 0.000000e+00, %314 ], [ %326, %317 ]
-  %331 = tail call double @llvm.sqrt.f64(double %330)
-  %332 = fsub double %53, %331
-  %333 = tail call double @llvm.minnum.f64(double %53, double %4)
-  %334 = fmul double %333, 2.500000e-01
-  %335 = fcmp ult double %332, %334
+79:                                               ; preds = %67, %64
+  %80 = phi double [ 0.000000e+00, %64 ], [ %76, %67 ]
+  %81 = tail call double @llvm.sqrt.f64(double %80)
+  %82 = fsub double %53, %81
+  %83 = tail call double @llvm.minnum.f64(double %53, double %4)
+  %84 = fmul double %83, 2.500000e-01
+  %85 = fcmp ult double %82, %84
   call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %6) #8
-  br i1 %335, label %406, label %336
+  br i1 %85, label %156, label %86
 
-336:                                              ; preds = %329, %52
+86:                                               ; preds = %79, %52
   call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %7) #8
-  %337 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %1
-  %338 = load ptr, ptr %337, align 8
-  %339 = getelementptr inbounds %struct.Side, ptr %338, i64 %2
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %7, ptr noundef nonnull align 8 dereferenceable(16) %339, i64 16, i1 false)
-  %340 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21
-  %341 = load double, ptr %340, align 8
-  %342 = fcmp olt double %341, 0x7FF0000000000000
-  br i1 %342, label %343, label %382
+  %87 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %1
+  %88 = load ptr, ptr %87, align 8
+  %89 = getelementptr inbounds %struct.Side, ptr %88, i64 %2
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %7, ptr noundef nonnull align 8 dereferenceable(16) %89, i64 16, i1 false)
+  %90 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 21
+  %91 = load double, ptr %90, align 8
+  %92 = fcmp olt double %91, 0x7FF0000000000000
+  br i1 %92, label %93, label %132
 
-343:                                              ; preds = %336
-  %344 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %1
-  %345 = load ptr, ptr %344, align 8
-  %346 = getelementptr inbounds double, ptr %345, i64 %2
-  %347 = load double, ptr %346, align 8
-  %348 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23
-  %349 = load ptr, ptr %348, align 8
-  %350 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24
-  %351 = load ptr, ptr %350, align 8
-  %352 = tail call double %349(ptr noundef %351, ptr noundef %12, ptr noundef %16) #8
-  %353 = fadd double %347, %352
-  %354 = load ptr, ptr %344, align 8
-  %355 = getelementptr inbounds double, ptr %354, i64 %14
-  store double %353, ptr %355, align 8
-  %356 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
-  %357 = load double, ptr %356, align 8
-  %358 = sub nsw i64 1, %1
-  %359 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %358
-  %360 = load ptr, ptr %359, align 8
-  %361 = load i64, ptr %0, align 8
-  %362 = icmp sgt i64 %361, 0
-  br i1 %362, label %363, label %375
+93:                                               ; preds = %86
+  %94 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 30, i64 %1
+  %95 = load ptr, ptr %94, align 8
+  %96 = getelementptr inbounds double, ptr %95, i64 %2
+  %97 = load double, ptr %96, align 8
+  %98 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 23
+  %99 = load ptr, ptr %98, align 8
+  %100 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 24
+  %101 = load ptr, ptr %100, align 8
+  %102 = tail call double %99(ptr noundef %101, ptr noundef %12, ptr noundef %16) #8
+  %103 = fadd double %97, %102
+  %104 = load ptr, ptr %94, align 8
+  %105 = getelementptr inbounds double, ptr %104, i64 %14
+  store double %103, ptr %105, align 8
+  %106 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 22
+  %107 = load double, ptr %106, align 8
+  %108 = sub nsw i64 1, %1
+  %109 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 27, i64 %108
+  %110 = load ptr, ptr %109, align 8
+  %111 = load i64, ptr %0, align 8
+  %112 = icmp sgt i64 %111, 0
+  br i1 %112, label %113, label %125
 
-363:                                              ; preds = %343, %363
-  %364 = phi i64 [ %373, %363 ], [ 0, %343 ]
-  %365 = phi double [ %372, %363 ], [ 0.000000e+00, %343 ]
-  %366 = getelementptr inbounds double, ptr %360, i64 %364
-  %367 = load double, ptr %366, align 8
-  %368 = getelementptr inbounds double, ptr %16, i64 %364
-  %369 = load double, ptr %368, align 8
-  %370 = fsub double %367, %369
-  %371 = fmul double %370, %370
-  %372 = fadd double %365, %371
-  %373 = add nuw nsw i64 %364, 1
-  %374 = icmp eq i64 %373, %361
-  br i1 %374, label %375, label %363
+113:                                              ; preds = %93, %113
+  %114 = phi i64 [ %123, %113 ], [ 0, %93 ]
+  %115 = phi double [ %122, %113 ], [ 0.000000e+00, %93 ]
+  %116 = getelementptr inbounds double, ptr %110, i64 %114
+  %117 = load double, ptr %116, align 8
+  %118 = getelementptr inbounds double, ptr %16, i64 %114
+  %119 = load double, ptr %118, align 8
+  %120 = fsub double %117, %119
+  %121 = fmul double %120, %120
+  %122 = fadd double %115, %121
+  %123 = add nuw nsw i64 %114, 1
+  %124 = icmp eq i64 %123, %111
+  br i1 %124, label %125, label %113
 
-375:                                              ; preds = %363, %343
-  %376 = phi double [ 0.000000e+00, %343 ], [ %372, %363 ]
-  %377 = tail call double @llvm.sqrt.f64(double %376)
-  %378 = fmul double %357, %377
-  %379 = fadd double %353, %378
-  %380 = load double, ptr %340, align 8
-  %381 = fcmp olt double %379, %380
-  br i1 %381, label %382, label %403
+125:                                              ; preds = %113, %93
+  %126 = phi double [ 0.000000e+00, %93 ], [ %122, %113 ]
+  %127 = tail call double @llvm.sqrt.f64(double %126)
+  %128 = fmul double %107, %127
+  %129 = fadd double %103, %128
+  %130 = load double, ptr %90, align 8
+  %131 = fcmp olt double %129, %130
+  br i1 %131, label %132, label %153
 
-382:                                              ; preds = %375, %336
-  %383 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
-  %384 = load i64, ptr %383, align 8
-  %385 = icmp eq i64 %384, 0
-  br i1 %385, label %392, label %386
+132:                                              ; preds = %125, %86
+  %133 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %134 = load i64, ptr %133, align 8
+  %135 = icmp eq i64 %134, 0
+  br i1 %135, label %142, label %136
 
-386:                                              ; preds = %382
-  %387 = sub nsw i64 1, %1
-  %388 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %387
-  %389 = load ptr, ptr %388, align 8
-  %390 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %12, ptr noundef %16, ptr noundef nonnull %7, ptr noundef %389)
-  %391 = icmp eq i32 %390, 0
-  br i1 %391, label %403, label %392
+136:                                              ; preds = %132
+  %137 = sub nsw i64 1, %1
+  %138 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 29, i64 %137
+  %139 = load ptr, ptr %138, align 8
+  %140 = call fastcc i32 @carry(ptr noundef nonnull %0, ptr noundef %12, ptr noundef %16, ptr noundef nonnull %7, ptr noundef %139)
+  %141 = icmp eq i32 %140, 0
+  br i1 %141, label %153, label %142
 
-392:                                              ; preds = %386, %382
-  %393 = tail call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef %12, ptr noundef %16)
-  %394 = icmp eq i32 %393, 0
-  br i1 %394, label %403, label %395
+142:                                              ; preds = %136, %132
+  %143 = tail call fastcc i32 @motion_is_free(ptr noundef nonnull %0, ptr noundef %12, ptr noundef %16)
+  %144 = icmp eq i32 %143, 0
+  br i1 %144, label %153, label %145
 
-395:                                              ; preds = %392
-  %396 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 28, i64 %1
-  %397 = load ptr, ptr %396, align 8
-  %398 = getelementptr inbounds i64, ptr %397, i64 %14
-  store i64 %2, ptr %398, align 8
-  %399 = load ptr, ptr %337, align 8
-  %400 = getelementptr inbounds %struct.Side, ptr %399, i64 %14
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %400, ptr noundef nonnull align 8 dereferenceable(16) %7, i64 16, i1 false)
-  %401 = load i64, ptr %13, align 8
-  %402 = add nsw i64 %401, 1
-  store i64 %402, ptr %13, align 8
-  br label %403
+145:                                              ; preds = %142
+  %146 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 28, i64 %1
+  %147 = load ptr, ptr %146, align 8
+  %148 = getelementptr inbounds i64, ptr %147, i64 %14
+  store i64 %2, ptr %148, align 8
+  %149 = load ptr, ptr %87, align 8
+  %150 = getelementptr inbounds %struct.Side, ptr %149, i64 %14
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %150, ptr noundef nonnull align 8 dereferenceable(16) %7, i64 16, i1 false)
+  %151 = load i64, ptr %13, align 8
+  %152 = add nsw i64 %151, 1
+  store i64 %152, ptr %13, align 8
+  br label %153
 
-403:                                              ; preds = %392, %386, %375, %395
-  %404 = phi i64 [ %14, %395 ], [ -1, %375 ], [ -1, %386 ], [ -1, %392 ]
+153:                                              ; preds = %142, %136, %125, %145
+  %154 = phi i64 [ %14, %145 ], [ -1, %125 ], [ -1, %136 ], [ -1, %142 ]
   call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %7) #8
-  br label %406
+  br label %156
 
-405:                                              ; preds = %87, %97, %103, %311
+155:                                              ; preds = %57
   call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %6) #8
-  br label %406
+  br label %156
 
-406:                                              ; preds = %405, %329, %403
-  %407 = phi i64 [ %404, %403 ], [ -1, %329 ], [ -1, %405 ]
-  ret i64 %407
+156:                                              ; preds = %155, %79, %153
+  %157 = phi i64 [ %154, %153 ], [ -1, %79 ], [ -1, %155 ]
+  ret i64 %157
 }
 
 declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #5

@@ -10,7 +10,8 @@ typedef struct {
     const double *weights;  /* (of_tool, POSE + 1) weights of position and columns of the rotation, and what is added */
     int (*tool)(const double *, double *, long); /* pose, and Jacobian (n, 6), of configurations (count, n) */
     int (*own)(const double *, double *, long);  /* the other rows, and then their gradients */
-    const double *aim;      /* (rows) values that a projection leads to */
+    const double *least;    /* (rows) values that configurations keep */
+    const double *aim;      /* (rows) larger ones, to which a projection leads */
     double *work;           /* (POSE + 6 n + (rows + 1)(n + 1)) */
 } Constraints;
 
@@ -33,8 +34,8 @@ static void gradient_of(const Constraints *c, long row, double *out) {
     }
 }
 
-/* The row at q whose value is least beyond `aim`, or beyond 0 where aim is null; `value` is that. -1: q cannot be evaluated. */
-static long worst_row(const Constraints *c, const double *q, const double *aim, double *value) {
+/* The row at q whose value is least beyond `wanted` (rows); `value` is that. -1: q cannot be evaluated. */
+static long worst_row(const Constraints *c, const double *q, const double *wanted, double *value) {
     double *tool = c->work, *own = tool + POSE + 6 * c->n;
     long worst = -1;
     if (c->of_tool && c->tool(q, tool, 1)) return -1;
@@ -46,7 +47,7 @@ static long worst_row(const Constraints *c, const double *q, const double *aim, 
             v = w[POSE];
             for (int k = 0; k < POSE; k++) v += w[k] * tool[k];
         } else v = own[row - c->of_tool];
-        if (aim) v -= aim[row];
+        v -= wanted[row];
         if (worst < 0 || !(v >= *value)) worst = row, *value = v;
     }
     return worst;
@@ -55,7 +56,7 @@ static long worst_row(const Constraints *c, const double *q, const double *aim, 
 /* Whether q keeps all rows. */
 static int keeps(const Constraints *c, const double *q) {
     double value = 0;
-    return worst_row(c, q, 0, &value) >= 0 && value >= 0;
+    return worst_row(c, q, c->least, &value) >= 0 && value >= 0;
 }
 
 /* Move q, where it breaks a row, to where it keeps all, inside low and high (n): by steps that lead the worst row to its aim to

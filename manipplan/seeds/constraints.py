@@ -14,6 +14,8 @@ from manipplan.support.checks import Array
 #: Value to which a projection leads a row that is broken [rad or m]: edges between projected configurations cut corners. At most
 #: this share of the largest value that the row has at random configurations.
 AIM, SHARE = 0.02, 0.2
+#: Share of that which all checked configurations keep, but no more than start and goal have: a path may come lower between them.
+LEAST = 0.1
 #: Number of those.
 SAMPLES = 200
 P, N = ctypes.c_void_p, ctypes.c_long
@@ -24,7 +26,7 @@ class _Constraints(ctypes.Structure):
 
     _fields_ = [
         *((name, N) for name in ("n", "rows", "of_tool")),
-        *((name, P) for name in ("weights", "tool", "own", "aim", "work")),
+        *((name, P) for name in ("weights", "tool", "own", "least", "aim", "work")),
     ]
 
 
@@ -37,13 +39,17 @@ class SearchConstraints:
 
     @classmethod
     def of(
-        cls, constraints: ConstraintSet, guarded: Callable[[Callable[[int, int, int], int]], Any]
+        cls, constraints: ConstraintSet, ends: Array, guarded: Callable[[Callable[[int, int, int], int]], Any]
     ) -> "SearchConstraints | None":
-        """The rows of constraints; None where there are only held joints. `guarded` makes functions that C can call back."""
+        """The rows of constraints; None where there are only held joints.
+
+        `ends` (2, n) are start and goal, and `guarded` makes functions that C can call back.
+        """
         if not constraints.count:
             return None
         n, own = constraints.robot.n, constraints.own
         weights, aim = np.ascontiguousarray(constraints.weights), _aim(constraints)
+        least = np.minimum(LEAST * aim, constraints.values(ends).min(axis=0))
         work = np.empty(POSE + 6 * n + (constraints.count + 1) * (n + 1))
         tool, others = None, None
         if constraints.tool is not None:
@@ -58,10 +64,11 @@ class SearchConstraints:
             weights=weights.ctypes.data,
             tool=None if tool is None else ctypes.cast(tool, P),
             own=None if others is None else ctypes.cast(others, P),
+            least=least.ctypes.data,
             aim=aim.ctypes.data,
             work=work.ctypes.data,
         )
-        return cls(data=data, kept=(weights, aim, work, tool, others))
+        return cls(data=data, kept=(weights, least, aim, work, tool, others))
 
     @property
     def address(self) -> int:

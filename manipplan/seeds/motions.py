@@ -144,7 +144,9 @@ class MotionCheck:
             for root, values in zip(self.root_sides, sides.values(self.roots), strict=True):
                 root["positive"], root["known"] = bits[values >= sides.zero].sum(), bits[np.abs(values) >= sides.zero].sum()
         self._decide, self._values = _DECIDE(self._ask), _batch(sides, self)
-        self._constraints = None if task.constraints is None else SearchConstraints.of(task.constraints, self.guarded)
+        self._constraints = None
+        if task.constraints is not None:
+            self._constraints = SearchConstraints.of(task.constraints, self.roots, self.guarded)
         self._q: Any = (D * (2 * self.n))()
         self._kept = vectors, kernel
         self.data = Search(

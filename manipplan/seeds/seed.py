@@ -25,7 +25,7 @@ from manipplan.kinematics.sides import sides_of
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.smooth import rounded
 from manipplan.robots.robot import Robot
-from manipplan.seeds.acceptance import acceptance, crossing_limit, is_free, looks_free
+from manipplan.seeds.acceptance import acceptance, crossing_limit, is_free, keeps_constraints, looks_free
 from manipplan.seeds.connect import TreeSearch
 from manipplan.seeds.motions import Level, can_check
 from manipplan.seeds.ompl import OmplSearch
@@ -48,6 +48,8 @@ LEVELS = (
     Level(step=0.02, margin=0.0),
 )
 FINER = (1.0, 0.3, 0.1)
+#: The same with constraints, which change more between two checks than distances do.
+CONSTRAINED_FINER = FINER[1:]
 #: Checks of the search for a path with the fewest crossings, and of the one that allows `MORE` of them.
 FEWEST_CHECKS, MORE_CHECKS, MORE = 100_000, 50_000, 2
 #: Maximum motion of a joint from start to goal [rad or m]: a path is checked in steps of down to a thousandth of that unit.
@@ -231,6 +233,8 @@ class _Finder:
         for found in self._waypoints(task):
             apart = np.abs(np.diff(found, axis=0)).max(axis=1) > 1e-9
             waypoints = np.vstack([found[:-1][apart], found[-1:]])
+            if not keeps_constraints(task, JointPath.through(waypoints)):
+                continue
             points = waypoints if self.compiled else _shortened(waypoints, accept_in_time, cost)
             path = self._smooth(points, accept, lambda path: looks_free(task, path))
             if path is None and accept(JointPath.through(points)):
@@ -272,7 +276,7 @@ class _Finder:
             limited = replace(task, checks=self.checks) if optimises else task
             search = OmplSearch(task=limited, planner=self.planner, integral=self.integral)
             levels = LEVELS[-1:] if optimises else LEVELS  # an optimising planner does not check a motion again
-        for share in FINER:
+        for share in FINER if task.constraints is None else CONSTRAINED_FINER:
             waypoints = search.run([replace(level, step=share * level.step) for level in levels])
             if waypoints is None:
                 return

@@ -107,8 +107,9 @@ class ConstraintSearch:
             low, at_low = np.where(falls, s, low), np.where(falls, found, at_low / (1 + ~falls))
             high, at_high = np.where(falls, high, s), np.where(falls, at_high / (1 + falls), found)
             steep = at_high - at_low
-            s = np.where(steep > 0, (low * at_high - high * at_low) / np.where(steep > 0, steep, 1.0), (low + high) / 2)
-        return np.asarray(np.clip(s, low, high))
+            guess = np.where(steep > 0, (low * at_high - high * at_low) / np.where(steep > 0, steep, 1.0), (low + high) / 2)
+            s = np.clip(guess, low, high)
+        return s
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
