@@ -16,6 +16,11 @@ import gc
 from manipplan.collision.path_clearance import PathClearance
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, PointCloud, Sphere
+from manipplan.constraints.box import PositionBox
+from manipplan.constraints.constraint import Constraint, SymbolicPose
+from manipplan.constraints.figures import ConstraintFigure
+from manipplan.constraints.held import HeldJoints
+from manipplan.constraints.tilt import TiltLimit
 from manipplan.cost.crossings import Crossing
 from manipplan.cost.integral import PathCost, path_cost
 from manipplan.cost.objective import PathObjective
@@ -101,6 +106,8 @@ __all__ = [
     "CompilerWarning",
     "Completeness",
     "ConditionNumber",
+    "Constraint",
+    "ConstraintFigure",
     "Controller",
     "Crossing",
     "Cylinder",
@@ -113,6 +120,7 @@ __all__ = [
     "FrobeniusNorm",
     "GoalCandidate",
     "GuilamoResult",
+    "HeldJoints",
     "InvalidInputError",
     "InverseCondition",
     "Isotropy",
@@ -146,6 +154,7 @@ __all__ = [
     "PlanningError",
     "PointCloud",
     "PoseGoal",
+    "PositionBox",
     "Posture",
     "Problem",
     "Refinement",
@@ -163,7 +172,9 @@ __all__ = [
     "StepReport",
     "StepStatus",
     "StiffnessProfile",
+    "SymbolicPose",
     "Task",
+    "TiltLimit",
     "Tolerance",
     "Tracking",
     "Trajectory",

@@ -7,7 +7,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.constraints.constraint import Constraint
+from manipplan.constraints.constraint import Constraint, SymbolicPose
 from manipplan.support.checks import Array, pose_matrix
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
@@ -57,9 +57,9 @@ class PositionBox(Constraint):
         frame = "" if self.pose is None else ", in its frame"
         return f"tool position {', '.join(walls)} m{frame}"
 
-    def rows(self, q: ca.SX, position: ca.SX, rotation: ca.SX) -> ca.SX:
+    def rows(self, at: SymbolicPose) -> ca.SX:
         walls = self.tool_rows()
-        return ca.DM(walls[:, :3]) @ position + ca.DM(walls[:, -1])
+        return ca.DM(walls[:, :3]) @ at.position + ca.DM(walls[:, -1])
 
     def tool_rows(self) -> Array:
         frame = np.eye(4) if self.pose is None else np.array(self.pose)

@@ -2,6 +2,7 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import casadi as ca
 
@@ -11,6 +12,21 @@ from manipplan.support.errors import InvalidInputError
 
 #: Value of a row, negative, up to which it counts as kept [rad or m].
 KEPT = 1e-6
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SymbolicPose:
+    """A configuration as symbols, and the pose of the tool there.
+
+    Attributes:
+        q: (n, 1) joint values [rad or m].
+        position: (3, 1) of the tool in the world [m].
+        rotation: (3, 3) of the tool in the world.
+    """
+
+    q: ca.SX
+    position: ca.SX
+    rotation: ca.SX
 
 
 class Constraint(ABC):
@@ -30,14 +46,8 @@ class Constraint(ABC):
         """What messages and reports call it."""
 
     @abstractmethod
-    def rows(self, q: ca.SX, position: ca.SX, rotation: ca.SX) -> ca.SX:
-        """The rows (r, 1), as expressions of the configuration.
-
-        Args:
-            q: (n, 1) joint values [rad or m].
-            position: (3, 1) of the tool in the world [m].
-            rotation: (3, 3) of the tool in the world.
-        """
+    def rows(self, at: SymbolicPose) -> ca.SX:
+        """The rows (r, 1), as expressions of the configuration."""
 
     def figure(self, value: float) -> str:
         """What the smallest value of its rows means, for messages and reports."""
@@ -50,7 +60,7 @@ class Constraint(ABC):
         """
         return None
 
-    def check(self, robot: Robot) -> None:
+    def check(self, robot: Robot) -> None:  # noqa: B027  # most constraints fit every robot
         """Raise InvalidInputError where the constraint does not fit the robot."""
 
 

@@ -8,7 +8,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.constraints.constraint import KEPT, Constraint, constraint_tuple
+from manipplan.constraints.constraint import KEPT, Constraint, SymbolicPose, constraint_tuple
 from manipplan.constraints.held import HeldJoints
 from manipplan.constraints.tilt import TiltLimit, contradiction
 from manipplan.constraints.tool_frame import POSE, ToolFrame, tool_frame
@@ -35,9 +35,10 @@ class OwnRows:
     def of(cls, robot: Robot, constraints: Sequence[Constraint]) -> tuple["OwnRows", list[int]]:
         """The rows of all of them, and the number of rows of each; raises InvalidInputError for anything but a column."""
         chain = chain_of(robot, "auto")
+        at = SymbolicPose(q=chain.q, position=chain.tool.origin, rotation=chain.tool.rotation)
         columns = []
         for each in constraints:
-            made = each.rows(chain.q, chain.tool.origin, chain.tool.rotation)
+            made = each.rows(at)
             if not isinstance(made, ca.SX) or made.shape[1] != 1 or not made.shape[0]:
                 raise InvalidInputError("constraints", each.name, "constraints whose rows are a ca.SX (r, 1), r at least 1")
             if set(_names(ca.symvar(made))) - set(_names(ca.symvar(chain.q))):
@@ -133,10 +134,10 @@ class ConstraintSet:
             linear, angular = jacobian[:, :, :3], jacobian[:, :, 3:]
             vectors = pose[:, 3:].reshape(-1, 1, 3, 3)  # column k of the rotation in row k
             turned = np.cross(angular[:, :, None], vectors)  # (m, n, 3, 3)
-            moved = np.concatenate([linear, turned.reshape(len(q), -1, 9)], axis=2)
+            moved = np.concatenate([linear, turned.reshape(len(q), self.robot.n, 9)], axis=2)
             parts.append(np.swapaxes(moved @ self.weights[:, :POSE].T, 1, 2))
         if self.own.count:
-            parts.append(self.own.gradient.by_columns(q).reshape(len(q), self.own.count, -1))
+            parts.append(self.own.gradient.by_columns(q).reshape(len(q), self.own.count, self.robot.n))
         return np.concatenate(parts, axis=1) if parts else np.empty((len(q), 0, self.robot.n))
 
     def hessians(self, q: Array, rows: NDArray[np.intp]) -> Array:

@@ -7,7 +7,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.constraints.constraint import Constraint
+from manipplan.constraints.constraint import Constraint, SymbolicPose
 from manipplan.robots.robot import Robot
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -38,8 +38,8 @@ class HeldJoints(Constraint):
     def name(self) -> str:
         return f"held: {', '.join(self.joints)}"
 
-    def rows(self, q: ca.SX, position: ca.SX, rotation: ca.SX) -> ca.SX:
-        return ca.SX(0, 1)
+    def rows(self, at: SymbolicPose) -> ca.SX:
+        return at.q[:0]  # held joints are left out of the unknowns
 
     def figure(self, value: float) -> str:
         return "not moved" if value == 0 else f"moved by {abs(value):.4g} rad or m"
@@ -49,7 +49,9 @@ class HeldJoints(Constraint):
             if each not in robot.joint_names:
                 raise UnknownNameError("constraints.joints", each, robot.joint_names)
         if len(self.joints) == robot.n:
-            raise InvalidInputError("constraints.joints", list(self.joints), "some of the joints: an arm that holds all is still")
+            raise InvalidInputError(
+                "constraints.joints", list(self.joints), "some of the joints: an arm that holds all is still"
+            )
 
     def mask(self, robot: Robot) -> NDArray[np.bool_]:
         """Which joints (n,) are held."""

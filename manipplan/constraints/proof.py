@@ -1,8 +1,8 @@
 """Whether a path keeps constraints everywhere.
 
-Rows of the tool's pose are proven. Between two places of a path, d apart in s, a row is at least the smaller value of both minus
-M d² / 8, where M bounds its second derivative along the path: joint speeds and accelerations are bounded by control points, and
-the tool's by `ToolFrame.bend`. Intervals are halved until that suffices. Rows of a user's class are sampled.
+Rows of the tool's pose are proven. Between two places of a path, d apart in s, a row is at least the smaller value of both
+minus M d² / 8, where M bounds its second derivative along the path: joint speeds and accelerations are bounded by control
+points, and the tool's by `ToolFrame.bend`. Intervals are halved until that suffices. Rows of a user's class are sampled.
 """
 
 from dataclasses import dataclass
@@ -78,6 +78,7 @@ class _Looks:
 
     def values(self, s: Array) -> Array:
         """The rows (m, r) at s (m,)."""
+        s = np.minimum(s, 1.0)  # sums of widths may end a rounding error beyond
         values = self.constraints.values(self.path(s))
         lowest = values.argmin(axis=0)
         for row, owner in enumerate(self.constraints.owners):

@@ -6,7 +6,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.constraints.constraint import Constraint
+from manipplan.constraints.constraint import Constraint, SymbolicPose
 from manipplan.support.checks import Array, finite_array, number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
@@ -44,9 +44,9 @@ class TiltLimit(Constraint):
     def name(self) -> str:
         return f"tilt of tool axis {_shown(self.axis)} from {_shown(self.direction)}"
 
-    def rows(self, q: ca.SX, position: ca.SX, rotation: ca.SX) -> ca.SX:
+    def rows(self, at: SymbolicPose) -> ca.SX:
         axis, direction = ca.DM(self.axis), ca.DM(self.direction)
-        return (ca.dot(direction, rotation @ axis) - np.cos(self.angle)) / self._scale
+        return (ca.dot(direction, at.rotation @ axis) - np.cos(self.angle)) / self._scale
 
     def tool_rows(self) -> Array:
         axis, direction = np.array(self.axis), np.array(self.direction)

@@ -8,12 +8,14 @@ Infinite ones are strings, since JSON has none.
 import hashlib
 import json
 import logging
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from manipplan.collision.scene import Scene
+from manipplan.constraints.constraint import Constraint
+from manipplan.constraints.stored import constraint_data, constraint_of
 from manipplan.cost.integral import PathCost
 from manipplan.jobs.goals.candidates import GoalCandidate
 from manipplan.jobs.reports.report import PlanReport
@@ -68,6 +70,7 @@ def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None) -
         "tolerance": plan.tolerance,
         "refinement": plan.refinement,
         "deviation": plan.deviation,
+        "constraints": [constraint_data(each) for each in plan.constraints],
         "goal_index": plan.goal_index,
         "candidates": plan.candidates,
     }
@@ -75,6 +78,9 @@ def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None) -
         lost = data.get(part)
         if isinstance(lost, dict) and "missing" in lost:
             log.warning("%s: not written: %s, %s", file, part, lost["missing"])
+    for each in data["constraints"]:
+        if "missing" in each:
+            log.warning("%s: not written: %s", file, each["missing"])
     plain = json_ready(data)
     write_text(file, json.dumps({**plain, "sha256": checksum(plain)}, allow_nan=False) + "\n")
 
@@ -130,6 +136,7 @@ def plan_of(
             "tolerance": _maybe(data["tolerance"], lambda each: from_json(each, Tolerance)),
             "refinement": _maybe(data["refinement"], lambda each: from_json(each, Refinement)),
             "deviation": _maybe(data["deviation"], lambda each: from_json(each, Deviation)),
+            "constraints": _constraints(data.get("constraints", ())),
             "goal_index": int(data.get("goal_index", 0)),  # older files have none
             "candidates": tuple(from_json(each, GoalCandidate) for each in data.get("candidates", ())),
         }
@@ -190,6 +197,14 @@ def _workspace(data: Mapping[str, Any]) -> CartesianPath | None:
         key: stored_array(value) if isinstance(value, list) else value for key, value in data.items() if key != "kind"
     }
     return PATHS[data["kind"]](**values)
+
+
+def _constraints(data: Sequence[Mapping[str, Any]]) -> tuple[Constraint, ...]:
+    """The constraints, without those whose class cannot be stored, which was logged when the plan was saved."""
+    for each in data:
+        if "missing" in each:
+            log.warning("a constraint is missing: %s", each["missing"])
+    return tuple(constraint_of(each) for each in data if "missing" not in each)
 
 
 def _maybe(data: Any, build: Callable[[Any], Any]) -> Any:

@@ -1,11 +1,13 @@
 """check: judges a trajectory, whoever made it."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
+from manipplan.constraints.constraint import Constraint, constraint_tuple
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.reports.measure import measure
 from manipplan.jobs.reports.report import Report
@@ -44,6 +46,7 @@ def check(
     goal: ArrayLike | None = None,
     path: CartesianPath | None = None,
     tolerance: Tolerance | None = None,
+    constraints: Sequence[Constraint] = (),
     clearance: float = 0.0,
     objective: PathObjective = PathObjective(),
     torque: bool = False,
@@ -67,6 +70,8 @@ def check(
             the last; the order in which it passes the others is not judged. With an objective whose task leaves one tool axis
             free, such as Task.pointing(axis), only the direction of this axis counts. None: the tool may move anywhere.
         tolerance: maximum distance of the tool from `path`. Default: 0.1 mm and 1 mrad.
+        constraints: what every configuration has to keep, as in `plan`; held joints keep their first value. Kept means down to
+            -1e-6, proven for the whole motion but for those of your own classes, which are sampled.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         objective: power, task, measure, metric and floor of the g and the manipulability that are reported.
         torque: check the joints' effort limits as well.
@@ -100,6 +105,7 @@ def check(
         goal=last,
         workspace_path=path,
         tolerance=(tolerance or BETWEEN) if path is not None else None,
+        constraints=constraint_tuple(constraints),
         clearance=clearance,
         torque=torque,
     )

@@ -1,5 +1,6 @@
 """plan: a motion from start to goal."""
 
+from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import replace
 from typing import Literal, overload
@@ -8,6 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
+from manipplan.constraints.constraint import Constraint
+from manipplan.constraints.constraint_set import ConstraintSet
+from manipplan.constraints.ends import check_start
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.goals.candidates import find_candidates, measured
 from manipplan.jobs.goals.choice import choose
@@ -56,6 +60,7 @@ def plan(
     goal: Goal,
     scene: Scene | None = ...,
     *,
+    constraints: Sequence[Constraint] = ...,
     objective: PathObjective = ...,
     shape: PathShape = ...,
     seeding: Seeding = ...,
@@ -74,6 +79,7 @@ def plan(
     goal: Goal,
     scene: Scene | None = ...,
     *,
+    constraints: Sequence[Constraint] = ...,
     objective: PathObjective = ...,
     shape: PathShape = ...,
     seeding: Seeding = ...,
@@ -93,6 +99,7 @@ def plan(
     goal: Goal,
     scene: Scene | None = None,
     *,
+    constraints: Sequence[Constraint] = (),
     objective: PathObjective = PathObjective(),
     shape: PathShape = PathShape(),
     seeding: Seeding = Seeding(),
@@ -127,6 +134,9 @@ def plan(
         goal: as `start`; or a pose of the tool in the world, (4, 4) or pin.SE3; or a `PoseGoal`, with a free axis or a
             tolerance; or a list of these, such as a set of grasps.
         scene: obstacles; None: none. The arm is always checked against itself.
+        constraints: what every configuration of the motion keeps: `TiltLimit` for a level tool, `PositionBox`, `HeldJoints`, or
+            a `Constraint` of your own. Start and goal have to keep them, too; of a pose or a list, candidates that do not are
+            left out. Those of the first three classes are proven on the whole motion.
         objective: power, task, measure, metric and floor of g = ∫ ‖q'‖_W / (m² + floor²)^(power/2) ds.
         shape: degree, basis, pieces and end derivatives of the path.
         seeding: how first paths are found, or a given one, for a goal that is one configuration.
@@ -151,8 +161,10 @@ def plan(
     tell = teller(progress)
     targets, is_list = read_goals("goal", goal, robot)
     q_start = named_configuration("start", start, robot)
+    kept = ConstraintSet.of(robot, constraints)
+    check_start(kept, q_start)
     check_timing_limits(robot.limits)
-    draft = PartialPlan(robot=robot, scene=scene, status=Status.NO_PATH)
+    draft = PartialPlan(robot=robot, scene=scene, status=Status.NO_PATH, constraints=kept.constraints)
     compile_ahead(*SOURCES)
 
     def path_to(q: Array, seconds: float, tell: Progress) -> PathResult | str:
@@ -163,6 +175,7 @@ def plan(
                 q_start,
                 q,
                 scene,
+                constraints=kept.constraints,
                 objective=objective,
                 shape=shape,
                 seeding=replace(seeding, time_limit=max(seconds, SHORTEST_TIME)),
@@ -187,7 +200,7 @@ def plan(
         tell(0.0, "preparing collision shapes")
         model = scene.collision_model(robot)
         model.free_configuration("start", q_start, number("clearance", clearance, least=0.0))
-        candidates = find_candidates(targets, q_start, model, integral, clearance)
+        candidates = find_candidates(targets, q_start, model, integral, clearance, kept)
     choice = choose(candidates, path_to, limit - reserve, deadline, part(tell, 0.0, 0.6))
     draft = replace(draft, candidates=choice.candidates, goal_index=choice.goal_index)
     if choice.result is None:
@@ -200,7 +213,14 @@ def plan(
             break
         tell(0.6, f"{other.basis} of degree {other.degree}")
         more = optimize_from(
-            robot, result.seed, scene, objective=objective, shape=other, clearance=clearance, deadline=deadline
+            robot,
+            result.seed,
+            scene,
+            objective=objective,
+            shape=other,
+            constraints=kept.constraints,
+            clearance=clearance,
+            deadline=deadline,
         )
         if more.status is Status.INTERRUPTED:
             raise KeyboardInterrupt

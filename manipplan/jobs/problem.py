@@ -1,6 +1,6 @@
 """Problem: the arguments of one call of `plan`, to be planned together with others."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, fields, replace
 from typing import Any
@@ -8,6 +8,8 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
+from manipplan.constraints.constraint import Constraint
+from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.cost.metric import metric_matrix
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.goals.pose_goal import Goal
@@ -33,7 +35,7 @@ class Problem:
     Problems may share a robot and a scene, and should: each process then prepares them once. `plan_many` checks the values.
 
     Attributes:
-        robot, start, goal, scene, objective, shape, seeding, clearance, torque: the arguments of `plan`.
+        robot, start, goal, scene, constraints, objective, shape, seeding, clearance, torque: the arguments of `plan`.
         name: what the problem is called in messages and progress.
     """
 
@@ -41,6 +43,7 @@ class Problem:
     start: ArrayLike | str
     goal: Goal
     scene: Scene | None = None
+    constraints: Sequence[Constraint] = ()
     objective: PathObjective = PathObjective()
     shape: PathShape = PathShape()
     seeding: Seeding = Seeding()
@@ -71,9 +74,17 @@ def checked(argument: str, problem: Problem) -> Problem:
         problem.shape.ends(robot.n)
         metric_matrix("metric", problem.objective.metric, robot.n)
         problem.objective.kinematics(robot)
+        constraints = ConstraintSet.of(robot, problem.constraints).constraints
         if seeding.initial is not None:
             seeding = replace(seeding, initial=initial_path(robot, seeding.initial))
-        return replace(problem, start=start, goal=goals if is_list else goals[0], seeding=seeding, clearance=clearance)
+        return replace(
+            problem,
+            start=start,
+            goal=goals if is_list else goals[0],
+            seeding=seeding,
+            constraints=constraints,
+            clearance=clearance,
+        )
 
 
 @contextmanager

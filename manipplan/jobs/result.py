@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
+from manipplan.constraints.constraint import Constraint
 from manipplan.jobs.goals.candidates import GoalCandidate
 from manipplan.jobs.reports.measure import measure_plan
 from manipplan.jobs.reports.report import PlanReport
@@ -49,6 +50,7 @@ class PartialPlan(Pictured):
             deviation from the workspace path.
         workspace_path: the path that `follow` follows.
         tolerance: maximum deviation of the tool, for `follow` and `improve`.
+        constraints: for `plan`: what the motion keeps beside limits and clearance.
         goal_index: for `plan`: index of the goal that is reached in the list of goals; 0 for a single goal.
         candidates: for `plan`: the configurations that reach a goal, and what was done with each.
         message: the reason of a failure.
@@ -67,6 +69,7 @@ class PartialPlan(Pictured):
     deviation: Deviation | None = None
     workspace_path: CartesianPath | None = None
     tolerance: Tolerance | None = None
+    constraints: tuple[Constraint, ...] = ()
     goal_index: int = 0
     candidates: tuple[GoalCandidate, ...] = ()
     message: str = ""
@@ -176,7 +179,9 @@ def finish(
     throw: bool,
 ) -> Plan:
     """The plan with its report; its status is CHECK_FAILED if the report does not pass."""
-    report = measure_plan(trajectory, result, model, goal, clearance=clearance, torque=torque, jerk=jerk)
+    report = measure_plan(
+        trajectory, result, model, goal, constraints=draft.constraints, clearance=clearance, torque=torque, jerk=jerk
+    )
     parts = {each.name: getattr(draft, each.name) for each in fields(draft)}
     plan = Plan(**parts | {"path": path, "trajectory": trajectory, "result": result, "report": report})
     return plan if report.passed else check_failed(plan, throw, str(report))

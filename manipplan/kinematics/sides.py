@@ -103,4 +103,3 @@ def _determinant(kinematics: Kinematics) -> ca.Function:
 def _usual(function: ca.Function, robot: Robot) -> Array:
     samples = robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
     return np.array([float(np.abs(np.array(function(ca.DM(samples.T)))).mean())])
-

@@ -11,11 +11,11 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
-from manipplan.cost.crossings import Crossing, describe, find_crossings, least_crossings, with_shares
-from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.constraints.figures import ConstraintFigure, figures
 from manipplan.constraints.proof import prove
+from manipplan.cost.crossings import Crossing, describe, find_crossings, least_crossings, with_shares
+from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.optimize.descents.constraint_rows import ConstraintRows
 from manipplan.optimize.descents.point import DescentProgram
 from manipplan.optimize.descents.rows import LinearRows

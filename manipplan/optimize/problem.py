@@ -380,7 +380,9 @@ def check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: 
         kept = prove(problem.constraint_set, initial)
         if not kept.kept:
             worst = min(figures(problem.constraint_set, kept), key=lambda each: each.least)
-            raise InvalidInputError("initial", f"a path with {worst} at s = {worst.at:.4f}", "a path that keeps the constraints")
+            raise InvalidInputError(
+                "initial", f"a path with {worst} at s = {worst.at:.4f}", "a path that keeps the constraints"
+            )
     proof = path_clearance(model, initial, clearance=problem.clearance, tolerance=None)
     if proof.refuted:
         first, second = proof.pair

@@ -1,4 +1,4 @@
-"""Which paths are accepted as seeds: proven collision-free and within their constraints, with few crossings of singularities."""
+"""Which paths are accepted as seeds: proven free, within constraints, with no more crossings of singularities than allowed."""
 
 import logging
 from collections.abc import Callable

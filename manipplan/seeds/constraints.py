@@ -11,10 +11,10 @@ from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.constraints.tool_frame import POSE
 from manipplan.support.checks import Array
 
-#: Value to which a projection leads a row that is broken [rad or m]: edges between projected configurations cut corners. At most
-#: this share of the largest value that the row has at random configurations.
+#: Value to which a projection leads a row that is broken [rad or m], since edges between such configurations cut corners; at
+#: most this share of the largest value that the row has at random configurations.
 AIM, SHARE = 0.02, 0.2
-#: Share of that which all checked configurations keep, but no more than start and goal have: a path may come lower between them.
+#: Share of that which checked configurations keep, but no more than start and goal have: a path may come lower between them.
 LEAST = 0.1
 #: Number of those.
 SAMPLES = 200
@@ -78,7 +78,7 @@ class SearchConstraints:
 
 def _aim(constraints: ConstraintSet) -> Array:
     q = constraints.robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
-    return np.clip(SHARE * constraints.values(q).max(axis=0), 0.0, AIM)
+    return np.asarray(np.clip(SHARE * constraints.values(q).max(axis=0), 0.0, AIM))
 
 
 def _tool(constraints: ConstraintSet) -> Callable[[int, int, int], int]:
@@ -108,4 +108,5 @@ def _own(constraints: ConstraintSet) -> Callable[[int, int, int], int]:
 
 
 def _array(address: int, rows: int, columns: int) -> Array:
-    return np.ctypeslib.as_array((ctypes.c_double * (rows * columns)).from_address(address)).reshape(rows, columns)
+    numbers: Array = np.ctypeslib.as_array((ctypes.c_double * (rows * columns)).from_address(address))
+    return numbers.reshape(rows, columns)

@@ -300,16 +300,21 @@ def test_what_is_out_of_reach_is_told(panda, pose):
 def test_the_distance_out_of_reach_is_that_beyond_the_arm(planar):
     goal = np.eye(4)
     goal[0, 3] = 3.4
-    found = nearest(planar, [PoseGoal(goal)], planar.neutral)[0]
+    found = nearest(planar, [PoseGoal(goal)], planar.neutral, np.zeros(planar.n, dtype=bool))[0]
     assert found.position == pytest.approx(0.4, abs=1e-3) and found.rotation < 1e-2
-    within = nearest(planar, [PoseGoal(goal, tolerance=mp.Tolerance(position=0.5, rotation=0.1))], planar.neutral)[0]
+    within = nearest(
+        planar,
+        [PoseGoal(goal, tolerance=mp.Tolerance(position=0.5, rotation=0.1))],
+        planar.neutral,
+        np.zeros(planar.n, dtype=bool),
+    )[0]
     assert len(within.reaching) and not len(found.reaching)
 
 
 def test_joints_that_stop_a_pose_are_named(planar):
     arm = planar.with_limits(lower=-0.5, upper=0.5)
     goal = tool_of(planar, [0.4, 0.4, 0.9])
-    found = nearest(arm, [PoseGoal(goal)], arm.neutral)[0]
+    found = nearest(arm, [PoseGoal(goal)], arm.neutral, np.zeros(arm.n, dtype=bool))[0]
     assert "joint3" in found.stopped and "joint3" in str(found)
     with pytest.raises(mp.InvalidInputError, match="with .*joint3.* at a limit"):
         mp.plan(arm, [0.0, 0.1, 0.2], goal)

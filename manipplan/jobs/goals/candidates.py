@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
+from manipplan.constraints.constraint import KEPT
+from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.cost.crossings import least_crossings_to
 from manipplan.cost.integral import PathIntegral, speeds
 from manipplan.jobs.goals.pose_goal import PoseGoal
@@ -75,11 +77,17 @@ class GoalCandidate:
 
 
 def find_candidates(
-    targets: Sequence[Target], start: Array, model: CollisionModel, integral: PathIntegral, clearance: float
+    targets: Sequence[Target],
+    start: Array,
+    model: CollisionModel,
+    integral: PathIntegral,
+    clearance: float,
+    constraints: ConstraintSet,
 ) -> list[GoalCandidate]:
     """All candidates of the goals: the free ones first, the best first, then those that cannot be used, with the reason.
 
-    Raises InvalidInputError where none is free; the message counts the reasons.
+    With held joints, poses are reached by steps of the other joints from `start` and from random configurations. Raises
+    InvalidInputError where no candidate is free; the message counts the reasons.
     """
     robot = model.robot
     given = {k: each.q for k, each in enumerate(targets) if each.q is not None}
@@ -93,18 +101,19 @@ def find_candidates(
         else:
             rows.append(q)
             goals.append(k)
-    solved = {k: pose for k, pose in poses.items() if not _needs_steps(robot, pose)}
+    held = constraints.held
+    solved = {} if held.any() else {k: pose for k, pose in poses.items() if not _needs_steps(robot, pose)}
     found = reaching(robot, solved, start)
     useless += [_outside(k, q, robot) for k, q in beyond_limits(robot, solved)]
     far = [k for k in poses if not (found.goals == k).any()]
-    for k, near in zip(far, nearest(robot, [poses[k] for k in far], start), strict=True):
+    for k, near in zip(far, nearest(robot, [poses[k] for k in far], start, held), strict=True):
         rows += list(nearest_turns(robot, near.reaching, start))
         goals += [k] * len(near.reaching)
         if not len(near.reaching):
             useless.append(GoalCandidate(goal_index=k, q=near.q, status=f"left out: {near}"))
     every = np.concatenate([np.array(rows).reshape(-1, robot.n), found.q])
     index = np.concatenate([np.array(goals, dtype=np.int64), found.goals])
-    reasons = _reasons(every, start, model, clearance)
+    reasons = _reasons(every, start, model, clearance, constraints)
     free = np.array([not reason for reason in reasons], dtype=bool)
     useless += [
         GoalCandidate(goal_index=int(k), q=q, status=reason)
@@ -112,10 +121,10 @@ def find_candidates(
     ]
     best = found.rows(np.flatnonzero(free[len(rows) :]))
     q, index = every[free], index[free]
-    more, of = _refined(best, start, model, integral, clearance)
+    more, of = _refined(best, start, model, integral, clearance, constraints)
     q, index = np.concatenate([q, more]), np.concatenate([index, best.goals[of]])
     if not len(q):
-        raise InvalidInputError(*_nothing_free(targets, useless))
+        raise InvalidInputError(*_nothing_free(targets, useless, ", within the constraints" if constraints.constraints else ""))
     return [*ordered(measured(q, index.tolist(), start, integral)), *useless]
 
 
@@ -176,7 +185,12 @@ def _outside(goal: int, q: Array, robot: Robot) -> GoalCandidate:
 
 
 def _refined(
-    found: Reaching, start: Array, model: CollisionModel, integral: PathIntegral, clearance: float
+    found: Reaching,
+    start: Array,
+    model: CollisionModel,
+    integral: PathIntegral,
+    clearance: float,
+    constraints: ConstraintSet,
 ) -> tuple[Array, NDArray[np.int64]]:
     """Further configurations (k, n) with a larger bound than the best of those found, and the rows they begin at."""
     if not len(found.q):
@@ -185,8 +199,9 @@ def _refined(
     enough = float(kinematics.manipulability(start[None])[0])
 
     def figure(q: Array) -> Array:
-        m = np.where(model.in_collision_rows(q, clearance=clearance + MARGIN), -np.inf, kinematics.manipulability(q))
-        return np.asarray(m)
+        useless = model.in_collision_rows(q, clearance=clearance + MARGIN)
+        useless |= constraints.values(q).min(axis=1, initial=0.0) < 0
+        return np.where(useless, -np.inf, kinematics.manipulability(q))
 
     m = kinematics.manipulability(found.q)
     if m.max() >= enough:
@@ -202,7 +217,7 @@ def _refined(
     return q, rows[of]
 
 
-def _reasons(q: Array, start: Array, model: CollisionModel, clearance: float) -> list[str]:
+def _reasons(q: Array, start: Array, model: CollisionModel, clearance: float, constraints: ConstraintSet) -> list[str]:
     """Why each configuration (k, n) cannot be used; "" for those that can."""
     reasons = [""] * len(q)
     if not len(q):
@@ -217,12 +232,17 @@ def _reasons(q: Array, start: Array, model: CollisionModel, clearance: float) ->
         first, second = model.pair_names[near.pairs[worst]]
         verb = "collides with" if near.distances[worst] <= 0 else f"is {1e3 * near.distances[worst]:.2g} mm from"
         reasons[touching[row]] = f"left out: {first} {verb} {second}"
+    for k in np.flatnonzero(constraints.values(q).min(axis=1, initial=0.0) < -KEPT):
+        reasons[k] = f"left out: it breaks {constraints.broken(q[k])}"
+    for k in np.flatnonzero(np.abs(q - start)[:, constraints.held].max(axis=1, initial=0.0) > 0):
+        moved = constraints.moved(start, q[k])
+        reasons[k] = f"left out: {moved}" if moved else reasons[k]
     for k in np.flatnonzero(np.abs(q - start).max(axis=1) < SHORTEST):
         reasons[k] = "left out: it is the start itself"
     return reasons
 
 
-def _nothing_free(targets: Sequence[Target], useless: Sequence[GoalCandidate]) -> tuple[str, object, str]:
+def _nothing_free(targets: Sequence[Target], useless: Sequence[GoalCandidate], also: str) -> tuple[str, object, str]:
     """Argument, value and what is allowed, where no goal can be used."""
     if len(targets) == 1:
         argument, value = targets[0].argument, _shown(targets[0])
@@ -235,7 +255,7 @@ def _nothing_free(targets: Sequence[Target], useless: Sequence[GoalCandidate]) -
         named = [f"{count} x {reason}" for reason, count in counts.most_common(NAMED)]
         rest = len(useless) - sum(count for _, count in counts.most_common(NAMED))
         told = f"of {len(useless)} configurations, " + "; ".join([*named, *([f"{rest} for other reasons"] if rest else [])])
-    return argument, value, f"a goal that can be reached inside the limits and collision-free: {told}"
+    return argument, value, f"a goal that can be reached inside the limits{also} and collision-free: {told}"
 
 
 def _shown(target: Target) -> object:

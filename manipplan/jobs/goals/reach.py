@@ -51,19 +51,23 @@ class Nearest:
         )
 
 
-def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array) -> list[Nearest]:
-    """The nearest configuration found to each goal, by damped steps inside the limits from `near` (n,) and random starts."""
+def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[np.bool_]) -> list[Nearest]:
+    """The nearest configuration found to each goal, by damped steps inside the limits from `near` (n,) and random starts.
+
+    The held joints (n,) keep their values of `near`.
+    """
     if not goals:
         return []
     kinematics = robot.kinematics(Task.pose(length=1.0), threads=1)
     count = int(np.clip(ALL_STARTS // len(goals), *STARTS))
     starts = np.vstack([near, robot.neutral, robot.random_configuration(np.random.default_rng(0), size=count - 2)])
+    starts = np.where(held, near, starts)
     q, owners = np.tile(starts, (len(goals), 1)), np.repeat(np.arange(len(goals)), count)
     missing = _Missing.of(kinematics, goals)
     miss, counting = missing(owners, q)
     damping, rows = np.full(len(q), DAMPING), np.arange(len(q))
     for _ in range(STEPS):
-        jacobian = counting[rows] @ (kinematics.jacobian(q[rows]) * np.array([1.0] * 3 + [RADIAN] * 3)[:, None])
+        jacobian = counting[rows] @ (kinematics.jacobian(q[rows]) * np.array([1.0] * 3 + [RADIAN] * 3)[:, None]) * ~held
         step = _step(jacobian, miss[rows], damping[rows])
         # a joint at a limit that the step would take further does not move
         stuck = ((q[rows] <= robot.limits.lower) & (step < 0)) | ((q[rows] >= robot.limits.upper) & (step > 0))

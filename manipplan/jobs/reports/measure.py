@@ -1,12 +1,16 @@
 """Measures a finished trajectory: every figure of its Report, and what of it does not pass."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
+from manipplan.constraints.constraint import KEPT, Constraint
+from manipplan.constraints.constraint_set import ConstraintSet
+from manipplan.constraints.figures import figures
+from manipplan.constraints.proof import prove
 from manipplan.cost.crossings import describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.jobs.reports.report import VANISHING, PlanReport, Report, first_path
@@ -42,6 +46,7 @@ def measure(
     goal: Array | None = None,
     workspace_path: CartesianPath | None = None,
     tolerance: Tolerance | None = None,
+    constraints: Sequence[Constraint] = (),
     clearance: float = 0.0,
     torque: bool = False,
     jerk: bool = True,
@@ -54,6 +59,7 @@ def measure(
         integral: the objective, with its task and measure.
         start, goal: (n,) where the motion has to begin and end [rad or m]; None: anywhere.
         workspace_path, tolerance: path of the tool, and how far the tool may be from it; None: no path.
+        constraints: what every configuration has to keep; held joints keep their first value.
         clearance: required clearance [m].
         torque, jerk: whether these limits are checked; infinite jerk limits are not.
     """
@@ -76,6 +82,13 @@ def measure(
     clear = _Clearance.of(path, model, clearance)
     if not clear.free:
         faults.append(clear.fault(clearance, trajectory.duration))
+    kept = ConstraintSet.of(robot, constraints)
+    constraint_figures = figures(kept, prove(kept, path))
+    faults += [
+        f"constraint: {each.name}: {each.figure}, at {each.at * trajectory.duration:.3f} s"
+        for each in constraint_figures
+        if each.least < -KEPT
+    ]
     deviation = missed = None
     if workspace_path is not None:
         axis = kinematics.task.free_axis
@@ -111,6 +124,7 @@ def measure(
         deviation=deviation,
         missed=missed,
         tolerance=tolerance,
+        constraints=constraint_figures,
         faults=tuple(faults),
         passed=not faults,
     )
@@ -122,6 +136,7 @@ def measure_plan(
     model: CollisionModel,
     goal: Array,
     *,
+    constraints: Sequence[Constraint],
     clearance: float,
     torque: bool,
     jerk: bool,
@@ -130,7 +145,17 @@ def measure_plan(
     kinematics = model.robot.kinematics(result.task, measure=result.measure)
     integral = PathIntegral(kinematics=kinematics, power=result.power, floor=result.floor, metric=result.metric)
     start = result.path.start
-    found = measure(trajectory, model, integral, start=start, goal=goal, clearance=clearance, torque=torque, jerk=jerk)
+    found = measure(
+        trajectory,
+        model,
+        integral,
+        start=start,
+        goal=goal,
+        constraints=constraints,
+        clearance=clearance,
+        torque=torque,
+        jerk=jerk,
+    )
     first, last = trajectory.q[0], trajectory.q[-1]
     line = JointPath.line(first, last) if np.linalg.norm(last - first) >= SHORTEST else None
     straight = integral.cost(line).min_manipulability if line is not None else float(kinematics.manipulability(first))

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from manipplan.constraints.figures import ConstraintFigure
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.checks import existing_file
@@ -49,8 +50,10 @@ class Report:
         missed: largest distances of the poses of the workspace path from where the tool comes past, at s of the path. Its first
             and last pose are compared with those of the motion.
         tolerance: what was allowed of both; None without a path.
+        constraints: how the motion keeps each constraint, at shares of the duration.
         faults: one sentence for each check that did not pass.
-        passed: whether all checks passed: limits, collisions and, where they were given, start, goal and workspace path.
+        passed: whether all checks passed: limits, collisions and, where they were given, start, goal, constraints and workspace
+            path.
     """
 
     robot: str
@@ -81,6 +84,7 @@ class Report:
     deviation: Deviation | None = None
     missed: Deviation | None = None
     tolerance: Tolerance | None = None
+    constraints: tuple[ConstraintFigure, ...] = ()
     faults: tuple[str, ...] = ()
 
     def __str__(self) -> str:
@@ -112,7 +116,7 @@ class Report:
         return f" {self.measure_unit}" if self.measure_unit != "1" else ""
 
     def _measured(self) -> list[str]:
-        """Lines on singularities, clearance and limits."""
+        """Lines on singularities, clearance, constraints and limits."""
         lines = []
         if self.crossing_note:
             lines.append(f"  singularity  {self.crossing_note}")
@@ -130,6 +134,7 @@ class Report:
             lines.append(
                 "  clearance    nothing to check: no two bodies of the description can touch, and there is no obstacle"
             )
+        lines += [f"  constraint   {each}, at {each.at * self.duration:.2f} s" for each in self.constraints]
         for kind, use in self.limits.items():
             if not use.joint:
                 continue

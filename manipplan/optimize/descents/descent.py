@@ -2,7 +2,8 @@
 
 Each step minimises a quadratic model of g in a trust region, with linear rows for the joint limits and for the clearance at
 every place where the path is near something. A step is accepted only when the merit function φ = g + ν v falls. Here v is the
-largest violation of limits, clearance and constraints, measured on the whole path with the true distances, and ν is the penalty parameter.
+largest violation of limits, clearance and constraints, measured on the whole path with the true distances, and ν is the penalty
+parameter.
 
 The Hessian of the model is that of the Lagrangian. It includes the second derivatives of the clearance: the turn of the plane
 between two bodies, and the shift of the place where they are nearest. The model is made convex before it is minimised.

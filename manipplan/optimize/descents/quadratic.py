@@ -55,7 +55,10 @@ def solve_step(
     jacobian = np.ascontiguousarray(rows.jacobian[:, moving])
     within, least, jacobian = arithmetic.rows_within(rows.value, jacobian, radius, ROW_SPACING, QP_BITS)
     multipliers, p = np.zeros(len(rows.value)), np.zeros(len(gradient))
-    hessian, gradient = with_bits(np.ascontiguousarray(hessian[moving][:, moving]), QP_BITS), with_bits(gradient[moving], QP_BITS)
+    hessian, gradient = (
+        with_bits(np.ascontiguousarray(hessian[moving][:, moving]), QP_BITS),
+        with_bits(gradient[moving], QP_BITS),
+    )
     size = len(gradient)
     bound = np.full(size, radius)
     step = _daqp(hessian, gradient, jacobian, least, -bound, bound)
