@@ -8,6 +8,7 @@ from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import RobotOptions, configuration_of
+from manipplan.constraints.constraint_file import constraints_from_yaml
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.check import check as check_job
 from manipplan.paths.cartesian import CartesianPath
@@ -27,6 +28,7 @@ def check(
     path: Path | None = None,
     tolerance: tuple[float, float] | None = None,
     pointing: tuple[float, float, float] | None = None,
+    constraints: Path | None = None,
     clearance: float = 0.0,
     torque: bool = False,
     power: float = 1.0,
@@ -45,6 +47,7 @@ def check(
         path: CSV file of poses that the tool has to follow, with the columns x, y, z [m], qw, qx, qy, qz.
         tolerance: Maximum distance of the tool from that path [m] [rad].
         pointing: Tool axis about which the tool may turn.
+        constraints: YAML file with what the motion has to keep, as for `manipplan plan`.
         clearance: Minimum distance to keep [m].
         torque: Check the joints' effort limits as well.
         power: Exponent of the manipulability in g.
@@ -63,6 +66,7 @@ def check(
             goal=configuration_of("goal", goal, arm) if goal else None,
             path=CartesianPath.from_csv(path) if path is not None else None,
             tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]) if tolerance is not None else None,
+            constraints=constraints_from_yaml(constraints) if constraints is not None else (),
             clearance=clearance,
             objective=PathObjective(
                 task=Task.pointing(pointing) if pointing is not None else None, measure=measure, power=power

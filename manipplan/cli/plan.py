@@ -8,6 +8,7 @@ from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import RobotOptions, configuration_of
+from manipplan.constraints.constraint_file import constraints_from_yaml
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.goals.goal_file import goals_from_yaml, pose_of_numbers
 from manipplan.jobs.goals.pose_goal import Goal
@@ -32,6 +33,7 @@ def plan(
     goal: tuple[str, ...] = (),
     goal_pose: tuple[float, ...] = (),
     goals: Path | None = None,
+    constraints: Path | None = None,
     out: Path = Path("plan"),
     options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
     jerk: tuple[float, ...] = (),
@@ -56,6 +58,7 @@ def plan(
         goal_pose: Pose of the tool in the world: x y z [m], then roll pitch yaw [rad] or a quaternion x y z w.
         goals: YAML file with a list of goals under the key goals, of which the one with the best motion is chosen: each a
             position [m] and rotation (roll pitch yaw [rad] or quaternion x y z w), a q, or a state.
+        constraints: YAML file with what the motion keeps, under the key constraints: tilt_limit, position_box and held_joints.
         out: Folder for the files that are written.
         jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint.
         power: Exponent of the manipulability in the objective.
@@ -75,6 +78,7 @@ def plan(
         arm, world = options.load(robot, jerk=jerk)
         begin = configuration_of("start", start, arm)
         end = _goal(arm, goal, goal_pose, goals)
+        kept = constraints_from_yaml(constraints) if constraints is not None else ()
         objective = PathObjective(power=power, measure=measure)
         most = whole_number("other_goals", other_goals, least=0)
         shape = PathShape(degree=degree)
@@ -83,6 +87,7 @@ def plan(
             begin,
             end,
             world,
+            constraints=kept,
             objective=objective,
             shape=shape,
             seeding=Seeding(seed=seed, count=seeds, time_limit=time_limit, shifts=shifts),
@@ -102,6 +107,7 @@ def plan(
                 objective=objective,
                 shape=shape,
                 seeding=Seeding(seed=seed, count=seeds, time_limit=time_limit),
+                constraints=kept,
                 clearance=clearance,
                 most=most,
                 progress=part(tell, 0.6, 1.0),

@@ -1,11 +1,14 @@
 """other_goals: other configurations of a goal's pose, and the best path found to each."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
+from manipplan.constraints.constraint import Constraint
+from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.cost.crossings import least_crossings
 from manipplan.cost.objective import PathObjective
 from manipplan.ik.solutions import inverse_kinematics
@@ -61,6 +64,7 @@ def other_goals(
     objective: PathObjective = PathObjective(),
     shape: PathShape = PathShape(),
     seeding: Seeding = Seeding(),
+    constraints: Sequence[Constraint] = (),
     clearance: float = 0.0,
     most: int = 4,
     progress: Progress | None = None,
@@ -76,6 +80,7 @@ def other_goals(
         scene: obstacles; None: nothing is checked for collision.
         objective, shape: what the paths minimise, and their degree and basis.
         seeding: how first paths are found; without `initial` and `shifts`.
+        constraints: what every configuration keeps, as in `plan`; they need a scene.
         clearance: minimum distance [m] to keep; needs a scene.
         most: maximum number of configurations that are tried. Each takes as long as `optimize_path`.
         progress: called with the fraction done in [0, 1] and a text.
@@ -102,6 +107,8 @@ def other_goals(
         model = instance("scene", scene, Scene).collision_model(robot)
         least = np.array([model.least_distance(q[None])[0] for q in solutions])
         solutions = solutions[(least > 0) & (least >= clearance)]
+    kept = ConstraintSet.of(robot, constraints)
+    solutions = np.array([q for q in solutions if not (kept.broken(q) or kept.moved(q_start, q))]).reshape(-1, robot.n)
     kinematics = objective.kinematics(robot)
     needed = [least_crossings(kinematics, q_start, q) for q in solutions]
     distance = np.linalg.norm(solutions - q_start, axis=1)
@@ -116,6 +123,7 @@ def other_goals(
             objective=objective,
             shape=shape,
             seeding=seeding,
+            constraints=kept.constraints,
             clearance=clearance,
             throw=False,
             progress=part(tell, done / len(order), (done + 1) / len(order)),

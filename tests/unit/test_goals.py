@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 
 import manipplan as mp
 from manipplan.cli import main
+from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.jobs.goals.candidates import find_candidates, ordered
 from manipplan.jobs.goals.choice import PATHS, choose
 from manipplan.jobs.goals.goal_file import goals_from_yaml, pose_of_numbers
@@ -206,7 +207,7 @@ def test_redundancy_is_refined_between_the_samples(panda):
     target = tool_of(panda, [0.9, 0.5, -0.3, -1.6, 0.4, 2.0, 0.6])
     integral = mp.PathObjective().integral(panda)
     targets = read_goals("goal", target, panda)[0]
-    best = find_candidates(targets, start, mp.Scene().collision_model(panda), integral, 0.0)[0]
+    best = find_candidates(targets, start, mp.Scene().collision_model(panda), integral, 0.0, ConstraintSet.of(panda, ()))[0]
     q = mp.inverse_kinematics(panda, target, samples=4000).q
     bound = min(panda.kinematics().manipulability(q).max(), panda.kinematics().manipulability(start))
     assert best.bound >= bound * (1 - 1e-5)

@@ -136,7 +136,7 @@ def measure_plan(
     model: CollisionModel,
     goal: Array,
     *,
-    constraints: Sequence[Constraint],
+    constraints: Sequence[Constraint] = (),
     clearance: float,
     torque: bool,
     jerk: bool,
