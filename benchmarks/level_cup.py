@@ -212,7 +212,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         line("**MotionBenchMaker**", others),
         "",
         f"{options.scenes} scenes with a cup; the first {options.problems} free problems of each set of MotionBenchMaker. "
-        f"Tilts at samples {STEP:g} rad apart; up to {KEPT:g} rad above the limit counts as none. CPU time of the plans solved, "
+        f"Tilts at samples {STEP:g} rad apart; up to {KEPT:g} rad above the limit counts as none. CPU time of plans solved; "
         f"of which each has 10 s; Python {platform.python_version()}, {platform.machine()}; command: `make benchmark`.",
     ]
     options.out.write_text("\n".join(lines) + "\n")
