@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from manipplan.constraints.constraint import KEPT
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.constraints.held import HeldJoints
 from manipplan.constraints.tool_frame import POSE
@@ -30,7 +31,8 @@ class ConstraintProof:
     """What is known about constraints on a whole path.
 
     Attributes:
-        kept: all rows are at least -TOLERANCE: proven, or at samples SAMPLE_STEP apart for rows of a user's class.
+        kept: no row is below -TOLERANCE, or by more than that below an end of the path: proven, or at samples SAMPLE_STEP apart
+            for rows of a user's class.
         failed_at: the s where that is refuted, or where the proof ends; nan where it is kept.
         least, least_at: (c,) smallest value found of each constraint, and its s; for held joints minus the largest change.
         proven: (c,) whether each one is proven, and not only sampled.
@@ -67,6 +69,7 @@ class _Looks:
 
     Attributes:
         least, least_at: as in ConstraintProof.
+        floor: (r,) what rows have to keep; at most KEPT below 0.
         broken_at: a place where a row is not kept; None for none.
     """
 
@@ -74,6 +77,8 @@ class _Looks:
         self.constraints, self.path = constraints, path
         count = len(constraints.constraints)
         self.least, self.least_at = np.full(count, np.inf), np.zeros(count)
+        ends = constraints.values(np.array([path.start, path.goal])).min(axis=0)
+        self.floor = np.maximum(np.minimum(ends, 0.0) - TOLERANCE, -KEPT)
         self.broken_at: float | None = None
 
     def values(self, s: Array) -> Array:
@@ -82,7 +87,10 @@ class _Looks:
         values = self.constraints.values(self.path(s))
         lowest = values.argmin(axis=0)
         for row, owner in enumerate(self.constraints.owners):
-            self._take(int(owner), float(values[lowest[row], row]), float(s[lowest[row]]))
+            value, at = float(values[lowest[row], row]), float(s[lowest[row]])
+            self._take(int(owner), value, at)
+            if value < self.floor[row] and self.broken_at is None:
+                self.broken_at = at
         return values
 
     def take_held(self) -> None:
@@ -95,12 +103,12 @@ class _Looks:
         for k, each in enumerate(self.constraints.constraints):
             if isinstance(each, HeldJoints):
                 self._take(k, -float(moved[each.mask(self.constraints.robot)].max()), at)
+        if moved[joint] > TOLERANCE and self.broken_at is None:
+            self.broken_at = at
 
     def _take(self, constraint: int, value: float, s: float) -> None:
         if value < self.least[constraint]:
             self.least[constraint], self.least_at[constraint] = value, s
-            if value < -TOLERANCE and value == self.least.min():
-                self.broken_at = s
 
 
 def _prove_tool_rows(looks: _Looks) -> float | None:
@@ -109,7 +117,7 @@ def _prove_tool_rows(looks: _Looks) -> float | None:
     begins, widths, bend = _intervals(looks.constraints, looks.path)
     low, high = looks.values(begins)[:, :rows], looks.values(begins + widths)[:, :rows]
     for _ in range(HALVINGS):
-        left = np.flatnonzero((np.minimum(low, high) - bend * (widths**2)[:, None] / 8 < -TOLERANCE).any(axis=1))
+        left = np.flatnonzero((np.minimum(low, high) - bend * (widths**2)[:, None] / 8 < looks.floor[:rows]).any(axis=1))
         if not len(left) or looks.broken_at is not None:
             return None
         widths = widths[left] / 2

@@ -55,7 +55,7 @@ class TiltLimit(Constraint):
 
     def figure(self, value: float) -> str:
         tilt = np.rad2deg(np.arccos(np.clip(value * self._scale + np.cos(self.angle), -1.0, 1.0)))
-        return f"up to {tilt:.4g}°, allowed {np.rad2deg(self.angle):.4g}°"
+        return f"up to {tilt:.5g}°, allowed {np.rad2deg(self.angle):.5g}°"
 
     @property
     def _scale(self) -> float:

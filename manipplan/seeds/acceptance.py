@@ -6,7 +6,8 @@ from collections.abc import Callable
 import numpy as np
 
 from manipplan.collision.path_clearance import path_clearance
-from manipplan.constraints.proof import TOLERANCE, prove
+from manipplan.constraints.constraint import KEPT
+from manipplan.constraints.proof import prove
 from manipplan.paths.joint import JointPath
 from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
@@ -56,7 +57,7 @@ def keeps_constraints(task: SeedTask, path: JointPath) -> bool:
 def looks_free(task: SeedTask, path: JointPath) -> bool:
     """Whether the path is free and keeps the constraints at samples."""
     q = configurations(path, LOOK_STEP)
-    if task.constraints is not None and task.constraints.values(q).min(initial=0.0) < -TOLERANCE:
+    if task.constraints is not None and task.constraints.values(q).min(initial=0.0) < -KEPT:
         return False
     few = q[FIRST // 2 :: FIRST]
     return not any(task.model.in_collision_rows(rows, clearance=task.clearance).any() for rows in (few, q))

@@ -257,7 +257,7 @@ def test_of_several_candidates_those_that_keep_the_limit(panda, level):
     plan = mp.plan(panda, start, [tilted, kinematics.pose(goal)], constraints=[limit])
     assert plan.goal_index == 1
     reasons = {each.status for each in plan.candidates if each.goal_index == 0 and not np.isnan(each.q).any()}
-    assert any("breaks tilt of tool axis" in each and "34.38°" in each for each in reasons)
+    assert any("breaks tilt of tool axis" in each and "34.3" in each for each in reasons)
     with pytest.raises(mp.InvalidInputError, match=r"within the constraints.*breaks tilt of tool axis"):
         mp.plan(panda, start, tilted, constraints=[limit])
 
@@ -303,7 +303,7 @@ BAD = {
         lambda arm, limit: [limit, mp.TiltLimit((0, 0, 1), (0, 0, 1), 0.2)],
         r"constraints\[1\].*kept together with constraints\[0\]",
     ),
-    "start": (lambda arm, limit: [mp.TiltLimit((0, 0, 1), (1, 0, 0), 0.2)], r"start: .*breaks tilt.*allowed 11\.46°"),
+    "start": (lambda arm, limit: [mp.TiltLimit((0, 0, 1), (1, 0, 0), 0.2)], r"start: .*breaks tilt.*allowed 11\.459°"),
     "start in a box": (lambda arm, limit: [mp.PositionBox((5, 5, 5), (6, 6, 6))], r"start: .*breaks tool position.*mm outside"),
     "goal": (lambda arm, limit: [mp.HeldJoints("panda_joint1")], "panda_joint1 is held, and differs"),
 }

@@ -61,7 +61,7 @@ class ConstraintSearch:
     def of(cls, constraints: ConstraintSet, start: Array, goal: Array) -> "ConstraintSearch":
         """The search between start and goal (n,): no row keeps more than both have."""
         room = constraints.values(np.array([start, goal])).min(axis=0)
-        return cls(constraints=constraints, target=np.clip(room, 0.0, MARGIN))
+        return cls(constraints=constraints, target=np.minimum(room, MARGIN))
 
     def look(self, curve: Curve, radius: float) -> ConstraintLook:
         """The places that a step of a radius [rad or m] can use up."""
