@@ -25,6 +25,7 @@ def check(
     options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
     jerk: tuple[float, ...] = (),
     path: Path | None = None,
+    path_begin: float = 0.0,
     tolerance: tuple[float, float] | None = None,
     pointing: tuple[float, float, float] | None = None,
     clearance: float = 0.0,
@@ -43,6 +44,7 @@ def check(
         options: Options of the robot and its scene.
         jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint; inf: not checked.
         path: CSV file of poses that the tool has to follow, with the columns x, y, z [m], qw, qx, qy, qz.
+        path_begin: Time from which the tool follows that path [s], after a lead-in.
         tolerance: Maximum distance of the tool from that path [m] [rad].
         pointing: Tool axis about which the tool may turn.
         clearance: Minimum distance to keep [m].
@@ -62,6 +64,7 @@ def check(
             start=configuration_of("start", start, arm) if start else None,
             goal=configuration_of("goal", goal, arm) if goal else None,
             path=CartesianPath.from_csv(path) if path is not None else None,
+            path_begin=path_begin,
             tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]) if tolerance is not None else None,
             clearance=clearance,
             objective=PathObjective(

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from manipplan.jobs.reports.along import PathPart
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.checks import existing_file
@@ -49,6 +50,7 @@ class Report:
         missed: largest distances of the poses of the workspace path from where the tool comes past, at s of the path. Its first
             and last pose are compared with those of the motion.
         tolerance: what was allowed of both; None without a path.
+        along: for `follow`: the part of the motion along the workspace path.
         faults: one sentence for each check that did not pass.
         passed: whether all checks passed: limits, collisions and, where they were given, start, goal and workspace path.
     """
@@ -81,6 +83,7 @@ class Report:
     deviation: Deviation | None = None
     missed: Deviation | None = None
     tolerance: Tolerance | None = None
+    along: PathPart | None = None
     faults: tuple[str, ...] = ()
 
     def __str__(self) -> str:
@@ -193,7 +196,8 @@ class PlanReport(Report):
             f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
             f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
         ]
-        return "\n".join([*lines, *self._measured()])
+        along = self.along.lines() if self.along is not None else []
+        return "\n".join([*lines, *along, *self._measured()])
 
     def _verdict(self) -> str:
         if self.passed and self.status == Status.SINGULAR.value:
