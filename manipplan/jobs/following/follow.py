@@ -38,7 +38,8 @@ from manipplan.support.progress import Progress, part, teller
 from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import check_timing_limits, retime
-from manipplan.timing.steady import check_tool_speed, measure_speed, retime_steady
+from manipplan.timing.steady.retime_steady import retime_steady
+from manipplan.timing.steady.speed import check_tool_speed, measure_speed
 
 #: Clearance that candidates keep beyond the required one, for the motion between positions [m].
 SPARE = 0.003

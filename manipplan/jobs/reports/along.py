@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from manipplan.support.display import one_line
-from manipplan.timing.steady import SteadySpeed
+from manipplan.timing.steady.speed import SteadySpeed
 
 
 @one_line

@@ -18,7 +18,8 @@ def tool_deviation(
 ) -> Deviation:
     """The largest distances of the tool from a workspace path, regardless of time; `..._at` is s of the joint path.
 
-    What comes before s = `begin` of the joint path does not count. Of the tool's orientation only the direction of `axis` (3,) counts if given.
+    What comes before s = `begin` of the joint path does not count. Of the tool's orientation only the direction of `axis` (3,)
+    counts if given.
     """
     s = _samples(path, begin)
     return _largest(s, *deviations(workspace_path, kinematics.pose(path(s)), axis))
