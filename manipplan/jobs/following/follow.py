@@ -22,7 +22,7 @@ from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finis
 from manipplan.optimize.result import PathResult, make_result
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation, deviation_at, deviation_from
-from manipplan.paths.joint import SHORTEST, JointPath
+from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import BETWEEN, Tolerance
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.robot import Robot
@@ -273,9 +273,10 @@ def _measured(lead_in: Plan | None, course: Course, integral: PathIntegral, scen
     """The figures of lead-in and course together, compared with those of the path that the search found."""
     path, seed = course.path, course.seed
     if lead_in is not None:
-        apart = np.linalg.norm(seed.start - path.start) >= SHORTEST
-        step = [JointPath.line(path.start, seed.start)] if apart else []
-        path, seed = JointPath.joined([lead_in.path, path]), JointPath.joined([lead_in.path, *step, seed])
+        control = seed.control.copy()
+        control[0, 0] = path.start  # the seed begins where the lead-in ends
+        seed = JointPath(breaks=seed.breaks, control=control)
+        path, seed = (JointPath.joined([lead_in.path, each]) for each in (path, seed))
     return make_result(
         path,
         integral,

@@ -25,9 +25,7 @@ class PathPart:
         """Lines of a report."""
         lines = []
         if self.begin > 0:
-            lines.append(
-                f"  lead-in      to {self.begin:.3f} s, then along the path; minimum m there {self.min_manipulability:.4g}"
-            )
+            lines.append(f"  lead-in      {self.begin:.3f} s; minimum m along the path after it: {self.min_manipulability:.4g}")
         if self.tool_speed is not None:
             lines.append(f"  tool speed   {self.tool_speed}")
         return lines

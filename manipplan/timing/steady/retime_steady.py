@@ -74,7 +74,7 @@ def _torque_bounds(robot: Robot, q: Array, slope: Array, bend: Array) -> Array:
     data, still = robot.model.createData(), np.zeros(robot.n)
     gravity = np.array([pin.rnea(robot.model, data, each, still, still).copy() for each in q])
     moving = np.array([pin.rnea(robot.model, data, *state).copy() for state in zip(q, slope, bend, strict=True)]) - gravity
-    return np.asarray((robot.limits.effort - np.sign(moving) * gravity) / np.abs(moving))
+    return np.asarray(np.maximum(robot.limits.effort - np.sign(moving) * gravity, 0.0) / np.maximum(np.abs(moving), 1e-300))
 
 
 def _at_most(path: JointPath, robot: Robot, speed: float, *, torque: bool) -> Trajectory:
