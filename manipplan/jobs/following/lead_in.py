@@ -84,10 +84,10 @@ def choose_entry(
         if best is not None and row.bound <= best.minimum * (1 + GAIN):
             break
         del waiting[k]
-        share = len(done) / (len(done) + 2)
-        course = finder.along(found, part(tell, share, share + 0.2))
+        left = 0.5 ** len(done)  # of the share of the work
+        course = finder.along(found, part(tell, 1 - left, 1 - 0.7 * left))
         began = time.monotonic()
-        lead_in = planner(course.path.start, max(SHARE * seconds, SHARE), part(tell, share + 0.2, share + 0.3))
+        lead_in = planner(course.path.start, max(SHARE * seconds, SHARE), part(tell, 1 - 0.7 * left, 1 - 0.5 * left))
         seconds -= time.monotonic() - began
         row = replace(row, q=course.path.start)
         if not isinstance(lead_in, Plan) or not lead_in.status.has_path:
@@ -104,10 +104,10 @@ def choose_entry(
             best = Entry(lead_in=lead_in, course=course, minimum=least)
     told = [replace(each, status=f"chosen, {each.status}") if each.chosen else each for each in done]
     kept = "" if best is None else f"; the motion keeps {best.minimum:.4g}"
-    left = [replace(row, status=f"left out: bound {row.bound:.4g}{kept}") for row, _ in waiting]
+    rest = [replace(row, status=f"left out: bound {row.bound:.4g}{kept}") for row, _ in waiting]
     if best is None:
         failure = f"no lead-in to any of the {len(done)} first configurations of the path that were tried; the first: {failure}"
-    return EntryChoice(entry=best, candidates=(*told, *left), failure="" if best is not None else failure)
+    return EntryChoice(entry=best, candidates=(*told, *rest), failure="" if best is not None else failure)
 
 
 def _searches(finder: CourseFinder, first: SearchResult) -> Iterator[SearchResult]:
