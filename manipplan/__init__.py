@@ -26,7 +26,7 @@ from manipplan.cost.integral import PathCost, path_cost
 from manipplan.cost.objective import PathObjective
 from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
 from manipplan.jobs.check import check
-from manipplan.jobs.follow import follow
+from manipplan.jobs.following.follow import follow
 from manipplan.jobs.goals.candidates import GoalCandidate
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.improve import improve
@@ -34,6 +34,7 @@ from manipplan.jobs.other_goals import OtherGoal, other_goals
 from manipplan.jobs.plan import plan
 from manipplan.jobs.plan_many import plan_many
 from manipplan.jobs.problem import Problem
+from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.report import PlanReport, Report
 from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.kinematics.evaluate import Evaluator
@@ -83,6 +84,7 @@ from manipplan.symbolic.pinocchio_casadi import PinocchioCasadi, pinocchio_casad
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import retime
 from manipplan.timing.segment import Segment
+from manipplan.timing.steady.speed import SteadySpeed
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 from manipplan.tracking import formulations
 from manipplan.tracking.avoidance import Avoidance
@@ -145,6 +147,7 @@ __all__ = [
     "PathClearance",
     "PathCost",
     "PathObjective",
+    "PathPart",
     "PathResult",
     "PathShape",
     "PinocchioCasadi",
@@ -169,6 +172,7 @@ __all__ = [
     "SolutionSet",
     "Sphere",
     "Status",
+    "SteadySpeed",
     "StepReport",
     "StepStatus",
     "StiffnessProfile",
