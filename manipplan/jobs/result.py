@@ -24,7 +24,6 @@ from manipplan.support.display import Pictured, one_line
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.files import writable_folder, write_text
 from manipplan.support.status import Status
-from manipplan.tracking.track import Tracking
 
 if TYPE_CHECKING:
     from manipplan.viz.viewer import PlanViewer
@@ -43,8 +42,7 @@ class PartialPlan(Pictured):
         path: the JointPath from start to goal.
         trajectory: the timed motion along it.
         report: the figures of this trajectory, measured on it; raises InvalidInputError together with another trajectory.
-        result: the optimiser's result, with seed and history; for `improve`, the motion compared with the recorded one.
-        tracking: the steps of `improve`.
+        result: the optimiser's result, with seed and history; for `improve` the seed is the recorded motion.
         search, refinement, deviation: for `follow`: the path found among the samples, its refinement, and the tool's
             deviation from the workspace path.
         workspace_path: the path that `follow` follows.
@@ -61,7 +59,6 @@ class PartialPlan(Pictured):
     trajectory: Trajectory | None = None
     report: PlanReport | None = None
     result: PathResult | None = None
-    tracking: Tracking | None = None
     search: SearchResult | None = None
     refinement: Refinement | None = None
     deviation: Deviation | None = None
@@ -112,7 +109,7 @@ class PartialPlan(Pictured):
 
         The report is the one measured before the plan was saved; nothing is measured again. A file that was changed since is
         rejected, and so is a robot with different kinematics or different outlines of its bodies. Data that only the solvers
-        need are not kept: `search`, `tracking`, and the `history` and `rivals` of `result`.
+        need are not kept: `search`, and the `history` and `rivals` of `result`.
 
         Args:
             file: the folder, or plan.json in it.

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from manipplan.jobs.recordings.comparison import Comparison
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.checks import existing_file
@@ -169,6 +170,7 @@ class PlanReport(Report):
         straight_min_manipulability: minimum manipulability on the straight line from start to goal.
         straight_free: whether that line is collision-free.
         minimum_note: how the minimum manipulability compares with those two, and the reason if it is not twice both.
+        comparison: for `improve`, the recorded motion and this one side by side.
     """
 
     status: str
@@ -179,6 +181,7 @@ class PlanReport(Report):
     straight_min_manipulability: float
     minimum_note: str
     straight_free: bool
+    comparison: Comparison | None = None
 
     def __str__(self) -> str:
         first = first_path(self.status)
@@ -193,7 +196,10 @@ class PlanReport(Report):
             f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
             f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
         ]
-        return "\n".join([*lines, *self._measured()])
+        lines += self._measured()
+        if self.comparison is not None:
+            lines += [f"  {line}" for line in str(self.comparison).splitlines()]
+        return "\n".join(lines)
 
     def _verdict(self) -> str:
         if self.passed and self.status == Status.SINGULAR.value:

@@ -1,0 +1,186 @@
+"""The best motion inside the tube around a recording that keeps the limits, the duration and the clearance."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.path_clearance import path_clearance
+from manipplan.cost.integral import PathIntegral
+from manipplan.jobs.recordings.comparison import Comparison, MotionFigures, deviation_between, held, pose_distances
+from manipplan.jobs.recordings.program import TubeProgram, Weights
+from manipplan.jobs.recordings.smooth import Smooth
+from manipplan.optimize.clearance import NEAR, PLACES, ClearanceRow, Place, distance_profile, more_places, nearest, rows_for
+from manipplan.paths.tolerance import Tolerance
+from manipplan.paths.trajectory import Trajectory
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
+
+#: Weights for the best motion, for the smoothest one, and for the shortest duration.
+BEST, SMOOTHEST, SHORTEST = Weights(energy=1.0, jerk=1.0), Weights(jerk=1.0), Weights(time=1.0, jerk=1e-4)
+#: Share of the tolerance that noise may take.
+NOISE = 0.9
+#: Maximum number of solves with other clearance rows or a narrower tube, and by how much more than needed the tube narrows.
+ROUNDS, NARROWER = 8, 1.5
+#: Shares of the way from the smooth motion to the best one that are tried, the first that is valid and better counts.
+SHARES = (1.0, 0.75, 0.5, 0.25, 0.1)
+#: Excess of a limit, as a share, up to which it counts as kept.
+KEPT = 1e-7
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Tube:
+    """What a motion has to keep.
+
+    Attributes:
+        recorded: the motion in whose tube it is.
+        figures: those of `recorded`.
+        integral: g, with task and measure.
+        model: the robot among its obstacles.
+        tolerance: of the tool from the recorded poses.
+        clearance: required clearance [m].
+        duration: of the motion [s].
+    """
+
+    recorded: Trajectory
+    figures: MotionFigures
+    integral: PathIntegral
+    model: CollisionModel
+    tolerance: Tolerance
+    clearance: float
+    duration: float
+
+    @property
+    def radii(self) -> Array:
+        """Radii of the tube in position [m] and rotation [rad]; inf: not bounded."""
+        both = (self.tolerance.position, self.tolerance.rotation)
+        return np.array([r if r is not None and h else np.inf for r, h in zip(both, held(self.integral), strict=True)])
+
+    def judge(self, motion: Trajectory) -> Comparison:
+        """The recording and a motion side by side."""
+        return Comparison(
+            recorded=self.figures,
+            improved=MotionFigures.of(motion, self.integral),
+            measure_unit=self.integral.kinematics.measure.unit(self.integral.kinematics.task),
+            deviation=deviation_between(self.recorded, motion, self.integral),
+            tolerance=self.tolerance,
+        )
+
+    def is_free(self, motion: Trajectory) -> bool:
+        """Whether the clearance is proven on the whole motion."""
+        return path_clearance(self.model, motion.path(), clearance=self.clearance, tolerance=None).proven
+
+
+class InsideSearch:
+    """The search for the best motion from a smooth one."""
+
+    def __init__(self, tube: Tube, smooth: Smooth) -> None:
+        self.tube, self.smooth = tube, smooth
+        self.robot = tube.model.robot
+        self.program = TubeProgram(tube.integral, smooth.basis, smooth.ends, tube.duration, self.robot.limits)
+        self.poses = tube.integral.kinematics.pose(self.program.values @ smooth.control)
+        self.spacing = float(np.median(np.diff(tube.recorded.t))) * max(tube.duration / tube.recorded.duration, 1.0)
+        self.room = tube.radii - self._scatter()
+
+    def run(self) -> tuple[Trajectory, Comparison] | None:
+        """The best valid motion, better than the recording if possible; None if there is no valid one."""
+        first = self._within_limits()
+        best = self._solved(first, BEST, self.tube.figures.min_manipulability)
+        calm = first
+        if not self._is_valid(first):
+            calm = self._solved(first, SMOOTHEST, 0.0)
+        valid: tuple[Trajectory, Comparison] | None = None
+        for share in (*SHARES, 0.0):
+            motion = self._motion(calm + share * (best - calm))
+            found = self.tube.judge(motion)
+            if not found.inside or not self.tube.is_free(motion):
+                continue
+            if found.better:
+                return motion, found
+            valid = motion, found
+        return valid
+
+    def _motion(self, control: Array) -> Trajectory:
+        return self.smooth.basis.trajectory(control, self.tube.duration, self.spacing, self.robot.joint_names)
+
+    def _is_valid(self, control: Array) -> bool:
+        motion = self._motion(control)
+        return self.tube.judge(motion).inside and self.tube.is_free(motion)
+
+    def _scatter(self) -> Array:
+        """Largest distances [m, rad] (k, 2) of recorded poses from the smooth motion, around each place of the program.
+
+        Raises InvalidInputError where they take most of the tolerance.
+        """
+        recorded, kinematics = self.tube.recorded, self.tube.integral.kinematics
+        u = recorded.t / recorded.duration
+        curve = self.smooth.basis.values(u) @ self.smooth.control
+        off = np.stack(pose_distances(kinematics.pose(recorded.q), kinematics.pose(curve), self.tube.integral), axis=1)
+        row, kind = (int(k) for k in np.unravel_index((off / self.tube.radii).argmax(), off.shape))
+        if off[row, kind] > NOISE * self.tube.radii[kind]:
+            name, unit = (("position", "m"), ("rotation", "rad"))[kind]
+            least = float(off[row, kind]) / NOISE
+            raise InvalidInputError(
+                f"tolerance.{name}",
+                float(self.tube.radii[kind]),
+                f"at least {_up(least):g} {unit}: so far is the recorded pose of row {row} ({recorded.t[row]:.4g} s) from the "
+                "smooth motion under the noise",
+            )
+        index = np.clip(np.searchsorted(u, self.program.u), 0, len(u))
+        reach = 1.0 / self.smooth.basis.pieces
+        first, last = np.searchsorted(u, self.program.u - reach), np.searchsorted(u, self.program.u + reach)
+        around = [off[min(a, i) : max(b, i + 1)] for a, b, i in zip(first, last, np.minimum(index, len(u) - 1), strict=True)]
+        return np.array([each.max(axis=0) for each in around])
+
+    def _within_limits(self) -> Array:
+        """The smooth motion, or the fastest one in the tube where that exceeds limits; raises InvalidInputError for a duration
+        that is too short for it."""
+        limits, control = self.robot.limits, self.smooth.control
+        inside = ((control >= limits.lower) & (control <= limits.upper)).all()
+        if inside and self.program.used(control) <= 1.0:
+            return control
+        control, factor = self.program.solve(
+            np.clip(control, limits.lower, limits.upper), SHORTEST, poses=self.poses, tube=self.room
+        )
+        if factor > 1.0 and not self.program.solved:
+            factor = self.program.used(control)
+        if factor > 1.0:
+            raise InvalidInputError(
+                "duration",
+                self.tube.duration,
+                f"at least {_up(factor * self.tube.duration):g} s, the shortest duration found in which {self.robot.name} keeps "
+                "its limits and this tolerance",
+            )
+        return control
+
+    def _solved(self, first: Array, weights: Weights, least: float) -> Array:
+        """The solution, again with more clearance rows and a narrower tube until it is free and inside the tolerance."""
+        model, clearance = self.tube.model, self.tube.clearance
+        safe = self._motion(first).path()
+        rows: Sequence[ClearanceRow] = ()
+        places: tuple[Place, ...] = ()
+        room, control = self.room, first
+        for _ in range(ROUNDS):
+            control, _ = self.program.solve(first, weights, poses=self.poses, tube=room, least=least, rows=rows)
+            motion = self._motion(control)
+            path = motion.path()
+            proof = path_clearance(model, path, clearance=clearance, tolerance=None)
+            found = deviation_between(self.tube.recorded, motion, self.tube.integral)
+            excess = np.array([found.position, found.rotation]) - self.tube.radii
+            more = places
+            if not proof.proven:
+                profile = distance_profile(model, path(np.linspace(0.0, 1.0, PLACES + 1)), clearance + NEAR)
+                failed_at = ((proof.at, proof.pair_id),) if proof.refuted else ()
+                more = more_places(places, profile, failed_at, clearance, is_free=False)
+            if more == places and not (excess > 0).any():
+                break
+            places, room = more, room - NARROWER * np.maximum(excess, 0.0)
+            rows = rows_for(model, path, safe, nearest(model, path, places), clearance) if places else ()
+        return control
+
+
+def _up(value: float) -> float:
+    """A number rounded up to four digits."""
+    unit = 10.0 ** (np.floor(np.log10(value)) - 3)
+    return float(np.round(np.ceil(value / unit) * unit, 12))
