@@ -15,6 +15,8 @@ from manipplan.support.display import one_line
 TIMES = 2000
 #: Relative change up to which a figure counts as the same, and by which manipulability has to rise to count as better.
 SAME, BETTER = 1e-6, 1e-3
+#: Manipulability below this is rounding noise.
+VANISHING = 1e-12
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -80,7 +82,7 @@ class Comparison:
         before, after = self.recorded, self.improved
         rises = [] if after.duration < before.duration * (1 - SAME) else ["peak_jerk", "rms_jerk"]
         names = [name for name in ("g", *rises) if getattr(after, name) > getattr(before, name) * (1 + SAME)]
-        if after.min_manipulability < before.min_manipulability * (1 - SAME):
+        if before.min_manipulability >= VANISHING and after.min_manipulability < before.min_manipulability * (1 - SAME):
             names.insert(0, "min_manipulability")
         return tuple(names)
 
@@ -88,16 +90,9 @@ class Comparison:
     def better(self) -> bool:
         """Whether the minimum or the mean manipulability rose by at least 0.1 %, and no figure of `worse` got worse."""
         names = ("min_manipulability", "mean_manipulability")
-        higher = any(getattr(self.improved, name) > (1 + BETTER) * getattr(self.recorded, name) for name in names)
+        pairs = [(getattr(self.recorded, name), getattr(self.improved, name)) for name in names]
+        higher = any(after > max((1 + BETTER) * before, VANISHING) for before, after in pairs)
         return higher and not self.worse
-
-    @property
-    def inside(self) -> bool:
-        """Whether the deviation is within the tolerance."""
-        allowed, found = self.tolerance, self.deviation
-        return (allowed.position is None or found.position <= allowed.position) and (
-            allowed.rotation is None or found.rotation <= allowed.rotation
-        )
 
     def __str__(self) -> str:
         unit = "" if self.measure_unit == "1" else f" [{self.measure_unit}]"

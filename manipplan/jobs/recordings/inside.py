@@ -6,19 +6,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
-from manipplan.collision.path_clearance import path_clearance
+from manipplan.collision.path_clearance import PathClearance, path_clearance
 from manipplan.cost.integral import PathIntegral
-from manipplan.jobs.recordings.comparison import Comparison, MotionFigures, deviation_between, held, pose_distances
+from manipplan.jobs.recordings.comparison import VANISHING, Comparison, MotionFigures, deviation_between, held, pose_distances
 from manipplan.jobs.recordings.program import TubeProgram, Weights
 from manipplan.jobs.recordings.smooth import Smooth
 from manipplan.optimize.clearance import NEAR, PLACES, ClearanceRow, Place, distance_profile, more_places, nearest, rows_for
+from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 
 #: Weights for the best motion, for the smoothest one, and for the shortest duration.
-BEST, SMOOTHEST, SHORTEST = Weights(energy=1.0, jerk=1.0), Weights(jerk=1.0), Weights(time=1.0, jerk=1e-4)
+BEST, SMOOTHEST, SHORTEST = Weights(energy=1.0, room=1.0, jerk=1.0), Weights(jerk=1.0), Weights(time=1.0, jerk=1e-4)
 #: Share of the tolerance that noise may take.
 NOISE = 0.9
 #: Maximum number of solves with other clearance rows or a narrower tube, and by how much more than needed the tube narrows.
@@ -67,9 +68,9 @@ class Tube:
             tolerance=self.tolerance,
         )
 
-    def is_free(self, motion: Trajectory) -> bool:
-        """Whether the clearance is proven on the whole motion."""
-        return path_clearance(self.model, motion.path(), clearance=self.clearance, tolerance=None).proven
+    def proof(self, path: JointPath) -> PathClearance:
+        """The proof of the clearance on a path."""
+        return path_clearance(self.model, path, clearance=self.clearance, tolerance=None)
 
 
 class InsideSearch:
@@ -86,27 +87,33 @@ class InsideSearch:
     def run(self) -> tuple[Trajectory, Comparison] | None:
         """The best valid motion, better than the recording if possible; None if there is no valid one."""
         first = self._within_limits()
-        best = self._solved(first, BEST, self.tube.figures.min_manipulability)
-        calm = first
-        if not self._is_valid(first):
-            calm = self._solved(first, SMOOTHEST, 0.0)
+        best = self._solved(first, BEST, self._least)
+        calm = first if self._is_valid(self._motion(first)) else self._solved(first, SMOOTHEST, 0.0)
         valid: tuple[Trajectory, Comparison] | None = None
         for share in (*SHARES, 0.0):
             motion = self._motion(calm + share * (best - calm))
-            found = self.tube.judge(motion)
-            if not found.inside or not self.tube.is_free(motion):
+            if not self._is_valid(motion):
                 continue
+            found = self.tube.judge(motion)
             if found.better:
                 return motion, found
             valid = motion, found
         return valid
 
+    @property
+    def _least(self) -> float:
+        """The minimum manipulability to keep; 0 for rounding noise at a singularity."""
+        least = self.tube.figures.min_manipulability
+        return least if least >= VANISHING else 0.0
+
     def _motion(self, control: Array) -> Trajectory:
         return self.smooth.basis.trajectory(control, self.tube.duration, self.spacing, self.robot.joint_names)
 
-    def _is_valid(self, control: Array) -> bool:
-        motion = self._motion(control)
-        return self.tube.judge(motion).inside and self.tube.is_free(motion)
+    def _is_valid(self, motion: Trajectory) -> bool:
+        """Whether a motion is inside the tube, and its clearance is proven."""
+        off = deviation_between(self.tube.recorded, motion, self.tube.integral)
+        inside = (np.array([off.position, off.rotation]) <= self.tube.radii).all()
+        return bool(inside) and self.tube.proof(motion.path()).proven
 
     def _scatter(self) -> Array:
         """Largest distances [m, rad] (k, 2) of recorded poses from the smooth motion, around each place of the program.
@@ -165,7 +172,7 @@ class InsideSearch:
             control, _ = self.program.solve(first, weights, poses=self.poses, tube=room, least=least, rows=rows)
             motion = self._motion(control)
             path = motion.path()
-            proof = path_clearance(model, path, clearance=clearance, tolerance=None)
+            proof = self.tube.proof(path)
             found = deviation_between(self.tube.recorded, motion, self.tube.integral)
             excess = np.array([found.position, found.rotation]) - self.tube.radii
             more = places

@@ -2,12 +2,13 @@
 
 Minimises
 
-    energy · ∫ ‖q'‖_W² / (m² + ε²)^p du  +  jerk · ∫ ‖d³q/du³‖² du  +  time · τ
+    energy · ∫ ‖q'‖_W² / (m² + ε²)^p du  +  room · ∫ 1 / (m² + ε²)^p du  +  jerk · ∫ ‖d³q/du³‖² du  +  time · τ
 
 over the control points c (size, n) and τ, the duration as a multiple of a given one. The first integral is the energy of g (see
-`manipplan.cost.density`); it and the tube are taken at both ends and in the middle of each piece. Control points of the first,
-second and third derivative bound velocity, acceleration and jerk at all times. First and second derivatives are exact. Each control point has its own
-τ, equal to the next one, which keeps all matrices banded.
+`manipplan.cost.density`), the second raises m at all times, also where the arm hardly moves. They and the tube are taken at both
+ends and in the middle of each piece. Control points of the first, second and third derivative bound velocity, acceleration and
+jerk at all times. First and second derivatives are exact. Each control point has its own τ, equal to the next one, which keeps
+all matrices banded.
 """
 
 from collections.abc import Callable, Sequence
@@ -34,9 +35,10 @@ LONGEST = 1e4
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Weights:
-    """Weights of the energy of g, of the jerk and of the duration; the first two are relative to those of the first curve."""
+    """Weights of the integrals, each over that of the first curve, and of τ."""
 
     energy: float = 0.0
+    room: float = 0.0
     jerk: float = 0.0
     time: float = 0.0
 
@@ -158,30 +160,35 @@ class TubeProgram:
         x = ca.vec(c)
         slope, hessian = bending @ x, ca.MX(bending)
         value = ca.dot(x, slope) / 2 + weights.time * ca.sum1(tau) / tau.numel()
-        if weights.energy > 0:
-            one, gradient, curved = self._energy(c, control)
-            value += weights.energy * one
-            slope += weights.energy * gradient
-            hessian += weights.energy * curved
+        one_way = np.zeros(self.slopes.shape[0] * n).reshape(n, -1)
+        one_way[0] = 1.0
+        for weight, fixed in ((weights.energy, None), (weights.room, one_way)):
+            if weight > 0:
+                one, gradient, curved = self._energy(c, control, fixed)
+                value += weight * one
+                slope += weight * gradient
+                hessian += weight * curved
         time = ca.MX(weights.time / tau.numel() * ca.DM.ones(tau.numel()))
         return value, ca.vertcat(slope, time), ca.diagcat(hessian, ca.MX(tau.numel(), tau.numel()))
 
-    def _energy(self, c: ca.MX, control: Array) -> tuple[ca.MX, ca.MX, ca.MX]:
-        """The energy of g, over that of the curve `control`, with gradient and Hessian in c."""
+    def _energy(self, c: ca.MX, control: Array, fixed: Array | None) -> tuple[ca.MX, ca.MX, ca.MX]:
+        """The energy of g over that of the curve `control`, with gradient and Hessian in c; q' is `fixed` (n, k) if given."""
         n, count = self.limits.n, len(self.u)
         density = energy_density(self.integral)
         numbers = ca.repmat(ca.DM([1.0, self.integral.power, self.integral.floor]), 1, count)
-        at = ca.DM((self.values @ control).T), ca.DM((self.slopes @ control).T)
+        slopes = self.slopes if fixed is None else np.zeros_like(self.slopes)
+        about = ca.DM(np.zeros((n, count)) if fixed is None else fixed)
+        at = ca.DM((self.values @ control).T), ca.DM((slopes @ control).T) + about
         first = float(ca.dot(density.value.map(count)(*at, numbers), ca.DM(self.weights).T))
         weights = ca.DM(self.weights).T / first
-        q, v = c @ ca.DM(self.values.T), c @ ca.DM(self.slopes.T)
+        q, v = c @ ca.DM(self.values.T), c @ ca.sparsify(ca.DM(slopes.T)) + about
         value, gradient, hessian = (
             function.map(count)(q, v, numbers) for function in (density.value, density.gradient, density.hessian)
         )
         blocks = ca.diagcat(*(w * h for w, h in zip(ca.horzsplit(weights), ca.horzsplit(hessian, 2 * n), strict=True)))
         weighed = gradient * ca.repmat(weights, 2 * n, 1)
         stacked = ca.sparsify(ca.vertcat(*(
-            ca.vertcat(*(ca.kron(ca.DM(rows[k][None, :]), ca.DM.eye(n)) for rows in (self.values, self.slopes)))
+            ca.vertcat(*(ca.kron(ca.DM(rows[k][None, :]), ca.DM.eye(n)) for rows in (self.values, slopes)))
             for k in range(count)
         )))
         return ca.dot(value, weights), stacked.T @ ca.vec(weighed), stacked.T @ blocks @ stacked

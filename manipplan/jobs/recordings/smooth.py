@@ -27,12 +27,6 @@ class Smooth:
     control: Array
     ends: Ends
 
-    def finer(self, factor: int) -> "Smooth":
-        """The curve with these ends in `factor` times as many pieces."""
-        basis = SplineBasis(pieces=factor * self.basis.pieces)
-        curve = self.basis.values(basis.places) @ self.control
-        return Smooth(basis=basis, control=basis.fit(basis.places, curve, self.ends), ends=self.ends)
-
 
 def smooth(motion: Trajectory, limits: JointLimits, enough: float) -> Smooth:
     """The smooth motion under the noise, from the recorded start to the recorded goal; noise beyond a limit is cut off there.
@@ -61,9 +55,19 @@ def smooth(motion: Trajectory, limits: JointLimits, enough: float) -> Smooth:
     fast = AT_REST * np.linalg.norm(slopes, axis=1).max()
     start, goal = (slope if np.linalg.norm(slope) > fast else None for slope in slopes[[0, -1]])
     first, last = np.clip(motion.q[[0, -1]], limits.lower, limits.upper)
+    start, goal = (
+        None if slope is None else _inside(basis, q, slope, inward, limits)
+        for q, slope, inward in ((first, start, 1), (last, goal, -1))
+    )
     ends = Ends(start=first, goal=last, start_slope=start, goal_slope=goal)
     curve = basis.values(basis.places) @ control
     return Smooth(basis=basis, control=basis.fit(basis.places, curve, ends), ends=ends)
+
+
+def _inside(basis: SplineBasis, q: Array, slope: Array, inward: int, limits: JointLimits) -> Array:
+    """A slope at an end q (n,), smaller where its control point would be outside the joint limits."""
+    step = inward / (3 * basis.pieces)
+    return np.asarray((np.clip(q + step * slope, limits.lower, limits.upper) - q) / step)
 
 
 def _places(motion: Trajectory) -> tuple[Array, Array]:

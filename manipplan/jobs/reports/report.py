@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from manipplan.jobs.recordings.comparison import Comparison
+from manipplan.jobs.recordings.comparison import VANISHING, Comparison
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.checks import existing_file
@@ -16,8 +16,6 @@ from manipplan.support.json_data import from_json, json_ready
 from manipplan.support.status import RECORDED, Status
 from manipplan.timing.verify import LimitUse
 
-#: Manipulability below this is rounding noise.
-VANISHING = 1e-12
 
 
 @one_line
