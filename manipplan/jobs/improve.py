@@ -7,7 +7,7 @@ from typing import Literal, overload
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.recordings.comparison import MotionFigures
-from manipplan.jobs.recordings.inside import InsideSearch, Tube
+from manipplan.jobs.recordings.inside import Tube, best_motion
 from manipplan.jobs.recordings.read import read_recording
 from manipplan.jobs.recordings.smooth import smooth
 from manipplan.jobs.result import PartialPlan, Plan, failed, finish
@@ -99,9 +99,9 @@ def improve(
         progress: called with the fraction done in [0, 1] and a text.
 
     Raises:
-        InvalidInputError, FileFormatError: an argument is invalid, also with throw=False. The message names row, joint and value
-            of a recorded number, the shortest duration if the limits do not allow the one that is asked for, and the smallest
-            tolerance if the noise exceeds it.
+        InvalidInputError, FileFormatError: an argument is invalid, also with throw=False. The message names row, joint and
+            value of a recorded number, the shortest duration if the limits do not allow the one that is asked for, and the
+            smallest tolerance if the noise exceeds it.
         PlanningError: the tube leaves no motion clear of collisions, or the motion failed its checks; `result` is the Plan so
             far.
     """
@@ -131,7 +131,7 @@ def improve(
         duration=duration or motion.duration,
     )
     tell(0.2, "raising the manipulability")
-    found = InsideSearch(tube, curve).run()
+    found = best_motion(tube, curve)
     draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_FOLLOWED, tolerance=tolerance)
     if found is None:
         return failed(draft, throw, Status.NOT_FOLLOWED.value)

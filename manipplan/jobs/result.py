@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, TypeVar
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
 from manipplan.jobs.goals.candidates import GoalCandidate
+from manipplan.jobs.recordings.comparison import Comparison
 from manipplan.jobs.reports.measure import measure_plan
 from manipplan.jobs.reports.report import PlanReport
 from manipplan.measures.measure import Measure
@@ -77,6 +78,11 @@ class PartialPlan(Pictured):
         )
         other = "none" if self.trajectory is None else f"a motion of {self.trajectory.duration:.4g} s"
         raise InvalidInputError("trajectory", other, wanted)
+
+    @property
+    def comparison(self) -> Comparison | None:
+        """For `improve`, the recorded motion and this one side by side; that of the report."""
+        return None if self.report is None else self.report.comparison
 
     def save(self, folder: str | Path) -> list[Path]:
         """Write trajectory.csv, .json and .yaml (ROS), report.json, report.txt, plan.png and plan.json; returns the files.

@@ -36,16 +36,14 @@ class Status(Enum):
     INTERRUPTED = "interrupted: the best checked path so far, optimised or the seed; run it again to get further"
     # recorded motions
     IMPROVED = (
-        "improved: the minimum or mean manipulability of the recorded motion rose, its minimum did not fall, neither g nor jerk "
-        "rose, and every check passed"
+        "improved: the minimum or mean manipulability of the recorded motion rose, its minimum did not fall, neither g nor "
+        "jerk rose, and every check passed"
     )
     NOT_BETTER = (
         "smoothed: the manipulability of the recorded motion could not be raised without a lower minimum, a higher g or more "
         "jerk; the motion is the recorded one without its noise, and every check passed; allow more tolerance"
     )
-    NOT_FOLLOWED = (
-        "failed: no motion inside the tolerance around the recorded one is clear of collisions; allow more tolerance"
-    )
+    NOT_FOLLOWED = "failed: no motion inside the tolerance around the recorded one is clear of collisions; allow more tolerance"
     # tool paths
     FOLLOWED = (
         "followed: the motion follows the workspace path with the largest minimum manipulability found, and every check passed"

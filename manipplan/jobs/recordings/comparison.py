@@ -10,6 +10,7 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
+from manipplan.symbolic.task import Task
 
 #: Number of intervals of time over which the mean manipulability is taken.
 TIMES = 2000
@@ -78,7 +79,7 @@ class Comparison:
 
     @property
     def worse(self) -> tuple[str, ...]:
-        """Names of the figures that must not get worse and did: minimum manipulability, g, and jerk unless the motion is faster."""
+        """Names of figures that must not get worse and did: minimum manipulability, g, and jerk unless the motion is faster."""
         before, after = self.recorded, self.improved
         rises = [] if after.duration < before.duration * (1 - SAME) else ["peak_jerk", "rms_jerk"]
         names = [name for name in ("g", *rises) if getattr(after, name) > getattr(before, name) * (1 + SAME)]
@@ -96,7 +97,15 @@ class Comparison:
 
     def __str__(self) -> str:
         unit = "" if self.measure_unit == "1" else f" [{self.measure_unit}]"
-        names = (f"minimum m{unit}", f"mean m{unit}", "g", "length [rad]", "duration [s]", "peak jerk [rad/s³]", "RMS jerk [rad/s³]")
+        names = (
+            f"minimum m{unit}",
+            f"mean m{unit}",
+            "g",
+            "length [rad]",
+            "duration [s]",
+            "peak jerk [rad/s³]",
+            "RMS jerk [rad/s³]",
+        )
         lines = [f"{'':<20}{'recorded':>10}{'improved':>10}"]
         for name, each in zip(names, fields(MotionFigures), strict=True):
             lines.append(f"{name:<20}{getattr(self.recorded, each.name):>10.4g}{getattr(self.improved, each.name):>10.4g}")
@@ -107,7 +116,7 @@ class Comparison:
 
 
 def deviation_between(recorded: Trajectory, improved: Trajectory, integral: PathIntegral) -> Deviation:
-    """Largest distances of the tools of two motions from each other, at the same shares of their times: at all samples of both.
+    """Largest distances of the tools of two motions from each other, at the same shares of time, at all samples of both.
 
     What the task leaves free does not count: of a task without angular rows the orientation, of a pointing task the turn
     about its axis, of a task without linear rows the position.
@@ -123,27 +132,24 @@ def deviation_between(recorded: Trajectory, improved: Trajectory, integral: Path
     )
 
 
-def tool_distances(
-    recorded: Trajectory, improved: Trajectory, u: Array, integral: PathIntegral
-) -> tuple[Array, Array]:
+def tool_distances(recorded: Trajectory, improved: Trajectory, u: Array, integral: PathIntegral) -> tuple[Array, Array]:
     """Distances [m] and angles [rad] (k,) between the tools of two motions at shares u (k,) of their times."""
     kinematics = integral.kinematics
     first, second = (kinematics.pose(each(np.minimum(u * each.duration, each.duration))) for each in (recorded, improved))
-    return pose_distances(first, second, integral)
+    return pose_distances(first, second, kinematics.task)
 
 
-def pose_distances(first: Array, second: Array, integral: PathIntegral) -> tuple[Array, Array]:
+def pose_distances(first: Array, second: Array, task: Task) -> tuple[Array, Array]:
     """Distances [m] and angles [rad] (k,) between poses (k, 4, 4), as far as the task holds them."""
-    moves, turns = held(integral)
+    moves, turns = held(task)
     position = np.linalg.norm(first[:, :3, 3] - second[:, :3, 3], axis=1) if moves else np.zeros(len(first))
-    axis = integral.kinematics.task.free_axis
-    rotation = angles_between(first[:, :3, :3], second[:, :3, :3], axis) if turns else np.zeros(len(first))
+    rotation = angles_between(first[:, :3, :3], second[:, :3, :3], task.free_axis) if turns else np.zeros(len(first))
     return position, rotation
 
 
-def held(integral: PathIntegral) -> tuple[bool, bool]:
+def held(task: Task) -> tuple[bool, bool]:
     """Whether the task holds the tool's position, and its orientation."""
-    rows = np.array([*integral.kinematics.task.world_rows, *integral.kinematics.task.tool_rows])
+    rows = np.array([*task.world_rows, *task.tool_rows])
     return bool(rows[:, :3].any()), bool(rows[:, 3:].any())
 
 

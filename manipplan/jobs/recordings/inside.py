@@ -1,6 +1,6 @@
 """The best motion inside the tube around a recording that keeps the limits, the duration and the clearance."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,12 +22,13 @@ from manipplan.support.errors import InvalidInputError
 BEST, SMOOTHEST, SHORTEST = Weights(energy=1.0, room=1.0, jerk=1.0), Weights(jerk=1.0), Weights(time=1.0, jerk=1e-4)
 #: Share of the tolerance that noise may take.
 NOISE = 0.9
-#: Maximum number of solves with other clearance rows or a narrower tube, and by how much more than needed the tube narrows.
-ROUNDS, NARROWER = 8, 1.5
-#: Shares of the way from the smooth motion to the best one that are tried, the first that is valid and better counts.
-SHARES = (1.0, 0.75, 0.5, 0.25, 0.1)
-#: Excess of a limit, as a share, up to which it counts as kept.
-KEPT = 1e-7
+#: Maximum number of solves with other clearance rows or a narrower tube, by how much more than needed the tube narrows,
+#: and its smallest share.
+ROUNDS, NARROWER, LEAST = 8, 1.5, 0.02
+#: Shares of the tube in which the best motion is looked for, until it is valid and better than the recording.
+SHARES = (1.0, 0.5, 0.25)
+#: Factors by which the number of pieces rises while no motion keeps the limits, and share by which a limit counts as kept.
+FINER, ROUNDING = (1, 2, 4), 1e-8
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -55,8 +56,8 @@ class Tube:
     @property
     def radii(self) -> Array:
         """Radii of the tube in position [m] and rotation [rad]; inf: not bounded."""
-        both = (self.tolerance.position, self.tolerance.rotation)
-        return np.array([r if r is not None and h else np.inf for r, h in zip(both, held(self.integral), strict=True)])
+        both, counts = (self.tolerance.position, self.tolerance.rotation), held(self.integral.kinematics.task)
+        return np.array([r if r is not None and c else np.inf for r, c in zip(both, counts, strict=True)])
 
     def judge(self, motion: Trajectory) -> Comparison:
         """The recording and a motion side by side."""
@@ -73,8 +74,27 @@ class Tube:
         return path_clearance(self.model, path, clearance=self.clearance, tolerance=None)
 
 
-class InsideSearch:
-    """The search for the best motion from a smooth one."""
+def best_motion(tube: Tube, smooth: Smooth) -> tuple[Trajectory, Comparison] | None:
+    """The best motion in the tube, and its comparison with the recording; None if no motion is clear of collisions.
+
+    Raises InvalidInputError where noise takes most of the tolerance, and for a duration that is too short for the limits.
+    """
+    shortest = np.inf
+    for factor in FINER:
+        search = _Search(tube, smooth.finer(factor))
+        first, ratio = search.within_limits()
+        if ratio <= 1.0:
+            return search.run(first)
+        shortest = min(shortest, ratio)
+    robot = tube.model.robot.name
+    wanted = (
+        f"at least {_up(shortest * tube.duration):g} s, the shortest found in which {robot} keeps its limits and the tolerance"
+    )
+    raise InvalidInputError("duration", tube.duration, wanted)
+
+
+class _Search:
+    """The search for the best motion over the pieces of a smooth one."""
 
     def __init__(self, tube: Tube, smooth: Smooth) -> None:
         self.tube, self.smooth = tube, smooth
@@ -84,21 +104,25 @@ class InsideSearch:
         self.spacing = float(np.median(np.diff(tube.recorded.t))) * max(tube.duration / tube.recorded.duration, 1.0)
         self.room = tube.radii - self._scatter()
 
-    def run(self) -> tuple[Trajectory, Comparison] | None:
-        """The best valid motion, better than the recording if possible; None if there is no valid one."""
-        first = self._within_limits()
-        best = self._solved(first, BEST, self._least)
-        calm = first if self._is_valid(self._motion(first)) else self._solved(first, SMOOTHEST, 0.0)
-        valid: tuple[Trajectory, Comparison] | None = None
-        for share in (*SHARES, 0.0):
-            motion = self._motion(calm + share * (best - calm))
-            if not self._is_valid(motion):
-                continue
-            found = self.tube.judge(motion)
-            if found.better:
-                return motion, found
-            valid = motion, found
-        return valid
+    def run(self, first: Array) -> tuple[Trajectory, Comparison] | None:
+        """The first valid motion that is better than the recording, or else the first that is valid; None if there is none."""
+        valid: list[tuple[Trajectory, Comparison]] = []
+        for control in self._candidates(first):
+            motion = self._motion(control)
+            if self._is_valid(motion):
+                found = self.tube.judge(motion)
+                if found.better:
+                    return motion, found
+                valid.append((motion, found))
+        # from the last candidate on, those in which nothing got worse first
+        return min(reversed(valid), key=lambda each: len(each[1].worse), default=None)
+
+    def _candidates(self, first: Array) -> Iterator[Array]:
+        """Control points of the best motion in narrower and narrower tubes, of the smoothest one, and the first ones."""
+        for share in SHARES:
+            yield self._solved(first, BEST, self._least, share)
+        yield self._solved(first, SMOOTHEST, self._least, 1.0)
+        yield first
 
     @property
     def _least(self) -> float:
@@ -123,7 +147,7 @@ class InsideSearch:
         recorded, kinematics = self.tube.recorded, self.tube.integral.kinematics
         u = recorded.t / recorded.duration
         curve = self.smooth.basis.values(u) @ self.smooth.control
-        off = np.stack(pose_distances(kinematics.pose(recorded.q), kinematics.pose(curve), self.tube.integral), axis=1)
+        off = np.stack(pose_distances(kinematics.pose(recorded.q), kinematics.pose(curve), kinematics.task), axis=1)
         row, kind = (int(k) for k in np.unravel_index((off / self.tube.radii).argmax(), off.shape))
         if off[row, kind] > NOISE * self.tube.radii[kind]:
             name, unit = (("position", "m"), ("rotation", "rad"))[kind]
@@ -140,34 +164,26 @@ class InsideSearch:
         around = [off[min(a, i) : max(b, i + 1)] for a, b, i in zip(first, last, np.minimum(index, len(u) - 1), strict=True)]
         return np.array([each.max(axis=0) for each in around])
 
-    def _within_limits(self) -> Array:
-        """The smooth motion, or the fastest one in the tube where that exceeds limits; raises InvalidInputError for a duration
-        that is too short for it."""
+    def within_limits(self) -> tuple[Array, float]:
+        """Control points of the smooth motion or, if that exceeds limits, of the fastest one in the tube.
+
+        Beside them stands the duration that they need, as a multiple of the wanted one: at most 1 if the limits hold.
+        """
         limits, control = self.robot.limits, self.smooth.control
         inside = ((control >= limits.lower) & (control <= limits.upper)).all()
         if inside and self.program.used(control) <= 1.0:
-            return control
-        control, factor = self.program.solve(
-            np.clip(control, limits.lower, limits.upper), SHORTEST, poses=self.poses, tube=self.room
-        )
-        if factor > 1.0 and not self.program.solved:
-            factor = self.program.used(control)
-        if factor > 1.0:
-            raise InvalidInputError(
-                "duration",
-                self.tube.duration,
-                f"at least {_up(factor * self.tube.duration):g} s, the shortest duration found in which {self.robot.name} keeps "
-                "its limits and this tolerance",
-            )
-        return control
+            return control, 1.0
+        first = np.clip(control, limits.lower, limits.upper)
+        control, _ = self.program.solve(first, SHORTEST, poses=self.poses, tube=self.room)
+        return control, self.program.used(control) * (1 - ROUNDING)
 
-    def _solved(self, first: Array, weights: Weights, least: float) -> Array:
-        """The solution, again with more clearance rows and a narrower tube until it is free and inside the tolerance."""
+    def _solved(self, first: Array, weights: Weights, least: float, share: float) -> Array:
+        """The solution in this share of the tube, with more clearance rows and a narrower tube until it is free and inside."""
         model, clearance = self.tube.model, self.tube.clearance
         safe = self._motion(first).path()
         rows: Sequence[ClearanceRow] = ()
         places: tuple[Place, ...] = ()
-        room, control = self.room, first
+        room, control = share * self.room, first
         for _ in range(ROUNDS):
             control, _ = self.program.solve(first, weights, poses=self.poses, tube=room, least=least, rows=rows)
             motion = self._motion(control)
@@ -182,7 +198,7 @@ class InsideSearch:
                 more = more_places(places, profile, failed_at, clearance, is_free=False)
             if more == places and not (excess > 0).any():
                 break
-            places, room = more, room - NARROWER * np.maximum(excess, 0.0)
+            places, room = more, np.maximum(room - NARROWER * np.maximum(excess, 0.0), LEAST * self.room)
             rows = rows_for(model, path, safe, nearest(model, path, places), clearance) if places else ()
         return control
 

@@ -5,10 +5,10 @@ Minimises
     energy · ∫ ‖q'‖_W² / (m² + ε²)^p du  +  room · ∫ 1 / (m² + ε²)^p du  +  jerk · ∫ ‖d³q/du³‖² du  +  time · τ
 
 over the control points c (size, n) and τ, the duration as a multiple of a given one. The first integral is the energy of g (see
-`manipplan.cost.density`), the second raises m at all times, also where the arm hardly moves. They and the tube are taken at both
-ends and in the middle of each piece. Control points of the first, second and third derivative bound velocity, acceleration and
-jerk at all times. First and second derivatives are exact. Each control point has its own τ, equal to the next one, which keeps
-all matrices banded.
+`manipplan.cost.density`), the second raises m at all times, also where the arm hardly moves. They and the tube are taken at
+both ends and in the middle of each piece. Control points of the first, second and third derivative bound velocity, acceleration
+and jerk at all times. First and second derivatives are exact. Each control point has its own τ, equal to the next one, which
+keeps all matrices banded.
 """
 
 from collections.abc import Callable, Sequence
@@ -22,12 +22,11 @@ from manipplan.cost.density import energy_density
 from manipplan.cost.integral import PathIntegral
 from manipplan.jobs.recordings.spline import Ends, SplineBasis
 from manipplan.optimize.clearance import ClearanceRow, row_functions
-from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.limits import JointLimits
 from manipplan.search.program import pose_error
 from manipplan.support.checks import Array
 
-#: Tolerance and maximum number of iterations of IPOPT, and margin by which tube and minimum manipulability are kept.
+#: Tolerance and maximum number of iterations of IPOPT, and margin by which the tube is kept, as a share.
 CONVERGED, STEPS, SPARE = 1e-5, 150, 1e-3
 #: Largest change of the duration when it is free, as a multiple.
 LONGEST = 1e4
@@ -54,9 +53,7 @@ class TubeProgram:
         limits: of the joints.
     """
 
-    def __init__(
-        self, integral: PathIntegral, basis: SplineBasis, ends: Ends, duration: float, limits: JointLimits
-    ) -> None:
+    def __init__(self, integral: PathIntegral, basis: SplineBasis, ends: Ends, duration: float, limits: JointLimits) -> None:
         self.integral, self.basis, self.ends, self.duration, self.limits = integral, basis, ends, duration, limits
         self.u = np.linspace(0.0, 1.0, 2 * basis.pieces + 1)
         simpson = np.where(np.arange(len(self.u)) % 2, 4.0, 2.0)
@@ -89,7 +86,7 @@ class TubeProgram:
         c, tau = ca.reshape(z[: control.size], n, self.basis.size), z[control.size :]
         lam_f = ca.MX.sym("lam_f")
         parts = [
-            self._limits(c, tau),
+            *([self._limits(c, tau)] if self._bounds else []),
             self._equal(tau),
             self._tube(c, poses, tube),
             *([self._least(c, least)] if least > 0 else []),
@@ -136,23 +133,25 @@ class TubeProgram:
             lbg=np.concatenate([part.lower for part in parts]),
             ubg=np.concatenate([part.upper for part in parts]),
         )
-        self.solved = bool(solver.stats()["success"])
         x = np.asarray(result["x"]).ravel()
         return x[: control.size].reshape(control.shape), float(x[control.size :].max())
 
     def used(self, control: Array) -> float:
         """The smallest τ with which a curve keeps the limits of velocity, acceleration and jerk."""
-        return max(float(np.abs(rows @ control / most).max()) ** (1 / order) for order, rows, most in self._bounds)
+        used = (float(np.abs(rows @ control / most).max() ** (1 / order)) for order, rows, most in self._bounds)
+        return max(used, default=0.0)
 
     @cached_property
     def _bounds(self) -> list[tuple[int, Array, Array]]:
         """Order, matrix and limits of the derivatives' control points, per share of the duration."""
         kinds = ((1, self.limits.velocity), (2, self.limits.acceleration), (3, self.limits.jerk))
-        return [(order, self.basis.slopes(order), most * self.duration**order) for order, most in kinds if np.isfinite(most).any()]
+        return [
+            (order, self.basis.slopes(order), most * self.duration**order) for order, most in kinds if np.isfinite(most).any()
+        ]
 
     def _objective(self, c: ca.MX, tau: ca.MX, control: Array, weights: Weights) -> tuple[ca.MX, ca.MX, ca.MX]:
         """Value, gradient and Hessian in (c, τ)."""
-        n, size = self.limits.n, c.numel()
+        n = self.limits.n
         third = self.basis.slopes(3)
         square = third.T @ third
         scale = weights.jerk / max(float(np.trace(control.T @ square @ control)), 1e-12)
@@ -160,7 +159,7 @@ class TubeProgram:
         x = ca.vec(c)
         slope, hessian = bending @ x, ca.MX(bending)
         value = ca.dot(x, slope) / 2 + weights.time * ca.sum1(tau) / tau.numel()
-        one_way = np.zeros(self.slopes.shape[0] * n).reshape(n, -1)
+        one_way = np.zeros((n, len(self.u)))
         one_way[0] = 1.0
         for weight, fixed in ((weights.energy, None), (weights.room, one_way)):
             if weight > 0:
@@ -187,10 +186,14 @@ class TubeProgram:
         )
         blocks = ca.diagcat(*(w * h for w, h in zip(ca.horzsplit(weights), ca.horzsplit(hessian, 2 * n), strict=True)))
         weighed = gradient * ca.repmat(weights, 2 * n, 1)
-        stacked = ca.sparsify(ca.vertcat(*(
-            ca.vertcat(*(ca.kron(ca.DM(rows[k][None, :]), ca.DM.eye(n)) for rows in (self.values, slopes)))
-            for k in range(count)
-        )))
+        stacked = ca.sparsify(
+            ca.vertcat(
+                *(
+                    ca.vertcat(*(ca.kron(ca.DM(rows[k][None, :]), ca.DM.eye(n)) for rows in (self.values, slopes)))
+                    for k in range(count)
+                )
+            )
+        )
         return ca.dot(value, weights), stacked.T @ ca.vec(weighed), stacked.T @ blocks @ stacked
 
     def _limits(self, c: ca.MX, tau: ca.MX) -> "_Rows":
@@ -227,7 +230,7 @@ class TubeProgram:
             jacobian=ca.MX(ca.horzcat(ca.DM(size - 1, unknowns), differences)),
             lower=np.zeros(size - 1),
             most=0.0,
-            hessian=lambda lam: empty,
+            hessian=lambda _: empty,
         )
 
     def _tube(self, c: ca.MX, poses: Array, tube: Array) -> "_Rows":
@@ -241,13 +244,12 @@ class TubeProgram:
         turns = rows.size1() > moves and np.isfinite(tube[:, 1]).any()
         if turns:
             squares.append(ca.sumsqr(rows[moves:]) * radii[1] ** 2)
-        kept = [0, 1] if turns else [0]
-        limits = 1 / np.stack([tube[:, 0], np.where(np.isfinite(tube[:, 1]), np.sin(np.minimum(tube[:, 1], np.pi / 2)), np.inf)])
-        parameters = ca.DM(np.vstack([poses.transpose(0, 2, 1).reshape(len(poses), 16).T, limits]))
-        return self._at_places(1 - ca.vertcat(*squares[: len(kept)]), q, ca.vertcat(pose, radii), c, parameters)
+        sines = np.where(np.isfinite(tube[:, 1]), np.sin(np.minimum(tube[:, 1], np.pi / 2)), np.inf)
+        parameters = ca.DM(np.vstack([poses.transpose(0, 2, 1).reshape(len(poses), 16).T, 1 / tube[:, 0], 1 / sines]))
+        return self._at_places(1 - ca.vertcat(*squares), q, ca.vertcat(pose, radii), c, parameters)
 
     def _least(self, c: ca.MX, least: float) -> "_Rows":
-        """m over the least value, minus one."""
+        """m over the least value, which is at least one."""
         symbolic = self.integral.kinematics.symbolic
         count, values = len(self.u), self.values
         q = c @ ca.DM(values.T)
@@ -263,7 +265,8 @@ class TubeProgram:
         """Distances of clearance rows [m]."""
         n = self.limits.n
         distance, gradient, hessian = row_functions(self.integral.kinematics)
-        columns, values = ca.DM(np.array([row.column(n) for row in rows]).T), self.basis.values(np.array([row.s for row in rows]))
+        columns = ca.DM(np.array([row.column(n) for row in rows]).T)
+        values = self.basis.values(np.array([row.s for row in rows]))
         q = c @ ca.DM(values.T)
         return _Rows(
             value=distance.map(len(rows))(q, columns).T,
@@ -274,7 +277,7 @@ class TubeProgram:
 
     def _at_places(self, value: ca.SX, q: ca.SX, p: ca.SX, c: ca.MX, parameters: ca.DM) -> "_Rows":
         """Rows of a function of (q, p) at all places u, with derivatives by CasADi."""
-        n, count, values = self.limits.n, len(self.u), self.values
+        count, values = len(self.u), self.values
         height = value.size1()
         lam = ca.SX.sym("lam", height)
         jacobian = ca.jacobian(value, q).T  # (n, height)
@@ -304,7 +307,7 @@ class TubeProgram:
         """The sum over k rows of lam (k,) times their Hessian, in (c, τ), from those in q (n, n k)."""
         n = self.limits.n
         chain = ca.kron(ca.sparsify(ca.DM(values)), ca.DM.eye(n))
-        blocks = ca.diagcat(*(l * h for l, h in zip(ca.vertsplit(lam), ca.horzsplit(hessians, n), strict=True)))
+        blocks = ca.diagcat(*(each * h for each, h in zip(ca.vertsplit(lam), ca.horzsplit(hessians, n), strict=True)))
         return ca.diagcat(chain.T @ blocks @ chain, ca.MX(self.basis.size, self.basis.size))
 
 

@@ -29,7 +29,9 @@ def read_recording(robot: Robot, recorded: Trajectory | JointPath | str | Path, 
         if degrees:
             raise InvalidInputError("degrees", degrees, "False with a JointPath, which is in radians")
         if recorded.n != robot.n:
-            raise InvalidInputError("recorded", f"a path of {recorded.n} joints", f"a path of the {robot.n} joints of {robot.name}")
+            raise InvalidInputError(
+                "recorded", f"a path of {recorded.n} joints", f"a path of the {robot.n} joints of {robot.name}"
+            )
         recorded = retime(recorded, robot)
     elif file is not None and file.suffix.lower() == ".csv":
         recorded = from_csv(file, joints=robot.joint_names)

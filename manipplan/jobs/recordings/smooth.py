@@ -27,6 +27,14 @@ class Smooth:
     control: Array
     ends: Ends
 
+    def finer(self, factor: int) -> "Smooth":
+        """The curve with the same ends and `factor` times as many pieces."""
+        if factor == 1:
+            return self
+        basis = SplineBasis(pieces=factor * self.basis.pieces)
+        curve = self.basis.values(basis.places) @ self.control
+        return Smooth(basis=basis, control=basis.fit(basis.places, curve, self.ends), ends=self.ends)
+
 
 def smooth(motion: Trajectory, limits: JointLimits, enough: float) -> Smooth:
     """The smooth motion under the noise, from the recorded start to the recorded goal; noise beyond a limit is cut off there.

@@ -17,7 +17,6 @@ from manipplan.support.status import RECORDED, Status
 from manipplan.timing.verify import LimitUse
 
 
-
 @one_line
 @dataclass(frozen=True, kw_only=True)
 class Report:
