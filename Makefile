@@ -92,6 +92,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/again.py
 	$(BIN)/python benchmarks/check_trajectories.py
 	$(BIN)/python benchmarks/pose_goals.py
+	$(BIN)/python benchmarks/recorded_motions.py
 	$(BIN)/python benchmarks/seeds.py
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py

@@ -29,6 +29,7 @@ from manipplan.jobs.other_goals import OtherGoal, other_goals
 from manipplan.jobs.plan import plan
 from manipplan.jobs.plan_many import plan_many
 from manipplan.jobs.problem import Problem
+from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
 from manipplan.jobs.reports.report import PlanReport, Report
 from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.kinematics.evaluate import Evaluator
@@ -97,6 +98,7 @@ __all__ = [
     "Capsule",
     "CartesianPath",
     "Certificate",
+    "Comparison",
     "CompilerError",
     "CompilerWarning",
     "Completeness",
@@ -130,6 +132,7 @@ __all__ = [
     "MissingExtraError",
     "MissingProgramError",
     "MissingSourcesError",
+    "MotionFigures",
     "NoPath",
     "Obstacle",
     "OtherGoal",

@@ -86,9 +86,9 @@ def improve(
 
     Args:
         robot: the arm.
-        recorded: a Trajectory, the file of one, or a JointPath, which is timed by `retime`. The columns of a CSV file are found
-            by the names of the robot's joints, in any order, others are ignored: see `Trajectory.from_csv`. Positions up to
-            0.01 rad or m outside the limits count as noise.
+        recorded: a Trajectory, the file of one, or a JointPath, which is timed by `retime` and a quarter slower. The columns of
+            a CSV file are found by the names of the robot's joints, in any order; others are ignored (`Trajectory.from_csv`).
+            Positions up to 0.01 rad or m outside the limits count as noise.
         scene: obstacles to avoid.
         duration: of the motion [s]; None: that of the recording.
         tolerance: largest distance of the tool from the recorded pose. What the objective's task leaves free does not count.

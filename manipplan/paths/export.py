@@ -85,9 +85,9 @@ def _column(path: Path, header: list[str], names: tuple[str, ...]) -> int:
     """Index of the only column with one of the names."""
     found = [k for k, column in enumerate(header) if column in names]
     if len(found) != 1:
-        many = "no" if not found else f"{len(found)}"
-        got = f"{path} with the first line {','.join(header)}, which has {many} columns {' or '.join(names)}"
-        raise FileFormatError("file", got, f"one column {' or '.join(names)}; a CSV has the columns time, q_<joint>...")
+        many, each = len(found) or "no", " or ".join(names)
+        wanted = f"a CSV with columns time, q_<joint>...; it has {many} column {each}, its columns are {', '.join(header)}"
+        raise FileFormatError("file", str(path), wanted)
     return found[0]
 
 

@@ -18,6 +18,8 @@ from manipplan.timing.retime import retime
 OUTSIDE = 0.01
 #: A joint does not move further than this between two samples [rad or m] at this multiple of its largest speed.
 JUMP, TOO_FAST = 0.05, 5.0
+#: How much slower than the limits allow a path is timed: at the limits there is no room for smoother motions.
+SLOWER = 1.25
 #: Smallest motion of a joint [rad or m].
 STILL = 1e-6
 
@@ -32,7 +34,7 @@ def read_recording(robot: Robot, recorded: Trajectory | JointPath | str | Path, 
             raise InvalidInputError(
                 "recorded", f"a path of {recorded.n} joints", f"a path of the {robot.n} joints of {robot.name}"
             )
-        recorded = retime(recorded, robot)
+        recorded = retime(recorded, robot).slower(SLOWER)
     elif file is not None and file.suffix.lower() == ".csv":
         recorded = from_csv(file, joints=robot.joint_names)
     elif file is not None:
