@@ -41,7 +41,7 @@ class Status(Enum):
     )
     NOT_BETTER = (
         "smoothed: the manipulability of the recorded motion could not be raised without a lower minimum, a higher g or more "
-        "jerk; the motion is the recorded one without its noise, and every check passed; allow more tolerance"
+        "jerk; the motion is the recording without its noise, inside the limits, and every check passed; allow more tolerance"
     )
     NOT_FOLLOWED = "failed: no motion inside the tolerance around the recorded one is clear of collisions; allow more tolerance"
     # tool paths

@@ -24,6 +24,7 @@ import first_paths
 import motionbenchmaker
 import motions
 import plan_many
+import recorded_motions
 import six_joint_arms
 import timed_motions
 import version_01
