@@ -34,6 +34,7 @@ from manipplan.jobs.other_goals import OtherGoal, other_goals
 from manipplan.jobs.plan import plan
 from manipplan.jobs.plan_many import plan_many
 from manipplan.jobs.problem import Problem
+from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
 from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.report import PlanReport, Report
 from manipplan.jobs.result import PartialPlan, Plan
@@ -104,6 +105,7 @@ __all__ = [
     "Capsule",
     "CartesianPath",
     "Certificate",
+    "Comparison",
     "CompilerError",
     "CompilerWarning",
     "Completeness",
@@ -140,6 +142,7 @@ __all__ = [
     "MissingExtraError",
     "MissingProgramError",
     "MissingSourcesError",
+    "MotionFigures",
     "NoPath",
     "Obstacle",
     "OtherGoal",

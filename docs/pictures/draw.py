@@ -32,7 +32,7 @@ def flow():
     rows = {
         30: (OPTIMUM, "plan", ["start, goal", "seed_path\nRRT-Connect", "optimize_path\nminimum g"]),
         18: (ELLIPSOID, "follow", ["path of the tool", "sample_layers\nall configurations", "max_min_search\nrefine"]),
-        6: (JOINTS[3], "improve", ["recording", "Controller\none QP per step", "track\nm raised"]),
+        6: (JOINTS[3], "improve", ["recording", "smooth\nno noise", "tube program\nm raised"]),
     }
     for y, (colour, job, boxes) in rows.items():
         for k, text in enumerate(boxes):

@@ -1,4 +1,4 @@
-"""`manipplan improve`: repeat a recorded motion with higher manipulability."""
+"""`manipplan improve`: make a recorded motion smooth and raise its manipulability."""
 
 from pathlib import Path
 
@@ -19,20 +19,23 @@ def improve(
     /,
     tolerance: tuple[float, float] = (0.02, 0.2),
     duration: float | None = None,
-    dt: float = 0.01,
+    degrees: bool = False,
+    clearance: float = 0.0,
     measure: str | None = None,
     out: Path = Path("improve"),
     options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
 ) -> int:
-    """Repeat a recorded joint motion with higher manipulability, and write it as CSV, JSON and ROS JointTrajectory.
+    """Make a recorded joint motion smooth and raise its manipulability, and write it as CSV, JSON and ROS JointTrajectory.
 
     Args:
         options: Options of the robot and its scene.
         robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
-        recorded: CSV file with the columns time [s], q_JOINT [rad or m] for each joint; velocities may follow.
+        recorded: CSV file with the columns time [s] and q_JOINT [rad or m] of each joint, in any order; or a trajectory file
+            that manipplan wrote.
         tolerance: Maximum deviation of the tool from the recorded poses [m] [rad].
         duration: Duration of the new motion [s]; default: that of the recording.
-        dt: Time step [s].
+        degrees: The angles of the recording are in degrees.
+        clearance: Distance to keep from obstacles and between the arm's own links [m].
         measure: Name of the manipulability measure; default: Yoshikawa's.
         out: Folder for the files that are written.
     """
@@ -45,11 +48,12 @@ def improve(
             recorded,
             world,
             objective=PathObjective(measure=measure),
-            dt=dt,
             duration=duration,
+            degrees=degrees,
+            clearance=clearance,
             tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]),
             progress=part(tell, 0.0, 0.95),
         )
         tell(1.0, "writing files")
         files = made.save(folder)
-    return terminal.show_plan(made, files, f"tracking     {made.tracking}")
+    return terminal.show_plan(made, files)

@@ -8,6 +8,7 @@ from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint
 from manipplan.jobs.goals.candidates import GoalCandidate
+from manipplan.jobs.recordings.comparison import Comparison
 from manipplan.jobs.reports.measure import measure_plan
 from manipplan.jobs.reports.report import PlanReport
 from manipplan.measures.measure import Measure
@@ -25,7 +26,6 @@ from manipplan.support.display import Pictured, one_line
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.files import writable_folder, write_text
 from manipplan.support.status import Status
-from manipplan.tracking.track import Tracking
 
 if TYPE_CHECKING:
     from manipplan.viz.viewer import PlanViewer
@@ -44,8 +44,7 @@ class PartialPlan(Pictured):
         path: the JointPath from start to goal.
         trajectory: the timed motion along it.
         report: the figures of this trajectory, measured on it; raises InvalidInputError together with another trajectory.
-        result: the optimiser's result, with seed and history; for `improve`, the motion compared with the recorded one.
-        tracking: the steps of `improve`.
+        result: the optimiser's result, with seed and history; for `improve` the seed is the recorded motion.
         search, refinement, deviation: for `follow`: the path found among the samples, its refinement, and the tool's
             deviation from the workspace path.
         workspace_path: the path that `follow` follows.
@@ -64,7 +63,6 @@ class PartialPlan(Pictured):
     trajectory: Trajectory | None = None
     report: PlanReport | None = None
     result: PathResult | None = None
-    tracking: Tracking | None = None
     search: SearchResult | None = None
     refinement: Refinement | None = None
     deviation: Deviation | None = None
@@ -89,6 +87,11 @@ class PartialPlan(Pictured):
     def path_begin(self) -> float:
         """For `follow`: the time at which the motion along the workspace path begins, after the lead-in [s]; otherwise 0."""
         return self.report.along.begin if self.report is not None and self.report.along is not None else 0.0
+
+    @property
+    def comparison(self) -> Comparison | None:
+        """For `improve`, the recorded motion and this one side by side; that of the report."""
+        return None if self.report is None else self.report.comparison
 
     def save(self, folder: str | Path) -> list[Path]:
         """Write trajectory.csv, .json and .yaml (ROS), report.json, report.txt, plan.png and plan.json; returns the files.
@@ -121,7 +124,7 @@ class PartialPlan(Pictured):
 
         The report is the one measured before the plan was saved; nothing is measured again. A file that was changed since is
         rejected, and so is a robot with different kinematics or different outlines of its bodies. Data that only the solvers
-        need are not kept: `search`, `tracking`, and the `history` and `rivals` of `result`.
+        need are not kept: `search`, and the `history` and `rivals` of `result`.
 
         Args:
             file: the folder, or plan.json in it.

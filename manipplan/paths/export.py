@@ -4,7 +4,7 @@ import csv
 import io
 import json
 import tokenize
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -35,57 +35,83 @@ def to_csv(trajectory: Trajectory, file: str | Path) -> None:
     write_text(file, out.getvalue())
 
 
-def from_csv(file: str | Path) -> Trajectory:
-    """Read `to_csv`'s file, or a recorded demonstration with times and positions alone. Its velocities come from the cubic
-    spline through the positions. Times count from that of the first row.
+def from_csv(file: str | Path, *, joints: Sequence[str] | None = None) -> Trajectory:
+    """Read `to_csv`'s file, or a recorded demonstration. Columns are found by name, in any order; others are ignored.
 
-    Raises FileFormatError for another header, a short row, a cell that is not a finite number, or a time that is not after the
-    one before; the last three name the row.
+    Args:
+        file: its first line names the columns: `time` or `t` [s], `q_<joint>` [rad or m], and `qd_<joint>` for all joints or
+            none. Without velocities they come from the cubic spline through the positions. Times count from that of the first
+            row.
+        joints: names to read, in this order, such as `robot.joint_names`; their columns may lack the `q_`. Default: all
+            `q_<joint>` columns, in their order.
+
+    Raises FileFormatError for a missing column, a short row, a cell that is not a finite number, or a time that is not after
+    the one before; the last three name the row.
     """
     path = existing_file("file", file)
-    wanted = "a CSV with columns time, q_<joint>... (qd_<joint>... and qdd_<joint>... may follow)"
+    wanted = "a CSV with columns time, q_<joint>... (qd_<joint>... and others may follow, in any order)"
 
     def read() -> Trajectory:
         with path.open(newline="", encoding="utf-8-sig") as stream:
             reader = csv.reader(stream)
-            (_, header), *rows = [(reader.line_num, row) for row in reader if row]
-        names = [column.removeprefix("q_") for column in header[1:] if column.startswith("q_")]
-        n = len(names)
-        alone = len(header) == 1 + n
-        columns = ["time", *(f"q_{x}" for x in names), *(f"qd_{x}" for x in names)]
-        if n == 0 or header[: 1 + 2 * n] != columns[: 1 + n if alone else None]:
-            raise FileFormatError("file", f"{path} with the first line {','.join(header)}", wanted)
-        data = _numbers(path, header[: 1 + n if alone else 1 + 2 * n], rows)
-        t, q = data[:, 0] - data[0, 0], data[:, 1 : 1 + n]
-        if alone:
-            from scipy.interpolate import CubicSpline
+            (_, first), *rows = [(reader.line_num, row) for row in reader if row]
+        header = [cell.strip().removeprefix("#").strip() for cell in first]
+        names = _joints_of(path, header, wanted) if joints is None else list(joints)
+        positions = [_column(path, header, (f"q_{name}", name) if joints is not None else (f"q_{name}",)) for name in names]
+        speeds = [f"qd_{name}" for name in names if f"qd_{name}" in header]
+        velocities = [_column(path, header, (f"qd_{name}",)) for name in names] if speeds else []
+        columns = [_column(path, header, ("time", "t")), *positions, *velocities]
+        data = _numbers(path, header, columns, rows)
+        t, q = data[:, 0] - data[0, 0], data[:, 1 : 1 + len(names)]
+        if velocities:
+            return Trajectory(t=t, q=q, qd=data[:, 1 + len(names) :], joint_names=tuple(names))
+        from scipy.interpolate import CubicSpline
 
-            still = Trajectory(t=t, q=q, qd=np.zeros_like(q), joint_names=tuple(names))  # t and q are checked first
-            return replace(still, qd=CubicSpline(t, q)(t, 1))
-        return Trajectory(t=t, q=q, qd=data[:, 1 + n :], joint_names=tuple(names))
+        still = Trajectory(t=t, q=q, qd=np.zeros_like(q), joint_names=tuple(names))  # t and q are checked first
+        return replace(still, qd=CubicSpline(t, q)(t, 1))
 
     return _reading(path, wanted, read)
 
 
-def _numbers(path: Path, columns: list[str], rows: list[tuple[int, list[str]]]) -> Array:
-    """The cells of rows (line, cells) of a CSV as finite numbers, with increasing times in the first column."""
+def _joints_of(path: Path, header: list[str], wanted: str) -> list[str]:
+    """The joints that have a column of positions."""
+    names = [column.removeprefix("q_") for column in header if column.startswith("q_")]
+    if not names or not all(names):
+        raise FileFormatError("file", f"{path} with the first line {','.join(header)}", wanted)
+    return names
+
+
+def _column(path: Path, header: list[str], names: tuple[str, ...]) -> int:
+    """Index of the only column with one of the names."""
+    found = [k for k, column in enumerate(header) if column in names]
+    if len(found) != 1:
+        many, each = len(found) or "no", " or ".join(names)
+        wanted = f"a CSV with columns time, q_<joint>...; it has {many} column {each}, its columns are {', '.join(header)}"
+        raise FileFormatError("file", str(path), wanted)
+    return found[0]
+
+
+def _numbers(path: Path, header: list[str], columns: list[int], rows: list[tuple[int, list[str]]]) -> Array:
+    """The cells of these columns of rows (line, cells) as finite numbers, with increasing times in the first column."""
     if len(rows) < 2:
         raise FileFormatError("file", f"{path} with {len(rows)} rows of numbers", "at least two")
     data = np.empty((len(rows), len(columns)))
     for k, (line, row) in enumerate(rows):
-        if len(row) < len(columns):
-            wanted = f"at least {len(columns)} cells, as in the first row"
+        if len(row) <= max(columns):
+            wanted = f"at least {max(columns) + 1} cells, as in the first row"
             raise FileFormatError("file", f"{path}, row {line}, with {len(row)} cells", wanted)
-        try:
-            data[k] = [float(cell) for cell in row[: len(columns)]]
-        except ValueError as error:
-            raise FileFormatError("file", f"{path}, row {line}: {','.join(row)}", f"numbers ({error})") from error
+        for j, column in enumerate(columns):
+            try:
+                data[k, j] = float(row[column])
+            except ValueError as error:
+                raise FileFormatError("file", f"{path}, row {line}, {header[column]}: {row[column]}", "a number") from error
     for k, j in np.argwhere(~np.isfinite(data)).tolist():
-        got = f"{path}, row {rows[k][0]}, {columns[j]}: {rows[k][1][j]}"
+        got = f"{path}, row {rows[k][0]}, {header[columns[j]]}: {rows[k][1][columns[j]]}"
         raise FileFormatError("file", got, "a finite number, no NaN or inf")
     for k in np.flatnonzero(np.diff(data[:, 0]) <= 0).tolist():
         wanted = f"a time after that of row {rows[k][0]}, {float(data[k, 0])!r} s"
-        raise FileFormatError("file", f"{path}, row {rows[k + 1][0]}, {columns[0]}: {rows[k + 1][1][0]}", wanted)
+        got = f"{path}, row {rows[k + 1][0]}, {header[columns[0]]}: {rows[k + 1][1][columns[0]]}"
+        raise FileFormatError("file", got, wanted)
     return data
 
 

@@ -191,11 +191,20 @@ class Trajectory(Pictured):
         return rosbag.from_rosbag(file, topic, joints=joints)
 
     @classmethod
-    def from_csv(cls, file: str | Path) -> "Trajectory":
-        """Read what `to_csv` wrote."""
+    def from_csv(cls, file: str | Path, *, joints: Sequence[str] | None = None) -> "Trajectory":
+        """Read what `to_csv` wrote, or a recorded log. Columns are found by name, in any order; others are ignored.
+
+        Args:
+            file: its first line names the columns: `time` or `t` [s], `q_<joint>` [rad or m], and `qd_<joint>` for all joints
+                or none. Without velocities they come from the cubic spline through the positions.
+            joints: names to read, in this order, such as `robot.joint_names`; their columns may lack the `q_`. Default: all
+                `q_<joint>` columns, in their order.
+
+        Raises FileFormatError, which names the column or the row that is wrong.
+        """
         from manipplan.paths import export
 
-        return export.from_csv(file)
+        return export.from_csv(file, joints=joints)
 
     @classmethod
     def from_json(cls, file: str | Path) -> "Trajectory":

@@ -35,14 +35,15 @@ class Status(Enum):
     )
     INTERRUPTED = "interrupted: the best checked path so far, optimised or the seed; run it again to get further"
     # recorded motions
-    IMPROVED = "improved: the recorded motion was followed with a larger minimum or mean manipulability, and every check passed"
+    IMPROVED = (
+        "improved: the minimum or mean manipulability of the recorded motion rose, its minimum did not fall, neither g nor "
+        "jerk rose, and every check passed"
+    )
     NOT_BETTER = (
-        "recorded: following the motion raised neither its minimum nor its mean manipulability, so the recording is returned; "
-        "allow more tolerance"
+        "smoothed: the manipulability of the recorded motion could not be raised without a lower minimum, a higher g or more "
+        "jerk; the motion is the recording without its noise, inside the limits, and every check passed; allow more tolerance"
     )
-    NOT_FOLLOWED = (
-        "failed: the recorded motion could not be followed inside the tolerance to its last pose; allow more tolerance or time"
-    )
+    NOT_FOLLOWED = "failed: no motion inside the tolerance around the recorded one is clear of collisions; allow more tolerance"
     # tool paths
     FOLLOWED = (
         "followed: the motion follows the workspace path with the largest minimum manipulability found, and every check passed"

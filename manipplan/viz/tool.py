@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from manipplan.jobs.recordings.comparison import pose_distances
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import deviations
 from manipplan.paths.tolerance import Tolerance
@@ -69,8 +70,9 @@ def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = N
     """Deviation of the tool from the path it follows over time, in mm, and on a second scale in degrees.
 
     Args:
-        motion: a Tracking, or a Plan of `follow` or `improve`, with the targets that it followed: a Tracking is compared with
-            the target of the same time, a Plan of `follow` with the nearest point of the workspace path, after its lead-in.
+        motion: a Tracking, or a Plan of `follow` or `improve`: a Tracking is compared with its target of the same time, a Plan
+            of `follow` with the nearest point of the workspace path, after its lead-in, one of `improve` with the recorded pose
+            of the same share of the time.
         tolerance: drawn as dashed lines; default: the tolerance of the plan.
         ax: Matplotlib axes; None: those of a new figure. The scale in degrees gets axes of its own over these.
 
@@ -103,11 +105,15 @@ def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = N
 
 def _over_time(motion: Any) -> tuple[Array, Array, Array]:
     """Times [s] and deviations [m, rad], (k,) each."""
-    tracking = motion if isinstance(motion, Tracking) else getattr(motion, "tracking", None)
-    if isinstance(tracking, Tracking):
-        return tracking.t, tracking.deviation, tracking.rotation_deviation
+    if isinstance(motion, Tracking):
+        return motion.t, motion.deviation, motion.rotation_deviation
     workspace_path, trajectory = getattr(motion, "workspace_path", None), getattr(motion, "trajectory", None)
-    if workspace_path is None or trajectory is None:
+    if trajectory is not None and motion.comparison is not None:
+        u = np.linspace(0.0, 1.0, TIMES)
+        kinematics = motion.robot.kinematics(motion.result.task)
+        first, second = kinematics.pose(motion.result.seed(u)), kinematics.pose(motion.path(u))
+        return u * trajectory.duration, *pose_distances(first, second, kinematics.task)
+    if trajectory is None or workspace_path is None:
         raise InvalidInputError("motion", motion, "a Tracking, or a Plan of follow or improve that has a trajectory")
     t = np.linspace(motion.path_begin, trajectory.duration, TIMES)
     poses = motion.robot.kinematics().pose(trajectory(t))

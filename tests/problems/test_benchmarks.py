@@ -24,6 +24,7 @@ import first_paths
 import motionbenchmaker
 import motions
 import plan_many
+import recorded_motions
 import six_joint_arms
 import timed_motions
 import version_01
@@ -304,3 +305,18 @@ def test_checks_agree_with_the_other_judge_and_a_wrong_one_is_caught(tmp_path, m
 
     monkeypatch.setattr(check_trajectories, "judged", lenient)
     assert check_trajectories.main(arguments) >= 9
+
+
+def test_recorded_motions_keep_everything_and_a_worse_one_is_caught(tmp_path, monkeypatch, capsys):
+    arguments = ["--count", "9", "--out", str(tmp_path / "table.md")]
+    assert recorded_motions.main(arguments) == 0
+    rows = [line.split(" | ") for line in (tmp_path / "table.md").read_text().splitlines() if line.startswith("| ")][1:]
+    assert [row[0].strip("| ") for row in rows] == [*recorded_motions.KINDS, *recorded_motions.ARMS, "all"]
+    assert [int(cell) for cell in (rows[-1][1], rows[-1][3])] == [9, 9]
+    right = mp.improve
+
+    def slower(robot, recorded, *rest, **options):
+        return right(robot, recorded, *rest, duration=1.01 * recorded.duration, **options)
+
+    monkeypatch.setattr(mp, "improve", slower)
+    assert recorded_motions.main(arguments) == 9

@@ -29,7 +29,7 @@ from manipplan.jobs.stored import fingerprint
 from manipplan.optimize.result import make_result
 
 #: What only the solvers need.
-LEFT_OUT = {"history", "rivals", "search", "tracking", "cache", "model", "geometry", "built"}
+LEFT_OUT = {"history", "rivals", "search", "cache", "model", "geometry", "built"}
 
 
 def assert_same(first, second, where=""):
@@ -233,7 +233,7 @@ def test_a_followed_path_comes_back(planar, small_plan, tmp_path):
 
 @pytest.mark.slow
 def test_an_improved_recording_comes_back(planar, tmp_path):
-    """Its files are the same again, the picture with its names among them, though how it was tracked is not kept."""
+    """Its files are the same again, the picture with its names among them."""
     slow = mp.retime(mp.JointPath.line([0.3, 0.5, 0.6], [0.8, 0.4, 0.8]), planar).slower(4.0)
     plan = mp.improve(planar, slow)
     nothing = replace(
@@ -242,7 +242,7 @@ def test_an_improved_recording_comes_back(planar, tmp_path):
     for name, each in (("improved", plan), ("not_better", nothing)):
         each.save(tmp_path / name)
         again = mp.Plan.load(tmp_path / name)
-        assert again.tracking is None
+        assert again.comparison == each.comparison
         assert (again.result.seed is again.path) == (each.result.seed is each.path)
         again.save(tmp_path / name / "again")
         for file in (tmp_path / name / "again").iterdir():

@@ -38,7 +38,7 @@ OPTIONS = {
     mp.Problem: {"robot", "start", "goal", "scene", "objective", "shape", "seeding", "clearance", "torque"},
     mp.seed_path: {"seeding", "clearance"},
     mp.follow: {"positions", "objective", "epsilon", "samples", "tolerance", "clearance", "closed", "torque"},
-    mp.improve: {"formulation", "objective", "duration", "tolerance"},
+    mp.improve: {"objective", "duration", "tolerance", "clearance", "degrees"},
     mp.check: {"start", "goal", "path", "tolerance", "clearance", "objective", "torque"},
     mp.track: {"dt", "duration", "task", "measure"},
     mp.Controller: {"dt", "task", "measure"},

@@ -172,7 +172,10 @@ def test_ros_message_has_the_fields_of_trajectory_msgs(tmp_path, rng):
     ("kind", "text"),
     [
         ("csv", ""),
-        ("csv", "time,q_a,x\n0,1,2\n1,2,3\n"),
+        ("csv", "time,a,x\n0,1,2\n1,2,3\n"),
+        ("csv", "time,q_a,q_a\n0,1,2\n1,2,3\n"),
+        ("csv", "q_a,q_b\n0,1\n1,2\n"),
+        ("csv", "time,q_a,q_b,qd_a\n0,1,1,0\n1,2,1,0\n"),
         ("csv", "time,q_a,qd_a\n0,1,0\n1,x,0\n"),
         ("csv", "time,q_a,qd_a\n0,1,0\n1,2\n"),
         ("csv", "time,q_a,qd_a\n1,1,0\n0,2,0\n"),

@@ -576,3 +576,13 @@ def test_the_data_are_written_before_the_picture(odd_plan, tmp_path, monkeypatch
     again = mp.Plan.load(tmp_path / "out")
     np.testing.assert_array_equal(again.trajectory.q, odd_plan.trajectory.q)
     assert len(list((tmp_path / "out").iterdir())) == 6
+
+
+def test_the_deviation_of_an_improved_recording_is_that_of_its_comparison(planar, flat):
+    line = mp.JointPath.line([0.3, 0.5, 0.6], [0.8, 0.4, 0.8])
+    plan = mp.improve(planar, mp.retime(line, planar).slower(4.0))
+    viz.plot_deviation(plan, ax=flat)
+    shown = flat.lines[0]
+    assert shown.get_xdata()[-1] == pytest.approx(plan.trajectory.duration)
+    assert shown.get_ydata().max() == pytest.approx(1e3 * plan.comparison.deviation.position, rel=1e-2)
+    assert dashed(flat) == [20.0]

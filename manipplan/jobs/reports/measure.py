@@ -13,7 +13,8 @@ from manipplan.constraints.figures import figures
 from manipplan.constraints.proof import prove
 from manipplan.cost.crossings import describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
-from manipplan.jobs.reports.report import VANISHING, PlanReport, Report, first_path
+from manipplan.jobs.recordings.comparison import VANISHING
+from manipplan.jobs.reports.report import PlanReport, Report, first_path
 from manipplan.jobs.reports.tool import missed_by, tool_deviation
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from manipplan.constraints.figures import ConstraintFigure
+from manipplan.jobs.recordings.comparison import VANISHING, Comparison
 from manipplan.jobs.reports.along import PathPart
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.tolerance import Tolerance
@@ -16,9 +17,6 @@ from manipplan.support.files import write_text
 from manipplan.support.json_data import from_json, json_ready
 from manipplan.support.status import RECORDED, Status
 from manipplan.timing.verify import LimitUse
-
-#: Manipulability below this is rounding noise.
-VANISHING = 1e-12
 
 
 @one_line
@@ -177,6 +175,7 @@ class PlanReport(Report):
         straight_min_manipulability: minimum manipulability on the straight line from start to goal.
         straight_free: whether that line is collision-free.
         minimum_note: how the minimum manipulability compares with those two, and the reason if it is not twice both.
+        comparison: for `improve`, the recorded motion and this one side by side.
     """
 
     status: str
@@ -187,6 +186,7 @@ class PlanReport(Report):
     straight_min_manipulability: float
     minimum_note: str
     straight_free: bool
+    comparison: Comparison | None = None
 
     def __str__(self) -> str:
         first = first_path(self.status)
@@ -201,8 +201,10 @@ class PlanReport(Report):
             f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
             f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
         ]
-        along = self.along.lines() if self.along is not None else []
-        return "\n".join([*lines, *along, *self._measured()])
+        lines += [*(self.along.lines() if self.along is not None else []), *self._measured()]
+        if self.comparison is not None:
+            lines += [f"  {line}" for line in str(self.comparison).splitlines()]
+        return "\n".join(lines)
 
     def _verdict(self) -> str:
         if self.passed and self.status == Status.SINGULAR.value:

@@ -1,0 +1,209 @@
+"""The best motion inside the tube around a recording that keeps the limits, the duration and the clearance."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.path_clearance import PathClearance, path_clearance
+from manipplan.cost.integral import PathIntegral
+from manipplan.jobs.recordings.comparison import VANISHING, Comparison, MotionFigures, deviation_between, held, pose_distances
+from manipplan.jobs.recordings.program import TubeProgram, Weights
+from manipplan.jobs.recordings.smooth import Smooth
+from manipplan.optimize.clearance import NEAR, PLACES, ClearanceRow, Place, distance_profile, more_places, nearest, rows_for
+from manipplan.paths.joint import JointPath
+from manipplan.paths.tolerance import Tolerance
+from manipplan.paths.trajectory import Trajectory
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
+
+#: Weights for the best motion, for the smoothest one, and for the shortest duration.
+BEST, SMOOTHEST, SHORTEST = Weights(energy=1.0, room=1.0, jerk=1.0), Weights(jerk=1.0), Weights(time=1.0, jerk=1e-4)
+#: Share of the tolerance that noise may take.
+NOISE = 0.9
+#: Maximum number of solves with other clearance rows or a narrower tube, by how much more than needed the tube narrows,
+#: and its smallest share.
+ROUNDS, NARROWER, LEAST = 8, 1.5, 0.02
+#: Shares of the tube in which the best motion is looked for, until it is valid and better than the recording.
+SHARES = (1.0, 0.5, 0.25)
+#: Factors by which the number of pieces rises while no motion keeps the limits, and share by which a limit counts as kept.
+FINER, ROUNDING = (1, 2, 4), 1e-8
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Tube:
+    """What a motion has to keep.
+
+    Attributes:
+        recorded: the motion in whose tube it is.
+        figures: those of `recorded`.
+        integral: g, with task and measure.
+        model: the robot among its obstacles.
+        tolerance: of the tool from the recorded poses.
+        clearance: required clearance [m].
+        duration: of the motion [s].
+    """
+
+    recorded: Trajectory
+    figures: MotionFigures
+    integral: PathIntegral
+    model: CollisionModel
+    tolerance: Tolerance
+    clearance: float
+    duration: float
+
+    @property
+    def radii(self) -> Array:
+        """Radii of the tube in position [m] and rotation [rad]; inf: not bounded."""
+        both, counts = (self.tolerance.position, self.tolerance.rotation), held(self.integral.kinematics.task)
+        return np.array([r if r is not None and c else np.inf for r, c in zip(both, counts, strict=True)])
+
+    def judge(self, motion: Trajectory) -> Comparison:
+        """The recording and a motion side by side."""
+        return Comparison(
+            recorded=self.figures,
+            improved=MotionFigures.of(motion, self.integral),
+            measure_unit=self.integral.kinematics.measure.unit(self.integral.kinematics.task),
+            deviation=deviation_between(self.recorded, motion, self.integral),
+            tolerance=self.tolerance,
+        )
+
+    def proof(self, path: JointPath) -> PathClearance:
+        """The proof of the clearance on a path."""
+        return path_clearance(self.model, path, clearance=self.clearance, tolerance=None)
+
+
+def best_motion(tube: Tube, smooth: Smooth) -> tuple[Trajectory, Comparison] | None:
+    """The best motion in the tube, and its comparison with the recording; None if no motion is clear of collisions.
+
+    Raises InvalidInputError where noise takes most of the tolerance, and for a duration that is too short for the limits.
+    """
+    shortest = np.inf
+    for factor in FINER:
+        search = _Search(tube, smooth.finer(factor))
+        first, ratio = search.within_limits()
+        if ratio <= 1.0:
+            return search.run(first)
+        shortest = min(shortest, ratio)
+    robot = tube.model.robot.name
+    wanted = (
+        f"at least {_up(shortest * tube.duration):g} s, the shortest found in which {robot} keeps its limits and the tolerance"
+    )
+    raise InvalidInputError("duration", tube.duration, wanted)
+
+
+class _Search:
+    """The search for the best motion over the pieces of a smooth one."""
+
+    def __init__(self, tube: Tube, smooth: Smooth) -> None:
+        self.tube, self.smooth = tube, smooth
+        self.robot = tube.model.robot
+        self.program = TubeProgram(tube.integral, smooth.basis, smooth.ends, tube.duration, self.robot.limits)
+        self.poses = tube.integral.kinematics.pose(self.program.values @ smooth.control)
+        self.spacing = float(np.median(np.diff(tube.recorded.t))) * max(tube.duration / tube.recorded.duration, 1.0)
+        self.room = tube.radii - self._scatter()
+
+    def run(self, first: Array) -> tuple[Trajectory, Comparison] | None:
+        """The first valid motion that is better than the recording, or else the first that is valid; None if there is none."""
+        valid: list[tuple[Trajectory, Comparison]] = []
+        for control in self._candidates(first):
+            motion = self._motion(control)
+            if self._is_valid(motion):
+                found = self.tube.judge(motion)
+                if found.better:
+                    return motion, found
+                valid.append((motion, found))
+        # from the last candidate on, those in which nothing got worse first
+        return min(reversed(valid), key=lambda each: len(each[1].worse), default=None)
+
+    def _candidates(self, first: Array) -> Iterator[Array]:
+        """Control points of the best motion in narrower and narrower tubes, of the smoothest one, and the first ones."""
+        for share in SHARES:
+            yield self._solved(first, BEST, self._least, share)
+        yield self._solved(first, SMOOTHEST, self._least, 1.0)
+        yield first
+
+    @property
+    def _least(self) -> float:
+        """The minimum manipulability to keep; 0 for rounding noise at a singularity."""
+        least = self.tube.figures.min_manipulability
+        return least if least >= VANISHING else 0.0
+
+    def _motion(self, control: Array) -> Trajectory:
+        return self.smooth.basis.trajectory(control, self.tube.duration, self.spacing, self.robot.joint_names)
+
+    def _is_valid(self, motion: Trajectory) -> bool:
+        """Whether a motion is inside the tube, and its clearance is proven."""
+        off = deviation_between(self.tube.recorded, motion, self.tube.integral)
+        inside = (np.array([off.position, off.rotation]) <= self.tube.radii).all()
+        return bool(inside) and self.tube.proof(motion.path()).proven
+
+    def _scatter(self) -> Array:
+        """Largest distances [m, rad] (k, 2) of recorded poses from the smooth motion, around each place of the program.
+
+        Raises InvalidInputError where they take most of the tolerance.
+        """
+        recorded, kinematics = self.tube.recorded, self.tube.integral.kinematics
+        u = recorded.t / recorded.duration
+        curve = self.smooth.basis.values(u) @ self.smooth.control
+        off = np.stack(pose_distances(kinematics.pose(recorded.q), kinematics.pose(curve), kinematics.task), axis=1)
+        row, kind = (int(k) for k in np.unravel_index((off / self.tube.radii).argmax(), off.shape))
+        if off[row, kind] > NOISE * self.tube.radii[kind]:
+            name, unit = (("position", "m"), ("rotation", "rad"))[kind]
+            least = float(off[row, kind]) / NOISE
+            raise InvalidInputError(
+                f"tolerance.{name}",
+                float(self.tube.radii[kind]),
+                f"at least {_up(least):g} {unit}: so far is the recorded pose of row {row} ({recorded.t[row]:.4g} s) from the "
+                "smooth motion under the noise",
+            )
+        index = np.clip(np.searchsorted(u, self.program.u), 0, len(u))
+        reach = 1.0 / self.smooth.basis.pieces
+        first, last = np.searchsorted(u, self.program.u - reach), np.searchsorted(u, self.program.u + reach)
+        around = [off[min(a, i) : max(b, i + 1)] for a, b, i in zip(first, last, np.minimum(index, len(u) - 1), strict=True)]
+        return np.array([each.max(axis=0) for each in around])
+
+    def within_limits(self) -> tuple[Array, float]:
+        """Control points of the smooth motion or, if that exceeds limits, of the fastest one in the tube.
+
+        Beside them stands the duration that they need, as a multiple of the wanted one: at most 1 if the limits hold.
+        """
+        limits, control = self.robot.limits, self.smooth.control
+        inside = ((control >= limits.lower) & (control <= limits.upper)).all()
+        if inside and self.program.used(control) <= 1.0:
+            return control, 1.0
+        first = np.clip(control, limits.lower, limits.upper)
+        control, _ = self.program.solve(first, SHORTEST, poses=self.poses, tube=self.room)
+        return control, self.program.used(control) * (1 - ROUNDING)
+
+    def _solved(self, first: Array, weights: Weights, least: float, share: float) -> Array:
+        """The solution in this share of the tube, with more clearance rows and a narrower tube until it is free and inside."""
+        model, clearance = self.tube.model, self.tube.clearance
+        safe = self._motion(first).path()
+        rows: Sequence[ClearanceRow] = ()
+        places: tuple[Place, ...] = ()
+        room, control = share * self.room, first
+        for _ in range(ROUNDS):
+            control, _ = self.program.solve(first, weights, poses=self.poses, tube=room, least=least, rows=rows)
+            motion = self._motion(control)
+            path = motion.path()
+            proof = self.tube.proof(path)
+            found = deviation_between(self.tube.recorded, motion, self.tube.integral)
+            excess = np.array([found.position, found.rotation]) - self.tube.radii
+            more = places
+            if not proof.proven:
+                profile = distance_profile(model, path(np.linspace(0.0, 1.0, PLACES + 1)), clearance + NEAR)
+                failed_at = ((proof.at, proof.pair_id),) if proof.refuted else ()
+                more = more_places(places, profile, failed_at, clearance, is_free=False)
+            if more == places and not (excess > 0).any():
+                break
+            places, room = more, np.maximum(room - NARROWER * np.maximum(excess, 0.0), LEAST * self.room)
+            rows = rows_for(model, path, safe, nearest(model, path, places), clearance) if places else ()
+        return control
+
+
+def _up(value: float) -> float:
+    """A number rounded up to four digits."""
+    unit = 10.0 ** (np.floor(np.log10(value)) - 3)
+    return float(np.round(np.ceil(value / unit) * unit, 12))

@@ -1,0 +1,108 @@
+"""A recorded motion in the robot's joints and units; what cannot be one is named by its row, joint and value."""
+
+import csv
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from manipplan.paths.export import from_csv, read_trajectory
+from manipplan.paths.joint import JointPath
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array, instance
+from manipplan.support.errors import InvalidInputError
+from manipplan.timing.retime import retime
+
+#: Largest distance outside a joint limit that counts as noise [rad or m].
+OUTSIDE = 0.01
+#: A joint does not move further than this between two samples [rad or m] at this multiple of its largest speed.
+JUMP, TOO_FAST = 0.05, 5.0
+#: How much slower than the limits allow a path is timed: at the limits there is no room for smoother motions.
+SLOWER = 1.25
+#: Smallest motion of a joint [rad or m].
+STILL = 1e-6
+
+
+def read_recording(robot: Robot, recorded: Trajectory | JointPath | str | Path, *, degrees: bool) -> Trajectory:
+    """The recorded motion, its columns in the robot's order; see `improve`."""
+    file = Path(recorded) if isinstance(recorded, str | Path) else None
+    if isinstance(recorded, JointPath):
+        if degrees:
+            raise InvalidInputError("degrees", degrees, "False with a JointPath, which is in radians")
+        if recorded.n != robot.n:
+            raise InvalidInputError(
+                "recorded", f"a path of {recorded.n} joints", f"a path of the {robot.n} joints of {robot.name}"
+            )
+        recorded = retime(recorded, robot).slower(SLOWER)
+    elif file is not None and file.suffix.lower() == ".csv":
+        recorded = from_csv(file, joints=robot.joint_names)
+    elif file is not None:
+        recorded = read_trajectory("recorded", file)
+    motion = instance("recorded", recorded, Trajectory).in_order(robot.joint_names)
+    if degrees:
+        scale = np.where([kind == "prismatic" for kind in robot.joint_types], 1.0, np.pi / 180)
+        motion = replace(motion, q=motion.q * scale, qd=motion.qd * scale)
+    if robot.endless.any():
+        q = motion.q.copy()
+        q[:, robot.endless] = np.unwrap(q[:, robot.endless], axis=0)
+        motion = replace(motion, q=q)
+    _check(robot, motion, _Places(file=file, degrees=degrees, robot=robot))
+    return motion
+
+
+class _Places:
+    """Names and values of single numbers of a recording, as its user gave them."""
+
+    def __init__(self, *, file: Path | None, degrees: bool, robot: Robot) -> None:
+        self.file, self.robot = file, robot
+        self.degrees = np.array([degrees and kind != "prismatic" for kind in robot.joint_types])
+
+    def name(self, row: int, joint: int) -> str:
+        """Name of a position."""
+        name = self.robot.joint_names[joint]
+        if self.file is None or self.file.suffix.lower() != ".csv":
+            return f"recorded.q[{row}, {joint}] ({name})"
+        with self.file.open(newline="", encoding="utf-8-sig") as stream:
+            reader = csv.reader(stream)
+            lines = [reader.line_num for cells in reader if cells]
+        return f"recorded: {self.file}, row {lines[row + 1]}, {name}"
+
+    def value(self, q: float, joint: int) -> float:
+        """A position in the unit of the recording."""
+        return float(np.rad2deg(q)) if self.degrees[joint] else float(q)
+
+
+def _check(robot: Robot, motion: Trajectory, places: _Places) -> None:
+    """Raise InvalidInputError for positions that the robot cannot have had, or that do not change."""
+    limits, names = robot.limits, robot.joint_names
+    outside = limits.outside(motion.q)
+    if (outside > OUTSIDE).any():
+        row, joint = (int(k) for k in np.argwhere(outside > OUTSIDE)[0])
+        prismatic = robot.joint_types[joint] == "prismatic"
+        unit = "m" if prismatic else "rad"
+        hint = ""
+        if not prismatic and not places.degrees.any() and not limits.outside(_from_degrees(robot, motion.q)).any():
+            hint = "; all positions are inside the limits if they are in degrees: say degrees=True (--degrees)"
+        raise InvalidInputError(
+            places.name(row, joint),
+            places.value(motion.q[row, joint], joint),
+            f"positions inside the limits {limits.lower[joint]:g} to {limits.upper[joint]:g} {unit}{hint}",
+        )
+    step = np.abs(np.diff(motion.q, axis=0))
+    jumps = (step > JUMP) & (step > TOO_FAST * limits.velocity * np.diff(motion.t)[:, None])
+    if jumps.any():
+        row, joint = (int(k) for k in np.argwhere(jumps)[0])
+        raise InvalidInputError(
+            places.name(row + 1, joint),
+            places.value(motion.q[row + 1, joint], joint),
+            f"a position that {names[joint]} reaches at {limits.velocity[joint]:g} per second from "
+            f"{places.value(motion.q[row, joint], joint):g}, {1e3 * float(motion.t[row + 1] - motion.t[row]):.4g} ms before",
+        )
+    if np.ptp(motion.q, axis=0).max() < STILL:
+        raise InvalidInputError("recorded", "a motion in which no joint moves", "a motion")
+
+
+def _from_degrees(robot: Robot, q: Array) -> Array:
+    """Positions with those of the revolute joints taken as degrees."""
+    return np.where([kind == "prismatic" for kind in robot.joint_types], q, np.deg2rad(q))

@@ -1,0 +1,87 @@
+"""The smooth motion under a recording's noise: least squares with as many pieces as cross-validation wants."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from manipplan.jobs.recordings.spline import Ends, SplineBasis
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.limits import JointLimits
+from manipplan.support.checks import Array
+
+#: Smallest and largest number of pieces, factor from one number to the next, and smallest number of samples per piece.
+FEWEST, MOST, FINER, PER_PIECE = 16, 2000, 1.3, 3
+#: Widest distance between the places at which a recording is read, as a share of its duration.
+WIDEST = 0.01
+#: The smallest number of pieces is taken whose score is at most this multiple of the best.
+NEARLY = 1.02
+#: Share of the largest speed below which the recording counts as at rest at an end.
+AT_REST = 0.05
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Smooth:
+    """A smooth curve with control points (size, n), and the ends of a motion along it."""
+
+    basis: SplineBasis
+    control: Array
+    ends: Ends
+
+    def finer(self, factor: int) -> "Smooth":
+        """The curve with the same ends and `factor` times as many pieces."""
+        if factor == 1:
+            return self
+        basis = SplineBasis(pieces=factor * self.basis.pieces)
+        curve = self.basis.values(basis.places) @ self.control
+        return Smooth(basis=basis, control=basis.fit(basis.places, curve, self.ends), ends=self.ends)
+
+
+def smooth(motion: Trajectory, limits: JointLimits, enough: float) -> Smooth:
+    """The smooth motion under the noise, from the recorded start to the recorded goal; noise beyond a limit is cut off there.
+
+    It is at rest at an end where the recording nearly is. The number of pieces is the smallest that leaves a mean residual of
+    at most `enough` [rad or m] or else, nearly, the smallest score RSS / (1 - size / m)² of generalised cross-validation over
+    m places [craven1978].
+    """
+    from scipy.interpolate import make_lsq_spline
+
+    u, q = _places(motion)
+    found, scores = [], []
+    count, most = float(FEWEST), min(len(u) / PER_PIECE, 1 / np.diff(u).max(), MOST)
+    while count <= max(most, FEWEST):
+        basis = SplineBasis(pieces=round(count))
+        curve = make_lsq_spline(u, q, basis.knots)
+        found.append((basis, np.asarray(curve.c)))
+        residual = np.sqrt(np.mean((curve(u) - q) ** 2))
+        scores.append(float(residual) / (1 - basis.size / len(u)))
+        if residual <= enough:
+            break
+        count *= FINER
+    best = next(k for k, score in enumerate(scores) if score <= NEARLY * min(scores))
+    basis, control = found[best]
+    slopes = basis.values(np.linspace(0.0, 1.0, 201), 1) @ control
+    fast = AT_REST * np.linalg.norm(slopes, axis=1).max()
+    start, goal = (slope if np.linalg.norm(slope) > fast else None for slope in slopes[[0, -1]])
+    first, last = np.clip(motion.q[[0, -1]], limits.lower, limits.upper)
+    start, goal = (
+        None if slope is None else _inside(basis, q, slope, inward, limits)
+        for q, slope, inward in ((first, start, 1), (last, goal, -1))
+    )
+    ends = Ends(start=first, goal=last, start_slope=start, goal_slope=goal)
+    curve = basis.values(basis.places) @ control
+    return Smooth(basis=basis, control=basis.fit(basis.places, curve, ends), ends=ends)
+
+
+def _inside(basis: SplineBasis, q: Array, slope: Array, inward: int, limits: JointLimits) -> Array:
+    """A slope at an end q (n,), smaller where its control point would be outside the joint limits."""
+    step = inward / (3 * basis.pieces)
+    return np.asarray((np.clip(q + step * slope, limits.lower, limits.upper) - q) / step)
+
+
+def _places(motion: Trajectory) -> tuple[Array, Array]:
+    """Shares of the duration (m,) and configurations (m, n): the samples, and places between those that are far apart."""
+    u = motion.t / motion.duration
+    parts = np.ceil(np.diff(u) / WIDEST - 1e-6).astype(int)
+    between = [np.linspace(a, b, k, endpoint=False) for a, b, k in zip(u[:-1], u[1:], parts, strict=True)]
+    places = np.append(np.concatenate(between), 1.0)
+    return places, motion(np.minimum(places * motion.duration, motion.duration))
