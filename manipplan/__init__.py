@@ -26,7 +26,7 @@ from manipplan.cost.integral import PathCost, path_cost
 from manipplan.cost.objective import PathObjective
 from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
 from manipplan.jobs.check import check
-from manipplan.jobs.follow import follow
+from manipplan.jobs.following.follow import follow
 from manipplan.jobs.goals.candidates import GoalCandidate
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.improve import improve

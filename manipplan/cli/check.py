@@ -26,6 +26,7 @@ def check(
     options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
     jerk: tuple[float, ...] = (),
     path: Path | None = None,
+    path_begin: float = 0.0,
     tolerance: tuple[float, float] | None = None,
     pointing: tuple[float, float, float] | None = None,
     constraints: Path | None = None,
@@ -45,6 +46,7 @@ def check(
         options: Options of the robot and its scene.
         jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint; inf: not checked.
         path: CSV file of poses that the tool has to follow, with the columns x, y, z [m], qw, qx, qy, qz.
+        path_begin: Time from which the tool follows that path [s], after a lead-in.
         tolerance: Maximum distance of the tool from that path [m] [rad].
         pointing: Tool axis about which the tool may turn.
         constraints: YAML file with what the motion has to keep, as for `manipplan plan`.
@@ -65,6 +67,7 @@ def check(
             start=configuration_of("start", start, arm) if start else None,
             goal=configuration_of("goal", goal, arm) if goal else None,
             path=CartesianPath.from_csv(path) if path is not None else None,
+            path_begin=path_begin,
             tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]) if tolerance is not None else None,
             constraints=constraints_from_yaml(constraints) if constraints is not None else (),
             clearance=clearance,

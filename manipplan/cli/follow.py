@@ -5,9 +5,9 @@ from pathlib import Path
 from tyro.conf import OmitArgPrefixes, Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import RobotOptions
+from manipplan.cli.arm import RobotOptions, configuration_of
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.follow import follow as follow_job
+from manipplan.jobs.following.follow import follow as follow_job
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.files import place_for
@@ -19,6 +19,8 @@ def follow(
     robot: Positional[str],
     poses: Positional[Path],
     /,
+    start: tuple[str, ...] = (),
+    tool_speed: float | None = None,
     positions: int = 50,
     epsilon: float = 0.2,
     samples: tuple[int, ...] = (),
@@ -39,6 +41,8 @@ def follow(
         options: Options of the robot and its scene.
         robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         poses: CSV file with the columns x, y, z [m], qw, qx, qy, qz.
+        start: Where the motion begins: one angle [rad] or length [m] per joint, or the name of a state in the robot's SRDF.
+        tool_speed: Constant speed of the tool along the path [m/s].
         positions: Number of positions at which configurations are enumerated.
         epsilon: Maximum step of a joint between neighbouring positions [rad or m].
         samples: Number of grid points of the redundancy, one number or one per parameter.
@@ -61,6 +65,8 @@ def follow(
             arm,
             path,
             world,
+            start=configuration_of("start", start, arm) if start else None,
+            tool_speed=tool_speed,
             positions=positions,
             objective=PathObjective(task=Task.pointing(pointing) if pointing is not None else None, measure=measure),
             epsilon=epsilon,

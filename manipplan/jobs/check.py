@@ -45,6 +45,7 @@ def check(
     start: ArrayLike | None = None,
     goal: ArrayLike | None = None,
     path: CartesianPath | None = None,
+    path_begin: float = 0.0,
     tolerance: Tolerance | None = None,
     constraints: Sequence[Constraint] = (),
     clearance: float = 0.0,
@@ -69,6 +70,7 @@ def check(
         path: path of the tool. The tool must not leave it, has to come past each of its poses, begin at the first and end at
             the last; the order in which it passes the others is not judged. With an objective whose task leaves one tool axis
             free, such as Task.pointing(axis), only the direction of this axis counts. None: the tool may move anywhere.
+        path_begin: time from which the tool follows `path` [s], such as `path_begin` of a plan of `follow` with a lead-in.
         tolerance: maximum distance of the tool from `path`. Default: 0.1 mm and 1 mrad.
         constraints: what every configuration has to keep, as in `plan`; held joints keep their first value. Kept means down to
             -1e-6, proven for the whole motion but for those of your own classes, which are sampled.
@@ -93,6 +95,11 @@ def check(
         raise InvalidInputError("path", path, "a CartesianPath")
     if path is None and tolerance is not None:
         raise InvalidInputError("tolerance", tolerance, "None without a path of the tool")
+    begin = number("path_begin", path_begin, least=0.0)
+    if begin > 0 and path is None:
+        raise InvalidInputError("path_begin", path_begin, "0 without a path of the tool")
+    if begin >= motion.duration:
+        raise InvalidInputError("path_begin", path_begin, f"a time before the end of the motion, {motion.duration:.6g} s")
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
     clearance = number("clearance", clearance, least=0.0)
@@ -104,6 +111,7 @@ def check(
         start=first,
         goal=last,
         workspace_path=path,
+        path_begin=begin,
         tolerance=(tolerance or BETWEEN) if path is not None else None,
         constraints=constraint_tuple(constraints),
         clearance=clearance,

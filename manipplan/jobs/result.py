@@ -52,7 +52,8 @@ class PartialPlan(Pictured):
         tolerance: maximum deviation of the tool, for `follow` and `improve`.
         constraints: for `plan`: what the motion keeps beside limits and clearance.
         goal_index: for `plan`: index of the goal that is reached in the list of goals; 0 for a single goal.
-        candidates: for `plan`: the configurations that reach a goal, and what was done with each.
+        candidates: for `plan`: the configurations that reach a goal, and what was done with each; for `follow` with a start:
+            those in which the path can begin.
         message: the reason of a failure.
     """
 
@@ -83,6 +84,11 @@ class PartialPlan(Pictured):
         )
         other = "none" if self.trajectory is None else f"a motion of {self.trajectory.duration:.4g} s"
         raise InvalidInputError("trajectory", other, wanted)
+
+    @property
+    def path_begin(self) -> float:
+        """For `follow`: the time at which the motion along the workspace path begins, after the lead-in [s]; otherwise 0."""
+        return self.report.along.begin if self.report is not None and self.report.along is not None else 0.0
 
     def save(self, folder: str | Path) -> list[Path]:
         """Write trajectory.csv, .json and .yaml (ROS), report.json, report.txt, plan.png and plan.json; returns the files.

@@ -1,5 +1,6 @@
 """JointPath: a curve q(s), s in [0, 1], through joint space, as pieces in Bernstein form."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from math import comb
@@ -86,6 +87,21 @@ class JointPath:
         slopes, widths = curve(places, 1) + drift, np.diff(places)[:, None]
         control = [points[:-1], points[:-1] + widths * slopes[:-1] / 3, points[1:] - widths * slopes[1:] / 3, points[1:]]
         return cls(breaks=places, control=np.stack(control, axis=1))
+
+    @classmethod
+    def joined(cls, parts: Sequence["JointPath"]) -> "JointPath":
+        """One path after another, each beginning where the previous one ends; each has a share of s like that of its length.
+
+        Raises InvalidInputError for no path, a path without length, or one that begins elsewhere.
+        """
+        if not parts or any(part.length < SHORTEST for part in parts):
+            raise InvalidInputError("parts", parts, f"at least one path, each with a length of at least {SHORTEST:g}")
+        ends = np.cumsum([0.0, *(part.length for part in parts)])
+        ends /= ends[-1]
+        degree = max(part.degree for part in parts)
+        breaks = [a + (b - a) * part.breaks[1:] for a, b, part in zip(ends[:-1], ends[1:], parts, strict=True)]
+        control = np.concatenate([_raised(part.control, degree) for part in parts])
+        return cls(breaks=np.concatenate([[0.0], *breaks[:-1], breaks[-1][:-1], [1.0]]), control=control)
 
     @property
     def n(self) -> int:
@@ -205,6 +221,15 @@ def split(control: Array, u: float = 0.5) -> tuple[Array, Array]:
         left.append(control[..., 0, :])
         right.append(control[..., -1, :])
     return np.stack(left, axis=-2), np.stack(right[::-1], axis=-2)
+
+
+def _raised(control: Array, degree: int) -> Array:
+    """Control points (p, degree + 1, n) of the same pieces (p, k + 1, n) as polynomials of a degree of at least k."""
+    while (k := control.shape[1] - 1) < degree:
+        share = (np.arange(1, k + 1) / (k + 1))[:, None]
+        inner = share * control[:, :-1] + (1 - share) * control[:, 1:]
+        control = np.concatenate([control[:, :1], inner, control[:, -1:]], axis=1)
+    return control
 
 
 @cache

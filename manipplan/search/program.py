@@ -81,6 +81,7 @@ class LevelProgram:
         slopes: Array,
         slack: Array,
         level: float | None = None,
+        hold_start: bool = False,
     ) -> tuple[Array, float]:
         """A path (L, n) with a higher level, and its level [the measure's unit]; with `level`, a shorter path at that level.
 
@@ -93,6 +94,7 @@ class LevelProgram:
             slopes: (L, ROWS, n) gradients of distances [m per rad or m]; zeros where there is none.
             slack: (L, ROWS) amount by which each distance may shrink [m], at least 0.
             level: see above.
+            hold_start: whether the first configuration stays as it is, whatever its pose.
         """
         limits, positions = self.kinematics.robot.limits, self.positions
         m = self.kinematics.manipulability(q)
@@ -102,6 +104,9 @@ class LevelProgram:
         parameters = [q.ravel(), poses.transpose(0, 2, 1).ravel(), slopes.ravel(), turns, weights]
         lower, upper = np.maximum(q - trust, limits.lower), np.minimum(q + trust, limits.upper)
         box = np.tile(np.maximum(tolerance, EXACT), positions)
+        if hold_start:
+            lower[0] = upper[0] = q[0]
+            box[: len(tolerance)] = np.inf
         most = np.tile(epsilon, self._steps)
         fixed = None if level is None else level / scale
         result = self._solve(

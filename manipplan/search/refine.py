@@ -85,6 +85,7 @@ def refine(
     *,
     tolerance: Tolerance | None = None,
     resample: int = 2,
+    hold_start: bool = False,
     progress: Progress | None = None,
 ) -> Refinement:
     """Raise the minimum manipulability of a searched path beyond what its samples allow, within all constraints of the search.
@@ -98,6 +99,7 @@ def refine(
         found: result of `max_min_search` in these layers.
         tolerance: deviation of the tool allowed at each pose, in a box inside this ball; None: no deviation.
         resample: number of rounds of finer samples.
+        hold_start: whether the first configuration stays as it is.
         progress: called with the share done in [0, 1] and a text.
 
     Raises InvalidInputError for layers without robot and poses, or a search that found no path.
@@ -117,7 +119,8 @@ def refine(
     whole_number("resample", resample, least=0)
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
-    refiner = _Refiner(layers, found, layers.sampler, layers.poses, tolerance)
+    instance("hold_start", hold_start, bool)
+    refiner = _Refiner(layers, found, layers.sampler, layers.poses, tolerance, hold_start)
     return refiner.run(resample, teller(progress))
 
 
@@ -125,13 +128,20 @@ class _Refiner:
     """State shared by the steps of a refinement."""
 
     def __init__(
-        self, layers: Layers, found: SearchResult, sampler: "CandidateSampler", poses: Array, tolerance: Tolerance | None
+        self,
+        layers: Layers,
+        found: SearchResult,
+        sampler: "CandidateSampler",
+        poses: Array,
+        tolerance: Tolerance | None,
+        hold_start: bool,
     ) -> None:
         from manipplan.search.program import LevelProgram
 
         self.layers, self.found, self.sampler, self.poses = layers, found, sampler, poses
         self.robot, self.clearance = sampler.spec.robot, sampler.spec.clearance
         self.model, self.kinematics = sampler.collision, sampler.kinematics
+        self.hold_start = hold_start
         self.program = LevelProgram(self.kinematics, len(self.poses), closed=layers.closed)
         self.tolerance = self.program.rows.box(tolerance)
         self.history = [found.minimum]
@@ -171,7 +181,7 @@ class _Refiner:
         for k, pose in enumerate(self.poses):
             near, m, _ = self.sampler.sample(pose, parameters[k] + offsets)
             step = steps_between(q[k], near, self.layers.continuous)
-            beside = np.abs(step).max(axis=1) < 10 * spread
+            beside = np.abs(step).max(axis=1) < (10 * spread if k or not self.hold_start else 0.0)
             sets.append(np.vstack([q[k], q[k] + step[beside]]))
             values.append(np.append(self.kinematics.manipulability(q[k]), m[beside]))
         finer = Layers.from_arrays(sets, values, continuous=self.layers.continuous, closed=self.layers.closed)
@@ -237,6 +247,7 @@ class _Refiner:
             slopes=slopes,
             slack=slack,
             level=level,
+            hold_start=self.hold_start,
         )
 
     def _near_pairs(self, q: Array, trust: float) -> tuple[Array, Array]:
@@ -257,7 +268,10 @@ class _Refiner:
         """Each configuration projected onto its pose by the smallest correction, unless there is a tolerance."""
         if self.tolerance.any():
             return q
-        return self.sampler.solver.onto(q, self.poses)
+        projected = self.sampler.solver.onto(q, self.poses)
+        if self.hold_start:
+            projected[0] = q[0]
+        return projected
 
     def sound(self, q: Array) -> bool:
         """Whether poses, limits, ε and clearance hold; independent of the program."""
@@ -268,7 +282,8 @@ class _Refiner:
         errors = self.program.rows.errors(q, self.poses)
         if (np.abs(errors) > np.maximum(self.tolerance, MET)).any():
             return False
-        return self.model is None or not self.model.in_collision_rows(q, clearance=self.clearance).any()
+        free = q[1:] if self.hold_start else q  # the start may be nearer than candidates are
+        return self.model is None or not self.model.in_collision_rows(free, clearance=self.clearance).any()
 
     def _bound(self) -> float:
         """The bound of the samples, raised by ascent at the positions that determine it."""
@@ -277,7 +292,7 @@ class _Refiner:
         single = LevelProgram(self.kinematics, 1, closed=False)
         highest = np.array([m.max() for m in self.layers.m])
         best = [self.layers.q[k][int(m.argmax())] for k, m in enumerate(self.layers.m)]
-        done: set[int] = set()
+        done = {0} if self.hold_start else set[int]()
         while (k := int(highest.argmin())) not in done:
             done.add(k)
             _, level = single.solve(

@@ -15,6 +15,8 @@ from manipplan.support.checks import Array
 
 #: Number of random starts, and of steps per start, for the nearest miss of a pose.
 STARTS, STEPS = 60, 200
+#: Maximum number of configurations whose distances are measured for a message.
+MEASURED = 2000
 #: Distance within which a joint counts as being at its limit [rad or m].
 AT_LIMIT = 1e-6
 
@@ -39,8 +41,7 @@ class CandidateSampler:
     def sample(self, pose: Array, values: Array) -> tuple[Array, Array, int]:
         """Candidates q (k, n) that reach `pose` for parameters (s, r), manipulability (k,), and the number before checks."""
         blocks, reached = [np.zeros((0, self.spec.robot.n))], 0
-        for begin in range(0, len(values), CHUNK):
-            some = values[begin : begin + CHUNK]
+        for some in _blocks(values):
             q = self.solver.solve(pose[None], np.zeros(len(some), dtype=np.int64), some).q
             reached += len(q)
             blocks.append(q[self._free(q)])
@@ -53,6 +54,17 @@ class CandidateSampler:
         if not hasattr(self._own, "model"):
             self._own.model = self.collision.copy()
         return np.asarray(~self._own.model.in_collision_rows(q, clearance=self.spec.clearance))
+
+    def widest(self, pose: Array, values: Array) -> tuple[float, tuple[str, str]]:
+        """The largest of the smallest distances [m] at up to MEASURED configurations that reach `pose`, and its pair."""
+        assert self.collision is not None
+        q = np.concatenate(
+            [self.solver.solve(pose[None], np.zeros(len(some), dtype=np.int64), some).q for some in _blocks(values)]
+        )
+        q = q[:: -(-len(q) // MEASURED)]
+        least = [self.collision.least_distance(each[None]) for each in q]
+        apart, _, pair = max(least)
+        return apart, self.collision.pair_names[pair]
 
     def nearest_miss(self, pose: Array) -> tuple[float, float, list[str]]:
         """Smallest error to a pose over random starts [m, rad], and the joints that are at a limit there."""
@@ -73,6 +85,10 @@ class CandidateSampler:
         stopped = np.minimum(q[best] - limits.lower, limits.upper - q[best]) < AT_LIMIT
         names = [name for name, at in zip(robot.joint_names, stopped, strict=True) if at]
         return float(far[best]), float(angle[best]), names
+
+
+def _blocks(values: Array) -> list[Array]:
+    return [values[begin : begin + CHUNK] for begin in range(0, len(values), CHUNK)]
 
 
 @lru_cache(maxsize=2)

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SamplingSpec:
-    """The arguments of `sample_layers` that define a candidate."""
+    """The arguments of `sample_layers` that define a candidate; `clearance` includes the spare one."""
 
     robot: Robot
     task: Task | None
@@ -38,6 +38,7 @@ class SamplingSpec:
     scene: Scene
     collisions: bool
     clearance: float
+    spare: float
     seed: int
 
     def collision_model(self) -> CollisionModel | None:
@@ -71,6 +72,7 @@ def sample_layers(
     scene: Scene | None = None,
     collisions: bool = True,
     clearance: float = 0.0,
+    spare: float = 0.0,
     closed: bool = False,
     executor: Executor | None = None,
     memory: float | None = None,
@@ -92,6 +94,7 @@ def sample_layers(
         scene: obstacles; default None.
         collisions: whether candidates in collision with an obstacle or with the arm itself are dropped.
         clearance: minimum distance [m] of candidates to obstacles and between the arm's own links.
+        spare: distance [m] beyond the clearance that candidates keep, for the motion between positions.
         closed: whether the path returns to its start, so that the motion has to as well.
         executor: where positions are sampled: threads of this process by default; processes, or a Dask client's
             `get_executor()`.
@@ -100,7 +103,8 @@ def sample_layers(
 
     Raises:
         InvalidInputError: an argument is not usable; no candidate reaches a position (the message gives the remaining
-            error); the candidates would exceed the memory, as estimated before the work starts.
+            error, or the two bodies that are too near in the best case, and their distance); the candidates would exceed the
+            memory, as estimated before the work starts.
     """
     from manipplan.ik.verify import are_poses
     from manipplan.search.sampler import CandidateSampler
@@ -121,7 +125,8 @@ def sample_layers(
         method=method,
         scene=instance("scene", scene if scene is not None else Scene(), Scene),
         collisions=collisions,
-        clearance=number("clearance", clearance, least=0.0),
+        clearance=number("clearance", clearance, least=0.0) + number("spare", spare, least=0.0),
+        spare=spare,
         seed=seed,
     )
     if executor is not None and not callable(getattr(executor, "submit", None)):
@@ -147,7 +152,7 @@ def sample_layers(
             q, m, reached = job.result()
             if not len(q):
                 position = f"path, position {k} of 0 to {n - 1} (s = {s[k]:.4g})"
-                raise InvalidInputError(position, poses[k].tolist(), _remedy(sampler, poses[k], reached))
+                raise InvalidInputError(position, poses[k].tolist(), _remedy(sampler, poses[k], values, reached))
             layers[k] = q, m
             found = sum(len(m) for _, m in layers.values())
             tell(len(layers) / n, f"sampling positions: {found:,} candidates")
@@ -163,12 +168,18 @@ def sample_layers(
     )
 
 
-def _remedy(sampler: "CandidateSampler", pose: Array, reached: int) -> str:
+def _remedy(sampler: "CandidateSampler", pose: Array, values: Array, reached: int) -> str:
     """Why a position has no candidate, and the remedy."""
     if reached:
-        clearance = sampler.spec.clearance
-        fault = f"comes nearer than {clearance:g} m to something" if clearance else "touches an obstacle or the arm itself"
-        return f"a pose with a collision-free configuration; each of the {reached:,} that reach it {fault}"
+        spec = sampler.spec
+        apart, (first, second) = sampler.widest(pose, values)
+        needed = f"clearance {1e3 * (spec.clearance - spec.spare):.4g} mm" if spec.clearance > spec.spare else "no collision"
+        needed += f" and {1e3 * spec.spare:.4g} mm to spare for the motion between positions" if spec.spare else ""
+        how = f"are {1e3 * apart:.3g} mm apart" if apart > 0 else f"overlap by {-1e3 * apart:.3g} mm"
+        return (
+            f"a pose with a collision-free configuration; {reached:,} reach it, and in the best of them {first} and {second} "
+            f"{how}; needed: {needed}"
+        )
     far, angle, stopped = sampler.nearest_miss(pose)
     if far < REACHES[0] and angle < REACHES[1]:
         return "a pose that some sample reaches: it is within reach, but no value on the grid reaches it; take more samples"

@@ -38,8 +38,11 @@ def first_grid(curve: ArcLength, count: int, edges: Array, stops: tuple[bool, bo
     return _thinned(curve, points, (even + ramp) / 2, count, edges)
 
 
-def next_grid(curve: ArcLength, profile: Profile, count: int, edges: Array) -> Array:
-    """A grid that is even in the time of an earlier motion, and denser where the path turns."""
+def next_grid(curve: ArcLength, profile: Profile, count: int, edges: Array, *, ramps: float = 0.0) -> Array:
+    """A grid that is even in the time of an earlier motion, and denser where the path turns.
+
+    A share `ramps` of the points is placed by changes of speed: a motion at a constant speed has most of its time elsewhere.
+    """
     fine = curve.fine(8 * count)
     even = np.linspace(0.0, 1.0, len(fine))
     # l ~ t³ at stops: the cube root is interpolated there
@@ -54,7 +57,11 @@ def next_grid(curve: ArcLength, profile: Profile, count: int, edges: Array) -> A
     ramp = np.linspace(0, 1, 9) ** 3
     begin, end = lengths[1] * ramp, curve.length - (curve.length - lengths[-2]) * ramp
     dense = np.sort(np.concatenate([fine, np.interp(np.linspace(0, 1, 8 * count), times, lengths), begin, end]))
-    return _thinned(curve, dense, np.interp(dense, fine, 0.7 * at + 0.3 * even), count, edges)
+    share = np.interp(dense, fine, 0.7 * at + 0.3 * even)
+    if ramps:
+        changed = np.append(0.0, np.cumsum(np.abs(np.diff(profile.speed))))
+        share = (1 - ramps) * share + ramps * np.interp(dense, lengths, changed / changed[-1])
+    return _thinned(curve, dense, share, count, edges)
 
 
 def _thinned(curve: ArcLength, points: Array, share: Array, count: int, edges: Array) -> Array:
@@ -88,6 +95,8 @@ ROUNDS_MOVING = 25
 SMOOTH_LEAST = 40
 #: Minimum mean time per grid interval [s]: below it, rounding to nanoseconds would show in the jerk.
 SHORTEST_STEP = 2e-5
+#: Share of the grid points that are placed by changes of speed where the tool's speed is limited.
+RAMPS = 0.3
 #: When a motion uses less than this share of the jerk limit, a finer grid lets acceleration rise faster.
 COARSE = 0.7
 
@@ -185,7 +194,8 @@ def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: f
     profile = SmoothProfile.of(asked, first)
     used = float(jerk_of_pieces(*problem.bounded(*profile.sampled(problem.names))).max())
     finer = 2 * grid if used < COARSE else grid
-    points = next_grid(curve, profile, int(np.clip(profile.time[-1] / SHORTEST_STEP, SMOOTH_LEAST, finer)), edges)
+    count = int(np.clip(profile.time[-1] / SHORTEST_STEP, SMOOTH_LEAST, finer))
+    points = next_grid(curve, profile, count, edges, ramps=RAMPS if problem.tool is not None else 0.0)
     asked = problem.dynamics(curve, points)
     guess = np.interp(points, profile.length, profile.speed**2) / asked.speed_unit**2
 

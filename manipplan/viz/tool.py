@@ -70,7 +70,7 @@ def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = N
 
     Args:
         motion: a Tracking, or a Plan of `follow` or `improve`, with the targets that it followed: a Tracking is compared with
-            the target of the same time, a Plan of `follow` with the nearest point of the workspace path.
+            the target of the same time, a Plan of `follow` with the nearest point of the workspace path, after its lead-in.
         tolerance: drawn as dashed lines; default: the tolerance of the plan.
         ax: Matplotlib axes; None: those of a new figure. The scale in degrees gets axes of its own over these.
 
@@ -83,7 +83,7 @@ def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = N
     t, position, rotation = _over_time(motion)
     ax = style.axes_for(ax)
     with style.shared():
-        ax.set(xlabel="time [s]", xlim=(0, t[-1]), title="deviation of the tool from its path")
+        ax.set(xlabel="time [s]", xlim=(t[0], t[-1]), title="deviation of the tool from its path")
         limits = (None, None) if tolerance is None else (tolerance.position, tolerance.rotation)
         kinds = [(ax, 1e3 * position, "position [mm]", style.OPTIMUM, limits[0], 1e3)]
         if rotation.any():
@@ -109,6 +109,6 @@ def _over_time(motion: Any) -> tuple[Array, Array, Array]:
     workspace_path, trajectory = getattr(motion, "workspace_path", None), getattr(motion, "trajectory", None)
     if workspace_path is None or trajectory is None:
         raise InvalidInputError("motion", motion, "a Tracking, or a Plan of follow or improve that has a trajectory")
-    t = np.linspace(0.0, trajectory.duration, TIMES)
+    t = np.linspace(motion.path_begin, trajectory.duration, TIMES)
     poses = motion.robot.kinematics().pose(trajectory(t))
     return t, *deviations(workspace_path, poses, motion.result.task.free_axis)

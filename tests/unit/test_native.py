@@ -71,7 +71,8 @@ def test_without_a_compiler_nothing_is_compiled_ahead(no_compiler, slow_builds):
 
 
 def test_jobs_name_sources_that_there_are():
-    from manipplan.jobs import follow, plan
+    from manipplan.jobs import plan
+    from manipplan.jobs.following import follow
 
     for job in (follow, plan):
         assert all((native.PACKAGE / source).is_file() for source in job.SOURCES)

@@ -40,6 +40,24 @@ def test_length_of_a_polyline_is_the_sum_of_its_edges(rng):
     assert path.length == pytest.approx(np.linalg.norm(np.diff(points, axis=0), axis=1).sum(), rel=1e-12)
 
 
+def test_joined_paths_are_their_parts(rng):
+    """Of any degrees; each has the share of s that its length has of the whole."""
+    knots = rng.normal(size=(5, 3))
+    first = mp.JointPath(breaks=np.array([0.0, 1.0]), control=rng.normal(size=(1, 7, 3)))
+    second = mp.JointPath.spline(np.linspace(0, 1, 5), np.vstack([first.goal, knots[1:]]))
+    third = mp.JointPath.line(second.goal, knots[0])
+    parts = (first, second, third)
+    whole = mp.JointPath.joined(parts)
+    ends = np.cumsum([0.0, *(part.length for part in parts)]) / whole.length
+    for part, begin, end in zip(parts, ends[:-1], ends[1:], strict=True):
+        s = np.linspace(0.0, 1.0, 57)[1:-1]
+        np.testing.assert_allclose(whole(begin + (end - begin) * s), part(s), atol=1e-9)
+    assert whole.length == pytest.approx(sum(part.length for part in parts), rel=1e-9)
+    for wrong in ([], [first, third], [first, mp.JointPath(breaks=np.array([0.0, 1.0]), control=np.zeros((1, 2, 3)))]):
+        with pytest.raises(mp.InvalidInputError):
+            mp.JointPath.joined(wrong)
+
+
 def test_bounds_are_those_of_a_dense_sample(rng):
     for _ in range(20):
         path = random_path(rng, degree=6, pieces=2)

@@ -45,6 +45,7 @@ def measure(
     start: Array | None = None,
     goal: Array | None = None,
     workspace_path: CartesianPath | None = None,
+    path_begin: float = 0.0,
     tolerance: Tolerance | None = None,
     constraints: Sequence[Constraint] = (),
     clearance: float = 0.0,
@@ -60,6 +61,7 @@ def measure(
         start, goal: (n,) where the motion has to begin and end [rad or m]; None: anywhere.
         workspace_path, tolerance: path of the tool, and how far the tool may be from it; None: no path.
         constraints: what every configuration has to keep; held joints keep their first value.
+        path_begin: time from which the tool follows that path [s].
         clearance: required clearance [m].
         torque, jerk: whether these limits are checked; infinite jerk limits are not.
     """
@@ -92,8 +94,9 @@ def measure(
     deviation = missed = None
     if workspace_path is not None:
         axis = kinematics.task.free_axis
-        deviation = tool_deviation(path, kinematics, workspace_path, axis)
-        missed = missed_by(path, kinematics, workspace_path, axis)
+        begin = path_begin / trajectory.duration
+        deviation = tool_deviation(path, kinematics, workspace_path, axis, begin)
+        missed = missed_by(path, kinematics, workspace_path, axis, begin)
         for what, distances in (("the tool leaves the path", deviation), ("the tool misses a pose of the path", missed)):
             faults += _outside(what, distances, tolerance)
     return Report(

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from manipplan.constraints.figures import ConstraintFigure
+from manipplan.jobs.reports.along import PathPart
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.checks import existing_file
@@ -51,6 +52,7 @@ class Report:
             and last pose are compared with those of the motion.
         tolerance: what was allowed of both; None without a path.
         constraints: how the motion keeps each constraint, at shares of the duration.
+        along: for `follow`: the part of the motion along the workspace path.
         faults: one sentence for each check that did not pass.
         passed: whether all checks passed: limits, collisions and, where they were given, start, goal, constraints and workspace
             path.
@@ -85,6 +87,7 @@ class Report:
     missed: Deviation | None = None
     tolerance: Tolerance | None = None
     constraints: tuple[ConstraintFigure, ...] = ()
+    along: PathPart | None = None
     faults: tuple[str, ...] = ()
 
     def __str__(self) -> str:
@@ -198,7 +201,8 @@ class PlanReport(Report):
             f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
             f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
         ]
-        return "\n".join([*lines, *self._measured()])
+        along = self.along.lines() if self.along is not None else []
+        return "\n".join([*lines, *along, *self._measured()])
 
     def _verdict(self) -> str:
         if self.passed and self.status == Status.SINGULAR.value:

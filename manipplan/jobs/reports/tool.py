@@ -13,21 +13,26 @@ from manipplan.support.checks import Array
 STEP, LEAST, POSES = 2e-3, 1500, 2001
 
 
-def tool_deviation(path: JointPath, kinematics: Kinematics, workspace_path: CartesianPath, axis: Array | None) -> Deviation:
+def tool_deviation(
+    path: JointPath, kinematics: Kinematics, workspace_path: CartesianPath, axis: Array | None, begin: float
+) -> Deviation:
     """The largest distances of the tool from a workspace path, regardless of time; `..._at` is s of the joint path.
 
-    Of the tool's orientation only the direction of `axis` (3,) counts if given.
+    What comes before s = `begin` of the joint path does not count. Of the tool's orientation only the direction of `axis` (3,)
+    counts if given.
     """
-    s = _samples(path)
+    s = _samples(path, begin)
     return _largest(s, *deviations(workspace_path, kinematics.pose(path(s)), axis))
 
 
-def missed_by(path: JointPath, kinematics: Kinematics, workspace_path: CartesianPath, axis: Array | None) -> Deviation:
+def missed_by(
+    path: JointPath, kinematics: Kinematics, workspace_path: CartesianPath, axis: Array | None, begin: float
+) -> Deviation:
     """The largest distances of poses of a workspace path from where the tool comes past; `..._at` is s of the workspace path.
 
     The first and the last pose are compared with those of the motion: a tool that stops early, or goes backwards, misses one.
     """
-    way, poses = kinematics.pose(path(_samples(path))), workspace_path.sample(POSES)
+    way, poses = kinematics.pose(path(_samples(path, begin))), workspace_path.sample(POSES)
     position, rotation = distances_from(way, poses, axis)
     ends = [0, -1]
     position[ends] = np.linalg.norm(way[ends, :3, 3] - poses[ends, :3, 3], axis=1)
@@ -35,9 +40,10 @@ def missed_by(path: JointPath, kinematics: Kinematics, workspace_path: Cartesian
     return _largest(np.linspace(0.0, 1.0, POSES), position, rotation)
 
 
-def _samples(path: JointPath) -> Array:
-    """The s of the poses that are compared."""
-    return np.unique(np.concatenate([np.linspace(0.0, 1.0, LEAST), path.fine_samples(STEP)]))
+def _samples(path: JointPath, begin: float) -> Array:
+    """The s of the poses that are compared, from `begin` on."""
+    s = np.unique(np.concatenate([np.linspace(begin, 1.0, LEAST), path.fine_samples(STEP)]))
+    return np.asarray(s[s >= begin])
 
 
 def _largest(at: Array, position: Array, rotation: Array) -> Deviation:

@@ -1,0 +1,106 @@
+"""retime_steady: times a path at a constant speed of the tool, or names the fastest such speed that it has."""
+
+import numpy as np
+import pinocchio as pin
+
+from manipplan.paths.joint import JointPath
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError, PlanningError
+from manipplan.timing.retime import retime
+from manipplan.timing.segment import Segment, ToolSpeed
+from manipplan.timing.steady.speed import measure_speed
+
+#: Number of places at which limits are compared.
+PLACES = 2001
+#: Places near the start, and as far from the end, at which a ramp can end: they lie between the first two points of the grid.
+EDGES = tuple(1.5 ** -np.arange(16.0) / 300)
+#: Share to which the fastest speed is found, maximum number of motions timed for it, and share of the first guess in each.
+CLOSE, TRIES, LESS = 1.02, 14, 0.6
+#: Share of the limits' bound above which the limits are said to bind.
+BINDS = 0.9
+
+
+def retime_steady(path: JointPath, robot: Robot, speed: float, *, torque: bool = False) -> Trajectory:
+    """The motion along a joint path on which the tool has a constant speed [m/s], but for the ramps at its ends.
+
+    Ramps are as short as the limits allow.
+
+    Raises:
+        InvalidInputError: the speed is not reached, or not kept; the message names the fastest one that is.
+        PlanningError: as in `retime`.
+    """
+    trajectory = _at_most(path, robot, speed, torque=torque)
+    if measure_speed(trajectory, robot, speed).is_steady:
+        return trajectory
+    bound, reason = limits_bound(path, robot, torque=torque)
+    fastest = _fastest(path, robot, min(bound, speed), speed, torque=torque)
+    if fastest is None:
+        raise InvalidInputError("tool_speed", speed, f"None for this motion: it has no constant speed of the tool; {reason}")
+    if fastest < BINDS * bound:
+        reason = "a faster one is not reached from rest, and braked to rest, on a quarter of the path each"
+    raise InvalidInputError(
+        "tool_speed", speed, f"at most {fastest:g} m/s, the fastest constant speed of the tool on this motion: {reason}"
+    )
+
+
+def limits_bound(path: JointPath, robot: Robot, *, torque: bool = False) -> tuple[float, str]:
+    """Estimate of the fastest constant speed of the tool [m/s] between the ends of a path, and the limit that sets it.
+
+    At a constant speed v of the tool the joints' velocities are v dq/dσ, their accelerations v² d²q/dσ² and their jerks
+    v³ d³q/dσ³, where σ is the length of the tool's way.
+    """
+    s = np.linspace(0.0, 1.0, PLACES)
+    q, first, second = path(s), path(s, 1), path(s, 2)
+    way = np.maximum(ToolSpeed(robot)(q, first), 1e-12)[:, None]
+    slope = first / way
+    bend = (second - np.gradient(way[:, 0], s)[:, None] * slope) / way**2
+    inside = slice(1, -1)
+    limits, names = robot.limits, robot.joint_names
+    with np.errstate(divide="ignore"):
+        bounds = {"velocity": limits.velocity / np.abs(slope), "acceleration": np.sqrt(limits.acceleration / np.abs(bend))}
+        bounds["jerk"] = np.cbrt(limits.jerk * way / np.maximum(np.abs(np.gradient(bend, s, axis=0)), 1e-300))
+        if torque:
+            bounds["effort"] = np.sqrt(_torque_bounds(robot, q, slope, bend))
+    kind = min(bounds, key=lambda each: float(bounds[each][inside].min()))
+    k, joint = np.unravel_index(int(bounds[kind][inside].argmin()), bounds[kind][inside].shape)
+    place = f"the {kind} limit of {names[joint]} allows no faster one after {100 * s[k + 1]:.0f} % of the path"
+    return float(bounds[kind][inside].min()), place
+
+
+def _torque_bounds(robot: Robot, q: Array, slope: Array, bend: Array) -> Array:
+    """Bounds (k, n) on the square of the tool's speed by the effort limits."""
+    data, still = robot.model.createData(), np.zeros(robot.n)
+    gravity = np.array([pin.rnea(robot.model, data, each, still, still).copy() for each in q])
+    moving = np.array([pin.rnea(robot.model, data, *state).copy() for state in zip(q, slope, bend, strict=True)]) - gravity
+    return np.asarray(np.maximum(robot.limits.effort - np.sign(moving) * gravity, 0.0) / np.maximum(np.abs(moving), 1e-300))
+
+
+def _at_most(path: JointPath, robot: Robot, speed: float, *, torque: bool) -> Trajectory:
+    # the ends of segments are points of the grid of retime: dense ones near the ends make short ramps possible
+    segments = [Segment(begin=edge, end=1.0 - edge, tool_speed=speed) for edge in (0.0, *EDGES)]
+    return retime(path, robot, torque=torque, segments=segments)
+
+
+def _fastest(path: JointPath, robot: Robot, guess: float, most: float, *, torque: bool) -> float | None:
+    """The fastest constant speed, in three digits, found by bisection below `most`, which is too fast; None for none."""
+    low, high, speed = 0.0, most, _rounded_down(0.999 * guess)
+    for _ in range(TRIES):
+        try:
+            kept = measure_speed(_at_most(path, robot, speed, torque=torque), robot, speed).is_steady
+        except PlanningError:
+            kept = False
+        low, high = (speed, high) if kept else (low, speed)
+        if high <= CLOSE * low:
+            break
+        speed = _rounded_down(np.sqrt(low * high) if low else LESS * high)
+        if speed <= low:
+            break
+    return low or None
+
+
+def _rounded_down(value: float) -> float:
+    """A positive number with three digits, at most as large."""
+    unit = 10.0 ** (np.floor(np.log10(value)) - 2)
+    return float(f"{np.floor(value / unit) * unit:.3g}")

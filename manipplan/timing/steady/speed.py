@@ -1,0 +1,92 @@
+"""SteadySpeed: the speed of the tool on a motion that is to have a constant one, measured on the motion."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import number
+from manipplan.support.display import one_line
+from manipplan.support.errors import InvalidInputError
+from manipplan.timing.segment import ToolSpeed
+
+#: Share by which a constant speed may be below the one that was asked for.
+STEADY = 0.01
+#: Largest share of the tool's way that a ramp may take.
+RAMP = 0.25
+#: Number of times per sample interval at which speeds are measured, and of places at which a path's speed is compared.
+BETWEEN, PLACES = 4, 2001
+#: The tool turns in place where it moves slower along the path than this share of the mean.
+IN_PLACE = 0.01
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True)
+class SteadySpeed:
+    """The speed of the tool on a motion that is to have a constant one, measured on the motion.
+
+    A ramp ends where the speed is the one asked for, to a hundredth, and stays so; it is at most a quarter of the tool's way.
+
+    Attributes:
+        asked: the constant speed asked for [m/s].
+        slowest, fastest: smallest and largest speed between the ramps [m/s].
+        begin, end: times at which the first ramp ends and the last one begins [s].
+        ramps: lengths of the tool's way on the two ramps [m].
+        length: length of the tool's way [m].
+    """
+
+    asked: float
+    slowest: float
+    fastest: float
+    begin: float
+    end: float
+    ramps: tuple[float, float]
+    length: float
+
+    @property
+    def is_steady(self) -> bool:
+        """Whether the speed is the one asked for, to a hundredth, between the ramps."""
+        return self.slowest >= (1 - STEADY) * self.asked
+
+    def __str__(self) -> str:
+        return (
+            f"{1e3 * self.slowest:.4g} to {1e3 * self.fastest:.4g} mm/s from {self.begin:.3f} s to {self.end:.3f} s "
+            f"({1e3 * self.asked:.4g} asked for); ramps of {1e3 * self.ramps[0]:.2g} and {1e3 * self.ramps[1]:.2g} mm"
+        )
+
+
+def check_tool_speed(speed: float, path: CartesianPath) -> float:
+    """The speed [m/s] of a tool along a path. Raises InvalidInputError for no such speed, or where the tool turns in place."""
+    value = number("tool_speed", speed, above=0.0)
+    if not isinstance(path, CartesianPath):
+        raise InvalidInputError("path", path, "a CartesianPath")
+    steps = np.linalg.norm(np.diff(path.sample(PLACES)[:, :3, 3], axis=0), axis=1)
+    if not (steps > IN_PLACE * steps.mean()).all():
+        s = (int(steps.argmin()) + 0.5) / len(steps)
+        wanted = f"None for this path: at s = {s:.3f} it turns the tool in place, where its speed cannot be constant; split it"
+        raise InvalidInputError("tool_speed", speed, wanted)
+    return value
+
+
+def measure_speed(trajectory: Trajectory, robot: Robot, asked: float, *, begin: float = 0.0) -> SteadySpeed:
+    """The speed of the tool from time `begin` [s] to the end of a motion, by Pinocchio's Jacobians."""
+    samples = np.unique(np.append(trajectory.t[trajectory.t > begin], begin))
+    t = np.unique(np.concatenate([samples[:-1] + np.diff(samples) * share / BETWEEN for share in range(BETWEEN + 1)]))
+    t = np.minimum(t, trajectory.duration)
+    speeds = ToolSpeed(robot)(trajectory(t), trajectory(t, 1))
+    way = np.concatenate([[0.0], np.cumsum((speeds[1:] + speeds[:-1]) / 2 * np.diff(t))])
+    slow, share = speeds < (1 - STEADY) * asked, way / max(way[-1], 1e-300)
+    first = int(np.append(-1, np.flatnonzero(slow & (share < RAMP))).max()) + 1
+    last = int(np.append(len(t), np.flatnonzero(slow & (share > 1 - RAMP))).min()) - 1
+    between = speeds[first : last + 1]
+    return SteadySpeed(
+        asked=asked,
+        slowest=float(between.min()),
+        fastest=float(between.max()),
+        begin=float(t[first]),
+        end=float(t[last]),
+        ramps=(float(way[first]), float(way[-1] - way[last])),
+        length=float(way[-1]),
+    )

@@ -1,0 +1,146 @@
+"""Constant speeds of the tool: kept between short ramps, and where they are not possible the fastest one is named."""
+
+import re
+
+import numpy as np
+import pinocchio as pin
+import pytest
+
+import manipplan as mp
+from manipplan.timing.steady.retime_steady import limits_bound, retime_steady
+from manipplan.timing.steady.speed import measure_speed
+
+FEW = {"samples": 48, "epsilon": 0.5}
+
+
+def tool_speeds(robot, trajectory, count=20001):
+    """Times and speeds of the tool's origin, by finite differences of its positions."""
+    t = np.linspace(0.0, trajectory.duration, count)
+    data, frame = robot.model.createData(), robot.model.getFrameId(robot.tool)
+    places = []
+    for q in trajectory(t):
+        pin.framesForwardKinematics(robot.model, data, q)
+        places.append(data.oMf[frame].translation.copy())
+    return (t[1:] + t[:-1]) / 2, np.linalg.norm(np.diff(places, axis=0), axis=1) / np.diff(t)
+
+
+def one_joint():
+    """An arm of which only the first joint moves, on a quarter of a circle of a metre."""
+    arm = mp.planar_arm([0.6, 0.4]).with_limits(velocity=2.0, acceleration=5.0)
+    return arm, mp.JointPath.line([0.0, 0.0], [np.pi / 2, 0.0])
+
+
+@pytest.fixture(scope="module")
+def line(panda):
+    begin = np.array(panda.kinematics().pose(panda.neutral))
+    end = begin.copy()
+    end[:3, 3] += [0.1, 0.25, -0.1]
+    return mp.CartesianPath.line(begin, end)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("jerk", [None, np.inf])
+def test_a_line_at_constant_speed(panda, line, jerk):
+    arm = panda if jerk is None else panda.with_limits(jerk=jerk)
+    plan = mp.follow(arm, line, tool_speed=0.02, positions=8, **FEW)
+    assert plan.report.passed
+    kept = plan.report.along.tool_speed
+    t, speeds = tool_speeds(arm, plan.trajectory)
+    between = speeds[(t > kept.begin + 1e-3) & (t < kept.end - 1e-3)]
+    assert between.min() >= 0.02 * 0.99 and speeds.max() <= 0.02 * (1 + 1e-4)
+    assert 0.02 * 0.99 <= kept.slowest <= between.min() * (1 + 1e-4)
+    assert kept.fastest == pytest.approx(between.max(), rel=1e-3)
+    assert max(kept.ramps) < 1e-3 and kept.length == pytest.approx(line.length, rel=1e-3)
+    assert plan.trajectory.duration == pytest.approx(line.length / 0.02, rel=0.01)
+    assert "tool speed   19." in str(plan.report) and "(20 asked for)" in str(plan.report)
+
+
+@pytest.mark.slow
+def test_after_a_lead_in(panda, line, tmp_path):
+    start = panda.neutral + 0.3
+    plan = mp.follow(panda, line, start=start, tool_speed=0.05, positions=8, **FEW)
+    kept = plan.report.along.tool_speed
+    assert plan.path_begin < kept.begin < plan.path_begin + 0.1
+    t, speeds = tool_speeds(panda, plan.trajectory)
+    inside = speeds[(t > kept.begin + 1e-3) & (t < kept.end - 1e-3)]
+    assert inside.min() > 0.05 * 0.99 and inside.max() <= 0.05 * (1 + 1e-4)
+    assert speeds[t < plan.path_begin].max() > 0.1  # the lead-in is as fast as it can be
+    plan.save(tmp_path)
+    assert mp.Plan.load(tmp_path).report.along.tool_speed == kept
+
+
+@pytest.mark.slow
+def test_the_fastest_speed_is_named_and_kept(panda, line):
+    with pytest.raises(mp.InvalidInputError, match=r"tool_speed: got 5.0; allowed: at most [\d.]+ m/s, the fastest") as told:
+        mp.follow(panda, line, tool_speed=5.0, positions=8, **FEW)
+    fastest = float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1))
+    plan = mp.follow(panda, line, tool_speed=fastest, positions=8, **FEW)
+    assert plan.report.passed and plan.report.along.tool_speed.is_steady
+    with pytest.raises(mp.InvalidInputError, match="tool_speed"):
+        mp.follow(panda, line, tool_speed=1.1 * fastest, positions=8, throw=False, **FEW)
+
+
+def test_the_limits_that_bound_a_constant_speed():
+    """On a circle of a metre the joint's velocity is the tool's speed."""
+    arm, path = one_joint()
+    bound, reason = limits_bound(path, arm)
+    assert bound == pytest.approx(2.0, rel=1e-9) and "velocity limit of joint1" in reason
+    with pytest.raises(mp.InvalidInputError, match="velocity limit of joint1") as told:
+        retime_steady(path, arm.with_limits(acceleration=50.0), 3.0)
+    assert float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1)) == pytest.approx(2.0, rel=0.02)
+
+
+def test_a_path_too_short_for_its_ramps():
+    """From rest 2 m/s need v² / 2a = 0.4 m, a quarter of the path is 0.39 m: v = √(2a · 0.39) = 1.98 m/s."""
+    arm, path = one_joint()
+    with pytest.raises(mp.InvalidInputError, match="not reached from rest") as told:
+        retime_steady(path, arm.with_limits(velocity=10.0), 3.0)
+    most = np.sqrt(2 * 5.0 * np.pi / 8)
+    assert float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1)) == pytest.approx(most, rel=0.03)
+
+
+def test_effort_limits_bound_the_speed_as_well(panda):
+    path = mp.JointPath.spline([0, 0.5, 1], [panda.neutral, panda.neutral + 0.4, panda.neutral + [0.8, 0, 0.8, 0, 0.8, 0, 0.8]])
+    strong = panda.with_limits(velocity=50.0, acceleration=500.0, jerk=np.inf)
+    free, _ = limits_bound(path, strong)
+    weak = strong.with_limits(effort=panda.limits.effort * 0.6)
+    bound, reason = limits_bound(path, weak, torque=True)
+    assert bound < free and "effort limit" in reason
+
+
+def test_a_motion_that_turns_back_has_no_constant_speed():
+    arm = mp.planar_arm([0.6, 0.4])
+    there = mp.JointPath.through([[0.0, 0.0], [1.0, 0.0], [0.2, 0.0]])
+    with pytest.raises(mp.InvalidInputError, match="no constant speed of the tool"):
+        retime_steady(there, arm, 0.1)
+
+
+def test_the_measure_tells_a_dip():
+    """A motion that slows down half-way is not steady, one that is slow for a tenth at its ends is."""
+    arm = mp.planar_arm([0.6, 0.4])
+    for slow, steady in ((0.5, False), (0.03, True)):
+        s = np.linspace(0.0, 1.0, 401)
+        pace = np.where(np.abs(s - slow) < 0.02, 0.5, 1.0)
+        t = np.concatenate([[0.0], np.cumsum(2 * np.diff(s) / (pace[1:] + pace[:-1]))])
+        q = np.stack([s, 0 * s], axis=1)
+        moving = mp.Trajectory(t=t, q=q, qd=np.gradient(q, t, axis=0), joint_names=arm.joint_names)
+        found = measure_speed(moving, arm, 1.0)
+        assert found.is_steady is steady
+        assert (found.slowest < 0.6) is not steady
+        assert sum(found.ramps) < 0.06 and found.length == pytest.approx(1.0, rel=1e-3)
+
+
+def test_a_tool_that_turns_in_place(panda):
+    begin = np.array(panda.kinematics().pose(panda.neutral))
+    turned = begin.copy()
+    turned[:3, :3] = begin[:3, :3] @ pin.exp3(np.array([0.0, 0.0, 0.5]))
+    with pytest.raises(mp.InvalidInputError, match="turns the tool in place"):
+        mp.follow(panda, mp.CartesianPath.line(begin, turned), tool_speed=0.1, positions=3, **FEW)
+
+
+@pytest.mark.parametrize("speed", [0.0, -0.1, np.nan, np.inf, "fast", True])
+def test_wrong_speeds_are_refused_before_the_work(panda, line, speed):
+    told = []
+    with pytest.raises(mp.InvalidInputError, match="tool_speed"):
+        mp.follow(panda, line, tool_speed=speed, positions=3, progress=lambda *each: told.append(each), **FEW)
+    assert told == []
