@@ -34,6 +34,9 @@ from manipplan.jobs.other_goals import OtherGoal, other_goals
 from manipplan.jobs.plan import plan
 from manipplan.jobs.plan_many import plan_many
 from manipplan.jobs.problem import Problem
+from manipplan.jobs.programs.program import Mark, Program, ProgramPart
+from manipplan.jobs.programs.sequence import sequence
+from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Wait
 from manipplan.jobs.reports.report import PlanReport, Report
 from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.kinematics.evaluate import Evaluator
@@ -97,6 +100,7 @@ gc.collect()
 
 __all__ = [
     "Asada",
+    "Attach",
     "Avoidance",
     "Box",
     "Capsule",
@@ -111,6 +115,7 @@ __all__ = [
     "Controller",
     "Crossing",
     "Cylinder",
+    "Detach",
     "Deviation",
     "DynamicManipulability",
     "Ellipsoid",
@@ -133,11 +138,14 @@ __all__ = [
     "LimitUse",
     "LogDet",
     "ManipplanError",
+    "Mark",
     "Measure",
     "Mesh",
     "MissingExtraError",
     "MissingProgramError",
     "MissingSourcesError",
+    "MoveAlong",
+    "MoveTo",
     "NoPath",
     "Obstacle",
     "OtherGoal",
@@ -157,6 +165,8 @@ __all__ = [
     "PositionBox",
     "Posture",
     "Problem",
+    "Program",
+    "ProgramPart",
     "Refinement",
     "Report",
     "Robot",
@@ -181,6 +191,7 @@ __all__ = [
     "UnknownNameError",
     "UnsupportedJointError",
     "VelocityTransmission",
+    "Wait",
     "Yoshikawa",
     "available_measures",
     "available_robots",
@@ -207,6 +218,7 @@ __all__ = [
     "retime",
     "sample_layers",
     "seed_path",
+    "sequence",
     "torque_use",
     "track",
     "velocity_ellipsoid",

@@ -61,7 +61,7 @@ def choose_entry(
         planner: plans lead-ins.
         tell: called with the share done.
     """
-    searches = _searches(finder, first)
+    searches = best_courses(finder, first)
     most = float(integral.kinematics.manipulability(start))
     waiting: list[tuple[GoalCandidate, SearchResult]] = []
     done: list[GoalCandidate] = []
@@ -110,7 +110,7 @@ def choose_entry(
     return EntryChoice(entry=best, candidates=(*told, *left), failure="" if best is not None else failure)
 
 
-def _searches(finder: CourseFinder, first: SearchResult) -> Iterator[SearchResult]:
+def best_courses(finder: CourseFinder, first: SearchResult) -> Iterator[SearchResult]:
     """The best path of all, then the best of those that begin farther than APART from the beginnings before."""
     yield first
     layers, found = finder.layers, first
