@@ -34,7 +34,7 @@ from manipplan.jobs.other_goals import OtherGoal, other_goals
 from manipplan.jobs.plan import plan
 from manipplan.jobs.plan_many import plan_many
 from manipplan.jobs.problem import Problem
-from manipplan.jobs.programs.program import Mark, Program, ProgramPart
+from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.sequence import sequence
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Wait
 from manipplan.jobs.reports.report import PlanReport, Report
@@ -166,7 +166,6 @@ __all__ = [
     "Posture",
     "Problem",
     "Program",
-    "ProgramPart",
     "Refinement",
     "Report",
     "Robot",

@@ -1,6 +1,7 @@
 """Puts the motions of a program together: blends, timing, checks, marks."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -12,16 +13,18 @@ from manipplan.constraints.proof import prove
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.programs.blend import Blend, blend_of, is_corner, with_blends
 from manipplan.jobs.programs.courses import Motion, Stop
-from manipplan.jobs.programs.program import Mark, Program, ProgramPart
+from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.states import State
 from manipplan.jobs.programs.steps import Detach, Step
-from manipplan.jobs.reports.measure import measure
-from manipplan.jobs.reports.report import Report
+from manipplan.jobs.reports.measure import measure_plan
+from manipplan.jobs.result import Plan
+from manipplan.optimize.result import make_result
 from manipplan.paths.deviation import deviation_at
 from manipplan.paths.joint import JointPath, cut
 from manipplan.paths.tolerance import BETWEEN
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.support.errors import PlanningError
+from manipplan.support.status import Status
 from manipplan.timing.retime import retime
 from manipplan.timing.segment import Segment
 
@@ -47,7 +50,8 @@ def assemble(
 
     Raises PlanningError, which names the step, where a part cannot be timed.
     """
-    parts: list[ProgramPart] = []
+    parts: list[Plan] = []
+    clocks: list[float] = []
     marks: list[Mark] = []
     stops: list[float] = []
     warnings: list[str] = []
@@ -70,12 +74,14 @@ def assemble(
                 marks.append(Mark(step=motion.step, name=type(steps[motion.step]).__name__, begin=begin))
         stops += corners
         parts.append(part)
+        clocks.append(clock)
         pieces.append(part.trajectory)
         clock += part.trajectory.duration
     return Program(
         robot=first.robot,
         scene=first.scene,
         parts=tuple(parts),
+        begins=tuple(clocks),
         marks=tuple(marks),
         trajectory=joined(pieces),
         goals=goals,
@@ -115,7 +121,7 @@ def _part(
     objective: PathObjective,
     clearance: float,
     torque: bool,
-) -> tuple[ProgramPart, list[float], list[float]]:
+) -> tuple[Plan, list[float], list[float]]:
     """A part, the times at which its motions begin, and those at which it stops at a corner [s]."""
     state = group[0].state
     robot, model = state.robot, state.scene.collision_model(state.robot)
@@ -130,20 +136,32 @@ def _part(
         trajectory = retime(path, robot, torque=torque, segments=segments)
     except PlanningError as error:
         raise PlanningError(f"steps[{group[0].step}] to steps[{group[-1].step}]: {error}") from error
-    report = measure(
-        trajectory,
-        model,
-        objective.integral(robot),
-        start=path.start,
-        goal=path.goal,
+    integral = objective.integral(robot)
+    sharp, _ = with_blends(group, [None] * len(blends))
+    result = make_result(
+        path,
+        integral,
+        cost=integral.cost(path),
+        seed=sharp if any(blends) else path,
+        seed_cost=integral.cost(sharp),
+        model=model,
         clearance=clearance,
-        torque=torque,
+        status=Status.COMPOSED,
     )
+    report = measure_plan(trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True)
     begins = _times_of(trajectory, path, middles)
-    faults = _faults(group, blends, trajectory, begins, constraints)
-    if faults:
-        report = Report(**{**vars(report), "faults": (*report.faults, *faults), "passed": False})
-    part = ProgramPart(begin=clock, robot=robot, scene=state.scene, path=path, trajectory=trajectory, report=report)
+    faults = (*report.faults, *_faults(group, blends, trajectory, begins, constraints))
+    status = Status.CHECK_FAILED if faults else Status.COMPOSED
+    report = replace(report, faults=faults, passed=not faults, status=status.value)
+    part = Plan(
+        robot=robot,
+        scene=state.scene,
+        status=status,
+        path=path,
+        trajectory=trajectory,
+        report=report,
+        result=result,
+    )
     corners = [
         clock + begin
         for begin, one, other, made in zip(begins, group[:-1], group[1:], blends, strict=True)
@@ -202,7 +220,7 @@ def _times_of(trajectory: Trajectory, path: JointPath, places: list[float]) -> l
     return found
 
 
-def _let_go(step: Detach, part: ProgramPart) -> list[str]:
+def _let_go(step: Detach, part: Plan) -> list[str]:
     """A warning where a part is let go far from every body that could hold it."""
     model = part.scene.collision_model(part.robot)
     bodies = part.robot.carried[step.name].bodies

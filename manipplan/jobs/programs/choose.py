@@ -8,6 +8,7 @@ with what was reached on the motions planned so far, until no other program coul
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
@@ -25,8 +26,10 @@ from manipplan.support.progress import Progress
 
 #: Gain in the minimum manipulability below which another program is not tried; bounds that differ by less count as equal.
 GAIN = 0.01
-#: Maximum number of complete programs, and of failures of their motions, per leg.
-PROGRAMS, FAILURES = 4, 12
+#: Maximum number of free motions that are planned, and of failures of motions, per leg.
+MOTIONS, FAILURES = 5, 12
+#: What a motion that is not planned yet costs beside g of its straight line.
+UNPLANNED = 1e9
 #: Number of places of a straight line at which m is evaluated.
 PLACES = 9
 
@@ -81,20 +84,20 @@ class ProgramSearch:
         self._free: dict[tuple[object, ...], Plan | str] = {}
         self._at = [np.array([each.bound for each in nodes]) for nodes in self.nodes]
         before = [np.array([self.start]), *(np.array([each.q for each in nodes]) for nodes in self.nodes)]
-        edges = [self._lines(one, other) for one, other in zip(before[:-1], before[1:], strict=True)]
+        edges = [self._lines(one, other) for one, other in pairwise(before)]
         self._between, self._lengths = [each[0] for each in edges], [each[1] for each in edges]
+        self._planned = [np.zeros(each.shape, dtype=bool) for each in self._between]
 
     def best(self, tell: Progress) -> Chosen | None:
         """The best program; None where none was found, as `failures` tell."""
         best: Chosen | None = None
-        complete = 0
-        while complete < PROGRAMS and len(self.failures) < FAILURES * len(self.legs):
-            nodes, bound = self._chain()
-            if nodes is None or (best is not None and (bound <= best.minimum * (1 + GAIN) or self.late)):
+        while len(self.failures) < FAILURES * len(self.legs):
+            nodes, bound = self._chain(None if best is None else best.minimum)
+            enough = self.late or len(self._free) >= MOTIONS * len(self.legs)
+            if nodes is None or (best is not None and (bound <= best.minimum * (1 + GAIN) or enough)):
                 break
             made = self._made(nodes, tell)
             if made is not None:
-                complete += 1
                 if best is None or made.minimum > best.minimum * (1 + GAIN):
                     best = made
             elif self.late:
@@ -106,8 +109,12 @@ class ProgramSearch:
         """Whether the time is over."""
         return time.monotonic() >= self.deadline
 
-    def _chain(self) -> tuple[tuple[int, ...] | None, float]:
-        """The nodes of the program with the largest bound, of those that tie the one with the smallest g, and its bound."""
+    def _chain(self, reached: float | None) -> tuple[tuple[int, ...] | None, float]:
+        """The nodes of a program, and the largest bound of all.
+
+        First it is a program with that bound, of those that tie the one with the smallest g. Where one was reached already, it
+        is any whose bound is in the upper half between both: of those the one with the fewest motions that are not planned yet.
+        """
         most = np.full(1, np.inf)
         for at, between in zip(self._at, self._between, strict=True):
             most = np.minimum(np.minimum(most[:, None], between).max(axis=0), at)
@@ -115,10 +122,13 @@ class ProgramSearch:
         if bound == -np.inf:
             return None, bound
         least = bound * (1 - GAIN) if bound > 0 else bound
+        if reached is not None:
+            least = min(least, (bound + reached) / 2)
         cost, back = np.zeros(1), []
-        for at, between, lengths in zip(self._at, self._between, self._lengths, strict=True):
+        for at, between, lengths, planned in zip(self._at, self._between, self._lengths, self._planned, strict=True):
             allowed = (between >= least) & (at >= least)
-            total = np.where(allowed, cost[:, None] + lengths, np.inf)
+            more = lengths if reached is None else lengths + UNPLANNED * ~planned
+            total = np.where(allowed, cost[:, None] + more, np.inf)
             back.append(total.argmin(axis=0))
             cost = total.min(axis=0)
         last = int(cost.argmin())
@@ -144,6 +154,7 @@ class ProgramSearch:
             plan = None
             if leg.is_free and np.abs(course.entry - q).max() >= SHORTEST:
                 made = self._motion(k, before, node, q, course.entry, state)
+                self._planned[k][before, node] = True
                 if isinstance(made, str):
                     self._between[k][before, node] = -np.inf
                     self.failures.append(f"steps[{leg.number}]: {made}")
@@ -169,9 +180,7 @@ class ProgramSearch:
         return self._free[key]
 
     def _lines(self, one: Array, other: Array) -> tuple[Array, Array]:
-        """Between each of one (a, n) and of other (b, n): a bound on m of any motion, 0 where it crosses a singularity, and g of
-        the straight line.
-        """
+        """A bound on m between each of one (a, n) and of other (b, n), 0 across singularities, and g of the straight lines."""
         integral = self.objective.integral(self.state.robot)
         kinematics = integral.kinematics
         other = np.array([nearest_turns(self.state.robot, other, each) for each in one])  # (a, b, n)

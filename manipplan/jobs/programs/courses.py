@@ -19,8 +19,8 @@ from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import silent
 from manipplan.symbolic.task import Task
 
-#: Maximum step of a joint between neighbouring positions [rad or m].
-EPSILON = 0.2
+#: Maximum step of a joint between neighbouring positions of a path, and of a straight way [rad or m].
+EPSILON, STRAIGHT_EPSILON = 0.2, 0.4
 #: Distance between positions on a straight way [m], and their smallest number.
 STRIDE, LEAST_POSITIONS = 0.015, 6
 
@@ -135,7 +135,7 @@ def _along(
         finder = finder_of(step, path, state, objective, clearance).beginning(q)
     except InvalidInputError as error:
         return str(error)
-    search = max_min_search(finder.layers, EPSILON, throw=False)
+    search = max_min_search(finder.layers, EPSILON if isinstance(step.path, CartesianPath) else STRAIGHT_EPSILON, throw=False)
     if not search.connected:
         return search.message
     return _motion(number, step, finder, search, state)

@@ -1,19 +1,17 @@
 """Program: the result of `sequence`."""
 
-import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from manipplan.collision.scene import Scene
-from manipplan.jobs.reports.report import Report, shown
-from manipplan.paths.joint import JointPath
+from manipplan.jobs.reports.report import shown
+from manipplan.jobs.result import Plan
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
 from manipplan.support.files import writable_folder, write_text
-from manipplan.support.json_data import json_ready
 
 
 @one_line
@@ -34,33 +32,14 @@ class Mark:
 
 @one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
-class ProgramPart:
-    """The motion between two stops at which something is taken up or put down, or the arm waits.
-
-    Attributes:
-        begin: when it begins [s].
-        robot, scene: the arm with what it carries, and the obstacles, during this part.
-        path: the joint path.
-        trajectory: the timed motion, from rest to rest, beginning at 0 s.
-        report: measured on it.
-    """
-
-    begin: float
-    robot: Robot
-    scene: Scene
-    path: JointPath
-    trajectory: Trajectory
-    report: Report
-
-
-@one_line
-@dataclass(frozen=True, kw_only=True, eq=False)
 class Program:
     """A program of moves, timed and checked.
 
     Attributes:
         robot, scene: as they are at the beginning.
-        parts: the motions between stops.
+        parts: the motions between stops at which something is taken up or put down, or the arm waits: each a Plan from rest to
+            rest, of the arm with what it carries then, among the obstacles that are there then.
+        begins: when each part begins [s].
         marks: when each step begins.
         trajectory: the whole motion; the arm stands still while it waits.
         goals: for each MoveTo with several goals, by the index of the step: the index of the one that was chosen.
@@ -70,7 +49,8 @@ class Program:
 
     robot: Robot
     scene: Scene
-    parts: tuple[ProgramPart, ...]
+    parts: tuple[Plan, ...]
+    begins: tuple[float, ...]
     marks: tuple[Mark, ...]
     trajectory: Trajectory
     goals: dict[int, int]
@@ -108,26 +88,34 @@ class Program:
         ]
         lines += [f"  {each.begin:8.3f} s  steps[{each.step}] {each.name}" for each in self.marks]
         lines += [f"  warning      {each}" for each in self.warnings]
-        for k, each in enumerate(self.parts):
-            lines += [f"part {k}, from {each.begin:.3f} s", *(f"  {line}" for line in str(each.report).splitlines())]
+        for k, (each, begin) in enumerate(zip(self.parts, self.begins, strict=True)):
+            lines += [f"part {k}, from {begin:.3f} s", *(f"  {line}" for line in str(each.report).splitlines())]
         return "\n".join(lines)
 
     def save(self, folder: str | Path) -> list[Path]:
-        """Write trajectory.csv, .json and .yaml (ROS), program.json (marks, reports) and report.txt; returns the files."""
+        """Write trajectory.csv, .json and .yaml (ROS), report.txt, program.json and one file for each part; returns the files.
+
+        `load` reads program.json and the parts. Raises InvalidInputError when the folder cannot be written.
+        """
+        from manipplan.jobs.programs.stored import write_program
+
         to = writable_folder("folder", folder)
         self.trajectory.to_csv(to / "trajectory.csv")
         self.trajectory.to_json(to / "trajectory.json")
         self.trajectory.to_ros(to / "trajectory.yaml")
-        data = {
-            "marks": self.marks,
-            "goals": {str(step): goal for step, goal in self.goals.items()},
-            "stops": self.stops,
-            "warnings": self.warnings,
-            "parts": [{"begin": each.begin, "report": each.report} for each in self.parts],
-        }
-        write_text(to / "program.json", json.dumps(json_ready(data), indent=1, allow_nan=False) + "\n")
         write_text(to / "report.txt", f"{self}\n")
-        return [to / name for name in ("trajectory.csv", "trajectory.json", "trajectory.yaml", "program.json", "report.txt")]
+        names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.txt")
+        return [*(to / name for name in names), *write_program(self, to)]
+
+    @staticmethod
+    def load(folder: str | Path) -> "Program":
+        """Read a program that `save` wrote: all numbers are the same, and nothing is measured again.
+
+        Raises FileFormatError: a file is missing, truncated, changed or of another version, or one of the robot is.
+        """
+        from manipplan.jobs.programs.stored import read_program
+
+        return read_program(folder)
 
 
 def _times(stops: Sequence[float]) -> str:
