@@ -94,6 +94,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/pose_goals.py
 	$(BIN)/python benchmarks/level_cup.py
 	$(BIN)/python benchmarks/follow_starts.py
+	$(BIN)/python benchmarks/programs.py
 	$(BIN)/python benchmarks/seeds.py
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py
