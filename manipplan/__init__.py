@@ -37,6 +37,7 @@ from manipplan.jobs.problem import Problem
 from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.sequence import sequence
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Wait
+from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.report import PlanReport, Report
 from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.kinematics.evaluate import Evaluator
@@ -86,6 +87,7 @@ from manipplan.symbolic.pinocchio_casadi import PinocchioCasadi, pinocchio_casad
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import retime
 from manipplan.timing.segment import Segment
+from manipplan.timing.steady.speed import SteadySpeed
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 from manipplan.tracking import formulations
 from manipplan.tracking.avoidance import Avoidance
@@ -153,6 +155,7 @@ __all__ = [
     "PathClearance",
     "PathCost",
     "PathObjective",
+    "PathPart",
     "PathResult",
     "PathShape",
     "PinocchioCasadi",
@@ -178,6 +181,7 @@ __all__ = [
     "SolutionSet",
     "Sphere",
     "Status",
+    "SteadySpeed",
     "StepReport",
     "StepStatus",
     "StiffnessProfile",

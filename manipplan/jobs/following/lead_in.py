@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from manipplan.cost.integral import PathIntegral
 from manipplan.jobs.following.course import Course, CourseFinder
-from manipplan.jobs.goals.candidates import APART, GoalCandidate, measured
+from manipplan.jobs.goals.candidates import APART, TIE, GoalCandidate, measured
 from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.steps import steps_between
@@ -50,8 +50,9 @@ def choose_entry(
 ) -> EntryChoice:
     """The entry with the largest minimum manipulability of lead-in and course together.
 
-    What the start and the best path from a first configuration allow bounds this minimum. Configurations are tried in the order
-    of their bounds, of equal bounds the one with the better path first, until no bound is above what was reached.
+    What the start and the best path from a first configuration allow bounds this minimum; it is 0 in another aspect than the
+    start. Configurations are tried in the order of their bounds, of equal bounds those with the fewest crossings of
+    singularities, then those with the better path, until no bound is above what was reached.
 
     Args:
         finder: of courses through the layers.
@@ -68,7 +69,7 @@ def choose_entry(
     best: Entry | None = None
     failure, planned, seconds, ahead = "", 0, SECONDS, np.inf
     while len(done) < TRIES and planned < MOTIONS and (seconds > 0 or best is None):
-        while ahead > max((row.bound for row, _ in waiting), default=-np.inf):
+        while ahead * (1 - TIE) > max((row.bound for row, _ in waiting), default=-np.inf):
             found = next(searches, None)
             if found is None:
                 ahead = -np.inf
@@ -79,15 +80,15 @@ def choose_entry(
             ahead = min(most, found.minimum)
         if not waiting:
             break
-        k = max(range(len(waiting)), key=lambda k: waiting[k][0].bound)
+        k = max(range(len(waiting)), key=lambda k: _order(waiting[k][0]))
         row, found = waiting[k]
         if best is not None and row.bound <= best.minimum * (1 + GAIN):
             break
         del waiting[k]
-        share = len(done) / (len(done) + 2)
-        course = finder.along(found, part(tell, share, share + 0.2))
+        left = 0.5 ** len(done)  # of the share of the work
+        course = finder.along(found, part(tell, 1 - left, 1 - 0.7 * left))
         began = time.monotonic()
-        lead_in = planner(course.path.start, max(SHARE * seconds, SHARE), part(tell, share + 0.2, share + 0.3))
+        lead_in = planner(course.path.start, max(SHARE * seconds, SHARE), part(tell, 1 - 0.7 * left, 1 - 0.5 * left))
         seconds -= time.monotonic() - began
         row = replace(row, q=course.path.start)
         if not isinstance(lead_in, Plan) or not lead_in.status.has_path:
@@ -104,10 +105,15 @@ def choose_entry(
             best = Entry(lead_in=lead_in, course=course, minimum=least)
     told = [replace(each, status=f"chosen, {each.status}") if each.chosen else each for each in done]
     kept = "" if best is None else f"; the motion keeps {best.minimum:.4g}"
-    left = [replace(row, status=f"left out: bound {row.bound:.4g}{kept}") for row, _ in waiting]
+    rest = [replace(row, status=f"left out: bound {row.bound:.4g}{kept}") for row, _ in waiting]
     if best is None:
         failure = f"no lead-in to any of the {len(done)} first configurations of the path that were tried; the first: {failure}"
-    return EntryChoice(entry=best, candidates=(*told, *left), failure="" if best is not None else failure)
+    return EntryChoice(entry=best, candidates=(*told, *rest), failure="" if best is not None else failure)
+
+
+def _order(row: GoalCandidate) -> tuple[float, int]:
+    """What makes a first configuration the next one to be tried: the largest bound, to rounding, then the fewest crossings."""
+    return float(f"{row.bound:.6g}"), -(row.least_crossings or 0)
 
 
 def best_courses(finder: CourseFinder, first: SearchResult) -> Iterator[SearchResult]:

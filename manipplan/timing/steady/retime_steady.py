@@ -16,6 +16,8 @@ from manipplan.timing.steady.speed import measure_speed
 PLACES = 2001
 #: Places near the start, and as far from the end, at which a ramp can end: they lie between the first two points of the grid.
 EDGES = tuple(1.5 ** -np.arange(16.0) / 300)
+#: Numbers of grid points that are tried in turn.
+GRIDS = (300, 600, 1200)
 #: Share to which the fastest speed is found, maximum number of motions timed for it, and share of the first guess in each.
 CLOSE, TRIES, LESS = 1.02, 14, 0.6
 #: Share of the limits' bound above which the limits are said to bind.
@@ -31,15 +33,15 @@ def retime_steady(path: JointPath, robot: Robot, speed: float, *, torque: bool =
         InvalidInputError: the speed is not reached, or not kept; the message names the fastest one that is.
         PlanningError: as in `retime`.
     """
-    trajectory = _at_most(path, robot, speed, torque=torque)
-    if measure_speed(trajectory, robot, speed).is_steady:
+    trajectory = _steady(path, robot, speed, torque=torque)
+    if trajectory is not None:
         return trajectory
     bound, reason = limits_bound(path, robot, torque=torque)
     fastest = _fastest(path, robot, min(bound, speed), speed, torque=torque)
     if fastest is None:
         raise InvalidInputError("tool_speed", speed, f"None for this motion: it has no constant speed of the tool; {reason}")
     if fastest < BINDS * bound:
-        reason = "a faster one is not reached from rest, and braked to rest, on a quarter of the path each"
+        reason = "a faster one is not reached from rest, and braked to rest, on a tenth of the path each"
     raise InvalidInputError(
         "tool_speed", speed, f"at most {fastest:g} m/s, the fastest constant speed of the tool on this motion: {reason}"
     )
@@ -77,10 +79,15 @@ def _torque_bounds(robot: Robot, q: Array, slope: Array, bend: Array) -> Array:
     return np.asarray(np.maximum(robot.limits.effort - np.sign(moving) * gravity, 0.0) / np.maximum(np.abs(moving), 1e-300))
 
 
-def _at_most(path: JointPath, robot: Robot, speed: float, *, torque: bool) -> Trajectory:
+def _steady(path: JointPath, robot: Robot, speed: float, *, torque: bool) -> Trajectory | None:
+    """The motion with a constant speed [m/s]; None where it is not constant on any grid."""
     # the ends of segments are points of the grid of retime: dense ones near the ends make short ramps possible
     segments = [Segment(begin=edge, end=1.0 - edge, tool_speed=speed) for edge in (0.0, *EDGES)]
-    return retime(path, robot, torque=torque, segments=segments)
+    for grid in GRIDS:  # slow motions need more points, as the tool turns between two of them
+        trajectory = retime(path, robot, torque=torque, segments=segments, grid=grid)
+        if measure_speed(trajectory, robot, speed).is_steady:
+            return trajectory
+    return None
 
 
 def _fastest(path: JointPath, robot: Robot, guess: float, most: float, *, torque: bool) -> float | None:
@@ -88,7 +95,7 @@ def _fastest(path: JointPath, robot: Robot, guess: float, most: float, *, torque
     low, high, speed = 0.0, most, _rounded_down(0.999 * guess)
     for _ in range(TRIES):
         try:
-            kept = measure_speed(_at_most(path, robot, speed, torque=torque), robot, speed).is_steady
+            kept = _steady(path, robot, speed, torque=torque) is not None
         except PlanningError:
             kept = False
         low, high = (speed, high) if kept else (low, speed)

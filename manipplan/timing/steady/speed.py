@@ -3,19 +3,21 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import number
+from manipplan.support.checks import Array, number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.timing.segment import ToolSpeed
 
 #: Share by which a constant speed may be below the one that was asked for.
 STEADY = 0.01
-#: Largest share of the tool's way that a ramp may take.
-RAMP = 0.25
+#: Largest share of the tool's way that a ramp may take. Until SETTLES times the way to the speed, and on the share SHORT of the
+#: whole way, dips still belong to the ramp.
+RAMP, SETTLES, SHORT = 0.1, 4.0, 1e-3
 #: Number of times per sample interval at which speeds are measured, and of places at which a path's speed is compared.
 BETWEEN, PLACES = 4, 2001
 #: The tool turns in place where it moves slower along the path than this share of the mean.
@@ -27,7 +29,7 @@ IN_PLACE = 0.01
 class SteadySpeed:
     """The speed of the tool on a motion that is to have a constant one, measured on the motion.
 
-    A ramp ends where the speed is the one asked for, to a hundredth, and stays so; it is at most a quarter of the tool's way.
+    A ramp ends where the speed has settled at the one asked for, to a hundredth; it is at most a tenth of the tool's way.
 
     Attributes:
         asked: the constant speed asked for [m/s].
@@ -77,9 +79,9 @@ def measure_speed(trajectory: Trajectory, robot: Robot, asked: float, *, begin: 
     t = np.minimum(t, trajectory.duration)
     speeds = ToolSpeed(robot)(trajectory(t), trajectory(t, 1))
     way = np.concatenate([[0.0], np.cumsum((speeds[1:] + speeds[:-1]) / 2 * np.diff(t))])
-    slow, share = speeds < (1 - STEADY) * asked, way / max(way[-1], 1e-300)
-    first = int(np.append(-1, np.flatnonzero(slow & (share < RAMP))).max()) + 1
-    last = int(np.append(len(t), np.flatnonzero(slow & (share > 1 - RAMP))).min()) - 1
+    slow = speeds < (1 - STEADY) * asked
+    first = _ramp_end(slow, way)
+    last = len(t) - 1 - _ramp_end(slow[::-1], way[-1] - way[::-1])
     between = speeds[first : last + 1]
     return SteadySpeed(
         asked=asked,
@@ -90,3 +92,11 @@ def measure_speed(trajectory: Trajectory, robot: Robot, asked: float, *, begin: 
         ramps=(float(way[first]), float(way[-1] - way[last])),
         length=float(way[-1]),
     )
+
+
+def _ramp_end(slow: NDArray[np.bool_], way: Array) -> int:
+    """The sample at which the first ramp ends: after it reached the speed, dips close behind belong to it."""
+    reached = int(slow.argmin())
+    near = way <= min(max(SETTLES * way[reached], SHORT * way[-1]), RAMP * way[-1])
+    dips = np.flatnonzero(slow & near)
+    return int(dips[-1]) + 1 if len(dips) else 0
