@@ -88,7 +88,7 @@ def test_what_the_formats_do_not_allow(ur_motion, panda_motion, tmp_path):
     with pytest.raises(mp.InvalidInputError, match="from -2π to 2π"):
         far.to_urscript(file)
     fast = mp.Trajectory(t=panda_motion.t / 20, q=panda_motion.q, qd=panda_motion.qd * 20, joint_names=panda_motion.joint_names)
-    with pytest.raises(mp.InvalidInputError, match=r"a velocity of .* rad/s; allowed: at most 2\.\d+ rad/s"):
+    with pytest.raises(mp.InvalidInputError, match=r"a velocity of .* rad/s'; allowed: at most 2\.\d+ rad/s"):
         fast.to_franka_csv(file)
     line = panda_motion.q[0] + np.linspace(0, 1, 3)[:, None] * np.array([0.1, 0, 0, 0, 0, 0, 0])
     jump = mp.Trajectory(t=np.array([0.0, 0.1, 0.2]), q=line, qd=np.zeros((3, 7)), joint_names=panda_motion.joint_names)
