@@ -186,7 +186,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
     arms = {name: mp.load_robot(name, locked=OPEN if name == "panda" else {}) for name in ARMS}
     for k in track(range(options.programs), description="programs"):
         name, place = list(ARMS)[k % len(ARMS)], PLACES[k // len(ARMS) % len(PLACES)]
-        steps, scene = problem(arms[name], name, place, rng)
+        while True:
+            steps, scene = problem(arms[name], name, place, rng)
+            if not scene.in_collision(arms[name], arms[name].neutral):
+                break
         made, seconds, message = together(arms[name], steps, scene)
         least = np.nan if made is None else made.min_manipulability
         if message:
