@@ -95,6 +95,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/level_cup.py
 	$(BIN)/python benchmarks/follow_starts.py
 	$(BIN)/python benchmarks/recorded_motions.py
+	$(BIN)/python benchmarks/programs.py
 	$(BIN)/python benchmarks/seeds.py
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py

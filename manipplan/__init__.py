@@ -35,6 +35,9 @@ from manipplan.jobs.plan import plan
 from manipplan.jobs.plan_many import plan_many
 from manipplan.jobs.problem import Problem
 from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
+from manipplan.jobs.programs.program import Mark, Program
+from manipplan.jobs.programs.sequence import sequence
+from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Wait
 from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.report import PlanReport, Report
 from manipplan.jobs.result import PartialPlan, Plan
@@ -100,6 +103,7 @@ gc.collect()
 
 __all__ = [
     "Asada",
+    "Attach",
     "Avoidance",
     "Box",
     "Capsule",
@@ -115,6 +119,7 @@ __all__ = [
     "Controller",
     "Crossing",
     "Cylinder",
+    "Detach",
     "Deviation",
     "DynamicManipulability",
     "Ellipsoid",
@@ -137,12 +142,15 @@ __all__ = [
     "LimitUse",
     "LogDet",
     "ManipplanError",
+    "Mark",
     "Measure",
     "Mesh",
     "MissingExtraError",
     "MissingProgramError",
     "MissingSourcesError",
     "MotionFigures",
+    "MoveAlong",
+    "MoveTo",
     "NoPath",
     "Obstacle",
     "OtherGoal",
@@ -163,6 +171,7 @@ __all__ = [
     "PositionBox",
     "Posture",
     "Problem",
+    "Program",
     "Refinement",
     "Report",
     "Robot",
@@ -188,6 +197,7 @@ __all__ = [
     "UnknownNameError",
     "UnsupportedJointError",
     "VelocityTransmission",
+    "Wait",
     "Yoshikawa",
     "available_measures",
     "available_robots",
@@ -214,6 +224,7 @@ __all__ = [
     "retime",
     "sample_layers",
     "seed_path",
+    "sequence",
     "torque_use",
     "track",
     "velocity_ellipsoid",

@@ -17,6 +17,7 @@ from manipplan.cli.follow import follow
 from manipplan.cli.improve import improve
 from manipplan.cli.plan import plan
 from manipplan.cli.robots import robots
+from manipplan.cli.run import run as run_program
 from manipplan.cli.study import study
 from manipplan.cli.terminal import show_line
 from manipplan.cli.view import view
@@ -26,6 +27,7 @@ from manipplan.support.untrusted import printable
 COMMANDS: dict[str, Callable[..., int | None]] = {
     "demo": demo,
     "plan": plan,
+    "run": run_program,
     "follow": follow,
     "improve": improve,
     "check": check,

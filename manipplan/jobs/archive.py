@@ -221,19 +221,19 @@ def _plan_file(file: str | Path) -> Path:
     return existing_file("file", file)
 
 
-def checked_json(path: Path) -> dict[str, Any]:
-    """The data of a file, of this format and version and unchanged."""
+def checked_json(path: Path, kind: str = FORMAT, number: int = VERSION) -> dict[str, Any]:
+    """The data of a file, of a format and version and unchanged."""
     try:
         data = json.loads(path.read_text())
     except (ValueError, OSError, RecursionError) as error:
-        wanted = f"a complete result ({error}); it was truncated or is not a {NAME}: save the plan again"
+        wanted = f"a complete result ({error}); it was truncated or is not a {path.name}: save the plan again"
         raise FileFormatError("file", str(path), wanted) from error
-    if not isinstance(data, dict) or data.get("format") != FORMAT:
-        raise FileFormatError("file", str(path), f"a result written by Plan.save, an object with format {FORMAT!r}")
+    if not isinstance(data, dict) or data.get("format") != kind:
+        raise FileFormatError("file", str(path), f"a result written by Plan.save, an object with format {kind!r}")
     version = data.get("version")
-    if version != VERSION:
+    if version != number:
         wanted = (
-            f"a result of version {VERSION}; this is version {version!r}, written by manipplan {data.get('manipplan')!r}: "
+            f"a result of version {number}; this is version {version!r}, written by manipplan {data.get('manipplan')!r}: "
             "read it with that version, or install that version here"
         )
         raise FileFormatError("file", str(path), wanted)

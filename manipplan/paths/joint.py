@@ -232,6 +232,23 @@ def _raised(control: Array, degree: int) -> Array:
     return control
 
 
+def cut(path: JointPath, begin: float, end: float) -> JointPath:
+    """The part of a path between two parameters, over [0, 1]."""
+    if begin <= 0.0 and end >= 1.0:
+        return path
+    first = int(np.clip(np.searchsorted(path.breaks, begin, side="right") - 1, 0, len(path.control) - 1))
+    last = int(np.clip(np.searchsorted(path.breaks, end, side="left") - 1, first, len(path.control) - 1))
+    control = path.control[first : last + 1].copy()
+    breaks = np.concatenate([[begin], path.breaks[first + 1 : last + 1], [end]])
+    low, high = path.breaks[last], path.breaks[last + 1]
+    control[-1] = split(control[-1], (end - low) / (high - low))[0]
+    low, high = path.breaks[first], (end if first == last else path.breaks[first + 1])
+    control[0] = split(control[0], (begin - low) / (high - low))[1]
+    breaks = (breaks - begin) / (end - begin)
+    breaks[-1] = 1.0
+    return JointPath(breaks=breaks, control=control)
+
+
 @cache
 def _gauss_points(count: int) -> tuple[Array, Array]:
     """Gauss points on [-1, 1] and their weights, (count,) each; read-only."""

@@ -154,6 +154,42 @@ class Trajectory(Pictured):
 
         export.to_npz(self, file)
 
+    def to_urscript(
+        self,
+        file: str | Path,
+        *,
+        rate: int = 500,
+        name: str = "manipplan_motion",
+        lookahead_time: float = 0.1,
+        gain: float = 300.0,
+    ) -> None:
+        """Write a URScript program that follows the motion by one servoj for each cycle of the controller.
+
+        The program halts with a message unless every joint is within 0.01 rad of the first position.
+
+        Args:
+            file: where it is written.
+            rate: 500 for e-Series, 125 for CB3 [Hz].
+            name: of the function in the script.
+            lookahead_time, gain: of servoj, 0.03 to 0.2 s and 100 to 2000.
+
+        Raises InvalidInputError: another number of joints than six, a motion that does not begin and end at rest, joint values
+        beyond two pi, or another argument is out of its range.
+        """
+        from manipplan.paths.controllers import urscript
+
+        urscript.to_urscript(self, file, rate=rate, name=name, lookahead_time=lookahead_time, gain=gain)
+
+    def to_franka_csv(self, file: str | Path) -> None:
+        """Write a CSV table of time [s] and the seven joint positions [rad] at 1 kHz, for a Franka arm.
+
+        Raises InvalidInputError: another number of joints, a motion that does not begin and end at rest, or differences of
+        neighbouring positions above the velocity, acceleration or jerk that libfranka accepts for a Panda.
+        """
+        from manipplan.paths.controllers import franka
+
+        franka.to_franka_csv(self, file)
+
     def to_rosbag(self, file: str | Path, *, storage: str = "mcap", rate: float = 100.0) -> None:
         """Write a ROS 2 bag for `ros2 bag play`, rviz and Foxglove: the motion as a JointTrajectory and as JointStates.
 

@@ -52,6 +52,8 @@ class Status(Enum):
         "failed: no continuous path leads through the candidates of all positions; take a larger epsilon, more samples or more "
         "positions"
     )
+    # programs
+    COMPOSED = "composed: motions of a program, joined up to the next stop, and every check passed"
     # any job
     NO_PATH = "failed: no collision-free path was found; raise Seeding.time_limit, lower clearance, or check the goal"
     NO_TIMING = "failed: no motion along the path obeys the limits; raise effort or acceleration, or choose another path"
@@ -95,6 +97,7 @@ MET = (
     Status.STOPPED_EARLY,
     Status.IMPROVED,
     Status.FOLLOWED,
+    Status.COMPOSED,
     Status.PROVEN_OPTIMAL,
     Status.TRACKED,
 )

@@ -62,7 +62,7 @@ def choose_entry(
         planner: plans lead-ins.
         tell: called with the share done.
     """
-    searches = _searches(finder, first)
+    searches = best_courses(finder, first)
     most = float(integral.kinematics.manipulability(start))
     waiting: list[tuple[GoalCandidate, SearchResult]] = []
     done: list[GoalCandidate] = []
@@ -116,7 +116,7 @@ def _order(row: GoalCandidate) -> tuple[float, int]:
     return float(f"{row.bound:.6g}"), -(row.least_crossings or 0)
 
 
-def _searches(finder: CourseFinder, first: SearchResult) -> Iterator[SearchResult]:
+def best_courses(finder: CourseFinder, first: SearchResult) -> Iterator[SearchResult]:
     """The best path of all, then the best of those that begin farther than APART from the beginnings before."""
     yield first
     layers, found = finder.layers, first

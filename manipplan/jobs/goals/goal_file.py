@@ -38,7 +38,7 @@ def goals_from_yaml(file: str | Path, robot: Robot) -> list[OneGoal]:
     goals = []
     for k, entry in enumerate(entries):
         try:
-            goals.append(_goal(f"goals[{k}]", entry, robot))
+            goals.append(goal_of_entry(f"goals[{k}]", entry, robot))
         except FileFormatError:
             raise
         except InvalidInputError as error:
@@ -56,7 +56,8 @@ def pose_of_numbers(argument: str, values: Sequence[float]) -> Array:
     return _pose(argument, numbers[:3], numbers[3:])
 
 
-def _goal(argument: str, entry: Any, robot: Robot) -> OneGoal:
+def goal_of_entry(argument: str, entry: Any, robot: Robot) -> OneGoal:
+    """One goal of an entry; raises InvalidInputError, which names the argument."""
     keys = set(entry) if isinstance(entry, Mapping) else set()
     if len(keys) == 1 and keys <= set(ALONE):
         key = next(iter(keys))

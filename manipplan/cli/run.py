@@ -1,0 +1,60 @@
+"""`manipplan run`: plan a program of moves."""
+
+from pathlib import Path
+
+from rich.console import Console
+from tyro.conf import OmitArgPrefixes, Positional
+
+from manipplan.cli import terminal
+from manipplan.cli.arm import RobotOptions
+from manipplan.jobs.programs.program_file import ProgramFile
+from manipplan.jobs.programs.sequence import sequence
+from manipplan.support.errors import InvalidInputError
+from manipplan.support.files import place_for
+from manipplan.support.progress import part
+
+
+def run(
+    program: Positional[Path],
+    /,
+    robot: str = "",
+    out: Path = Path("program"),
+    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
+    jerk: tuple[float, ...] = (),
+    torque: bool = False,
+) -> int:
+    """Plan a program of moves and write its trajectory as CSV, JSON and ROS JointTrajectory, with a report.
+
+    Args:
+        program: YAML file with the keys start and steps and, where wanted, robot, scene, blend and clearance.
+        robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file, instead of that of the program.
+        out: Folder for the files that are written.
+        options: Options of the robot, and a scene instead of that of the program.
+        jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint.
+        torque: Keep the joints' effort limits as well.
+    """
+    folder = place_for("out", out)
+    with terminal.progress() as tell:
+        tell(0.0, "loading the robot")
+        told = ProgramFile.read(program)
+        if not (robot or told.robot):
+            raise InvalidInputError("robot", robot, "--robot, or the key robot in the program")
+        beside = told.path.parent / told.robot
+        name = robot or (str(beside) if beside.is_file() else told.robot)
+        arm, world = options.load(name, jerk=jerk)
+        made = sequence(
+            arm,
+            told.start,
+            told.steps(arm),
+            world if options.scene is not None or told.scene is None else told.scene,
+            blend=told.blend,
+            clearance=told.clearance,
+            torque=torque,
+            progress=part(tell, 0.05, 0.95),
+        )
+        tell(0.95, "writing files")
+        files = made.save(folder)
+        tell(1.0, "done")
+    terminal.show_assumptions(Console(), arm)
+    terminal.show_result(str(made), files)
+    return 0

@@ -1,0 +1,243 @@
+"""Puts the motions of a program together: blends, timing, checks, marks."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+
+from manipplan.constraints.constraint import KEPT
+from manipplan.constraints.constraint_set import ConstraintSet
+from manipplan.constraints.figures import figures
+from manipplan.constraints.proof import prove
+from manipplan.cost.objective import PathObjective
+from manipplan.jobs.programs.blend import Blend, blend_of, is_corner, with_blends
+from manipplan.jobs.programs.courses import Motion, Stop
+from manipplan.jobs.programs.program import Mark, Program
+from manipplan.jobs.programs.states import State
+from manipplan.jobs.programs.steps import Detach, Step
+from manipplan.jobs.reports.measure import measure_plan
+from manipplan.jobs.result import Plan
+from manipplan.optimize.result import make_result
+from manipplan.paths.deviation import deviation_at
+from manipplan.paths.joint import JointPath, cut
+from manipplan.paths.tolerance import BETWEEN
+from manipplan.paths.trajectory import Trajectory, joined
+from manipplan.support.errors import PlanningError
+from manipplan.support.status import Status
+from manipplan.timing.retime import retime
+from manipplan.timing.segment import Segment
+
+#: Distance from the nearest body above which a part counts as let go in the air [m].
+IN_THE_AIR = 5e-3
+#: Number of places at which a motion is compared with the path of the tool, and number of times at which a mark is looked for.
+PLACES, TIMES = 800, 4000
+
+
+def assemble(
+    items: Sequence[Motion | Stop],
+    first: State,
+    steps: Sequence[Step],
+    constraints: Mapping[int, ConstraintSet],
+    *,
+    goals: dict[int, int],
+    blend: float,
+    objective: PathObjective,
+    clearance: float,
+    torque: bool,
+) -> Program:
+    """The program of motions and stops; each run of motions between two stops is one part.
+
+    Raises PlanningError, which names the step, where a part cannot be timed.
+    """
+    parts: list[Plan] = []
+    clocks: list[float] = []
+    marks: list[Mark] = []
+    stops: list[float] = []
+    warnings: list[str] = []
+    pieces: list[Trajectory] = []
+    clock = 0.0
+    for group in _groups(items):
+        if isinstance(group, Stop):
+            marks.append(Mark(step=group.step, name=type(steps[group.step]).__name__, begin=clock))
+            step = steps[group.step]
+            if isinstance(step, Detach) and parts:
+                warnings += _let_go(step, parts[-1])
+            if group.seconds:
+                pieces.append(_standing(pieces, group.seconds, first))
+                clock += group.seconds
+            continue
+        blends = [_between(one, other, blend, clearance, constraints) for one, other in pairwise(group)]
+        part, begins, corners = _part(group, blends, clock, constraints, objective, clearance, torque)
+        for motion, begin in zip(group, begins, strict=True):
+            if not marks or marks[-1].step != motion.step:
+                marks.append(Mark(step=motion.step, name=type(steps[motion.step]).__name__, begin=begin))
+        stops += corners
+        parts.append(part)
+        clocks.append(clock)
+        pieces.append(part.trajectory)
+        clock += part.trajectory.duration
+    return Program(
+        robot=first.robot,
+        scene=first.scene,
+        parts=tuple(parts),
+        begins=tuple(clocks),
+        marks=tuple(marks),
+        trajectory=joined(pieces),
+        goals=goals,
+        stops=tuple(stops),
+        warnings=tuple(warnings),
+    )
+
+
+def _groups(items: Sequence[Motion | Stop]) -> list[list[Motion] | Stop]:
+    """Runs of motions, and the stops between them."""
+    groups: list[list[Motion] | Stop] = []
+    for item in items:
+        if isinstance(item, Stop):
+            groups.append(item)
+        elif groups and isinstance(groups[-1], list):
+            groups[-1].append(item)
+        else:
+            groups.append([item])
+    return groups
+
+
+def _between(
+    one: Motion, other: Motion, blend: float, clearance: float, constraints: Mapping[int, ConstraintSet]
+) -> Blend | None:
+    """The blend of two motions; None where the arm stops between them, or goes straight on."""
+    if blend == 0.0 or not is_corner(one.path, other.path):
+        return None
+    kept = tuple(constraints[each.step] for each in (one, other) if each.workspace_path is None)
+    return blend_of(one, other, blend, clearance, kept)
+
+
+def _part(
+    group: list[Motion],
+    blends: list[Blend | None],
+    clock: float,
+    constraints: Mapping[int, ConstraintSet],
+    objective: PathObjective,
+    clearance: float,
+    torque: bool,
+) -> tuple[Plan, list[float], list[float]]:
+    """A part, the times at which its motions begin, and those at which it stops at a corner [s]."""
+    state = group[0].state
+    robot, model = state.robot, state.scene.collision_model(state.robot)
+    path, middles = with_blends(group, blends)
+    edges = [0.0, *middles, 1.0]
+    segments = [
+        Segment(begin=begin, end=end, tool_speed=motion.tool_speed)
+        for motion, (begin, end) in zip(group, pairwise(edges), strict=True)
+        if motion.tool_speed is not None
+    ]
+    try:
+        trajectory = retime(path, robot, torque=torque, segments=segments)
+    except PlanningError as error:
+        raise PlanningError(f"steps[{group[0].step}] to steps[{group[-1].step}]: {error}") from error
+    integral = objective.integral(robot)
+    sharp, _ = with_blends(group, [None] * len(blends))
+    result = make_result(
+        path,
+        integral,
+        cost=integral.cost(path),
+        seed=sharp if any(blends) else path,
+        seed_cost=integral.cost(sharp),
+        model=model,
+        clearance=clearance,
+        status=Status.COMPOSED,
+    )
+    report = measure_plan(trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True)
+    begins = _times_of(trajectory, path, middles)
+    faults = (*report.faults, *_faults(group, blends, trajectory, begins, constraints))
+    status = Status.CHECK_FAILED if faults else Status.COMPOSED
+    report = replace(report, faults=faults, passed=not faults, status=status.value)
+    part = Plan(
+        robot=robot,
+        scene=state.scene,
+        status=status,
+        path=path,
+        trajectory=trajectory,
+        report=report,
+        result=result,
+    )
+    corners = [
+        clock + begin
+        for begin, one, other, made in zip(begins, group[:-1], group[1:], blends, strict=True)
+        if made is None and is_corner(one.path, other.path)
+    ]
+    return part, [clock, *(clock + begin for begin in begins)], corners
+
+
+def _faults(
+    group: list[Motion],
+    blends: list[Blend | None],
+    trajectory: Trajectory,
+    begins: list[float],
+    constraints: Mapping[int, ConstraintSet],
+) -> list[str]:
+    """What the motions of a part do not keep: constraints over their time, and the paths of the tool up to their blends."""
+    faults = []
+    whole, edges = trajectory.path(), [0.0, *begins, trajectory.duration]
+    for k, (motion, (begin, end)) in enumerate(zip(group, pairwise(edges), strict=True)):
+        if motion.workspace_path is None:
+            kept = constraints[motion.step]
+            if kept.constraints:
+                found = figures(kept, prove(kept, cut(whole, begin / trajectory.duration, end / trajectory.duration)))
+                faults += [f"steps[{motion.step}]: constraint: {each}" for each in found if each.least < -KEPT]
+            continue
+        low = 0.0 if k == 0 or blends[k - 1] is None else blends[k - 1].joins  # type: ignore[union-attr]
+        high = 1.0 if k == len(blends) or blends[k] is None else blends[k].leaves  # type: ignore[union-attr]
+        s = np.linspace(low, high, PLACES)
+        assert motion.task is not None
+        pose = motion.state.robot.kinematics(motion.task).pose
+        axis = motion.task.free_axis
+        off = deviation_at(motion.workspace_path, s, pose(motion.path(s)), axis)
+        allowed = motion.tolerance or BETWEEN
+        if _exceeds(off.position, allowed.position, BETWEEN.position) or _exceeds(
+            off.rotation, allowed.rotation, BETWEEN.rotation
+        ):
+            faults.append(f"steps[{motion.step}]: the tool is {off}")
+    return faults
+
+
+def _exceeds(value: float, allowed: float | None, default: float | None) -> bool:
+    most = default if allowed is None else allowed
+    return most is not None and value > most
+
+
+def _times_of(trajectory: Trajectory, path: JointPath, places: list[float]) -> list[float]:
+    """When the motion comes past places s of its path [s]."""
+    t = np.linspace(0.0, trajectory.duration, TIMES + 1)
+    q = trajectory(t)
+    found: list[float] = []
+    begin = 0
+    for s in places:
+        away = np.linalg.norm(q[begin:] - path(np.array([s]))[0], axis=1)
+        begin += int(away.argmin())
+        found.append(float(t[begin]))
+    return found
+
+
+def _let_go(step: Detach, part: Plan) -> list[str]:
+    """A warning where a part is let go far from every body that could hold it."""
+    model = part.scene.collision_model(part.robot)
+    bodies = part.robot.carried[step.name].bodies
+    q = part.trajectory.q[-1:]
+    pairs = [k for k, names in enumerate(model.pair_names) if any(each in bodies for each in names)]
+    allowed = [pair for pair in part.scene.allowed if step.name in pair]
+    if allowed or not pairs:
+        return [] if allowed else [f"{step.name} is let go, and there is no body that could hold it"]
+    distance = float(model.pair_distances(np.tile(q, (len(pairs), 1)), pairs).min())
+    if distance <= IN_THE_AIR:
+        return []
+    return [f"{step.name} is let go in the air, {1e3 * distance:.3g} mm from the nearest body"]
+
+
+def _standing(pieces: list[Trajectory], seconds: float, first: State) -> Trajectory:
+    """The arm standing where the last piece ended."""
+    if not pieces:
+        raise PlanningError("a program cannot begin by waiting")
+    q, names = pieces[-1].q[-1], first.robot.joint_names
+    return Trajectory(t=np.array([0.0, seconds]), q=np.array([q, q]), qd=np.zeros((2, len(q))), joint_names=names)

@@ -1,0 +1,214 @@
+"""Chooses the configurations of a whole program: the largest minimum manipulability, and of those that tie the shortest motion.
+
+Every leg has nodes, and a free motion leads from each of one leg to each of the next. What a node allows, and what a planned
+motion kept, bound the minimum manipulability of a program through them. A search through these bounds is exact. It is repeated
+with what was reached on the motions planned so far, until no other program could be better.
+"""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+import numpy as np
+
+from manipplan.cost.crossings import least_crossings_to
+from manipplan.cost.objective import PathObjective
+from manipplan.jobs.goals.samples import nearest_turns
+from manipplan.jobs.programs.courses import Course, Motion, course_of
+from manipplan.jobs.programs.legs import Leg
+from manipplan.jobs.programs.nodes import Node
+from manipplan.jobs.programs.states import State
+from manipplan.jobs.result import Plan
+from manipplan.paths.joint import SHORTEST, JointPath
+from manipplan.support.checks import Array
+from manipplan.support.progress import Progress
+
+#: Gain in the minimum manipulability below which another program is not tried; bounds that differ by less count as equal.
+GAIN = 0.01
+#: Maximum number of free motions that are planned, and of failures of motions, per leg.
+MOTIONS, FAILURES = 5, 12
+#: What a motion that is not planned yet costs beside g of its straight line.
+UNPLANNED = 1e9
+#: Number of places of a straight line at which m is evaluated.
+PLACES = 9
+
+#: Plans a free motion of a leg from one configuration (n,) to another, in a state: the plan, or why there is none.
+Planner = Callable[[Leg, Array, Array, State], Plan | str]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Chosen:
+    """A complete program: for each leg its node, its free motion (None where there is none) and its course."""
+
+    nodes: tuple[int, ...]
+    free: tuple[Plan | None, ...]
+    courses: tuple[Course, ...]
+
+    @property
+    def minimum(self) -> float:
+        """The smallest manipulability on all its motions."""
+        return min(
+            *(each.report.min_manipulability for each in self.free if each is not None),
+            *(each.minimum for each in self.courses),
+            np.inf,
+        )
+
+
+@dataclass(kw_only=True, eq=False)
+class ProgramSearch:
+    """The search for one program.
+
+    Attributes:
+        legs, nodes: the legs, and the nodes of each.
+        start: (n,) where the program begins.
+        state: arm and scene at the beginning.
+        objective, clearance: of all motions.
+        planner: plans free motions.
+        deadline: in time.monotonic() [s]; after it no further program is tried.
+        failures: why motions or courses failed.
+    """
+
+    legs: list[Leg]
+    nodes: list[list[Node]]
+    start: Array
+    state: State
+    objective: PathObjective
+    clearance: float
+    planner: Planner
+    deadline: float
+    failures: list[str] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self._courses: dict[tuple[object, ...], Course | str] = {}
+        self._free: dict[tuple[object, ...], Plan | str] = {}
+        self._at = [np.array([each.bound for each in nodes]) for nodes in self.nodes]
+        before = [np.array([self.start]), *(np.array([each.q for each in nodes]) for nodes in self.nodes)]
+        edges = [self._lines(one, other) for one, other in pairwise(before)]
+        self._between, self._lengths = [each[0] for each in edges], [each[1] for each in edges]
+        self._planned = [np.zeros(each.shape, dtype=bool) for each in self._between]
+
+    def best(self, tell: Progress) -> Chosen | None:
+        """The best program; None where none was found, as `failures` tell."""
+        best: Chosen | None = None
+        while len(self.failures) < FAILURES * len(self.legs):
+            nodes, bound = self._chain(None if best is None else best.minimum)
+            enough = self.late or len(self._free) >= MOTIONS * len(self.legs)
+            if nodes is None or (best is not None and (bound <= best.minimum * (1 + GAIN) or enough)):
+                break
+            made = self._made(nodes, tell)
+            if made is not None:
+                if best is None or made.minimum > best.minimum * (1 + GAIN):
+                    best = made
+            elif self.late:
+                break
+        return best
+
+    @property
+    def late(self) -> bool:
+        """Whether the time is over."""
+        return time.monotonic() >= self.deadline
+
+    def _chain(self, reached: float | None) -> tuple[tuple[int, ...] | None, float]:
+        """The nodes of a program, and the largest bound of all.
+
+        First it is a program with that bound, of those that tie the one with the smallest g. Where one was reached already, it
+        is any whose bound is in the upper half between both: of those the one with the fewest motions that are not planned yet.
+        """
+        most = np.full(1, np.inf)
+        for at, between in zip(self._at, self._between, strict=True):
+            most = np.minimum(np.minimum(most[:, None], between).max(axis=0), at)
+        bound = float(most.max())
+        if bound == -np.inf:
+            return None, bound
+        least = bound * (1 - GAIN) if bound > 0 else bound
+        if reached is not None:
+            least = min(least, (bound + reached) / 2)
+        cost, back = np.zeros(1), []
+        for at, between, lengths, planned in zip(self._at, self._between, self._lengths, self._planned, strict=True):
+            allowed = (between >= least) & (at >= least)
+            more = lengths if reached is None else lengths + UNPLANNED * ~planned
+            total = np.where(allowed, cost[:, None] + more, np.inf)
+            back.append(total.argmin(axis=0))
+            cost = total.min(axis=0)
+        last = int(cost.argmin())
+        chain = [last]
+        for before in reversed(back[1:]):
+            chain.append(int(before[chain[-1]]))
+        return tuple(reversed(chain)), bound
+
+    def _made(self, nodes: tuple[int, ...], tell: Progress) -> Chosen | None:
+        """The program through some nodes; None where a motion fails. The values of nodes and motions are those reached."""
+        q, state, before = self.start, self.state, 0
+        free: list[Plan | None] = []
+        courses: list[Course] = []
+        for k, (leg, node) in enumerate(zip(self.legs, nodes, strict=True)):
+            tell(k / len(self.legs), f"step {leg.number}")
+            course = self._course(k, node, state)
+            if isinstance(course, str):
+                self._at[k][node] = -np.inf
+                self.failures.append(f"steps[{leg.number}]: {course}" if not course.startswith("steps[") else course)
+                return None
+            self._at[k][node] = min(self._at[k][node], course.minimum)
+            course = _turned(course, q, state)
+            plan = None
+            if leg.is_free and np.abs(course.entry - q).max() >= SHORTEST:
+                made = self._motion(k, before, node, q, course.entry, state)
+                self._planned[k][before, node] = True
+                if isinstance(made, str):
+                    self._between[k][before, node] = -np.inf
+                    self.failures.append(f"steps[{leg.number}]: {made}")
+                    return None
+                plan = made
+                self._between[k][before, node] = min(self._between[k][before, node], plan.report.min_manipulability)
+            free.append(plan)
+            courses.append(course)
+            q, state, before = course.exit, course.state, node
+        return Chosen(nodes=nodes, free=tuple(free), courses=tuple(courses))
+
+    def _course(self, k: int, node: int, state: State) -> Course | str:
+        key = (k, node, state.history)
+        if key not in self._courses:
+            here = self.nodes[k][node]
+            self._courses[key] = course_of(self.legs[k], here.q, state, self.objective, self.clearance, here.found)
+        return self._courses[key]
+
+    def _motion(self, k: int, before: int, node: int, q: Array, entry: Array, state: State) -> Plan | str:
+        key = (k, before, node, state.history, q.tobytes(), entry.tobytes())
+        if key not in self._free:
+            self._free[key] = self.planner(self.legs[k], q, entry, state)
+        return self._free[key]
+
+    def _lines(self, one: Array, other: Array) -> tuple[Array, Array]:
+        """A bound on m between each of one (a, n) and of other (b, n), 0 across singularities, and g of the straight lines."""
+        integral = self.objective.integral(self.state.robot)
+        kinematics = integral.kinematics
+        other = np.array([nearest_turns(self.state.robot, other, each) for each in one])  # (a, b, n)
+        q = one[:, None, None] + (other - one[:, None])[:, :, None] * np.linspace(0.0, 1.0, PLACES)[:, None]
+        m = kinematics.manipulability(q)
+        with np.errstate(divide="ignore"):
+            weights = 1.0 / np.hypot(m, integral.floor) ** integral.power
+        g = np.linalg.norm(other - one[:, None], axis=2) * (weights[..., 1:] + weights[..., :-1]).mean(axis=2) / 2
+        bounds = np.minimum(m[..., 0], m[..., -1])
+        for row, (begin, ends) in enumerate(zip(one, other, strict=True)):
+            crossings = least_crossings_to(kinematics, begin, ends)
+            bounds[row] = np.where([bool(each) for each in crossings], 0.0, bounds[row])
+        return bounds, g
+
+
+def _turned(course: Course, q: Array, state: State) -> Course:
+    """The course with its joints turned to the configurations nearest to q (n,), where the limits allow that everywhere."""
+    turn = nearest_turns(state.robot, course.entry[None], q)[0] - course.entry
+    if not np.abs(turn).max() > 0:
+        return course
+    items = tuple(
+        Motion(**{**vars(each), "path": JointPath(breaks=each.path.breaks, control=each.path.control + turn)})
+        if isinstance(each, Motion)
+        else each
+        for each in course.items
+    )
+    limits = state.robot.limits
+    for each in items:
+        if isinstance(each, Motion) and (limits.outside(np.array(each.path.bounds())) > 0).any():
+            return course
+    return Course(entry=course.entry + turn, items=items, exit=course.exit + turn, state=course.state, minimum=course.minimum)

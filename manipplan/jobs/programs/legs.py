@@ -1,0 +1,116 @@
+"""Legs: each free motion of a program, with the steps that follow it until the next one."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pinocchio as pin
+
+from manipplan.constraints.constraint_set import ConstraintSet
+from manipplan.jobs.goals.read import Target, read_goals
+from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Step, Wait
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
+
+#: Distance [m] and angle [rad] up to which the tool counts as standing at the first pose of a path.
+STANDS = 1e-6
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Leg:
+    """A free motion, and what follows it.
+
+    Attributes:
+        number: index of its first step.
+        targets: the goals of the free motion; none where it leads to the first pose of `rest`, whose first step is a path.
+        approach: straight way of the tool by which the free motion ends, in the tool frame [m]; None for none.
+        constraints: what the free motion keeps.
+        rest: the steps that follow, with their indices.
+        is_free: False for what begins at the start of the program, without a free motion.
+    """
+
+    number: int
+    targets: tuple[Target, ...]
+    approach: Array | None
+    constraints: ConstraintSet
+    rest: tuple[tuple[int, Step], ...]
+    is_free: bool = True
+
+    @property
+    def along(self) -> MoveAlong | None:
+        """The path to whose first pose the free motion leads; None where it has goals of its own."""
+        first = self.rest[0][1] if self.rest and not self.targets else None
+        return first if isinstance(first, MoveAlong) and self.is_free else None
+
+
+def read_steps(steps: Sequence[Step], robot: Robot, start: Array) -> list[Leg]:
+    """The legs of a program.
+
+    Raises InvalidInputError, which names the step, for what is no step or does not fit the robot.
+    """
+    if not isinstance(steps, list | tuple) or not steps:
+        raise InvalidInputError("steps", steps, "a list of at least one step, such as mp.MoveTo(goal)")
+    for k, step in enumerate(steps):
+        if not isinstance(step, MoveTo | MoveAlong | Attach | Detach | Wait):
+            raise InvalidInputError(f"steps[{k}]", step, "a MoveTo, MoveAlong, Attach, Detach or Wait")
+    kinematics = robot.kinematics()
+    none = ConstraintSet.of(robot, ())
+    legs = [Leg(number=0, targets=(), approach=None, constraints=none, rest=(), is_free=False)]
+    at: Array | None = kinematics.pose(start)  # the tool's pose where it is known
+    for k, step in enumerate(steps):
+        if isinstance(step, MoveTo):
+            targets, at = _targets(k, step, robot), None
+            only = targets[0] if len(targets) == 1 else None
+            if only is not None and only.q is not None:
+                at = kinematics.pose(only.q)
+            elif only is not None and only.pose is not None and only.pose.axis is None and only.pose.tolerance is None:
+                at = only.pose.matrix
+            approach = None if step.approach is None else np.array(step.approach)
+            constraints = ConstraintSet.of(robot, step.constraints)
+            legs.append(Leg(number=k, targets=targets, approach=approach, constraints=constraints, rest=()))
+            continue
+        if isinstance(step, MoveAlong) and isinstance(step.path, CartesianPath):
+            begins = step.path(np.zeros(1))[0]
+            if at is None or not _same(at, begins):
+                legs.append(Leg(number=k, targets=(), approach=None, constraints=none, rest=()))
+            at = step.path(np.ones(1))[0]
+        elif isinstance(step, MoveAlong) and at is not None:
+            at = at @ _moved(np.array(step.path))
+        last = legs[-1]
+        legs[-1] = Leg(
+            number=last.number,
+            targets=last.targets,
+            approach=last.approach,
+            constraints=last.constraints,
+            rest=(*last.rest, (k, step)),
+            is_free=last.is_free,
+        )
+    return legs if legs[0].rest else legs[1:]
+
+
+def straight_on(pose: Array, way: Array) -> CartesianPath:
+    """The straight path from a pose (4, 4) by a way (3,) in the tool frame [m]."""
+    return CartesianPath.line(pose, pose @ _moved(way))
+
+
+def _targets(k: int, step: MoveTo, robot: Robot) -> tuple[Target, ...]:
+    targets, _ = read_goals(f"steps[{k}].goal", step.goal, robot)
+    for each in targets:
+        if each.q is not None:
+            robot.configuration(each.argument, each.q)
+            if step.approach is not None:
+                raise InvalidInputError(each.argument, each.q.tolist(), "a pose of the tool, since there is an approach")
+    return targets
+
+
+def _moved(way: Array) -> Array:
+    pose = np.eye(4)
+    pose[:3, 3] = way
+    return pose
+
+
+def _same(one: Array, other: Array) -> bool:
+    turn = pin.log3(one[:3, :3].T @ other[:3, :3])
+    return bool(np.linalg.norm(one[:3, 3] - other[:3, 3]) <= STANDS and np.linalg.norm(turn) <= STANDS)

@@ -1,0 +1,122 @@
+"""Program: the result of `sequence`."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from manipplan.collision.scene import Scene
+from manipplan.jobs.reports.report import shown
+from manipplan.jobs.result import Plan
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.support.display import one_line
+from manipplan.support.files import writable_folder, write_text
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True)
+class Mark:
+    """When a step of a program begins.
+
+    Attributes:
+        step: its index.
+        name: of its class, such as MoveTo.
+        begin: when it begins [s]; the step before ends then.
+    """
+
+    step: int
+    name: str
+    begin: float
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Program:
+    """A program of moves, timed and checked.
+
+    Attributes:
+        robot, scene: as they are at the beginning.
+        parts: the motions between stops at which something is taken up or put down, or the arm waits: each a Plan from rest to
+            rest, of the arm with what it carries then, among the obstacles that are there then.
+        begins: when each part begins [s].
+        marks: when each step begins.
+        trajectory: the whole motion; the arm stands still while it waits.
+        goals: for each MoveTo with several goals, by the index of the step: the index of the one that was chosen.
+        stops: times at which the arm stands still although nothing is taken up, put down or waited for [s].
+        warnings: what may not be meant, such as a part that is let go in the air.
+    """
+
+    robot: Robot
+    scene: Scene
+    parts: tuple[Plan, ...]
+    begins: tuple[float, ...]
+    marks: tuple[Mark, ...]
+    trajectory: Trajectory
+    goals: dict[int, int]
+    stops: tuple[float, ...]
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def duration(self) -> float:
+        """Of the whole motion [s]."""
+        return self.trajectory.duration
+
+    @property
+    def passed(self) -> bool:
+        """Whether all parts passed their checks."""
+        return all(each.report.passed for each in self.parts)
+
+    @property
+    def min_manipulability(self) -> float:
+        """The smallest manipulability on all motions."""
+        return min(each.report.min_manipulability for each in self.parts)
+
+    @property
+    def final_state(self) -> tuple[Robot, Scene, Array]:
+        """Arm, scene and configuration (n,) at the end of the last motion."""
+        last = self.parts[-1]
+        return last.robot, last.scene, last.trajectory.q[-1]
+
+    def __str__(self) -> str:
+        verdict = "all checks passed" if self.passed else "CHECK FAILED"
+        lines = [
+            f"{self.robot.name}: {len(self.marks)} steps, {verdict}",
+            f"  duration     {self.duration:.3f} s",
+            f"  minimum m    {shown(self.min_manipulability)}",
+            f"  stops        {len(self.stops)} at corners{_times(self.stops)}",
+        ]
+        lines += [f"  {each.begin:8.3f} s  steps[{each.step}] {each.name}" for each in self.marks]
+        lines += [f"  warning      {each}" for each in self.warnings]
+        for k, (each, begin) in enumerate(zip(self.parts, self.begins, strict=True)):
+            lines += [f"part {k}, from {begin:.3f} s", *(f"  {line}" for line in str(each.report).splitlines())]
+        return "\n".join(lines)
+
+    def save(self, folder: str | Path) -> list[Path]:
+        """Write trajectory.csv, .json and .yaml (ROS), report.txt, program.json and one file for each part; returns the files.
+
+        `load` reads program.json and the parts. Raises InvalidInputError when the folder cannot be written.
+        """
+        from manipplan.jobs.programs.stored import write_program
+
+        to = writable_folder("folder", folder)
+        self.trajectory.to_csv(to / "trajectory.csv")
+        self.trajectory.to_json(to / "trajectory.json")
+        self.trajectory.to_ros(to / "trajectory.yaml")
+        write_text(to / "report.txt", f"{self}\n")
+        names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.txt")
+        return [*(to / name for name in names), *write_program(self, to)]
+
+    @staticmethod
+    def load(folder: str | Path) -> "Program":
+        """Read a program that `save` wrote: all numbers are the same, and nothing is measured again.
+
+        Raises FileFormatError: a file is missing, truncated, changed or of another version, or one of the robot is.
+        """
+        from manipplan.jobs.programs.stored import read_program
+
+        return read_program(folder)
+
+
+def _times(stops: Sequence[float]) -> str:
+    return f", at {', '.join(f'{each:.2f}' for each in stops)} s" if stops else ""

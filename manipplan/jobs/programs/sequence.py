@@ -1,0 +1,176 @@
+"""sequence: a program of moves, whose configurations are chosen together."""
+
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from numpy.typing import ArrayLike
+
+from manipplan.collision.scene import Scene
+from manipplan.cost.objective import PathObjective
+from manipplan.jobs.goals.read import named_configuration
+from manipplan.jobs.plan import plan
+from manipplan.jobs.programs.assemble import assemble
+from manipplan.jobs.programs.choose import Chosen, Planner, ProgramSearch
+from manipplan.jobs.programs.courses import Motion, Stop
+from manipplan.jobs.programs.legs import Leg, read_steps
+from manipplan.jobs.programs.nodes import nodes_of
+from manipplan.jobs.programs.program import Program
+from manipplan.jobs.programs.states import State, check_parts
+from manipplan.jobs.programs.steps import Attach, Detach, Step
+from manipplan.jobs.result import Plan
+from manipplan.optimize.optimize import check_options
+from manipplan.paths.basis import PathShape
+from manipplan.robots.robot import Robot
+from manipplan.seeds.seeding import Seeding
+from manipplan.support.checks import Array, instance, number
+from manipplan.support.errors import InvalidInputError, PlanningError
+from manipplan.support.interrupts import interruptible
+from manipplan.support.processes.one_thread import one_thread
+from manipplan.support.progress import Progress, part, teller
+from manipplan.timing.retime import check_timing_limits
+
+
+@interruptible()
+@one_thread()
+def sequence(
+    robot: Robot,
+    start: ArrayLike | str,
+    steps: Sequence[Step],
+    scene: Scene | None = None,
+    *,
+    blend: float = 0.0,
+    objective: PathObjective = PathObjective(),
+    shape: PathShape = PathShape(),
+    seeding: Seeding = Seeding(),
+    clearance: float = 0.0,
+    torque: bool = False,
+    progress: Progress | None = None,
+) -> Program:
+    """Plan a program of moves as one: pick, carry, place, weld, retreat.
+
+    All configurations that reach the goals of all moves are candidates. One search over the whole program chooses among them
+    for the largest minimum manipulability, by bounds for the free motions, which are then planned; where a motion fails or
+    keeps less than its bound, the search is repeated with that. Of programs that differ by less than 1 % the one with the
+    smallest sum of g on straight lines is taken.
+
+    Args:
+        robot: the arm.
+        start: (n,) inside the limits and collision-free [rad or m], or the name of one of `robot.states`.
+        steps: `MoveTo`, `MoveAlong`, `Attach`, `Detach` and `Wait`, in their order.
+        scene: obstacles at the beginning; None: none.
+        blend: largest distance of the tool from a corner between two moves where the arm goes around it without a stop [m];
+            0: it stops at each corner. A blend that would touch something, or leave the limits or constraints, is halved, and
+            at last the arm stops. Paths of the tool are left near their ends by that much.
+        objective: as for `plan`, for all moves.
+        shape, seeding: as for `plan`, for free motions; `time_limit` holds for each of them.
+        clearance: distance [m] to keep from obstacles and between the arm's own links.
+        torque: keep the joints' effort limits as well.
+        progress: called with the fraction done in [0, 1] and a text.
+
+    Returns:
+        The Program, all of whose parts passed their checks.
+
+    Raises:
+        InvalidInputError: an argument is invalid, or no goal of a move can be reached; the message names the step.
+        UnknownNameError: a part or state of that name is not there; the nearest names are listed.
+        PlanningError: no program was found, or a part did not pass its check; the message names the step.
+    """
+    instance("robot", robot, Robot)
+    check_options(objective, shape, seeding)
+    if seeding.initial is not None:
+        raise InvalidInputError("seeding.initial", seeding.initial, "None: a program has several free motions")
+    scene = instance("scene", scene if scene is not None else Scene(), Scene)
+    blend, clearance = number("blend", blend, least=0.0), number("clearance", clearance, least=0.0)
+    instance("torque", torque, bool)
+    tell = teller(progress)
+    check_timing_limits(robot.limits)
+    q_start = scene.collision_model(robot).free_configuration("start", named_configuration("start", start, robot), clearance)
+    legs = read_steps(steps, robot, q_start)
+    check_parts([(f"steps[{k}]", each) for k, each in enumerate(steps)], robot, scene)
+    first = State(robot=robot, scene=scene)
+    nodes = []
+    known = first
+    for k, leg in enumerate(legs):
+        tell(0.2 * k / len(legs), f"configurations of step {leg.number}")
+        nodes.append(nodes_of(leg, known, q_start, objective, clearance))
+        known = _known_after(leg, known)
+    free = sum(each.is_free for each in legs)
+    search = ProgramSearch(
+        legs=legs,
+        nodes=nodes,
+        start=q_start,
+        state=first,
+        objective=objective,
+        clearance=clearance,
+        planner=_planner(objective, shape, seeding, clearance, torque),
+        deadline=time.monotonic() + seeding.time_limit * max(free, 1),
+    )
+    chosen = search.best(part(tell, 0.2, 0.9))
+    if chosen is None:
+        told = "; ".join(dict.fromkeys(search.failures[-3:])) or "no program is possible"
+        raise PlanningError(f"no program was found: {told}")
+    tell(0.9, "timing and checking")
+    goals = {
+        leg.number: nodes[k][chosen.nodes[k]].goal_index for k, leg in enumerate(legs) if leg.is_free and len(leg.targets) > 1
+    }
+    program = assemble(
+        list(_items(legs, chosen)),
+        first,
+        steps,
+        {leg.number: leg.constraints for leg in legs},
+        goals=goals,
+        blend=blend,
+        objective=objective,
+        clearance=clearance,
+        torque=torque,
+    )
+    if not program.passed:
+        raise PlanningError(f"the program did not pass its check\n{program}", program)
+    tell(1.0, "done")
+    return program
+
+
+def _planner(objective: PathObjective, shape: PathShape, seeding: Seeding, clearance: float, torque: bool) -> Planner:
+    def planned(leg: Leg, q: Array, entry: Array, state: State) -> Plan | str:
+        try:
+            made = plan(
+                state.robot,
+                q,
+                entry,
+                state.scene,
+                constraints=leg.constraints.constraints,
+                objective=objective,
+                shape=shape,
+                seeding=seeding,
+                clearance=clearance,
+                torque=torque,
+                throw=False,
+            )
+        except InvalidInputError as error:
+            return str(error)
+        return made if isinstance(made, Plan) and made.report.passed else made.message
+
+    return planned
+
+
+def _known_after(leg: Leg, state: State) -> State:
+    """What is known of arm and scene after a leg before its configurations are: parts of a given pose, and gone obstacles."""
+    for _, step in leg.rest:
+        if isinstance(step, Attach) and isinstance(step.part, str):
+            obstacles = [each.called(name) for each, name in zip(state.scene.obstacles, state.scene.names, strict=True)]
+            left = [each for each in obstacles if each.name != step.part]
+            state = replace(state, scene=Scene(left, allowed=[pair for pair in state.scene.allowed if step.part not in pair]))
+        elif isinstance(step, Attach):
+            state = state.after(step, state.robot.neutral)
+        elif isinstance(step, Detach) and step.name in state.robot.carried:
+            state = replace(state, robot=state.robot.detach(step.name))
+    return state
+
+
+def _items(legs: Sequence[Leg], chosen: Chosen) -> Iterator[Motion | Stop]:
+    """All motions and stops of a program in their order."""
+    for leg, free, course in zip(legs, chosen.free, chosen.courses, strict=True):
+        if free is not None:
+            yield Motion(step=leg.number, path=free.path, state=State(robot=free.robot, scene=free.scene))
+        yield from course.items

@@ -1,0 +1,80 @@
+"""What a program changes: which parts the arm carries, and which obstacles are in the scene."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from manipplan.collision.scene import Scene
+from manipplan.collision.shapes import Obstacle
+from manipplan.jobs.programs.steps import Attach, Detach
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError, UnknownNameError
+
+#: Poses of parts that differ by less than this are the same [m, rad].
+SAME = 1e-9
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class State:
+    """The arm with the parts it carries, and its scene.
+
+    Attributes:
+        robot, scene: as they are now.
+        history: names and poses of the parts taken up and put down so far: equal for equal states.
+    """
+
+    robot: Robot
+    scene: Scene
+    history: tuple[object, ...] = ()
+
+    def after(self, step: Attach | Detach, q: Array) -> "State":
+        """The state after a part was taken up or put down at q (n,)."""
+        tool = self.robot.kinematics().pose(q)
+        robot, scene = self.robot, self.scene
+        if isinstance(step, Detach):
+            solid = robot.carried[step.name].solid.at(tool)
+            assert isinstance(solid, Obstacle)
+            pose, name = tool, step.name
+            robot = robot.detach(name)
+            obstacles = [each.called(other) for each, other in zip(scene.obstacles, scene.names, strict=True)]
+            scene = Scene([*obstacles, solid.called(name)], allowed=scene.allowed)
+        elif isinstance(step.part, str):
+            pose, name = tool, step.part
+            solid = scene.obstacles[scene.names.index(name)].called(name).at(np.linalg.inv(tool))
+            robot = robot.attach(solid, name=name)
+            scene = Scene(
+                [each.called(other) for each, other in zip(scene.obstacles, scene.names, strict=True) if other != name],
+                allowed=scene.allowed,
+            )
+        else:
+            name = step.name or step.part.name or "part"
+            pose = np.zeros((4, 4))
+            robot = robot.attach(step.part, name=name)
+        place = tuple(np.round(pose.ravel() / SAME).astype(np.int64).tolist())
+        return State(robot=robot, scene=scene, history=(*self.history, (type(step).__name__, name, place)))
+
+
+def check_parts(steps: list[tuple[str, object]], robot: Robot, scene: Scene) -> None:
+    """Raise an error for a part that is taken up twice, or is not there, before anything is planned."""
+    carried, there = set(robot.carried), set(scene.names)
+    for argument, step in steps:
+        if isinstance(step, Attach) and isinstance(step.part, str):
+            if step.part in carried:
+                raise InvalidInputError(f"{argument}.part", step.part, "a part that the arm does not carry already")
+            if step.part not in there:
+                raise UnknownNameError(f"{argument}.part", step.part, there or ["none: the scene is empty"])
+            there.remove(step.part)
+            carried.add(step.part)
+        elif isinstance(step, Attach):
+            name = step.name or step.part.name or "part"  # type: ignore[union-attr]  # a shape
+            if name in carried or name in there:
+                raise InvalidInputError(f"{argument}.name", name, "the name of no obstacle and of no part that is carried")
+            if not isinstance(step.part, Obstacle):
+                raise InvalidInputError(f"{argument}.part", step.part, "an obstacle such as a Box, so that it can be put down")
+            carried.add(name)
+        elif isinstance(step, Detach):
+            if step.name not in carried:
+                raise UnknownNameError(f"{argument}.name", step.name, carried or ["none: the arm carries nothing then"])
+            carried.remove(step.name)
+            there.add(step.name)

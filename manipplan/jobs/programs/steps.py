@@ -1,0 +1,132 @@
+"""The steps of a program."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.constraints.constraint import Constraint, constraint_tuple
+from manipplan.jobs.goals.pose_goal import Goal
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.tolerance import Tolerance
+from manipplan.robots.attached import Solid
+from manipplan.support.checks import finite_array, instance, number, whole_number
+from manipplan.support.display import one_line
+from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.task import Task
+
+
+@one_line
+@dataclass(frozen=True, eq=False)
+class MoveTo:
+    """A free motion to a goal.
+
+    Attributes:
+        goal: as for `plan`: a configuration, the name of a state, a pose, a PoseGoal, or a list of these.
+        approach: straight way of the tool by which the motion ends [m]: a distance along the tool's z-axis, or a vector (3,) in
+            the tool frame. Its goals are poses.
+        constraints: what the motion keeps, as for `plan`; an approach does not count.
+    """
+
+    goal: Goal
+    approach: float | ArrayLike | None = field(default=None, kw_only=True)
+    constraints: Sequence[Constraint] = field(default=(), kw_only=True)
+
+    def __post_init__(self) -> None:
+        if self.approach is not None:
+            object.__setattr__(self, "approach", _way("approach", self.approach))
+        object.__setattr__(self, "constraints", constraint_tuple(self.constraints))
+
+
+@one_line
+@dataclass(frozen=True, eq=False)
+class MoveAlong:
+    """A motion of the tool along a path, or straight on. A free motion to its first pose comes first where one is needed.
+
+    Attributes:
+        path: a CartesianPath in the world; or a vector (3,) by which the tool moves straight on, in the tool frame [m].
+        tool_speed: highest speed of the tool's origin [m/s]; None: as fast as the limits allow.
+        tolerance: largest deviation from the path, as for `follow`.
+        task: Task.pose() or Task.pointing(axis); None: Task.pose().
+        positions: number of positions at which configurations are enumerated.
+    """
+
+    path: CartesianPath | ArrayLike
+    tool_speed: float | None = field(default=None, kw_only=True)
+    tolerance: Tolerance | None = field(default=None, kw_only=True)
+    task: Task | None = field(default=None, kw_only=True)
+    positions: int = field(default=20, kw_only=True)
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.path, CartesianPath):
+            object.__setattr__(self, "path", _way("path", self.path))
+        if self.tool_speed is not None:
+            object.__setattr__(self, "tool_speed", number("tool_speed", self.tool_speed, above=0.0))
+        for name, kind in (("tolerance", Tolerance), ("task", Task)):
+            if getattr(self, name) is not None:
+                instance(name, getattr(self, name), kind)
+        whole_number("positions", self.positions, least=2)
+
+
+@one_line
+@dataclass(frozen=True, eq=False)
+class Attach:
+    """The hand takes up a part, which the arm carries from then on.
+
+    Attributes:
+        part: the name of an obstacle, which is no longer in the scene; or a shape posed in the tool frame.
+        name: name of a part that is given as a shape; default: its own, or "part".
+    """
+
+    part: str | Solid
+    name: str = field(default="", kw_only=True)
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.part, str) and (isinstance(self.part, type) or not isinstance(self.part, Solid)):
+            raise InvalidInputError("part", self.part, "the name of an obstacle, or a shape such as a Box")
+        instance("name", self.name, str)
+
+
+@one_line
+@dataclass(frozen=True, eq=False)
+class Detach:
+    """The hand puts down a part, which is an obstacle of the scene from then on.
+
+    Attributes:
+        name: of the part.
+    """
+
+    name: str = "part"
+
+    def __post_init__(self) -> None:
+        instance("name", self.name, str)
+
+
+@one_line
+@dataclass(frozen=True, eq=False)
+class Wait:
+    """The arm stands still.
+
+    Attributes:
+        seconds: how long [s].
+    """
+
+    seconds: float
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "seconds", number("seconds", self.seconds, above=0.0))
+
+
+Step: TypeAlias = MoveTo | MoveAlong | Attach | Detach | Wait
+
+
+def _way(argument: str, value: float | ArrayLike) -> tuple[float, float, float]:
+    """A vector (3,) in the tool frame; a number is a distance along its z-axis."""
+    if isinstance(value, int | float | np.number) and not isinstance(value, bool):
+        return 0.0, 0.0, number(argument, value, above=0.0)
+    x, y, z = finite_array(argument, value, (3,))
+    if np.linalg.norm([x, y, z]) < 1e-6:
+        raise InvalidInputError(argument, value, "a way that is not zero [m]")
+    return float(x), float(y), float(z)

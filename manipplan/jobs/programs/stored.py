@@ -1,0 +1,78 @@
+"""A program in files: program.json, and one file for each part."""
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from manipplan.jobs.archive import checked_json, checksum, read_plan, write_plan
+from manipplan.jobs.programs.program import Mark
+from manipplan.jobs.stored import robot_data, robot_of, scene_data, scene_of
+from manipplan.paths.trajectory import Trajectory
+from manipplan.support.checks import existing_file
+from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.support.files import write_text
+from manipplan.support.json_data import from_json, json_ready
+
+if TYPE_CHECKING:
+    from manipplan.jobs.programs.program import Program
+
+FORMAT, VERSION, NAME = "manipplan-program", 1, "program.json"
+
+
+def write_program(program: "Program", folder: Path) -> list[Path]:
+    """Write program.json and part_0.json, ...; returns the files."""
+    folder = folder.expanduser().resolve()
+    files = [folder / NAME, *(folder / f"part_{k}.json" for k in range(len(program.parts)))]
+    for part, file in zip(program.parts, files[1:], strict=True):
+        write_plan(part, file)
+    data = json_ready(
+        {
+            "format": FORMAT,
+            "version": VERSION,
+            "robot": robot_data(program.robot, folder),
+            "scene": scene_data(program.scene, folder),
+            "parts": len(program.parts),
+            "begins": program.begins,
+            "marks": program.marks,
+            "trajectory": program.trajectory,
+            "goals": {str(step): goal for step, goal in program.goals.items()},
+            "stops": program.stops,
+            "warnings": program.warnings,
+        }
+    )
+    write_text(files[0], json.dumps({**data, "sha256": checksum(data)}, allow_nan=False) + "\n")
+    return files
+
+
+def read_program(folder: str | Path) -> "Program":
+    """Read what `write_program` wrote; see `Program.load`."""
+    from manipplan.jobs.programs.program import Program
+
+    given = Path(folder).expanduser() if isinstance(folder, str | Path) else folder
+    path = existing_file("folder", given / NAME if isinstance(given, Path) and given.is_dir() else given)
+    data = checked_json(path, FORMAT, VERSION)
+    home = path.resolve().parent
+    try:
+        parts = tuple(
+            read_plan(home / f"part_{k}.json", robot=None, scene=None, measure=None) for k in range(int(data["parts"]))
+        )
+        return Program(
+            robot=robot_of(path, data["robot"], home, None),
+            scene=scene_of(path, data["scene"], home, None),
+            parts=parts,
+            begins=_numbers(data["begins"]),
+            marks=tuple(from_json(each, Mark) for each in data["marks"]),
+            trajectory=from_json(data["trajectory"], Trajectory),
+            goals={int(step): int(goal) for step, goal in data["goals"].items()},
+            stops=_numbers(data["stops"]),
+            warnings=tuple(str(each) for each in data["warnings"]),
+        )
+    except FileFormatError:
+        raise
+    except (InvalidInputError, KeyError, TypeError, ValueError, AttributeError, OverflowError, OSError) as error:
+        reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
+        raise FileFormatError("folder", str(path), f"a program written by Program.save, unchanged since ({reason})") from error
+
+
+def _numbers(data: Any) -> tuple[float, ...]:
+    return tuple(float(each) for each in data)

@@ -1,0 +1,291 @@
+"""Programs of moves: choice, parts, blends, stops, files, bad input."""
+
+import numpy as np
+import pinocchio as pin
+import pytest
+
+import manipplan as mp
+from manipplan.cli import main
+from manipplan.jobs.programs.blend import is_corner
+from manipplan.paths.joint import cut
+
+DOWN = np.diag([1.0, -1.0, -1.0, 1.0])
+
+
+def pose_at(x, y, z, turn=0.0):
+    pose = DOWN.copy()
+    pose[:3, :3] = pin.rpy.rpyToMatrix(0, 0, turn) @ DOWN[:3, :3]
+    pose[:3, 3] = x, y, z
+    return pose
+
+
+@pytest.fixture(scope="module")
+def hand():
+    """A Panda whose hand is open."""
+    return mp.load_robot("panda", locked={"panda_finger_joint1": 0.04, "panda_finger_joint2": 0.04})
+
+
+@pytest.fixture(scope="module")
+def cell():
+    """A table with a post and a part."""
+    return mp.Scene(
+        [
+            mp.Box(size=(0.9, 1.6, 0.04), position=(0.6, 0.0, -0.02), name="table"),
+            mp.Box(size=(0.1, 0.1, 0.3), position=(0.45, 0.0, 0.15), name="post"),
+            mp.Box(size=(0.04, 0.04, 0.1), position=(0.45, 0.3, 0.051), name="part"),
+        ]
+    ).allow("part", "table")
+
+
+@pytest.fixture(scope="module")
+def steps():
+    return [
+        mp.MoveTo(pose_at(0.45, 0.3, 0.09), approach=0.1),
+        mp.Attach("part"),
+        mp.MoveAlong([0, 0, -0.1]),
+        mp.MoveTo([pose_at(0.45, -0.3, 0.09), pose_at(0.45, -0.3, 0.09, 1.57)], approach=0.1),
+        mp.Detach("part"),
+        mp.MoveAlong([0, 0, -0.1]),
+        mp.Wait(0.5),
+        mp.MoveTo("default"),
+    ]
+
+
+@pytest.fixture(scope="module")
+def program(hand, cell, steps):
+    return mp.sequence(hand, "default", steps, cell, blend=0.05)
+
+
+def test_a_part_is_picked_carried_and_placed(hand, cell, program):
+    assert program.passed
+    assert [mark.name for mark in program.marks] == [
+        "MoveTo", "Attach", "MoveAlong", "MoveTo", "Detach", "MoveAlong", "Wait", "MoveTo",
+    ]  # fmt: skip
+    assert [list(part.robot.carried) for part in program.parts] == [[], ["part"], [], []]
+    assert ["part" in part.scene.names for part in program.parts] == [True, False, True, True]
+    for part in program.parts:
+        report = mp.check(part.robot, part.trajectory, part.scene)
+        assert report.passed, report.faults
+    _, scene, q = program.final_state
+    np.testing.assert_allclose(q, hand.neutral, atol=1e-9)
+    placed = scene.obstacles[scene.names.index("part")]
+    np.testing.assert_allclose(placed.pose.translation, [0.45, -0.3, 0.051], atol=1e-4)
+
+
+def test_one_trajectory_with_marks(program):
+    assert program.trajectory.duration == pytest.approx(sum(p.trajectory.duration for p in program.parts) + 0.5)
+    for part, begin in zip(program.parts, program.begins, strict=True):
+        np.testing.assert_allclose(
+            program.trajectory(begin + part.trajectory.duration / 3), part.trajectory(part.trajectory.duration / 3), atol=1e-9
+        )
+    waiting = next(mark.begin for mark in program.marks if mark.name == "Wait")
+    assert np.abs(program.trajectory(waiting + 0.25, order=1)).max() == 0.0
+    assert [mark.begin for mark in program.marks] == sorted(mark.begin for mark in program.marks)
+
+
+def test_approach_and_retreat_are_straight(hand, program):
+    """The tool stays on the vertical line over the part while it approaches, but for the blend at its upper end."""
+    kinematics = hand.kinematics()
+    last = kinematics.pose(program.parts[0].trajectory(np.linspace(0, program.parts[0].trajectory.duration, 4000)))
+    near = last[last[:, 2, 3] < 0.09 + 0.04]
+    assert np.abs(near[:, :2, 3] - [0.45, 0.3]).max() < 2e-4
+    first = kinematics.pose(program.parts[2].trajectory(np.linspace(0, program.parts[2].trajectory.duration, 2000)))
+    low = first[first[:, 2, 3] < 0.09 + 0.04]
+    assert len(low) > 10
+    assert np.abs(low[:, :2, 3] - [0.45, -0.3]).max() < 2e-4
+
+
+def test_blends_leave_out_stops_and_stay_near_corners(hand, cell, steps, program):
+    sharp = mp.sequence(hand, "default", steps, cell)
+    assert not program.stops
+    assert len(sharp.stops) == 3
+    assert program.duration < sharp.duration
+    for stop in sharp.stops:
+        assert np.abs(sharp.trajectory(stop, order=1)).max() < 1e-3
+        corner = hand.kinematics().pose(sharp.trajectory(stop))[:3, 3]
+        t = np.linspace(0, program.duration, 20_000)
+        way = hand.kinematics().pose(program.trajectory(t))[:, :3, 3]
+        assert np.linalg.norm(way - corner, axis=1).min() <= 0.05
+    moving = np.abs(program.trajectory(np.linspace(0.05, program.parts[0].trajectory.duration - 0.05, 500), order=1)).max(
+        axis=1
+    )
+    assert moving.min() > 0.01
+
+
+def test_the_choice_is_that_of_all_choices(planar):
+    """Of a planar arm with two grasps at each of two places: the program with the largest minimum of all four that are possible."""
+    start = np.array([0.4, 0.6, 0.8])
+    kinematics = planar.kinematics()
+    goals = [[np.array([0.9, 0.9, 0.9]), np.array([1.0, -0.3, 0.25])], [np.array([1.4, 1.2, -0.5]), np.array([1.2, -0.4, 2.0])]]
+    whole = mp.sequence(planar, start, [mp.MoveTo(each) for each in goals])
+    least = []
+    for one in goals[0]:
+        for other in goals[1]:
+            first = mp.plan(planar, start, one, mp.Scene())
+            second = mp.plan(planar, one, other, mp.Scene())
+            least.append(min(first.report.min_manipulability, second.report.min_manipulability))
+    assert whole.min_manipulability >= max(least) * 0.99
+    assert set(whole.goals) == {0, 1}
+    assert kinematics.manipulability(whole.trajectory.q[-1]) == pytest.approx(
+        kinematics.manipulability(goals[1][whole.goals[1]])
+    )
+
+
+def test_a_path_of_the_tool_and_its_speed(hand):
+    path = mp.CartesianPath.line(pose_at(0.4, -0.2, 0.3), pose_at(0.4, 0.2, 0.3))
+    made = mp.sequence(hand, "default", [mp.MoveAlong(path, tool_speed=0.1), mp.MoveTo("default")], blend=0.02)
+    assert made.passed
+    assert [mark.step for mark in made.marks] == [0, 1]
+    t = np.linspace(0, made.duration, 6000)
+    pose = hand.kinematics().pose(made.trajectory(t))
+    speed = np.linalg.norm(np.diff(pose[:, :3, 3], axis=0), axis=1) / np.diff(t)
+    on_path = (np.abs(pose[:-1, 0, 3] - 0.4) < 2e-4) & (np.abs(pose[:-1, 2, 3] - 0.3) < 2e-4) & (np.abs(pose[:-1, 1, 3]) < 0.17)
+    assert on_path.sum() > 1000
+    assert speed[on_path].max() <= 0.1 * (1 + 1e-3)
+
+
+def test_constraints_of_a_move(hand):
+    level = mp.TiltLimit((0, 0, 1), (0, 0, -1), 0.1)
+    steps = [mp.MoveTo(pose_at(0.2, 0.45, 0.35), constraints=[level]), mp.MoveTo(pose_at(0.4, -0.3, 0.4))]
+    made = mp.sequence(hand, "default", steps, blend=0.05)
+    end = made.marks[1].begin / made.duration
+    path = cut(made.trajectory.path(), 0.0, end)
+    axes = hand.kinematics().pose(path(np.linspace(0, 1, 3000)))[:, :3, 2]
+    assert np.arccos(np.clip(-axes[:, 2], -1, 1)).max() <= 0.1 + 1e-6
+
+
+def test_saved_and_loaded(program, tmp_path):
+    files = program.save(tmp_path / "made")
+    assert all(file.is_file() for file in files)
+    again = mp.Program.load(tmp_path / "made")
+    assert str(again) == str(program)
+    assert again.trajectory.digest == program.trajectory.digest
+    assert list(again.parts[1].robot.carried) == ["part"]
+    ros = mp.Trajectory.from_ros(tmp_path / "made" / "trajectory.yaml")
+    np.testing.assert_allclose(ros.q, program.trajectory.q, atol=1e-9)
+    text = (tmp_path / "made" / "program.json").read_text()
+    (tmp_path / "made" / "program.json").write_text(text.replace('"begin"', '"begin" ', 1).replace("MoveTo", "MoveAt", 1))
+    with pytest.raises(mp.FileFormatError, match="changed since"):
+        mp.Program.load(tmp_path / "made")
+    (tmp_path / "made" / "program.json").write_text(text.replace('"version": 1', '"version": 7', 1))
+    with pytest.raises(mp.FileFormatError, match="this is version 7"):
+        mp.Program.load(tmp_path / "made")
+
+
+def test_cutting_a_path():
+    rng = np.random.default_rng(0)
+    path = mp.JointPath.spline([0.0, 0.3, 0.7, 1.0], rng.normal(size=(4, 7)))
+    for begin, end in ((0.1, 0.2), (0.1, 0.5), (0.35, 0.95), (0.0, 0.7), (0.3, 1.0), (0.0, 1.0)):
+        part = cut(path, begin, end)
+        s = np.linspace(0.001, 0.999, 50)
+        np.testing.assert_allclose(part(s), path(begin + s * (end - begin)), atol=1e-12)
+
+
+def test_corners():
+    line = mp.JointPath.line([0, 0], [1, 0])
+    assert is_corner(line, mp.JointPath.line([1, 0], [1, 1]))
+    assert not is_corner(line, mp.JointPath.line([1, 0], [3, 0]))
+
+
+def test_a_part_let_go_in_the_air_is_told(hand, cell, steps):
+    high = [*steps[:3], mp.MoveTo(pose_at(0.45, -0.3, 0.3)), mp.Detach("part"), mp.MoveTo("default")]
+    scene = mp.Scene(cell.obstacles)  # nothing may touch: the part keeps its distance to the table
+    lifted = mp.Box(size=(0.04, 0.04, 0.1), position=(0.45, 0.3, 0.053), name="part")
+    scene = scene.without("part") + mp.Scene([lifted])
+    made = mp.sequence(hand, "default", high, scene)
+    assert any("let go in the air" in each for each in made.warnings)
+
+
+BAD = {
+    "no steps": ([], "steps: got"),
+    "no step": ([3], r"steps\[0\]: got 3"),
+    "unknown part": ([mp.Attach("prt")], r"steps\[0\]\.part: got 'prt'; allowed: did you mean part"),
+    "nothing to put down": ([mp.Detach("part")], r"steps\[0\]\.name: got 'part'"),
+    "taken twice": ([mp.Attach("part"), mp.Attach("part")], r"steps\[1\]\.part"),
+    "out of reach": (
+        [mp.MoveTo("default"), mp.MoveTo(pose_at(2.0, 0.0, 0.3))],
+        r"steps\[1\]\.goal: .*out of reach: the nearest configuration found leaves the tool",
+    ),
+    "unknown state": ([mp.MoveTo("redy")], r"steps\[0\]\.goal: got 'redy'"),
+    "approach to a configuration": ([mp.MoveTo("default", approach=0.1)], "a pose of the tool, since there is an approach"),
+    "path out of reach": (
+        [mp.MoveAlong(mp.CartesianPath.line(pose_at(0.5, 0.3, 0.4), pose_at(1.5, 0.3, 0.4)))],
+        r"steps\[0\]\.path: ",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_bad_programs(hand, cell, name):
+    given, message = BAD[name]
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.sequence(hand, "default", given, cell)
+
+
+def test_a_part_that_touches_is_told(hand, cell, steps):
+    scene = mp.Scene([each for each in cell.obstacles if each.name != "part"])
+    low = mp.Box(size=(0.04, 0.04, 0.1), position=(0.45, 0.3, 0.049), name="part")
+    with pytest.raises(mp.PlanningError, match=r"steps\[[23]\].*part.*table|steps\[[23]\].*table.*part"):
+        mp.sequence(hand, "default", steps[:4], scene + mp.Scene([low]), seeding=mp.Seeding(time_limit=2.0))
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: mp.Wait(0), "seconds"),
+        (lambda: mp.Wait("long"), "seconds"),
+        (lambda: mp.Attach(3), "the name of an obstacle, or a shape"),
+        (lambda: mp.MoveAlong([0, 0, 0]), "a way that is not zero"),
+        (lambda: mp.MoveAlong("poses.csv"), "path"),
+        (lambda: mp.MoveAlong([0, 0, 0.1], tool_speed=-1), "tool_speed"),
+        (lambda: mp.MoveTo("default", approach=-0.1), "approach"),
+        (lambda: mp.MoveTo("default", constraints=mp.HeldJoints("a")), "constraints"),
+    ],
+)
+def test_bad_steps(make, message):
+    with pytest.raises(mp.InvalidInputError, match=message):
+        make()
+
+
+PROGRAM = """
+robot: panda
+scene: scene.yaml
+start: default
+blend: 0.04
+steps:
+- move_to: {goal: {position: [0.45, 0.3, 0.2], rotation: [3.14159265, 0, 0]}}
+- move_along: {way: [0, 0, 0.08], tool_speed: 0.1}
+- wait: 0.2
+- move_to: {goal: [{state: default}]}
+"""
+
+
+def test_a_program_from_a_shell(tmp_path, capsys):
+    (tmp_path / "scene.yaml").write_text(
+        "obstacles: [{shape: box, size: [0.9, 1.6, 0.04], position: [0.6, 0, -0.02], name: table}]\n"
+    )
+    (tmp_path / "program.yaml").write_text(PROGRAM)
+    assert main(["run", str(tmp_path / "program.yaml"), "--out", str(tmp_path / "made")]) == 0
+    assert "4 steps, all checks passed" in capsys.readouterr().out
+    assert [mark.name for mark in mp.Program.load(tmp_path / "made").marks] == ["MoveTo", "MoveAlong", "Wait", "MoveTo"]
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (("start: default", "begin: default"), "keys start and steps"),
+        (("blend: 0.04", "blnd: 0.04"), "did you mean blend"),
+        (("wait: 0.2", "wait: -1"), r"steps\[2\]\.wait\.seconds"),
+        (("- wait: 0.2", "- wiat: 0.2"), "did you mean wait"),
+        (("way: [0, 0, 0.08], ", ""), r"steps\[1\]\.move_along\.path"),
+        (("state: default", "state: defalt"), r"steps\[3\]\.move_to\.goal\[0\]\.state"),
+        (("scene: scene.yaml", "scene: gone.yaml"), "gone.yaml"),
+    ],
+)
+def test_bad_program_files(tmp_path, capsys, change, message):
+    (tmp_path / "scene.yaml").write_text("obstacles: []\n")
+    (tmp_path / "program.yaml").write_text(PROGRAM.replace(*change))
+    assert main(["run", str(tmp_path / "program.yaml"), "--out", str(tmp_path / "made")]) == 2
+    error = capsys.readouterr().err
+    assert __import__("re").search(message, " ".join(error.split())), error
+    assert not (tmp_path / "made" / "program.json").exists()
