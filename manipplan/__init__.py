@@ -34,10 +34,10 @@ from manipplan.jobs.other_goals import OtherGoal, other_goals
 from manipplan.jobs.plan import plan
 from manipplan.jobs.plan_many import plan_many
 from manipplan.jobs.problem import Problem
-from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
 from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.sequence import sequence
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Wait
+from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
 from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.report import PlanReport, Report
 from manipplan.jobs.result import PartialPlan, Plan
