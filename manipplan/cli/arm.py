@@ -1,6 +1,6 @@
 """The robot, scene and configurations given to a command."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -23,17 +23,28 @@ class RobotOptions:
     """Tool frame, if the robot is a file."""
     srdf: Path | None = None
     """Semantic description (SRDF), if the robot is a file."""
+    locked: tuple[str, ...] = ()
+    """Joints that do not belong to the arm, such as those of a hand, at a value: name=value [rad or m]."""
     velocity: tuple[float, ...] = ()
     """Velocity limits [rad/s or m/s] instead of the robot's, one number or one per joint."""
     acceleration: tuple[float, ...] = ()
     """Acceleration limits [rad/s² or m/s²], in the same form."""
 
-    def load(self, name: str, *, jerk: tuple[float, ...] = ()) -> tuple[Robot, Scene]:
-        """A known arm or one from a file, and the obstacles around it; `jerk` limits as the others."""
+    def load(
+        self, name: str, *, jerk: tuple[float, ...] = (), locked: Mapping[str, float] | None = None
+    ) -> tuple[Robot, Scene]:
+        """A known arm or one from a file, and the obstacles around it; `jerk` limits as the others.
+
+        `locked` are values of joints beside those of the option.
+        """
         limits = {"velocity": self.velocity, "acceleration": self.acceleration, "jerk": jerk}
         plain = {kind: value[0] if len(value) == 1 else value for kind, value in limits.items() if value}
         files = {key: value for key, value in (("tool", self.tool), ("srdf", self.srdf)) if value is not None}
-        return load_robot(name, **files, **plain), Scene.from_yaml(self.scene) if self.scene is not None else Scene()
+        held = {**(locked or {}), **dict(map(_value, self.locked))}
+        held_options = {"locked": held} if held else {}
+        return load_robot(name, **files, **plain, **held_options), Scene.from_yaml(
+            self.scene
+        ) if self.scene is not None else Scene()
 
 
 def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array:
@@ -53,3 +64,12 @@ def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array
     if words[0] not in robot.states:
         raise UnknownNameError(argument, words[0], robot.states)
     return robot.states[words[0]]
+
+
+def _value(text: str) -> tuple[str, float]:
+    """Name and value of `name=value`."""
+    name, _, value = text.partition("=")
+    try:
+        return name, float(value)
+    except ValueError as error:
+        raise InvalidInputError("locked", text, "name=value, such as panda_finger_joint1=0.04") from error

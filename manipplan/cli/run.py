@@ -26,7 +26,7 @@ def run(
     """Plan a program of moves and write its trajectory as CSV, JSON and ROS JointTrajectory, with a report.
 
     Args:
-        program: YAML file with the keys start and steps and, where wanted, robot, scene, blend and clearance.
+        program: YAML file with the keys start and steps and, where wanted, robot, locked, scene, blend and clearance.
         robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file, instead of that of the program.
         out: Folder for the files that are written.
         options: Options of the robot, and a scene instead of that of the program.
@@ -41,7 +41,7 @@ def run(
             raise InvalidInputError("robot", robot, "--robot, or the key robot in the program")
         beside = told.path.parent / told.robot
         name = robot or (str(beside) if beside.is_file() else told.robot)
-        arm, world = options.load(name, jerk=jerk)
+        arm, world = options.load(name, jerk=jerk, locked=told.locked)
         made = sequence(
             arm,
             told.start,

@@ -33,10 +33,11 @@ def constraints_from_yaml(file: str | Path) -> tuple[Constraint, ...]:
     entries = data.get("constraints") if isinstance(data, Mapping) and set(data) == {"constraints"} else None
     if not isinstance(entries, list) or not entries:
         raise FileFormatError("constraints", str(path), "a list of at least one constraint under the single key constraints")
-    return tuple(_constraint(f"constraints[{k}]", entry, path) for k, entry in enumerate(entries))
+    return tuple(constraint_of_entry(f"constraints[{k}]", entry, path) for k, entry in enumerate(entries))
 
 
-def _constraint(argument: str, entry: Any, path: Path) -> Constraint:
+def constraint_of_entry(argument: str, entry: Any, path: Path) -> Constraint:
+    """One constraint of an entry; raises FileFormatError, which names the argument and the file."""
     place = f"{argument} in {path}"
     if not isinstance(entry, Mapping) or len(entry) != 1:
         raise FileFormatError(place, str(entry), f"a mapping with one of the keys {', '.join(KEYS)}")

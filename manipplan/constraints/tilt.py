@@ -75,6 +75,7 @@ def contradiction(one: TiltLimit, other: TiltLimit) -> bool:
 
 def _unit(argument: str, vector: ArrayLike) -> tuple[float, ...]:
     array = finite_array(argument, vector, (3,))
+    array = array / max(float(np.abs(array).max()), 1e-9)
     length = float(np.linalg.norm(array))
     if length < 1e-9:
         raise InvalidInputError(argument, vector, "a vector (3,) that is not zero")

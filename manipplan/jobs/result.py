@@ -193,14 +193,14 @@ def finish(
     )
     parts = {each.name: getattr(draft, each.name) for each in fields(draft)}
     plan = Plan(**parts | {"path": path, "trajectory": trajectory, "result": result, "report": report})
-    return plan if report.passed else check_failed(plan, throw, str(report))
+    return plan if report.passed else check_failed(plan, throw)
 
 
-def check_failed(plan: Plan, throw: bool, message: str) -> Plan:
-    """The plan with Status.CHECK_FAILED, returned or raised."""
+def check_failed(plan: Plan, throw: bool, message: str = "") -> Plan:
+    """The plan with Status.CHECK_FAILED, returned or raised; without a message that of its report."""
     faults = plan.report.faults or (message,)
     report = replace(plan.report, status=Status.CHECK_FAILED.value, passed=False, faults=faults)
-    return failed(replace(plan, status=Status.CHECK_FAILED, report=report), throw, message)
+    return failed(replace(plan, status=Status.CHECK_FAILED, report=report), throw, message or str(report))
 
 
 def failed(plan: Given, throw: bool, message: str) -> Given:

@@ -173,18 +173,23 @@ class Trajectory(Pictured):
             name: of the function in the script.
             lookahead_time, gain: of servoj, 0.03 to 0.2 s and 100 to 2000.
 
-        Raises InvalidInputError: another number of joints than six, a motion that does not begin and end at rest, joint values
-        beyond two pi, or another argument is out of its range.
+        The joints are found by their names, as in ur_description, in any order.
+
+        Raises InvalidInputError: other joints, a motion that does not begin and end at rest, joint values beyond 2 π, a speed
+        above 2 π rad/s, more than 300,000 positions, or another argument is out of its range.
         """
         from manipplan.paths.controllers import urscript
 
         urscript.to_urscript(self, file, rate=rate, name=name, lookahead_time=lookahead_time, gain=gain)
 
     def to_franka_csv(self, file: str | Path) -> None:
-        """Write a CSV table of time [s] and the seven joint positions [rad] at 1 kHz, for a Franka arm.
+        """Write a CSV table of time [s] and the seven joint positions [rad] at 1 kHz, for a Franka Panda.
 
-        Raises InvalidInputError: another number of joints, a motion that does not begin and end at rest, or differences of
-        neighbouring positions above the velocity, acceleration or jerk that libfranka accepts for a Panda.
+        The joints are found by their names, panda_joint1 to 7 or fer_joint1 to 7, in any order.
+
+        Raises InvalidInputError: other joints, positions outside the Panda's limits, a motion that does not begin and end at
+        rest or has more than 300,000 positions, or differences of neighbouring positions above the velocity, acceleration or
+        jerk that libfranka accepts for a Panda.
         """
         from manipplan.paths.controllers import franka
 

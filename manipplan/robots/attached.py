@@ -17,7 +17,10 @@ from manipplan.support.errors import InvalidInputError
 class Solid(Protocol):
     """A shape with a pose and a name, such as an obstacle."""
 
-    name: str
+    @property
+    def name(self) -> str:
+        """What it is called."""
+        ...
 
     @property
     def pose(self) -> pin.SE3:

@@ -289,6 +289,8 @@ class _Finder:
         spent, remedy = f"in {limit:g} s", "allow more time (Seeding.time_limit)"
         if self.spent and self.planner in OPTIMISING:
             spent, remedy = f"with {self.checks} checks", "allow more of them (checks)"
+        elif self.spent and self.constrained:
+            spent, remedy = "that keeps the constraints also between its checks", "give them more width"
         there = ""
         if self.nearest is not None:
             first, second, distance = self.nearest

@@ -59,7 +59,7 @@ class Status(Enum):
     NO_TIMING = "failed: no motion along the path obeys the limits; raise effort or acceleration, or choose another path"
     CHECK_FAILED = (
         "failed: the finished trajectory did not pass its own check of limits, collisions or goal; "
-        "please report it with the robot, start and goal"
+        "please report it with the robot, start and goal, unless it names a constraint of yours, which needs more width"
     )
     # one of many problems
     NOT_VALID = (

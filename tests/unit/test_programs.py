@@ -196,7 +196,44 @@ def test_a_part_let_go_in_the_air_is_told(hand, cell, steps):
     assert any("let go in the air" in each for each in made.warnings)
 
 
+def test_constraints_are_in_the_report(hand):
+    level = mp.TiltLimit((0, 0, 1), (0, 0, -1), 0.1)
+    made = mp.sequence(hand, "default", [mp.MoveTo(pose_at(0.2, 0.45, 0.35), constraints=[level])])
+    (figure,) = made.parts[0].report.constraints
+    assert figure.proven
+    assert figure.name.startswith("steps[0], tilt of tool axis")
+    assert "constraint   steps[0]" in str(made)
+
+
+def test_a_motion_there_and_back_stops_between(hand):
+    """A blend cannot round a turn back; a goal where the arm is already is no motion."""
+    near = hand.neutral + 0.2
+    made = mp.sequence(hand, "default", [mp.MoveTo(near), mp.MoveTo(near), mp.MoveTo("default")], blend=0.05)
+    assert made.passed
+    assert len(made.stops) == 1
+
+
+def test_marks_tell_when_a_path_begins(hand):
+    path = mp.CartesianPath.line(pose_at(0.4, -0.2, 0.3), pose_at(0.4, 0.2, 0.3))
+    made = mp.sequence(hand, "default", [mp.MoveAlong(path)])
+    (mark,) = made.marks
+    assert mark.begin == 0.0
+    assert 0 < mark.path_begin < made.duration
+    np.testing.assert_allclose(hand.kinematics().pose(made.trajectory(mark.path_begin)), path(0.0), atol=2e-4)
+
+
+def test_parts_far_from_a_hand_are_told(hand, cell):
+    steps = [mp.MoveTo(pose_at(0.45, 0.3, 0.3)), mp.Attach("part"), mp.MoveTo("default")]
+    made = mp.sequence(hand, "default", steps, cell)
+    assert any("steps[1]: part is taken up" in each for each in made.warnings)
+    ball = mp.Sphere(radius=0.02, position=(0, 0, 0.04), name="ball")
+    let_go = [mp.MoveTo(hand.neutral + 0.1), mp.Attach(ball), mp.Detach("ball"), mp.MoveTo("default")]
+    assert any("steps[2]: ball is let go in the air" in each for each in mp.sequence(hand, "default", let_go).warnings)
+
+
 BAD = {
+    "no motion": ([mp.MoveTo("default")], r"steps: got \['MoveTo'\]; allowed: steps with at least one motion"),
+    "no motion but a part": ([mp.Attach("part"), mp.Wait(1)], "steps with at least one motion"),
     "no steps": ([], "steps: got"),
     "no step": ([3], r"steps\[0\]: got 3"),
     "unknown part": ([mp.Attach("prt")], r"steps\[0\]\.part: got 'prt'; allowed: did you mean part"),
@@ -249,6 +286,7 @@ def test_bad_steps(make, message):
 
 PROGRAM = """
 robot: panda
+locked: {panda_finger_joint1: 0.03}
 scene: scene.yaml
 start: default
 blend: 0.04
@@ -280,6 +318,12 @@ def test_a_program_from_a_shell(tmp_path, capsys):
         (("way: [0, 0, 0.08], ", ""), r"steps\[1\]\.move_along\.path"),
         (("state: default", "state: defalt"), r"steps\[3\]\.move_to\.goal\[0\]\.state"),
         (("scene: scene.yaml", "scene: gone.yaml"), "gone.yaml"),
+        (("locked: {panda_finger_joint1: 0.03}", "locked: [1]"), "locked in"),
+        (("goal: [{state: default}]", "goal: [{state: default}], aproach: 0.1"), "did you mean approach"),
+        (
+            ("goal: [{state: default}]", "goal: [{state: default}], constraints: [{tilt_limt: 3}]"),
+            r"steps\[3\]\.move_to\.constraints\[0\] .* did you mean tilt_limit",
+        ),
     ],
 )
 def test_bad_program_files(tmp_path, capsys, change, message):

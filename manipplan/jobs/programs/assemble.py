@@ -8,14 +8,14 @@ import numpy as np
 
 from manipplan.constraints.constraint import KEPT
 from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.figures import figures
+from manipplan.constraints.figures import ConstraintFigure, figures
 from manipplan.constraints.proof import prove
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.programs.blend import Blend, blend_of, is_corner, with_blends
 from manipplan.jobs.programs.courses import Motion, Stop
 from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.states import State
-from manipplan.jobs.programs.steps import Detach, Step
+from manipplan.jobs.programs.steps import Attach, Detach, Step
 from manipplan.jobs.reports.measure import measure_plan
 from manipplan.jobs.result import Plan
 from manipplan.optimize.result import make_result
@@ -30,6 +30,8 @@ from manipplan.timing.segment import Segment
 
 #: Distance from the nearest body above which a part counts as let go in the air [m].
 IN_THE_AIR = 5e-3
+#: The same where a part is taken up: a hand closes around it [m].
+OUT_OF_HAND = 5e-2
 #: Number of places at which a motion is compared with the path of the tool, and number of times at which a mark is looked for.
 PLACES, TIMES = 800, 4000
 
@@ -60,11 +62,11 @@ def assemble(
     for group in _groups(items):
         if isinstance(group, Stop):
             marks.append(Mark(step=group.step, name=type(steps[group.step]).__name__, begin=clock))
-            step = steps[group.step]
-            if isinstance(step, Detach) and parts:
-                warnings += _let_go(step, parts[-1])
+            warnings += _far_away(steps[group.step], group)
             if group.seconds:
-                pieces.append(_standing(pieces, group.seconds, first))
+                still = np.array([group.q, group.q])
+                names = first.robot.joint_names
+                pieces.append(Trajectory(t=np.array([0.0, group.seconds]), q=still, qd=np.zeros_like(still), joint_names=names))
                 clock += group.seconds
             continue
         blends = [_between(one, other, blend, clearance, constraints) for one, other in pairwise(group)]
@@ -72,6 +74,8 @@ def assemble(
         for motion, begin in zip(group, begins, strict=True):
             if not marks or marks[-1].step != motion.step:
                 marks.append(Mark(step=motion.step, name=type(steps[motion.step]).__name__, begin=begin))
+            if motion.workspace_path is not None:
+                marks[-1] = replace(marks[-1], path_begin=begin)
         stops += corners
         parts.append(part)
         clocks.append(clock)
@@ -150,9 +154,11 @@ def _part(
     )
     report = measure_plan(trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True)
     begins = _times_of(trajectory, path, middles)
-    faults = (*report.faults, *_faults(group, blends, trajectory, begins, constraints))
+    kept = _constraint_figures(group, trajectory, begins, constraints)
+    broken = [f"constraint: {each}" for each in kept if each.least < -KEPT]
+    faults = (*report.faults, *broken, *_faults(group, blends))
     status = Status.CHECK_FAILED if faults else Status.COMPOSED
-    report = replace(report, faults=faults, passed=not faults, status=status.value)
+    report = replace(report, faults=faults, passed=not faults, status=status.value, constraints=tuple(kept))
     part = Plan(
         robot=robot,
         scene=state.scene,
@@ -170,30 +176,34 @@ def _part(
     return part, [clock, *(clock + begin for begin in begins)], corners
 
 
-def _faults(
-    group: list[Motion],
-    blends: list[Blend | None],
-    trajectory: Trajectory,
-    begins: list[float],
-    constraints: Mapping[int, ConstraintSet],
-) -> list[str]:
-    """What the motions of a part do not keep: constraints over their time, and the paths of the tool up to their blends."""
-    faults = []
-    whole, edges = trajectory.path(), [0.0, *begins, trajectory.duration]
-    for k, (motion, (begin, end)) in enumerate(zip(group, pairwise(edges), strict=True)):
-        if motion.workspace_path is None:
+def _constraint_figures(
+    group: list[Motion], trajectory: Trajectory, begins: list[float], constraints: Mapping[int, ConstraintSet]
+) -> list[ConstraintFigure]:
+    """How each free motion keeps its constraints over its time."""
+    whole, edges = trajectory.path(), np.array([0.0, *begins, trajectory.duration]) / trajectory.duration
+    made = []
+    for motion, (begin, end) in zip(group, pairwise(edges.tolist()), strict=True):
+        if motion.workspace_path is None and constraints[motion.step].constraints:
             kept = constraints[motion.step]
-            if kept.constraints:
-                found = figures(kept, prove(kept, cut(whole, begin / trajectory.duration, end / trajectory.duration)))
-                faults += [f"steps[{motion.step}]: constraint: {each}" for each in found if each.least < -KEPT]
+            made += [
+                replace(each, name=f"steps[{motion.step}], {each.name}", at=begin + each.at * (end - begin))
+                for each in figures(kept, prove(kept, cut(whole, begin, end)))
+            ]
+    return made
+
+
+def _faults(group: list[Motion], blends: list[Blend | None]) -> list[str]:
+    """Which motions leave their paths of the tool, but for their blends."""
+    faults = []
+    for k, motion in enumerate(group):
+        if motion.workspace_path is None:
             continue
         low = 0.0 if k == 0 or blends[k - 1] is None else blends[k - 1].joins  # type: ignore[union-attr]
         high = 1.0 if k == len(blends) or blends[k] is None else blends[k].leaves  # type: ignore[union-attr]
         s = np.linspace(low, high, PLACES)
         assert motion.task is not None
         pose = motion.state.robot.kinematics(motion.task).pose
-        axis = motion.task.free_axis
-        off = deviation_at(motion.workspace_path, s, pose(motion.path(s)), axis)
+        off = deviation_at(motion.workspace_path, s, pose(motion.path(s)), motion.task.free_axis)
         allowed = motion.tolerance or BETWEEN
         if _exceeds(off.position, allowed.position, BETWEEN.position) or _exceeds(
             off.rotation, allowed.rotation, BETWEEN.rotation
@@ -220,24 +230,26 @@ def _times_of(trajectory: Trajectory, path: JointPath, places: list[float]) -> l
     return found
 
 
-def _let_go(step: Detach, part: Plan) -> list[str]:
-    """A warning where a part is let go far from every body that could hold it."""
-    model = part.scene.collision_model(part.robot)
-    bodies = part.robot.carried[step.name].bodies
-    q = part.trajectory.q[-1:]
-    pairs = [k for k, names in enumerate(model.pair_names) if any(each in bodies for each in names)]
-    allowed = [pair for pair in part.scene.allowed if step.name in pair]
-    if allowed or not pairs:
-        return [] if allowed else [f"{step.name} is let go, and there is no body that could hold it"]
-    distance = float(model.pair_distances(np.tile(q, (len(pairs), 1)), pairs).min())
-    if distance <= IN_THE_AIR:
+def _far_away(step: Step, stop: Stop) -> list[str]:
+    """A warning where a part is taken up or let go far from every body that could hold it."""
+    robot, scene, q = stop.state.robot, stop.state.scene, stop.q[None]
+    if isinstance(step, Detach):
+        name, bodies, what, most = step.name, set(robot.carried[step.name].bodies), "let go in the air", IN_THE_AIR
+    elif isinstance(step, Attach) and isinstance(step.part, str):
+        name, bodies, what, most = step.part, {step.part}, "taken up", OUT_OF_HAND
+    else:
         return []
-    return [f"{step.name} is let go in the air, {1e3 * distance:.3g} mm from the nearest body"]
-
-
-def _standing(pieces: list[Trajectory], seconds: float, first: State) -> Trajectory:
-    """The arm standing where the last piece ended."""
-    if not pieces:
-        raise PlanningError("a program cannot begin by waiting")
-    q, names = pieces[-1].q[-1], first.robot.joint_names
-    return Trajectory(t=np.array([0.0, seconds]), q=np.array([q, q]), qd=np.zeros((2, len(q))), joint_names=names)
+    if any(name in pair for pair in scene.allowed) and isinstance(step, Detach):
+        return []
+    model = scene.collision_model(robot)
+    pairs = [
+        k
+        for k, names in enumerate(model.pair_names)
+        if any(each.partition(".")[0] in bodies or each in bodies for each in names)
+    ]
+    if not pairs:
+        return [f"steps[{stop.step}]: {name} is {what}, and there is no body that could hold it"]
+    distance = float(model.pair_distances(np.tile(q, (len(pairs), 1)), pairs).min())
+    if distance <= most:
+        return []
+    return [f"steps[{stop.step}]: {name} is {what}, {1e3 * distance:.3g} mm from the nearest body"]

@@ -17,6 +17,8 @@ from manipplan.timing.stops import CORNER
 PLACES, ALONG_BLEND = 400, 100
 #: Largest share of a motion that a blend takes at either end, and number of halvings of a blend that is not free.
 MOST, HALVINGS = 0.45, 4
+#: Cosine of a turn below which a motion goes straight back.
+BACK = -0.98
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -33,8 +35,10 @@ def blend_of(
 ) -> Blend | None:
     """The widest blend of two motions whose tool stays within a distance [m] of their corner and that is proven free.
 
-    None where the motions turn no corner, or no blend is free: then the arm stops there.
+    None where no blend is free, or the second motion goes straight back: then the arm stops there.
     """
+    if _turn(before.path, after.path) < BACK:
+        return None
     kinematics = before.state.robot.kinematics()
     corner = kinematics.pose(before.path.goal)[:3, 3]
 
@@ -53,9 +57,13 @@ def blend_of(
 
 def is_corner(before: JointPath, after: JointPath) -> bool:
     """Whether the arm has to stop between two paths."""
+    return bool(_turn(before, after) < np.cos(CORNER))
+
+
+def _turn(before: JointPath, after: JointPath) -> float:
+    """The cosine of the angle between two paths where the first ends."""
     arriving, leaving = before(np.ones(1), 1)[0], after(np.zeros(1), 1)[0]
-    cosine = arriving @ leaving / max(np.linalg.norm(arriving) * np.linalg.norm(leaving), 1e-300)
-    return bool(cosine < np.cos(CORNER))
+    return float(arriving @ leaving / max(np.linalg.norm(arriving) * np.linalg.norm(leaving), 1e-300))
 
 
 def with_blends(motions: list[Motion], blends: list[Blend | None]) -> tuple[JointPath, list[float]]:

@@ -7,7 +7,7 @@ with what was reached on the motions planned so far, until no other program coul
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
@@ -202,9 +202,9 @@ def _turned(course: Course, q: Array, state: State) -> Course:
     if not np.abs(turn).max() > 0:
         return course
     items = tuple(
-        Motion(**{**vars(each), "path": JointPath(breaks=each.path.breaks, control=each.path.control + turn)})
+        replace(each, path=JointPath(breaks=each.path.breaks, control=each.path.control + turn))
         if isinstance(each, Motion)
-        else each
+        else replace(each, q=each.q + turn)
         for each in course.items
     )
     limits = state.robot.limits

@@ -48,9 +48,18 @@ class Motion:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Stop:
-    """A step at which the arm stands still: its index, and how long it waits [s]."""
+    """A step at which the arm stands still.
+
+    Attributes:
+        step: index of its step.
+        q: (n,) where the arm stands.
+        state: arm and scene before it.
+        seconds: how long the arm waits [s].
+    """
 
     step: int
+    q: Array
+    state: State
     seconds: float = 0.0
 
 
@@ -107,10 +116,10 @@ def course_of(
             q = made.path.goal
             entry = made.path.start if len(items) == 1 else entry
         elif isinstance(step, Attach | Detach):
+            items.append(Stop(step=number, q=q, state=state))
             state = state.after(step, q)
-            items.append(Stop(step=number))
         elif isinstance(step, Wait):
-            items.append(Stop(step=number, seconds=step.seconds))
+            items.append(Stop(step=number, q=q, state=state, seconds=step.seconds))
     integral = objective.integral(state.robot)
     least = [integral.cost(each.path).min_manipulability for each in items if isinstance(each, Motion)]
     at_entry = float(integral.kinematics.manipulability(entry))

@@ -23,11 +23,13 @@ class Mark:
         step: its index.
         name: of its class, such as MoveTo.
         begin: when it begins [s]; the step before ends then.
+        path_begin: when the tool comes onto the path or straight way of the step, after a free motion to it [s]; nan without.
     """
 
     step: int
     name: str
     begin: float
+    path_begin: float = float("nan")
 
 
 @one_line

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from manipplan.collision.scene import Scene
+from manipplan.constraints.constraint_file import constraint_of_entry
 from manipplan.jobs.goals.goal_file import goal_of_entry
 from manipplan.jobs.goals.pose_goal import Goal
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Step, Wait
@@ -18,7 +19,8 @@ from manipplan.support.yaml_files import read_yaml
 from manipplan.symbolic.task import Task
 
 #: Keys of the file, and of a move along a path.
-KEYS = ("robot", "scene", "start", "steps", "blend", "clearance")
+KEYS = ("robot", "locked", "scene", "start", "steps", "blend", "clearance")
+MOVE_KEYS = ("goal", "approach", "constraints")
 ALONG_KEYS = ("way", "file", "tool_speed", "tolerance", "pointing", "positions")
 
 
@@ -29,6 +31,7 @@ class ProgramFile:
     Attributes:
         path: of the file.
         robot: name or file of the robot, "" where the file has none.
+        locked: values of joints that do not belong to the arm, such as those of a hand [rad or m].
         scene: the obstacles; None where the file has none.
         start: as for `sequence`.
         blend, clearance: in metres.
@@ -37,6 +40,7 @@ class ProgramFile:
 
     path: Path
     robot: str
+    locked: dict[str, float]
     scene: Scene | None
     start: Any
     blend: float
@@ -47,9 +51,10 @@ class ProgramFile:
     def read(cls, file: str | Path) -> "ProgramFile":
         """Read a program: ``{robot: panda, scene: scene.yaml, start: ready, blend: 0.05, steps: [...]}``.
 
-        Names of files are relative to it. Steps are ``{move_to: {goal: ..., approach: 0.1}}``, with one goal or a list of them
-        as in `goals_from_yaml`; ``{move_along: {way: [0, 0, -0.1]}}`` or ``{move_along: {file: poses.csv, tool_speed: 0.02}}``;
-        ``{attach: name}``, ``{detach: name}`` and ``{wait: 0.5}``.
+        Names of files are relative to it. ``locked: {name: value}`` holds joints of the description. Steps are
+        ``{move_to: {goal: ..., approach: 0.1, constraints: [...]}}``, with one goal or a list of them as in `goals_from_yaml`
+        and constraints as in `constraints_from_yaml`; ``{move_along: {way: [0, 0, -0.1]}}`` or
+        ``{move_along: {file: poses.csv, tool_speed: 0.02}}``; ``{attach: name}``, ``{detach: name}`` and ``{wait: 0.5}``.
 
         Raises FileFormatError, which names the entry and the key.
         """
@@ -69,9 +74,13 @@ class ProgramFile:
             if isinstance(value, bool) or not isinstance(value, int | float):
                 raise FileFormatError(f"{key} in {path}", str(value), "a number [m]")
             numbers[key] = float(value)
+        locked = data.get("locked", {})
+        if not isinstance(locked, Mapping) or not all(isinstance(each, int | float) for each in locked.values()):
+            raise FileFormatError(f"locked in {path}", str(locked), "a mapping of names of joints to values [rad or m]")
         return cls(
             path=path,
             robot=str(data.get("robot", "")),
+            locked={str(name): float(value) for name, value in locked.items()},
             scene=None if scene is None else Scene.from_yaml(path.parent / str(scene)),
             start=data["start"],
             entries=data["steps"],
@@ -84,7 +93,7 @@ class ProgramFile:
 
     def _step(self, argument: str, entry: Any, robot: Robot) -> Step:
         makers: dict[str, Callable[[Any], Step]] = {
-            "move_to": lambda value: _move_to(argument, value, robot),
+            "move_to": lambda value: _move_to(argument, value, robot, self.path),
             "move_along": self._move_along,
             "attach": Attach,
             "detach": Detach,
@@ -121,9 +130,15 @@ class ProgramFile:
         return MoveAlong(path, **options)
 
 
-def _move_to(argument: str, value: Any, robot: Robot) -> MoveTo:
-    if not isinstance(value, Mapping) or "goal" not in value or not set(value) <= {"goal", "approach"}:
-        raise InvalidInputError("goal", value, "a mapping with goal and, where wanted, approach")
+def _move_to(argument: str, value: Any, robot: Robot, path: Path) -> MoveTo:
+    if not isinstance(value, Mapping) or "goal" not in value:
+        raise InvalidInputError("goal", value, "a mapping with goal and, where wanted, approach and constraints")
+    for key in value:
+        if key not in MOVE_KEYS:
+            raise InvalidInputError(str(key), value[key], UnknownNameError("key", str(key), MOVE_KEYS).allowed)
+    constraints = value.get("constraints", [])
+    if not isinstance(constraints, list):
+        raise InvalidInputError("constraints", constraints, "a list of constraints")
     entries = value["goal"]
     where = f"{argument}.move_to.goal"
     goal: Goal = (
@@ -131,4 +146,5 @@ def _move_to(argument: str, value: Any, robot: Robot) -> MoveTo:
         if isinstance(entries, list)
         else goal_of_entry(where, entries, robot)
     )
-    return MoveTo(goal, approach=value.get("approach"))
+    kept = [constraint_of_entry(f"{argument}.move_to.constraints[{k}]", each, path) for k, each in enumerate(constraints)]
+    return MoveTo(goal, approach=value.get("approach"), constraints=kept)

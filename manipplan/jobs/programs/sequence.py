@@ -110,12 +110,15 @@ def sequence(
     if chosen is None:
         told = "; ".join(dict.fromkeys(search.failures[-3:])) or "no program is possible"
         raise PlanningError(f"no program was found: {told}")
+    items = list(_items(legs, chosen))
+    if not any(isinstance(each, Motion) for each in items):
+        raise InvalidInputError("steps", [type(each).__name__ for each in steps], "steps with at least one motion")
     tell(0.9, "timing and checking")
     goals = {
         leg.number: nodes[k][chosen.nodes[k]].goal_index for k, leg in enumerate(legs) if leg.is_free and len(leg.targets) > 1
     }
     program = assemble(
-        list(_items(legs, chosen)),
+        items,
         first,
         steps,
         {leg.number: leg.constraints for leg in legs},

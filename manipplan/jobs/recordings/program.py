@@ -116,6 +116,7 @@ class TubeProgram:
                 "max_iter": STEPS,
                 "tol": CONVERGED,
                 "mu_strategy": "adaptive",
+                "adaptive_mu_globalization": "kkt-error",  # the default takes up to a hundred times as long here
                 "constr_viol_tol": 1e-9,
                 "bound_relax_factor": 0.0,
                 "acceptable_iter": 0,

@@ -4,13 +4,20 @@ from pathlib import Path
 
 import numpy as np
 
-from manipplan.paths.controllers.sampled import sampled
+from manipplan.paths.controllers.sampled import Controller, sampled
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import write_text
 
 #: Rate of the interface [Hz].
 RATE = 1000
+#: The arm, by the names of its joints in franka_description, with its joint limits.
+PANDA = Controller(
+    name="a Franka Panda",
+    joints=tuple((f"panda_joint{k}", f"fer_joint{k}") for k in range(1, 8)),
+    lower=np.array([-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973]) - 1e-9,
+    upper=np.array([2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973]) + 1e-9,
+)
 #: Largest joint velocities [rad/s], accelerations [rad/s²] and jerks [rad/s³] that libfranka 0.9 accepts for a Panda
 #: (franka/rate_limiting.h), by differences of neighbouring positions.
 LIMITS = {
@@ -25,7 +32,7 @@ KEPT = 1 + 1e-5
 
 def to_franka_csv(trajectory: Trajectory, file: str | Path) -> None:
     """Write the table; see `Trajectory.to_franka_csv`."""
-    q = sampled(trajectory, 7, RATE, "a Franka arm")
+    q = sampled(trajectory, PANDA, RATE)
     still = np.repeat(q[:1], 3, axis=0), np.repeat(q[-1:], 3, axis=0)
     values = np.concatenate([still[0], q, still[1]])  # the arm stands before and afterwards
     for order, (kind, most) in enumerate(LIMITS.items(), start=1):
@@ -35,7 +42,7 @@ def to_franka_csv(trajectory: Trajectory, file: str | Path) -> None:
         if share[row, joint] > KEPT:
             at = max(row - 3 + order // 2, 0) / RATE
             raise InvalidInputError(
-                f"trajectory ({trajectory.joint_names[joint]} at {at:.3f} s)",
+                f"trajectory (joint {joint + 1} at {at:.3f} s)",
                 f"a {kind} of {abs(values[row, joint]):.5g} {UNITS[kind]}",
                 f"at most {most[joint]:g} {UNITS[kind]}; retime it with jerk limits, or make it slower",
             )

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from manipplan.paths.controllers.sampled import sampled
+from manipplan.paths.controllers.sampled import Controller, sampled
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.checks import number
 from manipplan.support.errors import InvalidInputError
@@ -15,8 +15,14 @@ from manipplan.support.untrusted import is_identifier
 RATES = (125, 500)
 #: Distance of a joint from the first configuration up to which the program begins [rad].
 NEAR = 0.01
-#: Largest joint value that a controller takes [rad].
-MOST = 2 * np.pi + 1e-9
+#: The arms, and the largest speed of any of their joints, that of the UR3's wrist [rad/s].
+UR = Controller(
+    name="a UR arm",
+    joints=tuple((f"{each}_joint",) for each in ("shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3")),
+    lower=np.full(6, -2 * np.pi - 1e-9),
+    upper=np.full(6, 2 * np.pi + 1e-9),
+)
+FASTEST = 2 * np.pi
 #: Ranges of servoj's arguments, by the manual of URScript.
 LOOKAHEAD, GAIN = (0.03, 0.2), (100, 2000)
 
@@ -29,12 +35,10 @@ def to_urscript(trajectory: Trajectory, file: str | Path, *, rate: int, name: st
         raise InvalidInputError("name", name, "a name of letters, digits and underscores that begins with a letter")
     lookahead_time = number("lookahead_time", lookahead_time, least=LOOKAHEAD[0], most=LOOKAHEAD[1])
     gain = number("gain", gain, least=GAIN[0], most=GAIN[1])
-    q = sampled(trajectory, 6, rate, "a UR arm")
-    row, joint = np.unravel_index(int(np.abs(q).argmax()), q.shape)
-    if abs(q[row, joint]) > MOST:
-        raise InvalidInputError(
-            f"trajectory.q ({trajectory.joint_names[joint]})", float(q[row, joint]), "joint values from -2π to 2π"
-        )
+    q = sampled(trajectory, UR, rate)
+    speed = np.abs(np.diff(q, axis=0)).max(initial=0.0) * rate
+    if speed > FASTEST:
+        raise InvalidInputError("trajectory", f"a joint speed of {speed:.4g} rad/s", f"at most {FASTEST:.4g} rad/s")
     away = " or ".join(f"norm(here[{k}] - ({value!r})) > {NEAR!r}" for k, value in enumerate(q[0].tolist()))
     order = f"t={1 / rate!r}, lookahead_time={lookahead_time!r}, gain={gain:g}"
     lines = [
