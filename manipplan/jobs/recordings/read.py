@@ -82,12 +82,15 @@ def _check(robot: Robot, motion: Trajectory, places: _Places) -> None:
         prismatic = robot.joint_types[joint] == "prismatic"
         unit = "m" if prismatic else "rad"
         hint = ""
+        if places.degrees[joint] and not limits.outside(np.rad2deg(motion.q)).any():
+            hint = "; all positions are inside the limits if they are in radians: leave degrees=True (--degrees) out"
         if not prismatic and not places.degrees.any() and not limits.outside(_from_degrees(robot, motion.q)).any():
             hint = "; all positions are inside the limits if they are in degrees: say degrees=True (--degrees)"
         raise InvalidInputError(
             places.name(row, joint),
             places.value(motion.q[row, joint], joint),
-            f"positions inside the limits {limits.lower[joint]:g} to {limits.upper[joint]:g} {unit}{hint}",
+            f"positions inside the limits {places.value(limits.lower[joint], joint):g} to "
+            f"{places.value(limits.upper[joint], joint):g} {'°' if places.degrees[joint] else unit}{hint}",
         )
     step = np.abs(np.diff(motion.q, axis=0))
     jumps = (step > JUMP) & (step > TOO_FAST * limits.velocity * np.diff(motion.t)[:, None])
