@@ -12,6 +12,8 @@ import manipplan
 
 ROOT = Path(manipplan.__file__).parents[1]
 PROGRAMS = ["README.md", "docs/start.md"]
+#: Pages whose first program is checked alone.
+FIRST = [f"docs/howto/{name}.md" for name in ("pick-from-a-pose", "level-cup", "programs", "follow-poses", "improve-recording")]
 #: Commands that check a file. basedpyright is pyright as a wheel, with its own Node.
 CHECKERS = {
     "mypy": [sys.executable, "-m", "mypy", "--strict", "--config-file="],
@@ -41,6 +43,13 @@ def test_programs_of_the_first_pages_are_typed(page, checker, tmp_path):
     program = "\n".join(re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL))
     assert "mp.plan(" in program
     done = checked(checker, program, tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("page", FIRST)
+def test_the_first_program_of_a_how_to_is_typed(page, tmp_path):
+    text = (ROOT / page).read_text(encoding="utf-8")
+    done = checked("mypy", re.search(r"```python\n(.*?)```", text, flags=re.DOTALL)[1], tmp_path)
     assert done.returncode == 0, done.stdout + done.stderr
 
 
