@@ -62,6 +62,7 @@ KERNELS := manipplan/collision/distances manipplan/collision/look manipplan/coll
     manipplan/cost/panels manipplan/seeds/connect manipplan/seeds/star manipplan/timing/barrier manipplan/ik/inverse \
     manipplan/search/sweep manipplan/search/restarts
 kernel: $(KERNELS:=.ll)
+manipplan/seeds/connect.ll manipplan/seeds/star.ll: $(wildcard manipplan/seeds/*.h)
 manipplan/ik/inverse.ll: $(wildcard manipplan/ik/*.h)
 manipplan/search/sweep.ll manipplan/search/restarts.ll: $(wildcard manipplan/search/*.h)
 %.ll: %.c

@@ -24,6 +24,7 @@ from path_suite import load
 
 import manipplan as mp
 from manipplan.optimize.clearance import ClearanceRow
+from manipplan.optimize.descents.constraint_rows import ConstraintSearch
 from manipplan.optimize.program import PathProgram, Solution
 from manipplan.support.deadline import NEVER, Deadline
 
@@ -72,10 +73,11 @@ def recorded(source: str) -> Iterator[list[EnergyProgram]]:
         floor: float,
         rows: Sequence[ClearanceRow] = (),
         deadline: Deadline = NEVER,
+        constraints: ConstraintSearch | None = None,
     ) -> Solution:
         arrays = {"start": start.copy(), "goal": goal.copy(), "guess": guess.copy()}
         found.append(EnergyProgram(source=source, program=self, floor=floor, rows=tuple(rows), **arrays))
-        return solve(self, start, goal, guess, floor, rows, deadline)
+        return solve(self, start, goal, guess, floor, rows, deadline, constraints)
 
     PathProgram.solve = listening
     try:

@@ -1,5 +1,6 @@
 """`manipplan view`: show a saved plan in the browser, or record it as an HTML file."""
 
+from contextlib import suppress
 from pathlib import Path
 
 from rich.console import Console
@@ -32,7 +33,7 @@ def view(
         file = plan.record(record)
         show_line(console, f"wrote {file}; open it in a browser")
         return
-    with plan.show(port=port, host=host, open_browser=False) as page:
+    with plan.show(port=port, host=host, open_browser=False) as page, suppress(KeyboardInterrupt):
         show_line(console, f"{plan.robot.name} at {page.url}; press Ctrl-C to stop")
         if browser:
             page.open()

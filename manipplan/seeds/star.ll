@@ -1,4 +1,4 @@
-; star.c b5318513fcfc816ba8254bdc45eb43dd70c01a91e9e40d865a80a2773c81bcd1: written by make kernel
+; star.c b00ad23090af5a27f091e0d1fcee44ca83eef0bfd76b63cd5406d52ebf386c33: written by make kernel
 
 %struct.Star = type { i64, ptr, ptr, ptr, ptr, double, double, double, double, i64, ptr, ptr, ptr, ptr, ptr, double, i64 }
 

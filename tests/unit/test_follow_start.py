@@ -8,7 +8,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.jobs.following.course import CourseFinder
-from manipplan.jobs.following.lead_in import APART, _searches, choose_entry
+from manipplan.jobs.following.lead_in import APART, best_courses, choose_entry
 from manipplan.jobs.result import PartialPlan
 
 FEW = {"samples": 48, "epsilon": 0.5}
@@ -182,7 +182,7 @@ def searched(panda, line):
 @pytest.mark.slow
 def test_first_configurations_are_the_best_of_those_left(searched):
     finder, first = searched
-    found = list(_searches(finder, first))
+    found = list(best_courses(finder, first))
     assert len(found) > 3
     minima = [each.minimum for each in found]
     assert minima == sorted(minima, reverse=True)
