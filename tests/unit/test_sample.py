@@ -307,11 +307,11 @@ def test_positions_inside_an_obstacle_are_told(planar):
     path = CartesianPath.line(start, moved(start, [0.0, 0.05, 0.0]))
     with pytest.raises(
         mp.InvalidInputError,
-        match=r"\d+ reach it, and in the best of them link3_0 and ball overlap by 230 mm; needed: no collision",
+        match=r"\d+ reach it, and in the best of them link3_0 and ball overlap by \d+ mm; needed: no collision",
     ):
         mp.sample_layers(planar, path, 2, samples=6, scene=ball)
     near = mp.Scene([mp.Sphere(radius=0.2, position=start[:3, 3] + [0, 0, 0.4], name="ball")])
-    with pytest.raises(mp.InvalidInputError, match="link3_0 and ball are 170 mm apart; needed: clearance 300 mm"):
+    with pytest.raises(mp.InvalidInputError, match=r"link3_0 and ball are \d+ mm apart; needed: clearance 300 mm"):
         mp.sample_layers(planar, path, 2, samples=6, scene=near, clearance=0.3)
 
 
