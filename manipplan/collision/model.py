@@ -10,7 +10,7 @@ import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.collision.kernel import TOUCHING, UNDECIDED, DistanceKernel, find_kernel
-from manipplan.collision.near_pairs import NearPairs
+from manipplan.collision.near_pairs import NearPairs, apart_text
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.collision.surfaces.meshes import triangle_tree
 from manipplan.collision.surfaces.shells import winding_number
@@ -260,6 +260,13 @@ class CollisionModel:
         """A vector given in the frame of joint `joint`, expressed in that of joint `into` (0: the world), at q (n,); (3,)."""
         pin.forwardKinematics(self.robot.model, self._data, q)
         return np.asarray(self._data.oMi[into].rotation.T @ (self._data.oMi[joint].rotation @ vector))
+
+    def nearest_bodies(self, q: Array) -> tuple[str, int]:
+        """The nearest two bodies at configurations (k, n), with their distance or overlap, and the row where they are."""
+        apart, row, pair = self.least_distance(q)
+        if pair < 0:
+            return "no two bodies that are checked", 0
+        return f"{' and '.join(self.pair_names[pair])} {apart_text(apart)}", row
 
     def free_configuration(self, argument: str, q: ArrayLike, clearance: float = 0.0) -> Array:
         """Check that q (n,) is inside the limits and collision-free.

@@ -44,3 +44,8 @@ class NearPairs:
         before, after = (self.at(self.rows + step, self.pairs, default) for step in (-1, 1))
         before[self.rows == 0] = after[self.rows == self.shape[0] - 1] = np.inf
         return before, after
+
+
+def apart_text(distance: float) -> str:
+    """What messages say of the distance of two bodies [m], such as "are 3.2 mm apart"."""
+    return f"are {1e3 * distance:.3g} mm apart" if distance > 0 else f"overlap by {-1e3 * distance:.3g} mm"

@@ -193,7 +193,7 @@ class Scene(Pictured):
         """
         if not isinstance(other, Scene):
             return NotImplemented
-        both = Scene([*self._named(), *other.obstacles])
+        both = Scene([*self.named, *other.obstacles])
         now = dict(zip(other.names, both.names[len(self.names) :], strict=True))  # a numbered obstacle may get another number
         allowed = [[now.get(name, name) for name in pair] for pair in other.allowed]
         return Scene(both.obstacles, allowed=[*self.allowed, *allowed])
@@ -206,10 +206,11 @@ class Scene(Pictured):
         for name in names:
             if name not in self.names:
                 raise UnknownNameError("names", str(name), self.names)
-        left = [obstacle for obstacle in self._named() if obstacle.name not in names]
+        left = [obstacle for obstacle in self.named if obstacle.name not in names]
         return Scene(left, allowed=[pair for pair in self.allowed if not pair & set(names)])
 
-    def _named(self) -> list[Obstacle]:
+    @property
+    def named(self) -> list[Obstacle]:
         """The obstacles, each with its name, also where the scene has numbered it."""
         return [obstacle.called(name) for name, obstacle in zip(self.names, self.obstacles, strict=True)]
 

@@ -4,7 +4,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Literal, overload
 
-from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.recordings.comparison import MotionFigures
@@ -135,7 +134,8 @@ def improve(
     found = best_motion(tube, curve)
     draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_FOLLOWED, tolerance=tolerance)
     if found is None:
-        return failed(draft, throw, f"{Status.NOT_FOLLOWED.value}: on the recording {_nearest(motion, model)}")
+        bodies, row = model.nearest_bodies(motion.q)
+        return failed(draft, throw, f"{Status.NOT_FOLLOWED.value}: on the recording {bodies} at {motion.t[row]:.3f} s")
     trajectory, comparison = found
     status = Status.IMPROVED if comparison.better else Status.NOT_BETTER
     tell(0.8, "checking the result")
@@ -152,15 +152,9 @@ def improve(
     )
     goal = curve.ends.goal
     draft = replace(draft, status=status)
-    made = finish(draft, path, trajectory, result, model, goal, clearance=clearance, torque=False, jerk=True, throw=throw)
-    made = replace(made, report=replace(made.report, comparison=tube.judge(trajectory)))
+    made = finish(draft, path, trajectory, result, model, goal, clearance=clearance, torque=False, jerk=True, throw=False)
+    made = replace(made, report=replace(made.report, comparison=comparison))
+    if not made.report.passed:
+        return failed(made, throw, made.message)
     tell(1.0, "done")
     return made
-
-
-def _nearest(motion: Trajectory, model: CollisionModel) -> str:
-    """Which two bodies are nearest on a motion, how far apart, and when."""
-    apart, row, pair = model.least_distance(motion.q)
-    first, second = model.pair_names[pair]
-    how = f"are {1e3 * apart:.3g} mm apart" if apart > 0 else f"overlap by {-1e3 * apart:.3g} mm"
-    return f"{first} and {second} {how} at {motion.t[row]:.3f} s"

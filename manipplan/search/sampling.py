@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
+from manipplan.collision.near_pairs import apart_text
 from manipplan.collision.scene import Scene
 from manipplan.kinematics.batch import all_cores
 from manipplan.measures.measure import Measure
@@ -175,10 +176,9 @@ def _remedy(sampler: "CandidateSampler", pose: Array, values: Array, reached: in
         apart, (first, second) = sampler.widest(pose, values)
         needed = f"clearance {1e3 * (spec.clearance - spec.spare):.4g} mm" if spec.clearance > spec.spare else "no collision"
         needed += f" and {1e3 * spec.spare:.4g} mm to spare for the motion between positions" if spec.spare else ""
-        how = f"are {1e3 * apart:.3g} mm apart" if apart > 0 else f"overlap by {-1e3 * apart:.3g} mm"
         return (
             f"a pose with a collision-free configuration; {reached:,} reach it, and in the best of them {first} and {second} "
-            f"{how}; needed: {needed}"
+            f"{apart_text(apart)}; needed: {needed}"
         )
     far, angle, stopped = sampler.nearest_miss(pose)
     if far < REACHES[0] and angle < REACHES[1]:

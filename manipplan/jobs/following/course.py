@@ -127,8 +127,6 @@ class CourseFinder:
 
 
 def nearest_pair(model: CollisionModel, q: Array) -> str:
-    """The nearest two bodies at configurations (k, n), by how much they are apart or overlap, and at which of them."""
-    apart, row, pair = model.least_distance(q)
-    first, second = model.pair_names[pair]
-    how = f"are {1e3 * apart:.3g} mm apart" if apart > 0 else f"overlap by {-1e3 * apart:.3g} mm"
-    return f"{first} and {second} {how} at {row / max(len(q) - 1, 1):.2f} of the path"
+    """The nearest two bodies at configurations (k, n) along a path, and at which share of it."""
+    bodies, row = model.nearest_bodies(q)
+    return f"{bodies} at {row / max(len(q) - 1, 1):.2f} of the path"

@@ -93,12 +93,12 @@ def course_of(
     entry = q
     if leg.approach is not None:
         pose = state.robot.kinematics(Task.pose()).pose(q)
-        back = MoveAlong(-leg.approach)
-        made = _along(leg.number, back, straight_on(pose, -leg.approach), q, state, objective, clearance)
+        back = straight_on(pose, -leg.approach)
+        made = _along(leg.number, MoveAlong(-leg.approach), back, q, state, objective, clearance)
         if isinstance(made, str):
             return f"no straight approach: {made}"
         path = JointPath(breaks=1 - made.path.breaks[::-1], control=made.path.control[::-1, ::-1])
-        workspace = CartesianPath.line(pose @ _inverse_way(leg.approach), pose)
+        workspace = CartesianPath.line(back(1.0), pose)
         items.append(replace(made, path=path, workspace_path=workspace))
         entry = path.start
     for number, step in leg.rest:
@@ -161,9 +161,3 @@ def _motion(number: int, step: MoveAlong, finder: CourseFinder, search: SearchRe
         tolerance=step.tolerance,
         tool_speed=step.tool_speed,
     )
-
-
-def _inverse_way(way: Array) -> Array:
-    pose = np.eye(4)
-    pose[:3, 3] = -way
-    return pose

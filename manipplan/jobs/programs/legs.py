@@ -1,12 +1,12 @@
 """Legs: each free motion of a program, with the steps that follow it until the next one."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
-import pinocchio as pin
 
 from manipplan.constraints.constraint_set import ConstraintSet
+from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.read import Target, read_goals
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Step, Wait
 from manipplan.paths.cartesian import CartesianPath
@@ -72,21 +72,12 @@ def read_steps(steps: Sequence[Step], robot: Robot, start: Array) -> list[Leg]:
             legs.append(Leg(number=k, targets=targets, approach=approach, constraints=constraints, rest=()))
             continue
         if isinstance(step, MoveAlong) and isinstance(step.path, CartesianPath):
-            begins = step.path(np.zeros(1))[0]
-            if at is None or not _same(at, begins):
+            if at is None or max(PoseGoal(step.path(0.0)).distances(at[None])) > STANDS:
                 legs.append(Leg(number=k, targets=(), approach=None, constraints=none, rest=()))
-            at = step.path(np.ones(1))[0]
+            at = step.path(1.0)
         elif isinstance(step, MoveAlong) and at is not None:
             at = at @ _moved(np.array(step.path))
-        last = legs[-1]
-        legs[-1] = Leg(
-            number=last.number,
-            targets=last.targets,
-            approach=last.approach,
-            constraints=last.constraints,
-            rest=(*last.rest, (k, step)),
-            is_free=last.is_free,
-        )
+        legs[-1] = replace(legs[-1], rest=(*legs[-1].rest, (k, step)))
     return legs if legs[0].rest else legs[1:]
 
 
@@ -109,8 +100,3 @@ def _moved(way: Array) -> Array:
     pose = np.eye(4)
     pose[:3, 3] = way
     return pose
-
-
-def _same(one: Array, other: Array) -> bool:
-    turn = pin.log3(one[:3, :3].T @ other[:3, :3])
-    return bool(np.linalg.norm(one[:3, 3] - other[:3, 3]) <= STANDS and np.linalg.norm(turn) <= STANDS)

@@ -161,9 +161,8 @@ def _known_after(leg: Leg, state: State) -> State:
     """What is known of arm and scene after a leg before its configurations are: parts of a given pose, and gone obstacles."""
     for _, step in leg.rest:
         if isinstance(step, Attach) and isinstance(step.part, str):
-            obstacles = [each.called(name) for each, name in zip(state.scene.obstacles, state.scene.names, strict=True)]
-            left = [each for each in obstacles if each.name != step.part]
-            state = replace(state, scene=Scene(left, allowed=[pair for pair in state.scene.allowed if step.part not in pair]))
+            if step.part in state.scene.names:  # one that was put down is not
+                state = replace(state, scene=state.scene.without(step.part))
         elif isinstance(step, Attach):
             state = state.after(step, state.robot.neutral)
         elif isinstance(step, Detach) and step.name in state.robot.carried:

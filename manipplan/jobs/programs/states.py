@@ -33,23 +33,18 @@ class State:
         tool = self.robot.kinematics().pose(q)
         robot, scene = self.robot, self.scene
         if isinstance(step, Detach):
-            solid = robot.carried[step.name].solid.at(tool)
-            assert isinstance(solid, Obstacle)
             pose, name = tool, step.name
+            solid = robot.carried[name].solid.at(tool)
+            assert isinstance(solid, Obstacle)
             robot = robot.detach(name)
-            obstacles = [each.called(other) for each, other in zip(scene.obstacles, scene.names, strict=True)]
-            scene = Scene([*obstacles, solid.called(name)], allowed=scene.allowed)
+            scene = Scene([*scene.named, solid.called(name)], allowed=scene.allowed)
         elif isinstance(step.part, str):
             pose, name = tool, step.part
-            solid = scene.obstacles[scene.names.index(name)].called(name).at(np.linalg.inv(tool))
-            robot = robot.attach(solid, name=name)
-            scene = Scene(
-                [each.called(other) for each, other in zip(scene.obstacles, scene.names, strict=True) if other != name],
-                allowed=scene.allowed,
-            )
+            (solid,) = (each for each in scene.named if each.name == name)
+            robot = robot.attach(solid.at(np.linalg.inv(tool)), name=name)
+            scene = Scene([each for each in scene.named if each.name != name], allowed=scene.allowed)
         else:
-            name = step.name or step.part.name or "part"
-            pose = np.zeros((4, 4))
+            pose, name = np.zeros((4, 4)), step.part_name  # it does not depend on where the tool is
             robot = robot.attach(step.part, name=name)
         place = tuple(np.round(pose.ravel() / SAME).astype(np.int64).tolist())
         return State(robot=robot, scene=scene, history=(*self.history, (type(step).__name__, name, place)))
@@ -67,12 +62,13 @@ def check_parts(steps: list[tuple[str, object]], robot: Robot, scene: Scene) -> 
             there.remove(step.part)
             carried.add(step.part)
         elif isinstance(step, Attach):
-            name = step.name or step.part.name or "part"  # type: ignore[union-attr]  # a shape
-            if name in carried or name in there:
-                raise InvalidInputError(f"{argument}.name", name, "the name of no obstacle and of no part that is carried")
+            if step.part_name in carried | there:
+                raise InvalidInputError(
+                    f"{argument}.name", step.part_name, "the name of no obstacle and of no part that is carried"
+                )
             if not isinstance(step.part, Obstacle):
                 raise InvalidInputError(f"{argument}.part", step.part, "an obstacle such as a Box, so that it can be put down")
-            carried.add(name)
+            carried.add(step.part_name)
         elif isinstance(step, Detach):
             if step.name not in carried:
                 raise UnknownNameError(f"{argument}.name", step.name, carried or ["none: the arm carries nothing then"])

@@ -88,6 +88,11 @@ class Attach:
             raise InvalidInputError("part", self.part, "the name of an obstacle, or a shape such as a Box")
         instance("name", self.name, str)
 
+    @property
+    def part_name(self) -> str:
+        """What the part is called from then on."""
+        return self.part if isinstance(self.part, str) else self.name or self.part.name or "part"
+
 
 @one_line
 @dataclass(frozen=True, eq=False)
