@@ -7,6 +7,9 @@ from numpy.typing import NDArray
 
 from manipplan.support.checks import Array
 
+#: Distance below which two bodies touch, for messages [m].
+CONTACT = 1e-6
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class NearPairs:
@@ -48,4 +51,6 @@ class NearPairs:
 
 def apart_text(distance: float) -> str:
     """What messages say of the distance of two bodies [m], such as "are 3.2 mm apart"."""
+    if abs(distance) < CONTACT:
+        return "touch"
     return f"are {1e3 * distance:.3g} mm apart" if distance > 0 else f"overlap by {-1e3 * distance:.3g} mm"

@@ -44,10 +44,10 @@ class OwnRows:
             if set(_names(ca.symvar(made))) - set(_names(ca.symvar(chain.q))):
                 raise InvalidInputError("constraints", each.name, "rows of the symbols q, position and rotation alone")
             columns.append(ca.densify(made))
-        rows = ca.vertcat(*columns) if columns else ca.SX(0, 1)
+        rows = ca.vertcat(*columns)
         jacobian = ca.densify(ca.jacobian(rows, chain.q))
         second = [ca.reshape(ca.densify(ca.hessian(rows[k], chain.q)[0]), robot.n**2, 1) for k in range(rows.shape[0])]
-        made = [rows, ca.reshape(jacobian.T, rows.shape[0] * robot.n, 1), ca.vertcat(*second) if second else ca.SX(0, 1)]
+        made = [rows, ca.reshape(jacobian.T, rows.shape[0] * robot.n, 1), ca.vertcat(*second)]
         value, gradient, hessian = (
             BatchFunction(ca.Function(f"own_{name}", [chain.q], [ca.densify(each)]))
             for name, each in zip(("rows", "gradients", "hessians"), made, strict=True)
@@ -66,7 +66,7 @@ class ConstraintSet:
         owners: (r,) index of the constraint of each row.
         weights: (t, 13) the rows of the tool's pose, as `Constraint.tool_rows`.
         tool: the tool's pose and Jacobian.
-        own: the other rows.
+        own: the other rows; None for none.
         held: (n,) whether a joint is held.
     """
 
@@ -75,7 +75,7 @@ class ConstraintSet:
     owners: NDArray[np.intp]
     weights: Array
     tool: ToolFrame | None
-    own: OwnRows
+    own: OwnRows | None
     held: NDArray[np.bool_]
 
     @classmethod
@@ -97,7 +97,7 @@ class ConstraintSet:
         if held.all():
             raise InvalidInputError("constraints", "all joints held", "constraints that leave a joint to move")
         _check_contradictions(given)
-        own, counts = OwnRows.of(robot, others)
+        own, counts = OwnRows.of(robot, others) if others else (None, [])
         return cls(
             robot=robot,
             constraints=given,
@@ -122,7 +122,7 @@ class ConstraintSet:
         if self.tool is not None:
             pose, _ = self.tool.at(q)
             parts.append(pose @ self.weights[:, :POSE].T + self.weights[:, POSE])
-        if self.own.count:
+        if self.own is not None:
             parts.append(self.own.value.by_columns(q))
         return np.hstack(parts) if parts else np.empty((len(q), 0))
 
@@ -136,7 +136,7 @@ class ConstraintSet:
             turned = np.cross(angular[:, :, None], vectors)  # (m, n, 3, 3)
             moved = np.concatenate([linear, turned.reshape(len(q), self.robot.n, 9)], axis=2)
             parts.append(np.swapaxes(moved @ self.weights[:, :POSE].T, 1, 2))
-        if self.own.count:
+        if self.own is not None:
             parts.append(self.own.gradient.by_columns(q).reshape(len(q), self.own.count, self.robot.n))
         return np.concatenate(parts, axis=1) if parts else np.empty((len(q), 0, self.robot.n))
 
@@ -157,6 +157,7 @@ class ConstraintSet:
             upper = np.triu(both)  # of joints i <= j
             found[of_tool] = upper + np.swapaxes(np.triu(both, 1), 1, 2)
         if not of_tool.all():
+            assert self.own is not None
             at = q[~of_tool]
             every = self.own.hessian.by_columns(at).reshape(len(at), self.own.count, n, n)
             found[~of_tool] = every[np.arange(len(at)), rows[~of_tool] - tool_rows]

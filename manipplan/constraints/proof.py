@@ -49,7 +49,7 @@ def prove(constraints: ConstraintSet, path: JointPath) -> ConstraintProof:
     """Judge a path. It is a proof for rows of the tool's pose and held joints."""
     looks = _Looks(constraints, path)
     unproven = _prove_tool_rows(looks) if len(constraints.weights) else None
-    if constraints.own.count and looks.broken_at is None:
+    if constraints.own is not None and looks.broken_at is None:
         looks.values(path.fine_samples(SAMPLE_STEP))
     if constraints.held.any():
         looks.take_held()

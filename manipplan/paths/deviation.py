@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.tolerance import Tolerance
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 
@@ -29,6 +30,17 @@ class Deviation:
     position_at: float
     rotation: float
     rotation_at: float
+
+    def excess(self, tolerance: Tolerance, of: str) -> str:
+        """Which part of a tolerance is exceeded, and after which share `of` what; "" if it is kept."""
+        for name, value, limit, unit, at in (
+            ("position", self.position, tolerance.position, "m", self.position_at),
+            ("rotation", self.rotation, tolerance.rotation, "rad", self.rotation_at),
+        ):
+            if limit is not None and value > limit:
+                where = f"the tool's {name} leaves the path by {value:.3g} {unit} after {at:.2f} of the {of}"
+                return f"{where}; allowed: {limit:g} {unit}"
+        return ""
 
     def __str__(self) -> str:
         return f"at most {1e3 * self.position:.3g} mm and {np.rad2deg(self.rotation):.2g}° from the path"

@@ -69,6 +69,14 @@ class Tolerance:
 BETWEEN = Tolerance(position=1e-4, rotation=1e-3)
 
 
+def with_defaults(tolerance: Tolerance | None) -> Tolerance:
+    """The tolerance, with the default for a missing part."""
+    if tolerance is None:
+        return BETWEEN
+    position = BETWEEN.position if tolerance.position is None else tolerance.position
+    return Tolerance(position=position, rotation=BETWEEN.rotation if tolerance.rotation is None else tolerance.rotation)
+
+
 def row_shares(task: Task) -> tuple[list[float], list[float]]:
     """Bounds on each row of `task` for tolerances of 1 m and of 1 rad, in the row's unit; 0: a row of the other kind.
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.constraints.constraint_set import ConstraintSet
+from manipplan.constraints.constraint_set import ConstraintSet, OwnRows
 from manipplan.constraints.tool_frame import POSE
 from manipplan.support.checks import Array
 
@@ -47,7 +47,7 @@ class SearchConstraints:
         """
         if not constraints.count:
             return None
-        n, own = constraints.robot.n, constraints.own
+        n = constraints.robot.n
         weights, aim = np.ascontiguousarray(constraints.weights), _aim(constraints)
         least = np.minimum(LEAST * aim, constraints.values(ends).min(axis=0))
         work = np.empty(POSE + 6 * n + (constraints.count + 1) * (n + 1))
@@ -55,8 +55,8 @@ class SearchConstraints:
         if constraints.tool is not None:
             kernel = constraints.tool.kernel
             tool = kernel.run if kernel is not None else guarded(_tool(constraints))
-        if own.count:
-            others = guarded(_own(constraints))
+        if constraints.own is not None:
+            others = guarded(_own(n, constraints.own))
         data = _Constraints(
             n=n,
             rows=constraints.count,
@@ -94,9 +94,8 @@ def _tool(constraints: ConstraintSet) -> Callable[[int, int, int], int]:
     return values
 
 
-def _own(constraints: ConstraintSet) -> Callable[[int, int, int], int]:
-    """The rows of a user's class, and then their gradients."""
-    n, own = constraints.robot.n, constraints.own
+def _own(n: int, own: OwnRows) -> Callable[[int, int, int], int]:
+    """The rows of a user's class, and then their gradients, for n joints."""
 
     def values(q: int, out: int, count: int) -> int:
         here = _array(q, count, n)

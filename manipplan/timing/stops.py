@@ -36,13 +36,17 @@ class MovingPath:
         return float(np.interp(s, self._kept, self._given))
 
 
+def turn_cosine(before: Array, after: Array) -> float:
+    """The cosine of the angle between two pieces, given by their control points (d + 1, n), where the first ends."""
+    arriving, leaving = before[-1] - before[-2], after[1] - after[0]
+    return float(arriving @ leaving / max(np.linalg.norm(arriving) * np.linalg.norm(leaving), 1e-300))
+
+
 def stops(path: JointPath, standstill: float) -> list[float]:
     """Parameters at which the arm must stop: the ends, corners between pieces, and points where q' vanishes."""
     found = [0.0]
     for s, before, after in zip(path.breaks[1:-1], path.control[:-1], path.control[1:], strict=True):
-        arriving, leaving = before[-1] - before[-2], after[1] - after[0]
-        cosine = arriving @ leaving / max(np.linalg.norm(arriving) * np.linalg.norm(leaving), 1e-300)
-        if cosine < np.cos(CORNER):
+        if turn_cosine(before, after) < np.cos(CORNER):
             found.append(float(s))
     s = np.linspace(0.0, 1.0, 2001)
     speed = np.linalg.norm(path(s, 1), axis=1)

@@ -1,13 +1,20 @@
 """Programs of moves: choice, parts, blends, stops, files, bad input."""
 
+from dataclasses import replace
+
 import numpy as np
 import pinocchio as pin
 import pytest
 
 import manipplan as mp
 from manipplan.cli import main
+from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.blend import is_corner
+from manipplan.jobs.programs.courses import Motion
+from manipplan.jobs.programs.legs import read_steps
+from manipplan.jobs.programs.states import State
 from manipplan.paths.joint import cut
+from manipplan.paths.tolerance import BETWEEN
 
 DOWN = np.diag([1.0, -1.0, -1.0, 1.0])
 
@@ -259,11 +266,46 @@ def test_bad_programs(hand, cell, name):
         mp.sequence(hand, "default", given, cell)
 
 
-def test_a_part_that_touches_is_told(hand, cell, steps):
-    scene = mp.Scene([each for each in cell.obstacles if each.name != "part"])
-    low = mp.Box(size=(0.04, 0.04, 0.1), position=(0.45, 0.3, 0.049), name="part")
-    with pytest.raises(mp.PlanningError, match=r"steps\[[23]\].*part.*table|steps\[[23]\].*table.*part"):
-        mp.sequence(hand, "default", steps[:4], scene + mp.Scene([low]), seeding=mp.Seeding(time_limit=2.0))
+@pytest.mark.parametrize(
+    ("picked", "placed", "message"),
+    [
+        (0.049, 0.1, r"steps\[1\]: part and table overlap by 1 mm; scene.allow"),
+        (0.05, 0.1, r"steps\[1\]: part and table touch; scene.allow"),  # rounding would decide
+        (0.051, 0.089, r"steps\[3\]: part and table touch"),
+    ],
+)
+def test_a_part_that_touches_is_told(hand, cell, picked, placed, message):
+    scene = cell.without("part") + mp.Scene([mp.Box(size=(0.04, 0.04, 0.1), position=(0.45, 0.3, picked), name="part")])
+    steps = [mp.MoveTo(pose_at(0.45, 0.3, 0.09), approach=0.1), mp.Attach("part")]
+    steps += [mp.MoveTo(pose_at(0.45, -0.3, placed), approach=0.1), mp.Detach("part"), mp.MoveTo("default")]
+    with pytest.raises(mp.PlanningError, match=message):
+        mp.sequence(hand, "default", steps, scene, seeding=mp.Seeding(time_limit=2.0))
+
+
+@pytest.mark.parametrize("step", [mp.MoveTo(pose_at(0.45, 0.3, 0.3)), mp.MoveTo("default"), "along"])
+def test_a_motion_that_does_not_do_its_step_fails_the_check(hand, step):
+    state, start = State(robot=hand, scene=mp.Scene()), hand.neutral
+    motion = Motion(step=0, path=mp.JointPath.line(start, start + 0.1), state=state)
+    if step == "along":
+        begin, end = hand.kinematics().pose(np.array([start, start + 0.1]))
+        begin[2, 3] += 0.01
+        step = mp.MoveAlong(mp.CartesianPath.line(begin, end))
+        motion = replace(motion, workspace_path=step.path, task=mp.Task.pose(), tolerance=BETWEEN)
+    legs = {leg.number: leg for leg in read_steps([step], hand, start)}
+    made = assemble(
+        [motion],
+        state,
+        [step],
+        legs,
+        goals={k: 0 for k, leg in legs.items() if leg.targets},
+        blend=0.0,
+        objective=mp.PathObjective(),
+        clearance=0.0,
+        torque=False,
+    )
+    assert not made.passed
+    (fault,) = made.parts[0].report.faults
+    assert fault.startswith("steps[0]: ")
 
 
 @pytest.mark.parametrize(

@@ -21,9 +21,9 @@ from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
 from manipplan.optimize.result import PathResult, make_result
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.deviation import Deviation, deviation_at, deviation_from
+from manipplan.paths.deviation import deviation_at, deviation_from
 from manipplan.paths.joint import JointPath
-from manipplan.paths.tolerance import BETWEEN, Tolerance
+from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.robot import Robot
 from manipplan.search.max_min import max_min_search
@@ -198,7 +198,7 @@ def follow(
     floor = floor_of(kinematics, objective.floor)
     integral = PathIntegral(kinematics=kinematics, power=objective.power, floor=floor, metric=metric)
     draft = PartialPlan(
-        robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=_allowed(tolerance)
+        robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=with_defaults(tolerance)
     )
     finder = CourseFinder(path=path, layers=layers, tolerance=tolerance, samples=samples)
     stands = q_start is not None and finder.begins_at(q_start)
@@ -328,29 +328,8 @@ def _checked(
     if made.status is not Status.FOLLOWED:
         near = "" if made.report.collision_free else f"\n  {nearest_pair(model, course.path(s))}; take more positions"
         return made, f"{made.report}{near}"
-    fault = _excess(deviation, tolerance, "time") or _excess(
-        deviation_at(path, s, pose(course.path(s)), axis), tolerance, "path"
-    )
+    fault = deviation.excess(tolerance, "time") or deviation_at(path, s, pose(course.path(s)), axis).excess(tolerance, "path")
+    fault = f"{fault}. Take more positions" if fault else ""
     if not fault and speed is not None and not speed.is_steady:
         fault = f"the tool speed is not constant: {speed}"
     return made, fault
-
-
-def _allowed(tolerance: Tolerance | None) -> Tolerance:
-    """The tolerance, with the default for a missing part."""
-    if tolerance is None:
-        return BETWEEN
-    position = BETWEEN.position if tolerance.position is None else tolerance.position
-    return Tolerance(position=position, rotation=BETWEEN.rotation if tolerance.rotation is None else tolerance.rotation)
-
-
-def _excess(deviation: Deviation, tolerance: Tolerance, of: str) -> str:
-    """Message on the part of a tolerance that is exceeded, and after which share `of` what; empty if it is kept."""
-    for name, value, limit, unit, at in (
-        ("position", deviation.position, tolerance.position, "m", deviation.position_at),
-        ("rotation", deviation.rotation, tolerance.rotation, "rad", deviation.rotation_at),
-    ):
-        if limit is not None and value > limit:
-            where = f"the tool's {name} leaves the path by {value:.3g} {unit} after {at:.2f} of the {of}"
-            return f"{where}; allowed: {limit:g} {unit}. Take more positions"
-    return ""

@@ -10,20 +10,18 @@ from numpy.typing import NDArray
 from manipplan.collision.model import CollisionModel
 from manipplan.constraints.constraint import KEPT
 from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.cost.crossings import least_crossings_to
-from manipplan.cost.integral import PathIntegral, speeds
+from manipplan.cost.integral import PathIntegral
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.reach import nearest
 from manipplan.jobs.goals.read import Target
 from manipplan.jobs.goals.samples import Reaching, beyond_limits, nearest_turns, reaching, refined
+from manipplan.jobs.goals.straight import straight_lines
 from manipplan.paths.joint import SHORTEST
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
-#: Number of places of the straight line at which m is evaluated.
-PLACES = 17
 #: Two minima of m count as equal when they differ by less than this share; then g decides.
 TIE = 1e-6
 #: Number of the best solutions whose redundancy parameters are refined, and distance between them [rad or m].
@@ -130,23 +128,17 @@ def find_candidates(
 
 def measured(q: Array, goals: Sequence[int], start: Array, integral: PathIntegral) -> list[GoalCandidate]:
     """Candidates with all figures, for free configurations (k, n) and the indices of their goals."""
-    kinematics = integral.kinematics
-    m = kinematics.manipulability(start + (q[:, None] - start) * np.linspace(0.0, 1.0, PLACES)[:, None])
-    with np.errstate(divide="ignore"):
-        weights = 1.0 / np.hypot(m, integral.floor) ** integral.power
-    g = speeds(q - start, integral.metric) * (weights[:, 1:] + weights[:, :-1]).mean(axis=1) / 2
-    needed = least_crossings_to(kinematics, start, q)
-    bounds = np.where([bool(each) for each in needed], 0.0, np.minimum(m[:, 0], m[:, -1]))
+    lines = straight_lines(start, q, integral)
     return [
         GoalCandidate(
             goal_index=goals[k],
             q=_frozen(q[k]),
-            manipulability=float(m[k, -1]),
-            bound=float(bounds[k]),
+            manipulability=float(lines.m[k, -1]),
+            bound=float(lines.bound[k]),
             straight_length=float(np.linalg.norm(q[k] - start)),
-            straight_g=float(g[k]),
-            straight_min_manipulability=float(m[k].min()),
-            least_crossings=needed[k],
+            straight_g=float(lines.g[k]),
+            straight_min_manipulability=float(lines.m[k].min()),
+            least_crossings=lines.crossings[k],
         )
         for k in range(len(q))
     ]

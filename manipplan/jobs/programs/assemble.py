@@ -7,21 +7,20 @@ from itertools import pairwise
 import numpy as np
 
 from manipplan.constraints.constraint import KEPT
-from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.constraints.figures import ConstraintFigure, figures
 from manipplan.constraints.proof import prove
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.programs.blend import Blend, blend_of, is_corner, with_blends
+from manipplan.jobs.programs.blend import Blend, blend_of, is_corner, unblended, with_blends
 from manipplan.jobs.programs.courses import Motion, Stop
+from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.states import State
 from manipplan.jobs.programs.steps import Attach, Detach, Step
 from manipplan.jobs.reports.measure import measure_plan
 from manipplan.jobs.result import Plan
 from manipplan.optimize.result import make_result
-from manipplan.paths.deviation import deviation_at
+from manipplan.paths.deviation import deviation_at, deviation_from
 from manipplan.paths.joint import JointPath, cut
-from manipplan.paths.tolerance import BETWEEN
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.support.errors import PlanningError
 from manipplan.support.status import Status
@@ -40,15 +39,17 @@ def assemble(
     items: Sequence[Motion | Stop],
     first: State,
     steps: Sequence[Step],
-    constraints: Mapping[int, ConstraintSet],
+    legs: Mapping[int, Leg],
     *,
-    goals: dict[int, int],
+    goals: Mapping[int, int],
     blend: float,
     objective: PathObjective,
     clearance: float,
     torque: bool,
 ) -> Program:
     """The program of motions and stops; each run of motions between two stops is one part.
+
+    `legs` and `goals`: the leg that begins at a step, and the index of the goal that its free motion reaches.
 
     Raises PlanningError, which names the step, where a part cannot be timed.
     """
@@ -69,8 +70,8 @@ def assemble(
                 pieces.append(Trajectory(t=np.array([0.0, group.seconds]), q=still, qd=np.zeros_like(still), joint_names=names))
                 clock += group.seconds
             continue
-        blends = [_between(one, other, blend, clearance, constraints) for one, other in pairwise(group)]
-        part, begins, corners = _part(group, blends, clock, constraints, objective, clearance, torque)
+        blends = [_between(one, other, blend, clearance, legs) for one, other in pairwise(group)]
+        part, begins, corners = _part(group, blends, clock, legs, goals, objective, clearance, torque)
         for motion, begin in zip(group, begins, strict=True):
             if not marks or marks[-1].step != motion.step:
                 marks.append(Mark(step=motion.step, name=type(steps[motion.step]).__name__, begin=begin))
@@ -88,7 +89,7 @@ def assemble(
         begins=tuple(clocks),
         marks=tuple(marks),
         trajectory=joined(pieces),
-        goals=goals,
+        goals={step: index for step, index in goals.items() if len(legs[step].targets) > 1},
         stops=tuple(stops),
         warnings=tuple(warnings),
     )
@@ -107,13 +108,11 @@ def _groups(items: Sequence[Motion | Stop]) -> list[list[Motion] | Stop]:
     return groups
 
 
-def _between(
-    one: Motion, other: Motion, blend: float, clearance: float, constraints: Mapping[int, ConstraintSet]
-) -> Blend | None:
+def _between(one: Motion, other: Motion, blend: float, clearance: float, legs: Mapping[int, Leg]) -> Blend | None:
     """The blend of two motions; None where the arm stops between them, or goes straight on."""
     if blend == 0.0 or not is_corner(one.path, other.path):
         return None
-    kept = tuple(constraints[each.step] for each in (one, other) if each.workspace_path is None)
+    kept = tuple(legs[each.step].constraints for each in (one, other) if each.workspace_path is None)
     return blend_of(one, other, blend, clearance, kept)
 
 
@@ -121,7 +120,8 @@ def _part(
     group: list[Motion],
     blends: list[Blend | None],
     clock: float,
-    constraints: Mapping[int, ConstraintSet],
+    legs: Mapping[int, Leg],
+    goals: Mapping[int, int],
     objective: PathObjective,
     clearance: float,
     torque: bool,
@@ -129,7 +129,8 @@ def _part(
     """A part, the times at which its motions begin, and those at which it stops at a corner [s]."""
     state = group[0].state
     robot, model = state.robot, state.scene.collision_model(state.robot)
-    path, middles = with_blends(group, blends)
+    path, own = with_blends(group, blends)
+    middles = [(before[1] + after[0]) / 2 for before, after in pairwise(own)]
     edges = [0.0, *middles, 1.0]
     segments = [
         Segment(begin=begin, end=end, tool_speed=motion.tool_speed)
@@ -154,9 +155,14 @@ def _part(
     )
     report = measure_plan(trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True)
     begins = _times_of(trajectory, path, middles)
-    kept = _constraint_figures(group, trajectory, begins, constraints)
+    kept = _constraint_figures(group, trajectory, begins, legs)
     broken = [f"constraint: {each}" for each in kept if each.least < -KEPT]
-    faults = (*report.faults, *broken, *_faults(group, blends))
+    faults = (
+        *report.faults,
+        *broken,
+        *_off_paths(group, blends, own, trajectory, path),
+        *_missed(group, blends, goals, legs, trajectory),
+    )
     status = Status.CHECK_FAILED if faults else Status.COMPOSED
     report = replace(report, faults=faults, passed=not faults, status=status.value, constraints=tuple(kept))
     part = Plan(
@@ -177,14 +183,14 @@ def _part(
 
 
 def _constraint_figures(
-    group: list[Motion], trajectory: Trajectory, begins: list[float], constraints: Mapping[int, ConstraintSet]
+    group: list[Motion], trajectory: Trajectory, begins: list[float], legs: Mapping[int, Leg]
 ) -> list[ConstraintFigure]:
     """How each free motion keeps its constraints over its time."""
     whole, edges = trajectory.path(), np.array([0.0, *begins, trajectory.duration]) / trajectory.duration
     made = []
     for motion, (begin, end) in zip(group, pairwise(edges.tolist()), strict=True):
-        if motion.workspace_path is None and constraints[motion.step].constraints:
-            kept = constraints[motion.step]
+        kept = legs[motion.step].constraints if motion.workspace_path is None else None
+        if kept is not None and kept.constraints:
             made += [
                 replace(each, name=f"steps[{motion.step}], {each.name}", at=begin + each.at * (end - begin))
                 for each in figures(kept, prove(kept, cut(whole, begin, end)))
@@ -192,29 +198,40 @@ def _constraint_figures(
     return made
 
 
-def _faults(group: list[Motion], blends: list[Blend | None]) -> list[str]:
-    """Which motions leave their paths of the tool, but for their blends."""
+def _off_paths(
+    group: list[Motion], blends: list[Blend | None], own: list[tuple[float, float]], trajectory: Trajectory, path: JointPath
+) -> list[str]:
+    """Which motions leave their paths of the tool, but for their blends: in order as planned, and over their time."""
     faults = []
-    for k, motion in enumerate(group):
+    times = np.array(_times_of(trajectory, path, [s for each in own for s in each])).reshape(-1, 2)
+    for motion, (low, high), (begin, end) in zip(group, unblended(blends), times, strict=True):
         if motion.workspace_path is None:
             continue
-        low = 0.0 if k == 0 or blends[k - 1] is None else blends[k - 1].joins  # type: ignore[union-attr]
-        high = 1.0 if k == len(blends) or blends[k] is None else blends[k].leaves  # type: ignore[union-attr]
-        s = np.linspace(low, high, PLACES)
-        assert motion.task is not None
-        pose = motion.state.robot.kinematics(motion.task).pose
-        off = deviation_at(motion.workspace_path, s, pose(motion.path(s)), motion.task.free_axis)
-        allowed = motion.tolerance or BETWEEN
-        if _exceeds(off.position, allowed.position, BETWEEN.position) or _exceeds(
-            off.rotation, allowed.rotation, BETWEEN.rotation
-        ):
-            faults.append(f"steps[{motion.step}]: the tool is {off}")
+        assert motion.task is not None and motion.tolerance is not None
+        pose, axis = motion.state.robot.kinematics(motion.task).pose, motion.task.free_axis
+        s, timed = np.linspace(low, high, PLACES), trajectory(np.linspace(begin, end, PLACES))
+        fault = deviation_from(motion.workspace_path, pose(timed), axis).excess(motion.tolerance, "time") or deviation_at(
+            motion.workspace_path, s, pose(motion.path(s)), axis
+        ).excess(motion.tolerance, "path")
+        if fault:
+            faults.append(f"steps[{motion.step}]: {fault}")
     return faults
 
 
-def _exceeds(value: float, allowed: float | None, default: float | None) -> bool:
-    most = default if allowed is None else allowed
-    return most is not None and value > most
+def _missed(
+    group: list[Motion], blends: list[Blend | None], goals: Mapping[int, int], legs: Mapping[int, Leg], trajectory: Trajectory
+) -> list[str]:
+    """Which motions do not reach their goals, but for those that a blend rounds off."""
+    faults = []
+    for k, motion in enumerate(group):
+        last = k + 1 == len(group)
+        if motion.step not in goals or (not last and (group[k + 1].step == motion.step or blends[k] is not None)):
+            continue
+        q = trajectory.q[-1] if last else motion.path.goal
+        missed = legs[motion.step].targets[goals[motion.step]].missed_by(motion.state.robot, q)
+        if missed:
+            faults.append(f"steps[{motion.step}]: {missed}")
+    return faults
 
 
 def _times_of(trajectory: Trajectory, path: JointPath, places: list[float]) -> list[float]:

@@ -11,7 +11,7 @@ from manipplan.constraints.proof import prove
 from manipplan.jobs.programs.courses import Motion
 from manipplan.paths.joint import JointPath, cut
 from manipplan.support.checks import Array
-from manipplan.timing.stops import CORNER
+from manipplan.timing.stops import CORNER, turn_cosine
 
 #: Number of places of a motion at which the tool's distance from a corner is measured, and of a blend.
 PLACES, ALONG_BLEND = 400, 100
@@ -61,30 +61,29 @@ def is_corner(before: JointPath, after: JointPath) -> bool:
 
 
 def _turn(before: JointPath, after: JointPath) -> float:
-    """The cosine of the angle between two paths where the first ends."""
-    arriving, leaving = before(np.ones(1), 1)[0], after(np.zeros(1), 1)[0]
-    return float(arriving @ leaving / max(np.linalg.norm(arriving) * np.linalg.norm(leaving), 1e-300))
+    return turn_cosine(before.control[-1], after.control[0])
 
 
-def with_blends(motions: list[Motion], blends: list[Blend | None]) -> tuple[JointPath, list[float]]:
-    """One path through motions with their blends, and the s of the middle of each corner on it."""
+def unblended(blends: list[Blend | None]) -> list[tuple[float, float]]:
+    """The s between which each of the motions keeps its own path."""
+    begins = [0.0, *(0.0 if each is None else each.joins for each in blends)]
+    ends = [*(1.0 if each is None else each.leaves for each in blends), 1.0]
+    return list(zip(begins, ends, strict=True))
+
+
+def with_blends(motions: list[Motion], blends: list[Blend | None]) -> tuple[JointPath, list[tuple[float, float]]]:
+    """One path through motions with their blends, and the s of it between which it keeps the path of each motion."""
     pieces: list[JointPath] = []
-    middles: list[float] = []  # in lengths from the start
+    kept: list[tuple[float, float]] = []  # in lengths from the start
     length = 0.0
-    for k, motion in enumerate(motions):
-        begin = 0.0 if k == 0 or blends[k - 1] is None else blends[k - 1].joins  # type: ignore[union-attr]
-        end = 1.0 if k == len(blends) or blends[k] is None else blends[k].leaves  # type: ignore[union-attr]
-        pieces.append(cut(motion.path, begin, end))
-        length += pieces[-1].length
-        if k < len(blends):
-            blend = blends[k]
-            half = 0.0
-            if blend is not None:
-                pieces.append(blend.path)
-                half = blend.path.length / 2
-            middles.append(length + half)
-            length += 2 * half
-    return JointPath.joined(pieces), [each / length for each in middles]
+    for motion, own, blend in zip(motions, unblended(blends), [*blends, None], strict=True):
+        pieces.append(cut(motion.path, *own))
+        kept.append((length, length + pieces[-1].length))
+        length = kept[-1][1]
+        if blend is not None:
+            pieces.append(blend.path)
+            length += blend.path.length
+    return JointPath.joined(pieces), [(begin / length, end / length) for begin, end in kept]
 
 
 def _reach(away: Callable[[Array], Array], distance: float) -> float:

@@ -12,9 +12,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from manipplan.cost.crossings import least_crossings_to
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.goals.samples import nearest_turns
+from manipplan.jobs.goals.straight import straight_lines
 from manipplan.jobs.programs.courses import Course, Motion, course_of
 from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.nodes import Node
@@ -30,8 +30,6 @@ GAIN = 0.01
 MOTIONS, FAILURES = 5, 12
 #: What a motion that is not planned yet costs beside g of its straight line.
 UNPLANNED = 1e9
-#: Number of places of a straight line at which m is evaluated.
-PLACES = 9
 
 #: Plans a free motion of a leg from one configuration (n,) to another, in a state: the plan, or why there is none.
 Planner = Callable[[Leg, Array, Array, State], Plan | str]
@@ -181,19 +179,10 @@ class ProgramSearch:
 
     def _lines(self, one: Array, other: Array) -> tuple[Array, Array]:
         """A bound on m between each of one (a, n) and of other (b, n), 0 across singularities, and g of the straight lines."""
-        integral = self.objective.integral(self.state.robot)
-        kinematics = integral.kinematics
-        other = np.array([nearest_turns(self.state.robot, other, each) for each in one])  # (a, b, n)
-        q = one[:, None, None] + (other - one[:, None])[:, :, None] * np.linspace(0.0, 1.0, PLACES)[:, None]
-        m = kinematics.manipulability(q)
-        with np.errstate(divide="ignore"):
-            weights = 1.0 / np.hypot(m, integral.floor) ** integral.power
-        g = np.linalg.norm(other - one[:, None], axis=2) * (weights[..., 1:] + weights[..., :-1]).mean(axis=2) / 2
-        bounds = np.minimum(m[..., 0], m[..., -1])
-        for row, (begin, ends) in enumerate(zip(one, other, strict=True)):
-            crossings = least_crossings_to(kinematics, begin, ends)
-            bounds[row] = np.where([bool(each) for each in crossings], 0.0, bounds[row])
-        return bounds, g
+        robot = self.state.robot
+        integral = self.objective.integral(robot)
+        lines = [straight_lines(begin, nearest_turns(robot, other, begin), integral) for begin in one]
+        return np.array([each.bound for each in lines]), np.array([each.g for each in lines])
 
 
 def _turned(course: Course, q: Array, state: State) -> Course:

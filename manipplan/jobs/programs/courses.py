@@ -11,7 +11,7 @@ from manipplan.jobs.programs.states import State
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, Wait
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
-from manipplan.paths.tolerance import Tolerance
+from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.sampling import sample_layers
 from manipplan.support.checks import Array
@@ -117,7 +117,10 @@ def course_of(
             entry = made.path.start if len(items) == 1 else entry
         elif isinstance(step, Attach | Detach):
             items.append(Stop(step=number, q=q, state=state))
-            state = state.after(step, q)
+            before, state = state, state.after(step, q)
+            touching = before.touching(q, clearance) or state.touching(q, clearance)
+            if touching:
+                return f"steps[{number}]: {touching}"
         elif isinstance(step, Wait):
             items.append(Stop(step=number, q=q, state=state, seconds=step.seconds))
     integral = objective.integral(state.robot)
@@ -158,6 +161,6 @@ def _motion(number: int, step: MoveAlong, finder: CourseFinder, search: SearchRe
         state=state,
         workspace_path=finder.path,
         task=step.task or Task.pose(),
-        tolerance=step.tolerance,
+        tolerance=with_defaults(step.tolerance),
         tool_speed=step.tool_speed,
     )

@@ -114,15 +114,12 @@ def sequence(
     if not any(isinstance(each, Motion) for each in items):
         raise InvalidInputError("steps", [type(each).__name__ for each in steps], "steps with at least one motion")
     tell(0.9, "timing and checking")
-    goals = {
-        leg.number: nodes[k][chosen.nodes[k]].goal_index for k, leg in enumerate(legs) if leg.is_free and len(leg.targets) > 1
-    }
     program = assemble(
         items,
         first,
         steps,
-        {leg.number: leg.constraints for leg in legs},
-        goals=goals,
+        {leg.number: leg for leg in legs},
+        goals={leg.number: nodes[k][chosen.nodes[k]].goal_index for k, leg in enumerate(legs) if leg.targets},
         blend=blend,
         objective=objective,
         clearance=clearance,

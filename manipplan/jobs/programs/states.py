@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from manipplan.collision.near_pairs import apart_text
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
 from manipplan.jobs.programs.steps import Attach, Detach
@@ -13,6 +14,8 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 #: Poses of parts that differ by less than this are the same [m, rad].
 SAME = 1e-9
+#: Bodies nearer than this beyond the clearance touch: rounding decides on which side of it they are [m].
+TOUCHING = 1e-5
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -27,6 +30,15 @@ class State:
     robot: Robot
     scene: Scene
     history: tuple[object, ...] = ()
+
+    def touching(self, q: Array, clearance: float) -> str:
+        """Which bodies touch at q (n,), or are nearer than the clearance [m]; "" where none do."""
+        model = self.scene.collision_model(self.robot)
+        distance, _, pair = model.least_distance(q[None])
+        if distance > clearance + TOUCHING:
+            return ""
+        first, second = model.pair_names[pair]
+        return f"{first} and {second} {apart_text(distance)}; scene.allow takes out a pair such as a part and its table"
 
     def after(self, step: Attach | Detach, q: Array) -> "State":
         """The state after a part was taken up or put down at q (n,)."""
