@@ -145,6 +145,7 @@ class _Refiner:
         self.program = LevelProgram(self.kinematics, len(self.poses), closed=layers.closed)
         self.tolerance = self.program.rows.box(tolerance)
         self.history = [found.minimum]
+        self.bound = self._bound()
 
     def run(self, resample: int, progress: Progress) -> Refinement:
         q = self.found.q
@@ -162,7 +163,7 @@ class _Refiner:
             discrete=self.found.minimum,
             resampled=resampled,
             refined=float(m.min()),
-            bound=max(self._bound(), float(m.min())),
+            bound=max(self.bound, float(m.min())),
             length=path_length(q, self.layers.continuous, closed=self.layers.closed),
             history=tuple(self.history),
         )
@@ -200,6 +201,8 @@ class _Refiner:
         for k in range(SOLVES):
             progress(0.3 + 0.6 * k / SOLVES, f"raising the minimum manipulability, {self.least(q):.6g}")
             before = self.least(q)
+            if before >= self.bound - GAIN * abs(self.bound):
+                break
             new, _ = self._solve(q, trust, None)
             new = self._on_poses(new)
             if before < self.least(new) < before + GAIN * abs(before):
@@ -223,7 +226,7 @@ class _Refiner:
             new = self._on_poses(new)
             if self._squares(new) > self._squares(q) * (1 - SHORTER):
                 return q  # the program's objective falls no further
-            if self._length(new) < self._length(q) and self.least(new) >= level and self.sound(new):
+            if self.least(new) >= level and self.sound(new):
                 q = new
             else:
                 trust *= SHRINK
@@ -232,9 +235,6 @@ class _Refiner:
     def _squares(self, q: Array) -> float:
         """Σ ‖Δq‖² of a path (L, n), which the program minimises."""
         return float(np.square(path_steps(q, self.layers.continuous, closed=self.layers.closed)).sum())
-
-    def _length(self, q: Array) -> float:
-        return float(path_length(q, self.layers.continuous, closed=self.layers.closed))
 
     def _solve(self, q: Array, trust: float, level: float | None) -> tuple[Array, float]:
         slopes, slack = self._near_pairs(q, trust)

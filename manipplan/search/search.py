@@ -13,7 +13,20 @@ from numpy.typing import NDArray
 from manipplan.search.grid import SAMPLE, Grid, choose_grid
 from manipplan.search.layers import Layers
 from manipplan.search.steps import path_steps
-from manipplan.search.sweep import Cells, Closest, Objective, Part, Stage, ThreadPool, Trace, Widest, sort_stage, sweep
+from manipplan.search.sweep import (
+    Cells,
+    Closest,
+    Longest,
+    Objective,
+    Part,
+    Reached,
+    Stage,
+    ThreadPool,
+    Trace,
+    Widest,
+    sort_stage,
+    sweep,
+)
 from manipplan.support.checks import Array
 from manipplan.support.progress import Progress
 
@@ -111,6 +124,25 @@ class Search:
         grid = self._grid(reach, self.layers.count)
         return self._sweep(self._sorted(stages, Part(), grid), grid, Widest(), "gaps").depth
 
+    def first_positions(self, part: Part, reach: Array, text: str) -> NDArray[np.int64]:
+        """For each position (L,), the first one from which a path leads to it; for a cycle (2 L,), twice around it.
+
+        No layer may be empty of candidates that take part.
+        """
+        layers = self.layers
+        stages = [Stage(q, m) for q, m in zip(layers.q, layers.m, strict=True)] * (2 if layers.closed else 1)
+        grid = self._grid(reach, sum(int(np.count_nonzero(m >= part.threshold)) for m in layers.m))
+        lengths = np.zeros(len(stages), dtype=np.int64)  # number of steps of the longest path to each position
+        old: Cells | None = None
+        reached = Reached(np.empty(0), np.empty(0))
+        for k, cells in enumerate(self._sorted(stages, part, grid)):
+            reached = Longest().first(cells) if old is None else Longest().step(old, reached, cells, grid, self.pool.share)[0]
+            lengths[k] = reached.value.max()
+            old = cells
+            self._tick(len(cells.ids), text)
+        self.rounds += 1
+        return np.arange(len(stages)) - lengths
+
     def minimum_manipulability(self, path: CandidatePath) -> float:
         """The minimum manipulability along the path."""
         return float(min(m[i] for m, i in zip(self.layers.m, path.indices, strict=True)))
@@ -150,19 +182,18 @@ class Search:
         return self.pool.ahead(lambda stage: sort_stage(stage, part, grid), stages)
 
     def _sweep(self, cells: Iterator[Cells], grid: Grid, objective: Objective, text: str) -> Trace:
-        before = self._passed
-
-        def tick(nodes: int) -> None:
-            self._passed = before + nodes
-            now = time.monotonic()
-            if now - self._told > RATE:
-                self._told = now
-                self.tell(min(0.99, self._passed / self._work), text)
-
-        trace = sweep(cells, grid, objective, self.pool, tick)
+        trace = sweep(cells, grid, objective, self.pool, lambda nodes: self._tick(nodes, text))
         self.rounds += 1
         self.nodes = trace.nodes
         return trace
+
+    def _tick(self, nodes: int, text: str) -> None:
+        """Count the candidates of a stage."""
+        self._passed += nodes
+        now = time.monotonic()
+        if now - self._told > RATE:
+            self._told = now
+            self.tell(min(0.99, self._passed / self._work), text)
 
     def _cycle(self, objective: Objective, part: Part, grid: Grid, text: str, active: list[int]) -> CandidatePath | None:
         layers, count = self.layers, len(self.layers.q)

@@ -159,7 +159,7 @@ def sweep(
     pool: ThreadPool,
     tick: Callable[[int], None],
 ) -> Trace:
-    """One pass from the first stage to the last; tick(nodes) is called after each."""
+    """One pass from the first stage to the last; after each, tick is called with the number of its candidates."""
     ids: list[NDArray[np.int32]] = []
     sources: list[NDArray[np.int32]] = []
     old: Cells | None = None
@@ -176,7 +176,7 @@ def sweep(
         ids.append(cells.ids)
         sources.append(source)
         old = cells
-        tick(nodes)
+        tick(len(cells.ids))
     end = _last(reached)
     vector = None if reached.vectors is None else reached.vectors[end]
     indices = np.empty(len(ids), dtype=np.int64)
@@ -271,6 +271,22 @@ class Closest:
         made = StepKernel("closest", old, reached.value, reached.top, cells, grid, epsilon=epsilon)
         share(made, cells)
         return Reached(made.value, made.top), made.source
+
+
+@dataclass(frozen=True, kw_only=True)
+class Longest:
+    """The number of steps of the longest path to a candidate, which may begin at any stage."""
+
+    def first(self, cells: Cells) -> Reached:
+        return _reached(cells, np.zeros(len(cells.ids)))
+
+    def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
+        from manipplan.search.kernels import StepKernel
+
+        alike = cells._replace(m=np.full(len(cells.ids), reached.top.max()))  # the manipulability does not limit a length
+        made = StepKernel("widest", old, reached.value, reached.top, alike, grid)
+        share(made, alike)
+        return _reached(cells, np.maximum(made.value + 1.0, 0.0)), made.source
 
 
 def _reached(cells: Cells, value: Array) -> Reached:

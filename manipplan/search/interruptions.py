@@ -1,0 +1,137 @@
+"""fewest_interruptions: where to lift off and to come back in another configuration if no path leads through all layers.
+
+Each stretch of a path that connects does so, too. So the longest part from a position on, then the longest from its end on, and
+so forth, are the fewest parts of an open path; those of a cycle are the fewest over all positions where it can begin. How far
+parts reach takes one sweep: it finds the first position from which each position is reached.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from manipplan.kinematics.batch import all_cores
+from manipplan.search.layers import Layers
+from manipplan.search.max_min import THREADED
+from manipplan.search.search import Search
+from manipplan.search.steps import check_epsilon, exclusive
+from manipplan.search.sweep import Part, ThreadPool
+from manipplan.support.checks import instance
+from manipplan.support.display import one_line
+from manipplan.support.errors import PlanningError
+from manipplan.support.progress import Progress, teller
+
+#: Number of values of m in the first sweep of the search for the largest minimum, and how it grows.
+FIRST, GROWTH = 4096, 4
+#: Number of candidates visited in the worst case, as a multiple of all.
+WORK = 16.0
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True)
+class Interruptions:
+    """The fewest parts in which the positions of a path can be passed, each on a continuous path.
+
+    Attributes:
+        edges: where the parts begin and end, counted from 0: part i passes edges[i] to edges[i + 1], including both. The arm
+            lifts off at the end of a part and comes back at the same position. Positions of a cycle count on beyond its last.
+        minimum: the largest minimum manipulability of so few parts.
+    """
+
+    edges: tuple[int, ...]
+    minimum: float
+
+    @property
+    def parts(self) -> int:
+        """Number of parts."""
+        return len(self.edges) - 1
+
+
+def fewest_interruptions(
+    layers: Layers, epsilon: ArrayLike, *, strict: bool = True, progress: Progress | None = None
+) -> Interruptions:
+    """The fewest parts of a path through the layers; of these, ones with the largest minimum manipulability. Exact, in float64.
+
+    Where several positions do for an interruption, the middle one is taken.
+
+    Args:
+        layers: candidates with their manipulability. Closed ones are passed once around, from the position that needs the
+            fewest parts; only a cycle closes, so there is at least one interruption.
+        epsilon, strict: as in `max_min_search`.
+        progress: called with the share done in [0, 1] and a text.
+
+    Raises:
+        InvalidInputError: for bad arguments.
+        PlanningError: two neighbouring positions have no candidates within epsilon, so that no interruption helps.
+    """
+    instance("layers", layers, Layers)
+    reach = exclusive(check_epsilon(epsilon, layers.continuous), strict=instance("strict", strict, bool))
+    values = np.unique(np.concatenate(layers.m))
+    values = values[values <= layers.bound]
+    with ThreadPool(all_cores() if layers.count >= THREADED else 1) as pool:
+        search = Search(layers, pool, teller(progress), work=WORK * layers.count)
+
+        def edges_above(k: int) -> tuple[int, ...]:
+            first = search.first_positions(Part(threshold=values[k]), reach, f"interruptions with m >= {values[k]:.6g}")
+            return _edges(first, closed=layers.closed)
+
+        fewest = edges_above(0)
+        if not fewest:
+            raise PlanningError(_gap(search.first_positions(Part(), reach, "gaps"), len(layers.q)), None)
+        # values[low] allows so few parts, values[high] does not
+        edges, low, high, stride = fewest, 0, len(values), FIRST
+        while high - low > 1:
+            k = (low + high) // 2 if low else max(high - stride, high // 2)
+            found = edges_above(k)
+            if len(found) == len(fewest):
+                edges, low = found, k
+            else:
+                high, stride = k, GROWTH * stride
+    return Interruptions(edges=edges, minimum=float(values[low]))
+
+
+def _edges(first: NDArray[np.int64], *, closed: bool) -> tuple[int, ...]:
+    """Edges of the fewest parts, given the first position from which each is reached; () where a step has no path."""
+    count = len(first) // 2 if closed else len(first)
+    if (first[1:] == np.arange(1, len(first))).any():
+        return ()
+    if not closed:
+        return _middle(first, _greedy(first, 0, count - 1))
+    rounds = [_greedy(first, begin, begin + count) for begin in range(count)]
+    fewest = min(map(len, rounds))
+    # of several positions to begin at the one from which the last part could go on the farthest
+    spare = [_farthest(first, each[-2]) - each[-1] if len(each) == fewest else -1 for each in rounds]
+    return _middle(first, rounds[int(np.argmax(spare))])
+
+
+def _farthest(first: NDArray[np.int64], begin: int) -> int:
+    """The last position that a part from `begin` on reaches."""
+    return int(np.searchsorted(first, begin, side="right")) - 1
+
+
+def _greedy(first: NDArray[np.int64], begin: int, end: int) -> list[int]:
+    """Edges of the fewest parts from `begin` to `end`, each as long as it can be."""
+    edges = [begin]
+    while edges[-1] < end:
+        edges.append(min(_farthest(first, edges[-1]), end))
+    return edges
+
+
+def _middle(first: NDArray[np.int64], edges: list[int]) -> tuple[int, ...]:
+    """As many parts between the same ends, each edge half-way between the first and the last position where it can be."""
+    earliest = list(edges)
+    for i in range(len(edges) - 2, 0, -1):
+        earliest[i] = int(first[earliest[i + 1]])
+    middle = [edges[0]]
+    for begin in earliest[1:-1]:
+        middle.append((begin + _farthest(first, middle[-1])) // 2)
+    return (*middle, edges[-1])
+
+
+def _gap(first: NDArray[np.int64], count: int) -> str:
+    """What is wrong where a step between two positions has no path."""
+    k = int(np.flatnonzero(first[1:] == np.arange(1, len(first)))[0])
+    return (
+        f"no candidate of position {(k + 1) % count} can be reached from position {k % count}, so no interruption helps; "
+        "use a larger epsilon, more positions or more samples"
+    )
