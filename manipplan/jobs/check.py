@@ -1,6 +1,7 @@
 """check: judges a trajectory, whoever made it."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import ArrayLike
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
 from manipplan.cost.objective import PathObjective
+from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.measure import measure
 from manipplan.jobs.reports.report import Report
 from manipplan.paths.cartesian import CartesianPath
@@ -46,6 +48,7 @@ def check(
     goal: ArrayLike | None = None,
     path: CartesianPath | None = None,
     path_begin: float = 0.0,
+    path_parts: Sequence[PathPart] = (),
     tolerance: Tolerance | None = None,
     constraints: Sequence[Constraint] = (),
     clearance: float = 0.0,
@@ -71,6 +74,8 @@ def check(
             the last; the order in which it passes the others is not judged. With an objective whose task leaves one tool axis
             free, such as Task.pointing(axis), only the direction of this axis counts. None: the tool may move anywhere.
         path_begin: time from which the tool follows `path` [s], such as `path_begin` of a plan of `follow` with a lead-in.
+        path_parts: the parts of the motion on which the tool follows `path`, where it leaves it between them: `report.along` of
+            a plan of `follow` with interruptions. Together they have to cover the path; instead of `path_begin`.
         tolerance: maximum distance of the tool from `path`. Default: 0.1 mm and 1 mrad.
         constraints: what every configuration has to keep, as in `plan`; held joints keep their first value. Kept means down to
             -1e-6, proven for the whole motion but for those of your own classes, which are sampled.
@@ -95,11 +100,7 @@ def check(
         raise InvalidInputError("path", path, "a CartesianPath")
     if path is None and tolerance is not None:
         raise InvalidInputError("tolerance", tolerance, "None without a path of the tool")
-    begin = number("path_begin", path_begin, least=0.0)
-    if begin > 0 and path is None:
-        raise InvalidInputError("path_begin", path_begin, "0 without a path of the tool")
-    if begin >= motion.duration:
-        raise InvalidInputError("path_begin", path_begin, f"a time before the end of the motion, {motion.duration:.6g} s")
+    along = _parts(motion, path, path_begin, path_parts)
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
     clearance = number("clearance", clearance, least=0.0)
@@ -111,12 +112,40 @@ def check(
         start=first,
         goal=last,
         workspace_path=path,
-        path_begin=begin,
+        along=along,
         tolerance=(tolerance or BETWEEN) if path is not None else None,
         constraints=constraint_tuple(constraints),
         clearance=clearance,
         torque=torque,
     )
+
+
+def _parts(
+    motion: Trajectory, path: CartesianPath | None, path_begin: float, path_parts: Sequence[PathPart]
+) -> tuple[PathPart, ...]:
+    """The parts of the motion on which the tool follows the path, which they have to cover."""
+    begin = number("path_begin", path_begin, least=0.0)
+    if not isinstance(path_parts, list | tuple) or not all(isinstance(part, PathPart) for part in path_parts):
+        raise InvalidInputError("path_parts", path_parts, "a list of PathPart")
+    for name, value in (("path_begin", begin), ("path_parts", path_parts)):
+        if value and path is None:
+            raise InvalidInputError(name, value, "none without a path of the tool")
+    if begin >= motion.duration:
+        raise InvalidInputError("path_begin", path_begin, f"a time before the end of the motion, {motion.duration:.6g} s")
+    if not path_parts:
+        return (PathPart(begin=begin, end=motion.duration),)
+    if begin:
+        raise InvalidInputError("path_begin", path_begin, "0 where path_parts tell when the path begins")
+    times = [time for part in path_parts for time in (part.begin, part.end)]
+    steps = np.diff(times)
+    if times[0] < 0 or times[-1] > motion.duration * (1 + 1e-12) or (steps < 0).any() or (steps[::2] == 0).any():
+        raise InvalidInputError("path_parts", times, f"increasing times from 0 to {motion.duration:.6g} s")
+    edges = [(one.s_end, other.s_begin) for one, other in pairwise(path_parts)]
+    way = path_parts[-1].s_end - path_parts[0].s_begin
+    if any(one != other for one, other in edges) or abs(way - 1.0) > 1e-9 or not 0.0 <= path_parts[0].s_begin < 1.0:
+        shown = [(part.s_begin, part.s_end) for part in path_parts]
+        raise InvalidInputError("path_parts", shown, "each beginning at the s where the one before ends, all together one path")
+    return tuple(path_parts)
 
 
 def _motion(robot: Robot, given: Trajectory | str | Path) -> Trajectory:

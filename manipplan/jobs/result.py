@@ -46,7 +46,7 @@ class PartialPlan(Pictured):
         report: the figures of this trajectory, measured on it; raises InvalidInputError together with another trajectory.
         result: the optimiser's result, with seed and history; for `improve` the seed is the recorded motion.
         search, refinement, deviation: for `follow`: the path found among the samples, its refinement, and the tool's
-            deviation from the workspace path.
+            deviation from the workspace path; with interruptions the first two are those of the part with the smallest minimum.
         workspace_path: the path that `follow` follows.
         tolerance: maximum deviation of the tool, for `follow` and `improve`.
         constraints: for `plan`: what the motion keeps beside limits and clearance.
@@ -86,7 +86,7 @@ class PartialPlan(Pictured):
     @property
     def path_begin(self) -> float:
         """For `follow`: the time at which the motion along the workspace path begins, after the lead-in [s]; otherwise 0."""
-        return self.report.along.begin if self.report is not None and self.report.along is not None else 0.0
+        return self.report.along[0].begin if self.report is not None and self.report.along else 0.0
 
     @property
     def comparison(self) -> Comparison | None:

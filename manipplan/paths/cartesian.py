@@ -25,6 +25,8 @@ from manipplan.support.errors import FileFormatError, InvalidInputError
 
 #: Minimum distance between neighbouring poses [m].
 APART = 1e-9
+#: Distance in s within which two knots are one.
+SAME = 1e-12
 #: Columns of a CSV file of poses: position [m], then the quaternion.
 COLUMNS = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
@@ -51,6 +53,16 @@ class CartesianPath(ABC):
         """Length of the tool's path [m], from 2000 chords."""
         positions, _ = self._at(np.linspace(0.0, 1.0, 2001))
         return float(np.linalg.norm(np.diff(positions, axis=0), axis=1).sum())
+
+    @property
+    def knots(self) -> Array:
+        """Parameters s (k,) of the poses through which the path was laid, with 0 and 1."""
+        return np.array([0.0, 1.0])
+
+    def part(self, begin: float, end: float) -> "CartesianPath":
+        """The part from s = begin to s = end > begin. On a closed path the end may be beyond 1, at most one round farther."""
+        begin = number("begin", begin, least=0.0)
+        return Stretch(path=self, begin=begin, end=number("end", end, above=begin, most=1.0 + begin))
 
     @abstractmethod
     def _at(self, s: Array) -> tuple[Array, Array]:
@@ -178,6 +190,10 @@ class Spline(CartesianPath):
     s: Array
     poses: Array
 
+    @property
+    def knots(self) -> Array:
+        return self.s
+
     def _at(self, s: Array) -> tuple[Array, Array]:
         from scipy.interpolate import CubicSpline
         from scipy.spatial.transform import Rotation, RotationSpline
@@ -185,6 +201,25 @@ class Spline(CartesianPath):
         positions = CubicSpline(self.s, self.poses[:, :3, 3])(s)
         turns = RotationSpline(self.s, Rotation.from_matrix(self.poses[:, :3, :3]))(s)
         return np.asarray(positions), np.asarray(turns.as_matrix()).reshape(-1, 3, 3)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Stretch(CartesianPath):
+    """The part of a path from s = begin to s = end, which goes around a closed path where it is beyond 1."""
+
+    path: CartesianPath
+    begin: float
+    end: float
+
+    @property
+    def knots(self) -> Array:
+        whole = self.path.knots
+        inner = (np.concatenate([whole, 1.0 + whole]) - self.begin) / (self.end - self.begin)
+        return np.concatenate([[0.0], np.unique(inner[(inner > SAME) & (inner < 1.0 - SAME)]), [1.0]])
+
+    def _at(self, s: Array) -> tuple[Array, Array]:
+        at = self.begin + s * (self.end - self.begin)
+        return self.path._at(np.where(at > 1.0, at - 1.0, at))
 
 
 #: The subclasses by name.

@@ -5,6 +5,8 @@ so forth, are the fewest parts of an open path; those of a cycle are the fewest 
 parts reach takes one sweep: it finds the first position from which each position is reached.
 """
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +18,7 @@ from manipplan.search.max_min import THREADED
 from manipplan.search.search import Search
 from manipplan.search.steps import check_epsilon, exclusive
 from manipplan.search.sweep import Part, ThreadPool
-from manipplan.support.checks import instance
+from manipplan.support.checks import Array, instance
 from manipplan.support.display import one_line
 from manipplan.support.errors import PlanningError
 from manipplan.support.progress import Progress, teller
@@ -64,12 +66,10 @@ def fewest_interruptions(
         InvalidInputError: for bad arguments.
         PlanningError: two neighbouring positions have no candidates within epsilon, so that no interruption helps.
     """
-    instance("layers", layers, Layers)
-    reach = exclusive(check_epsilon(epsilon, layers.continuous), strict=instance("strict", strict, bool))
+    reach = _reach(layers, epsilon, strict)
     values = np.unique(np.concatenate(layers.m))
     values = values[values <= layers.bound]
-    with ThreadPool(all_cores() if layers.count >= THREADED else 1) as pool:
-        search = Search(layers, pool, teller(progress), work=WORK * layers.count)
+    with _search(layers, progress) as search:
 
         def edges_above(k: int) -> tuple[int, ...]:
             first = search.first_positions(Part(threshold=values[k]), reach, f"interruptions with m >= {values[k]:.6g}")
@@ -88,6 +88,24 @@ def fewest_interruptions(
             else:
                 high, stride = k, GROWTH * stride
     return Interruptions(edges=edges, minimum=float(values[low]))
+
+
+def fewest_parts(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, progress: Progress | None = None) -> int | None:
+    """The number of parts that `fewest_interruptions` finds, by one sweep; None where a step has no path."""
+    with _search(layers, progress) as search:
+        edges = _edges(search.first_positions(Part(), _reach(layers, epsilon, strict), "parts"), closed=layers.closed)
+    return len(edges) - 1 if edges else None
+
+
+@contextmanager
+def _search(layers: Layers, progress: Progress | None) -> Iterator[Search]:
+    with ThreadPool(all_cores() if layers.count >= THREADED else 1) as pool:
+        yield Search(layers, pool, teller(progress), work=WORK * layers.count)
+
+
+def _reach(layers: Layers, epsilon: ArrayLike, strict: bool) -> Array:
+    instance("layers", layers, Layers)
+    return exclusive(check_epsilon(epsilon, layers.continuous), strict=instance("strict", strict, bool))
 
 
 def _edges(first: NDArray[np.int64], *, closed: bool) -> tuple[int, ...]:

@@ -47,7 +47,7 @@ class SearchResult:
         breaks_at: the first position, counted from 0, that no continuous path from the first one reaches; 0 when all are
             reached but no cycle closes; None when there is a path.
         smallest_epsilon: (n,) the limiting multiple of epsilon: with strict=False it connects the layers, with strict=True
-            every larger multiple does. None when there is a path.
+            every larger multiple does. None when there is a path, or if it was not asked for.
         message: text of the status, with the numbers of this search.
     """
 
@@ -157,6 +157,7 @@ def max_min_search(
     strict: bool = True,
     prefer: str = "shortest",
     anytime: Literal[False] = False,
+    explain: bool = True,
     throw: bool = True,
     progress: Progress | None = None,
     threads: int | None = None,
@@ -169,6 +170,7 @@ def max_min_search(
     strict: bool = True,
     prefer: str = "shortest",
     anytime: Literal[True],
+    explain: bool = True,
     throw: bool = True,
     progress: Progress | None = None,
     threads: int | None = None,
@@ -180,6 +182,7 @@ def max_min_search(
     strict: bool = True,
     prefer: str = "shortest",
     anytime: bool = False,
+    explain: bool = True,
     throw: bool = True,
     progress: Progress | None = None,
     threads: int | None = None,
@@ -195,8 +198,9 @@ def max_min_search(
             on ties the shortest. "lexicographic" sorts the vectors of values at each layer: it takes the most time and memory.
         anytime: return an iterator instead of a result. It yields results during the search, with a rising minimum or a
             falling certified_bound; the last one is the optimum, the same as with False.
+        explain: if no path is continuous, find `smallest_epsilon`, which can take far longer than the search.
         throw: raise PlanningError, which holds the result, if no path is continuous. With False, that result is returned;
-            it tells where the layers are disconnected, and `smallest_epsilon`.
+            it tells where the layers are disconnected.
         progress: called several times per second with the share done in [0, 1], which never falls, and a text. The share
             refers to the worst-case work: if the search ends early, it jumps to 1.
         threads: number of threads; by default one per core.
@@ -208,7 +212,7 @@ def max_min_search(
     """
     instance("layers", layers, Layers)
     steps = check_epsilon(epsilon, layers.continuous)
-    for name, value in {"strict": strict, "anytime": anytime, "throw": throw}.items():
+    for name, value in {"strict": strict, "anytime": anytime, "explain": explain, "throw": throw}.items():
         if not isinstance(value, bool | np.bool_):
             raise InvalidInputError(name, value, "True or False")
     names = [each.value for each in Prefer]
@@ -220,7 +224,7 @@ def max_min_search(
 
         threads = all_cores()
     whole_number("threads", threads, least=1)
-    results = _results(layers, steps, bool(strict), Prefer(prefer), tell, threads if layers.count >= THREADED else 1)
+    results = _results(layers, steps, bool(strict), Prefer(prefer), explain, tell, threads if layers.count >= THREADED else 1)
     results = _raise_if_not_connected(results) if throw else results
     if anytime:
         return results
@@ -229,7 +233,7 @@ def max_min_search(
 
 
 def _results(
-    layers: Layers, epsilon: Array, strict: bool, prefer: Prefer, tell: Progress, threads: int
+    layers: Layers, epsilon: Array, strict: bool, prefer: Prefer, explain: bool, tell: Progress, threads: int
 ) -> Iterator[SearchResult]:
     """Yields results during the search."""
     reach = exclusive(epsilon, strict=strict)
@@ -243,7 +247,7 @@ def _results(
                 break
             yield _result(search, path, Status.IMPROVING, epsilon, strict, certified)
         if path is None:
-            yield _not_connected(search, epsilon, reach, strict)
+            yield _not_connected(search, epsilon, reach, strict, explain)
             return
         if prefer is not Prefer.FIRST:
             objective = Shortest() if prefer is Prefer.SHORTEST else Lexicographic()
@@ -324,18 +328,21 @@ def _result(
     )
 
 
-def _not_connected(search: Search, epsilon: Array, reach: Array, strict: bool) -> SearchResult:
+def _not_connected(search: Search, epsilon: Array, reach: Array, strict: bool, explain: bool) -> SearchResult:
     result = _result(search, None, Status.NOT_CONNECTED, epsilon, strict, -np.inf)
     count = len(search.layers.q)
     place = search.reached(reach) % count  # 0: all reached, but no cycle closes
-    smallest = search.least_epsilon(epsilon)
     if place:
         where = f"no candidate of position {place} can be reached from position {place - 1}"
     else:
         where = f"no path closes: none ends at position {count - 1} within epsilon of its start at position 0"
-    factor = float((smallest / epsilon).max())
-    least = ", ".join(f"{each:.6g}" for each in smallest)
-    told = f"for values above {factor:.6g} times epsilon" if strict else f"for {factor:.6g} times epsilon or more"
-    message = f"{where}; the layers are connected {told} ({least}); {Status.NOT_CONNECTED.value}"
+    smallest, remedy = None, ""
+    if explain:
+        smallest = search.least_epsilon(epsilon)
+        factor = float((smallest / epsilon).max())
+        least = ", ".join(f"{each:.6g}" for each in smallest)
+        told = f"for values above {factor:.6g} times epsilon" if strict else f"for {factor:.6g} times epsilon or more"
+        remedy = f"the layers are connected {told} ({least}); "
+    message = f"{where}; {remedy}{Status.NOT_CONNECTED.value}"
     search.tell(1.0, "done")
     return replace(result, breaks_at=place, smallest_epsilon=smallest, message=message)

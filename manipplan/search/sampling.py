@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.near_pairs import apart_text
@@ -18,7 +19,8 @@ from manipplan.measures.measure import Measure
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers
-from manipplan.support.checks import Array, instance, number, whole_number
+from manipplan.search.positions import check_positions, count_positions
+from manipplan.support.checks import Array, instance, number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, teller
 from manipplan.symbolic.task import Task
@@ -63,7 +65,7 @@ REACHES = (1e-6, 1e-6)
 def sample_layers(
     robot: Robot,
     path: CartesianPath,
-    positions: int = 50,
+    positions: int | ArrayLike = 50,
     *,
     task: Task | None = None,
     measure: Measure | str | None = None,
@@ -85,7 +87,8 @@ def sample_layers(
     Args:
         robot: the arm.
         path: of the tool.
-        positions: number of positions, equally spaced in s; with `closed`, the last one does not repeat the first.
+        positions: number of positions, equally spaced in s, or their s (L,), from 0 to 1; with `closed`, the last one does not
+            repeat the first.
         task: Task.pose(), the default, or Task.pointing(axis), whose rotation about the axis is sampled as well. The
             manipulability of candidates is that of this task.
         measure: of manipulability; see `Robot.kinematics`.
@@ -113,7 +116,6 @@ def sample_layers(
     instance("robot", robot, Robot)
     if not isinstance(path, CartesianPath):
         raise InvalidInputError("path", path, "a CartesianPath")
-    n = whole_number("positions", positions, least=2)
     for name, value in (("closed", closed), ("collisions", collisions)):
         instance(name, value, bool)
     if closed and np.abs(path(0.0) - path(1.0)).max() > RETURNS:
@@ -135,9 +137,10 @@ def sample_layers(
     tell = teller(progress)
     allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * _machine_memory()
     sampler = CandidateSampler(spec)
+    n = count_positions(positions)
     _check_grid(sampler, n, samples, allowed)
+    s = check_positions(positions, closed=closed)
     values = sampler.solver.grid(samples, SAMPLES)
-    s = np.arange(n) / n if closed else np.linspace(0.0, 1.0, n)
     poses = path(s)
     if not are_poses(poses):
         k = next(k for k in range(n) if not are_poses(poses[k : k + 1]))

@@ -48,6 +48,10 @@ class Status(Enum):
     FOLLOWED = (
         "followed: the motion follows the workspace path with the largest minimum manipulability found, and every check passed"
     )
+    FOLLOWED_IN_PARTS = (
+        "followed in parts: the motion follows the workspace path with as few interruptions as the samples allow and the largest "
+        "minimum manipulability found with so few, and every check passed"
+    )
     NOT_CONNECTED = (
         "failed: no continuous path leads through the candidates of all positions; take a larger epsilon, more samples or more "
         "positions"
@@ -97,9 +101,12 @@ MET = (
     Status.STOPPED_EARLY,
     Status.IMPROVED,
     Status.FOLLOWED,
+    Status.FOLLOWED_IN_PARTS,
     Status.COMPOSED,
     Status.PROVEN_OPTIMAL,
     Status.TRACKED,
 )
+#: Statuses of motions along a workspace path.
+ALONG = (Status.FOLLOWED, Status.FOLLOWED_IN_PARTS)
 #: Statuses of motions that `improve` returns: they start from a recording, not from a planner's seed.
 RECORDED = (Status.IMPROVED, Status.NOT_BETTER)

@@ -75,6 +75,23 @@ class CourseFinder:
         m = (np.array([float(kinematics.manipulability(q))]), *self.layers.m[1:])
         return replace(self, layers=replace(self.layers, q=configurations, m=m, poses=poses))
 
+    def between(self, first: int, last: int) -> "CourseFinder":
+        """The same for the part of the path from one position to another, which may be beyond the last one of a closed path."""
+        layers = self.layers
+        assert layers.s is not None and layers.poses is not None
+        turned = np.arange(first, last + 1)
+        k, s = turned % len(layers.q), layers.s[turned % len(layers.q)] + turned // len(layers.q)
+        begin, end = float(s[0]), float(s[-1])
+        some = replace(
+            layers,
+            q=tuple(layers.q[i] for i in k),
+            m=tuple(layers.m[i] for i in k),
+            closed=False,
+            s=np.concatenate([[0.0], (s[1:-1] - begin) / (end - begin), [1.0]]),
+            poses=layers.poses[k],
+        )
+        return replace(self, path=self.path.part(begin, end), layers=some)
+
     def along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> Course:
         """The course through the positions of a path that the search found; `hold_start` keeps its first configuration."""
         inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
@@ -85,14 +102,14 @@ class CourseFinder:
     def in_the_way(self, found: SearchResult) -> str:
         """Where no path was found: the bodies that are in the way, if there is a path without them, for a message."""
         sampler = self.layers.sampler
-        assert sampler is not None
+        assert sampler is not None and self.layers.s is not None
         if sampler.collision is None:
             return ""
         spec = sampler.spec
         through = sample_layers(
             spec.robot,
             self.path,
-            len(self.layers.q),
+            self.layers.s,
             task=spec.task,
             measure=spec.measure,
             samples=self.samples,

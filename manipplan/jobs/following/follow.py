@@ -13,40 +13,35 @@ from manipplan.cost.floor import floor_of
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.metric import metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure
-from manipplan.jobs.following.course import Course, CourseFinder, nearest_pair
-from manipplan.jobs.following.lead_in import Planner, choose_entry
+from manipplan.jobs.following.course import CourseFinder
+from manipplan.jobs.following.motion import join_parts
+from manipplan.jobs.following.parts import find_parts
+from manipplan.jobs.following.transit import TransitPlanner
 from manipplan.jobs.goals.read import named_configuration
-from manipplan.jobs.plan import plan
-from manipplan.jobs.reports.along import PathPart
-from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
-from manipplan.optimize.result import PathResult, make_result
+from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.deviation import deviation_at, deviation_from
-from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
-from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.robot import Robot
-from manipplan.search.max_min import max_min_search
-from manipplan.search.sampling import sample_layers
+from manipplan.search.max_min import SearchResult
+from manipplan.search.positions import STRIDE, choose_positions
+from manipplan.search.sampling import SAMPLES, sample_layers
 from manipplan.search.steps import check_epsilon
-from manipplan.seeds.seeding import Seeding
-from manipplan.support.checks import Array, instance, number
+from manipplan.support.checks import finite_array, instance, number, whole_number
 from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.errors import PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.progress import Progress, part, teller
-from manipplan.support.status import Status
+from manipplan.support.status import ALONG, Status
 from manipplan.symbolic.task import Task
-from manipplan.timing.retime import check_timing_limits, retime
-from manipplan.timing.steady.retime_steady import retime_steady
-from manipplan.timing.steady.speed import check_tool_speed, measure_speed
+from manipplan.timing.retime import check_timing_limits
+from manipplan.timing.steady.speed import check_tool_speed
 
 #: Clearance that candidates keep beyond the required one, for the motion between positions [m].
 SPARE = 0.003
 #: C sources of this job that are compiled while inverse kinematics is, at the first call ever.
 SOURCES = ("collision/distances.c", "search/sweep.c", "cost/panels.c", "paths/curves.c", "timing/barrier.c")
-#: Number of times at which the tool is compared with the path.
-TIMES = 1500
+#: How many times as many samples are taken where those of the default do not connect.
+FINER = 10
 
 
 @overload
@@ -57,7 +52,9 @@ def follow(
     *,
     start: ArrayLike | str | None = ...,
     tool_speed: float | None = ...,
-    positions: int = ...,
+    positions: int | ArrayLike | None = ...,
+    interruptions: int = ...,
+    retreat: float | ArrayLike = ...,
     objective: PathObjective = ...,
     epsilon: ArrayLike = ...,
     samples: int | Sequence[int] | None = ...,
@@ -80,7 +77,9 @@ def follow(
     *,
     start: ArrayLike | str | None = ...,
     tool_speed: float | None = ...,
-    positions: int = ...,
+    positions: int | ArrayLike | None = ...,
+    interruptions: int = ...,
+    retreat: float | ArrayLike = ...,
     objective: PathObjective = ...,
     epsilon: ArrayLike = ...,
     samples: int | Sequence[int] | None = ...,
@@ -103,7 +102,9 @@ def follow(
     *,
     start: ArrayLike | str | None = None,
     tool_speed: float | None = None,
-    positions: int = 50,
+    positions: int | ArrayLike | None = None,
+    interruptions: int = 0,
+    retreat: float | ArrayLike = 0.05,
     objective: PathObjective = PathObjective(),
     epsilon: ArrayLike = 0.2,
     samples: int | Sequence[int] | None = None,
@@ -121,6 +122,11 @@ def follow(
     All configurations at a number of positions are searched for the best continuous path. It is refined between the samples,
     joined by a spline that stays on the workspace path, timed, and checked independently.
 
+    Where no configurations connect, finer samples are tried. Where these do not either, the tool can leave the path and come back
+    to it in another configuration, if `interruptions` allows that. Their number is the least that the samples allow, which is
+    proven for them; with that number the minimum manipulability on the path is the largest. At an interruption the tool retreats,
+    a free motion follows, and the tool comes back to the pose where it left. `report.along` of the plan tells when.
+
     With a `start` the motion begins there. If the tool stands at the first pose of the path, to a quarter of the tolerance,
     the path begins in this configuration. Otherwise a lead-in, planned as by `plan`, leads to one in which the path begins,
     and stops there. It is chosen for the largest minimum manipulability of lead-in and path together: what the start and the
@@ -136,11 +142,17 @@ def follow(
             begins where the best motion along the path does.
         tool_speed: constant speed of the tool's origin along the path [m/s], kept to 1 % between a ramp at either end; None: as
             fast as the limits allow. The path must move the tool's origin everywhere.
-        positions: number of positions at which configurations are enumerated.
+        positions: number of positions at which configurations are enumerated, or their s (L,) from 0 to 1; None: at most 2 cm
+            apart, where 1 rad counts as 10 cm, at poses of the path as far as possible, and half as far if nothing connects.
+        interruptions: maximum number of interruptions. A closed path that is interrupted begins where that takes the fewest, and
+            the way back to where it began counts as one.
+        retreat: straight way of the tool off the path and onto it again at an interruption [m]: a distance against the tool's
+            z-axis, or a vector (3,) in the tool frame; 0 for none.
         objective: its task, Task.pose() by default or Task.pointing(axis), and its measure define the manipulability whose
             minimum is maximised; power and metric only count in the g that is reported.
         epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,).
-        samples: number of grid points of the redundancy; see `sample_layers`.
+        samples: number of grid points of the redundancy; see `sample_layers`. None: its default, and ten times as many on
+            an arm with one degree of redundancy if nothing connects.
         tolerance: maximum deviation of the tool from the path. Default: 0.1 mm and 1 mrad between the positions, which are
             met exactly; a tolerance that gives only one of the two has the default for the other.
         clearance: distance [m] to keep from obstacles and between the arm's own links. The positions keep 3 mm more, for the
@@ -175,161 +187,90 @@ def follow(
     q_start = None if start is None else named_configuration("start", start, robot)
     if tool_speed is not None:
         tool_speed = check_tool_speed(tool_speed, path)
+    interruptions = whole_number("interruptions", interruptions, least=0)
+    if isinstance(retreat, list | tuple | np.ndarray):
+        way = finite_array("retreat", retreat, (3,))
+    else:
+        way = np.array([0.0, 0.0, -number("retreat", retreat, least=0.0)])
     compile_ahead(*SOURCES)
     if q_start is not None:
         q_start = scene.collision_model(robot).free_configuration("start", q_start, clearance)
-    layers = sample_layers(
-        robot,
-        path,
-        positions,
-        task=objective.task,
-        measure=objective.measure,
-        samples=samples,
-        scene=scene,
-        clearance=clearance,
-        spare=SPARE,
-        closed=closed,
-        executor=executor,
-        seed=seed,
-        progress=part(tell, 0.0, 0.5),
-    )
-    assert layers.sampler is not None
-    kinematics = layers.sampler.kinematics
+
+    def sampled(spread: int | ArrayLike, count: int | Sequence[int] | None, tell: Progress) -> CourseFinder:
+        layers = sample_layers(
+            robot,
+            path,
+            spread,
+            task=objective.task,
+            measure=objective.measure,
+            samples=count,
+            scene=scene,
+            clearance=clearance,
+            spare=SPARE,
+            closed=closed,
+            executor=executor,
+            seed=seed,
+            progress=tell,
+        )
+        return CourseFinder(path=path, layers=layers, tolerance=tolerance, samples=count)
+
+    spread = positions if positions is not None else choose_positions(path, closed=closed)
+    finder = sampled(spread, samples, part(tell, 0.0, 0.4))
+    sampler = finder.layers.sampler
+    assert sampler is not None
+
+    def finer(tell: Progress) -> CourseFinder | None:
+        one = samples is None and len(sampler.solver.names) == 1
+        if positions is not None and not one:
+            return None
+        closer = positions if positions is not None else choose_positions(path, stride=STRIDE / 2, closed=closed)
+        made = sampled(closer, FINER * SAMPLES[0] if one else samples, tell)
+        return made.beginning(q_start) if q_start is not None and stands else made
+
+    kinematics = sampler.kinematics
     floor = floor_of(kinematics, objective.floor)
     integral = PathIntegral(kinematics=kinematics, power=objective.power, floor=floor, metric=metric)
     draft = PartialPlan(
         robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=with_defaults(tolerance)
     )
-    finder = CourseFinder(path=path, layers=layers, tolerance=tolerance, samples=samples)
     stands = q_start is not None and finder.begins_at(q_start)
-    if q_start is not None and stands:
-        finder = finder.beginning(q_start)
-    found = max_min_search(finder.layers, epsilon, throw=False, progress=part(tell, 0.5, 0.6))
-    draft = replace(draft, search=found)
-    if not found.connected:
+    whole = finder.beginning(q_start) if q_start is not None and stands else finder
+    parts = find_parts(whole, finer, epsilon, 0 if stands and closed else interruptions, part(tell, 0.4, 0.6))
+    if isinstance(parts, SearchResult) and stands and closed and interruptions:
+        stands, whole = False, finder  # an interrupted motion begins where that takes the fewest interruptions
+        parts = find_parts(whole, finer, epsilon, interruptions, part(tell, 0.4, 0.6))
+    if isinstance(parts, SearchResult):
         begin = "from the start, which is at the first pose of the path, " if stands else ""
-        return failed(draft, throw, begin + found.message + finder.in_the_way(found))
-    lead_in = None
-    if q_start is None or stands:
-        course = finder.along(found, part(tell, 0.6, 0.9), hold_start=stands)
-    else:
-        planner = _lead_ins(robot, q_start, scene, replace(objective, task=kinematics.task), clearance, torque, seed)
-        choice = choose_entry(finder, found, q_start, integral, planner, part(tell, 0.6, 0.9))
-        draft = replace(draft, candidates=choice.candidates)
-        if choice.entry is None:
-            return failed(replace(draft, status=Status.NO_PATH), throw, choice.failure)
-        lead_in, course = choice.entry.lead_in, choice.entry.course
-    result = _measured(lead_in, course, integral, scene, clearance)
+        return failed(replace(draft, search=parts), throw, begin + parts.message + whole.in_the_way(parts))
+    transits = TransitPlanner(
+        robot=robot,
+        scene=scene,
+        integral=integral,
+        objective=replace(objective, task=kinematics.task),
+        clearance=clearance,
+        torque=torque,
+        seed=seed,
+    )
+    returns = closed and not parts[0].finder.layers.closed
+    motion, candidates = join_parts(parts, q_start, way, transits, part(tell, 0.6, 0.9), hold_start=stands, returns=returns)
+    draft = replace(draft, candidates=candidates)
+    if isinstance(motion, str):
+        return failed(replace(draft, search=parts[0].found, status=Status.NO_PATH), throw, motion)
+    result = motion.measured(integral, scene, clearance)
+    least = min((leg.course for leg in motion.legs), key=lambda course: course.refinement.refined)
     draft = replace(
-        draft,
-        status=Status.FOLLOWED,
-        search=course.search,
-        refinement=course.refinement,
-        path=result.path,
-        result=result,
+        draft, status=motion.status, search=least.search, refinement=least.refinement, path=result.path, result=result
     )
     tell(0.95, "timing the motion")
     try:
-        if tool_speed is None:
-            along = retime(course.path, robot, torque=torque)
-        else:
-            along = retime_steady(course.path, robot, tool_speed, torque=torque)
+        trajectory, along = motion.timed(robot, integral, tool_speed, torque=torque)
     except PlanningError as error:
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     tell(0.97, "checking the result")
-    made, fault = _checked(draft, result, course, lead_in, along, integral, tool_speed, clearance=clearance, torque=torque)
-    if made.status is not Status.FOLLOWED:
+    made, fault = motion.checked(draft, result, trajectory, along, integral, clearance=clearance, torque=torque)
+    if made.status not in ALONG:
         return failed(made, throw, fault)
     if fault:
         return check_failed(made, throw, fault)
     tell(1.0, "done")
     return made
-
-
-def _lead_ins(
-    robot: Robot, start: Array, scene: Scene, objective: PathObjective, clearance: float, torque: bool, seed: int
-) -> Planner:
-    """What plans lead-ins from a start (n,)."""
-
-    def planned(goal: Array, seconds: float, tell: Progress) -> Plan | PartialPlan:
-        seeding = Seeding(seed=seed, time_limit=seconds)
-        return plan(
-            robot,
-            start,
-            goal,
-            scene,
-            objective=objective,
-            seeding=seeding,
-            clearance=clearance,
-            torque=torque,
-            throw=False,
-            progress=tell,
-        )
-
-    return planned
-
-
-def _measured(lead_in: Plan | None, course: Course, integral: PathIntegral, scene: Scene, clearance: float) -> PathResult:
-    """The figures of lead-in and course together, compared with those of the path that the search found."""
-    path, seed = course.path, course.seed
-    if lead_in is not None:
-        control = seed.control.copy()
-        control[0, 0] = path.start  # the seed begins where the lead-in ends
-        seed = JointPath(breaks=seed.breaks, control=control)
-        path, seed = (JointPath.joined([lead_in.path, each]) for each in (path, seed))
-    return make_result(
-        path,
-        integral,
-        cost=integral.cost(path),
-        seed=seed,
-        seed_cost=integral.cost(seed),
-        model=scene.collision_model(integral.kinematics.robot),
-        clearance=clearance,
-        status=Status.FOLLOWED,
-    )
-
-
-def _checked(
-    draft: PartialPlan,
-    result: PathResult,
-    course: Course,
-    lead_in: Plan | None,
-    along: Trajectory,
-    integral: PathIntegral,
-    tool_speed: float | None,
-    *,
-    clearance: float,
-    torque: bool,
-) -> tuple[Plan, str]:
-    """The plan, measured on its trajectory, and what is wrong with it; its status tells of faults that any plan can have."""
-    robot, path, tolerance = draft.robot, draft.workspace_path, draft.tolerance
-    assert path is not None and tolerance is not None
-    trajectory = along if lead_in is None else joined([lead_in.trajectory, along])
-    begin = 0.0 if lead_in is None else lead_in.trajectory.duration
-    pose, axis = integral.kinematics.pose, integral.kinematics.task.free_axis
-    deviation = deviation_from(path, pose(trajectory(np.linspace(begin, trajectory.duration, TIMES))), axis)
-    model = draft.scene.collision_model(robot)
-    made = finish(
-        replace(draft, deviation=deviation),
-        result.path,
-        trajectory,
-        result,
-        model,
-        result.path.goal,
-        clearance=clearance,
-        torque=torque,
-        jerk=True,
-        throw=False,
-    )
-    speed = None if tool_speed is None else measure_speed(trajectory, robot, tool_speed, begin=begin)
-    there = PathPart(begin=begin, min_manipulability=integral.cost(along.path()).min_manipulability, tool_speed=speed)
-    made = replace(made, report=replace(made.report, along=there))
-    s = np.linspace(0.0, 1.0, TIMES)
-    if made.status is not Status.FOLLOWED:
-        near = "" if made.report.collision_free else f"\n  {nearest_pair(model, course.path(s))}; take more positions"
-        return made, f"{made.report}{near}"
-    fault = deviation.excess(tolerance, "time") or deviation_at(path, s, pose(course.path(s)), axis).excess(tolerance, "path")
-    fault = f"{fault}. Take more positions" if fault else ""
-    if not fault and speed is not None and not speed.is_steady:
-        fault = f"the tool speed is not constant: {speed}"
-    return made, fault

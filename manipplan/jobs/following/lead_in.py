@@ -1,7 +1,7 @@
 """The lead-in: the free motion from the start to the path, and the choice of the configuration in which the path begins."""
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from manipplan.cost.integral import PathIntegral
 from manipplan.jobs.following.course import Course, CourseFinder
+from manipplan.jobs.following.transit import Planner, Transit
 from manipplan.jobs.goals.candidates import APART, TIE, GoalCandidate, measured
-from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.steps import steps_between
 from manipplan.support.checks import Array
@@ -23,15 +23,12 @@ GAIN = 0.01
 #: Time for all lead-ins [s], and share of what is left that one gets.
 SECONDS, SHARE = 10.0, 0.75
 
-#: Plans a lead-in to a configuration (n,) within a time [s].
-Planner = Callable[[Array, float, Progress], Plan | PartialPlan]
-
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Entry:
     """A way into the path: the lead-in, the course along the path, and the minimum manipulability of both."""
 
-    lead_in: Plan
+    lead_in: Transit
     course: Course
     minimum: float
 
@@ -91,14 +88,14 @@ def choose_entry(
         lead_in = planner(course.path.start, max(SHARE * seconds, SHARE), part(tell, 1 - 0.7 * left, 1 - 0.5 * left))
         seconds -= time.monotonic() - began
         row = replace(row, q=course.path.start)
-        if not isinstance(lead_in, Plan) or not lead_in.status.has_path:
-            failure = failure or lead_in.message
-            done.append(replace(row, status=f"left out: no lead-in: {lead_in.message}"))
+        if isinstance(lead_in, str):
+            failure = failure or lead_in
+            done.append(replace(row, status=f"left out: no lead-in: {lead_in}"))
             continue
         planned += 1
-        least = min(lead_in.report.min_manipulability, integral.cost(course.path).min_manipulability)
+        least = min(lead_in.min_manipulability, integral.cost(course.path).min_manipulability)
         status = f"planned: minimum manipulability {least:.4g}"
-        done.append(replace(row, min_manipulability=least, g=lead_in.report.g, status=status))
+        done.append(replace(row, min_manipulability=least, g=lead_in.g, status=status))
         if best is None or least > best.minimum * (1 + GAIN):
             done = [replace(each, chosen=False) for each in done]
             done[-1] = replace(done[-1], chosen=True)

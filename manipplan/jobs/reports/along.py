@@ -1,4 +1,4 @@
-"""PathPart: the part of a motion on which the tool follows a workspace path."""
+"""PathPart: a part of a motion on which the tool follows a workspace path."""
 
 from dataclasses import dataclass
 
@@ -9,23 +9,39 @@ from manipplan.timing.steady.speed import SteadySpeed
 @one_line
 @dataclass(frozen=True, kw_only=True)
 class PathPart:
-    """The part of a motion on which the tool follows a workspace path, which is its end.
+    """A part of a motion on which the tool follows a workspace path, or a part of one.
 
     Attributes:
-        begin: time at which it begins, after the lead-in [s]; 0 without one.
-        min_manipulability: minimum manipulability on it.
+        begin, end: times at which it begins and ends [s].
+        s_begin, s_end: where on the workspace path; beyond 1 where it goes on around a closed one.
+        min_manipulability: minimum manipulability on it; nan where it is not known.
         tool_speed: speed of the tool on it; None where none was asked for.
     """
 
     begin: float
-    min_manipulability: float
+    end: float
+    s_begin: float = 0.0
+    s_end: float = 1.0
+    min_manipulability: float = float("nan")
     tool_speed: SteadySpeed | None = None
 
-    def lines(self) -> list[str]:
-        """Lines of a report."""
-        lines = []
-        if self.begin > 0:
-            lines.append(f"  lead-in      {self.begin:.3f} s; minimum m along the path after it: {self.min_manipulability:.4g}")
-        if self.tool_speed is not None:
-            lines.append(f"  tool speed   {self.tool_speed}")
-        return lines
+
+def lines(along: tuple[PathPart, ...], duration: float) -> list[str]:
+    """Lines of a report on the parts of a motion of some duration [s]."""
+    made = []
+    if along and along[0].begin > 0:
+        least = min(part.min_manipulability for part in along)
+        made.append(f"  lead-in      {along[0].begin:.3f} s; minimum m along the path after it: {least:.4g}")
+    if len(along) > 1:
+        made.append(f"  parts        {len(along)}, between which the tool leaves the path:")
+    for part in along:
+        if len(along) > 1:
+            made.append(
+                f"               s = {part.s_begin:.4f} to {part.s_end:.4f} from {part.begin:.3f} s to {part.end:.3f} s; "
+                f"minimum m {part.min_manipulability:.4g}"
+            )
+        if part.tool_speed is not None:
+            made.append(f"  tool speed   {part.tool_speed}")
+    if along and along[-1].end < duration:
+        made.append(f"  return       {duration - along[-1].end:.3f} s, to the configuration in which the path began")
+    return made

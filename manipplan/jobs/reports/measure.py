@@ -14,8 +14,9 @@ from manipplan.constraints.proof import prove
 from manipplan.cost.crossings import describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.jobs.recordings.comparison import VANISHING
+from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.report import PlanReport, Report, first_path
-from manipplan.jobs.reports.tool import missed_by, tool_deviation
+from manipplan.jobs.reports.tool import tool_distances
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation
@@ -25,7 +26,7 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.seeds.acceptance import CHECK_STEP
 from manipplan.support.checks import Array
-from manipplan.support.status import Status
+from manipplan.support.status import ALONG, Status
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 
 #: Excess of a limit [rad, m], or share of it, up to which the limit counts as kept.
@@ -46,7 +47,7 @@ def measure(
     start: Array | None = None,
     goal: Array | None = None,
     workspace_path: CartesianPath | None = None,
-    path_begin: float = 0.0,
+    along: Sequence[PathPart] = (),
     tolerance: Tolerance | None = None,
     constraints: Sequence[Constraint] = (),
     clearance: float = 0.0,
@@ -62,7 +63,7 @@ def measure(
         start, goal: (n,) where the motion has to begin and end [rad or m]; None: anywhere.
         workspace_path, tolerance: path of the tool, and how far the tool may be from it; None: no path.
         constraints: what every configuration has to keep; held joints keep their first value.
-        path_begin: time from which the tool follows that path [s].
+        along: the parts of the motion on which the tool follows that path; (): all of it.
         clearance: required clearance [m].
         torque, jerk: whether these limits are checked; infinite jerk limits are not.
     """
@@ -94,10 +95,7 @@ def measure(
     ]
     deviation = missed = None
     if workspace_path is not None:
-        axis = kinematics.task.free_axis
-        begin = path_begin / trajectory.duration
-        deviation = tool_deviation(path, kinematics, workspace_path, axis, begin)
-        missed = missed_by(path, kinematics, workspace_path, axis, begin)
+        deviation, missed = tool_distances(path, trajectory.duration, kinematics, workspace_path, along)
         for what, distances in (("the tool leaves the path", deviation), ("the tool misses a pose of the path", missed)):
             faults += _outside(what, distances, tolerance)
     return Report(
@@ -279,7 +277,7 @@ def _compared(least: float, other: float, name: str) -> str:
 def _minimum_note(found: Report, result: PathResult, straight: float) -> str:
     """How the minimum manipulability compares with the seed's and the straight path's, and why if it is not twice both."""
     least, at = found.min_manipulability, found.min_at
-    if result.status is Status.FOLLOWED:
+    if result.status in ALONG:
         return "seed: the best path among the samples; straight: a line between the ends, which leaves the workspace path"
     if result.status is Status.COMPOSED:
         return "seed: the same motions without blends; straight: a line between the ends"

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from manipplan.constraints.figures import ConstraintFigure
 from manipplan.jobs.recordings.comparison import VANISHING, Comparison
+from manipplan.jobs.reports import along
 from manipplan.jobs.reports.along import PathPart
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.tolerance import Tolerance
@@ -50,7 +51,7 @@ class Report:
             and last pose are compared with those of the motion.
         tolerance: what was allowed of both; None without a path.
         constraints: how the motion keeps each constraint, at shares of the duration.
-        along: for `follow`: the part of the motion along the workspace path.
+        along: for `follow`: the part of the motion along the workspace path, or the parts, in their order.
         faults: one sentence for each check that did not pass.
         passed: whether all checks passed: limits, collisions and, where they were given, start, goal, constraints and workspace
             path.
@@ -85,7 +86,7 @@ class Report:
     missed: Deviation | None = None
     tolerance: Tolerance | None = None
     constraints: tuple[ConstraintFigure, ...] = ()
-    along: PathPart | None = None
+    along: tuple[PathPart, ...] = ()
     faults: tuple[str, ...] = ()
 
     def __str__(self) -> str:
@@ -201,7 +202,7 @@ class PlanReport(Report):
             f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
             f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
         ]
-        lines += [*(self.along.lines() if self.along is not None else []), *self._measured()]
+        lines += [*along.lines(self.along, self.duration), *self._measured()]
         if self.comparison is not None:
             lines += [f"  {line}" for line in str(self.comparison).splitlines()]
         return "\n".join(lines)

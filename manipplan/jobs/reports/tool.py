@@ -1,7 +1,10 @@
 """How far the tool of a motion is from a workspace path, and the path from where the tool comes past."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
+from manipplan.jobs.reports.along import PathPart
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation, angles_between, deviations, distances_from
@@ -9,44 +12,44 @@ from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
 
 #: Maximum joint motion between two poses of the tool that are compared [rad or m], minimum number of these poses, and number of
-#: poses of the path that the tool has to come past.
+#: evenly spaced poses of the path that the tool has to come past, beside those through which it was laid.
 STEP, LEAST, POSES = 2e-3, 1500, 2001
 
 
-def tool_deviation(
-    path: JointPath, kinematics: Kinematics, workspace_path: CartesianPath, axis: Array | None, begin: float
-) -> Deviation:
-    """The largest distances of the tool from a workspace path, regardless of time; `..._at` is s of the joint path.
+def tool_distances(
+    path: JointPath, duration: float, kinematics: Kinematics, workspace_path: CartesianPath, along: Sequence[PathPart]
+) -> tuple[Deviation, Deviation]:
+    """The largest distances of the tool from a workspace path, and of the path's poses from where the tool comes past.
 
-    What comes before s = `begin` of the joint path does not count. Of the tool's orientation only the direction of `axis` (3,)
-    counts if given.
+    `..._at` is s of the joint path, and s of the workspace path. The first and the last pose of each part are compared with
+    those of the motion: a tool that stops early, or goes backwards, misses one. Of a tool axis that the task leaves free only the
+    direction counts.
+
+    Args:
+        path: the motion over its time, in shares of the duration [s].
+        kinematics: with the task.
+        along: the parts of the motion on which the tool follows the path; (): all of it.
     """
-    s = _samples(path, begin)
-    return _largest(s, *deviations(workspace_path, kinematics.pose(path(s)), axis))
+    axis, fine = kinematics.task.free_axis, path.fine_samples(STEP)
+    left, missed = [], []
+    for part in along or (PathPart(begin=0.0, end=duration),):
+        begin, end = part.begin / duration, min(part.end / duration, 1.0)
+        s = np.union1d(np.linspace(begin, end, LEAST), fine[(fine > begin) & (fine < end)])
+        way, stretch = kinematics.pose(path(s)), workspace_path.part(part.s_begin, part.s_end)
+        left.append((s, *deviations(stretch, way, axis)))
+        places = np.union1d(np.linspace(0.0, 1.0, POSES), stretch.knots)
+        poses = stretch(places)
+        position, rotation = distances_from(way, poses, axis)
+        ends = [0, -1]
+        position[ends] = np.linalg.norm(way[ends, :3, 3] - poses[ends, :3, 3], axis=1)
+        rotation[ends] = angles_between(way[ends, :3, :3], poses[ends, :3, :3], axis)
+        missed.append((part.s_begin + places * (part.s_end - part.s_begin), position, rotation))
+    return _largest(left), _largest(missed)
 
 
-def missed_by(
-    path: JointPath, kinematics: Kinematics, workspace_path: CartesianPath, axis: Array | None, begin: float
-) -> Deviation:
-    """The largest distances of poses of a workspace path from where the tool comes past; `..._at` is s of the workspace path.
-
-    The first and the last pose are compared with those of the motion: a tool that stops early, or goes backwards, misses one.
-    """
-    way, poses = kinematics.pose(path(_samples(path, begin))), workspace_path.sample(POSES)
-    position, rotation = distances_from(way, poses, axis)
-    ends = [0, -1]
-    position[ends] = np.linalg.norm(way[ends, :3, 3] - poses[ends, :3, 3], axis=1)
-    rotation[ends] = angles_between(way[ends, :3, :3], poses[ends, :3, :3], axis)
-    return _largest(np.linspace(0.0, 1.0, POSES), position, rotation)
-
-
-def _samples(path: JointPath, begin: float) -> Array:
-    """The s of the poses that are compared, from `begin` on."""
-    s = np.unique(np.concatenate([np.linspace(begin, 1.0, LEAST), path.fine_samples(STEP)]))
-    return np.asarray(s[s >= begin])
-
-
-def _largest(at: Array, position: Array, rotation: Array) -> Deviation:
+def _largest(parts: list[tuple[Array, Array, Array]]) -> Deviation:
+    """The largest distances of parts, each with the places and the distances there."""
+    at, position, rotation = (np.concatenate(each) for each in zip(*parts, strict=True))
     far, turned = int(position.argmax()), int(rotation.argmax())
     return Deviation(
         position=float(position[far]),

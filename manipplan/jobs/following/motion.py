@@ -1,0 +1,197 @@
+"""FollowingMotion: courses along the parts of a workspace path with the transits between them, as one timed motion, checked."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from manipplan.collision.scene import Scene
+from manipplan.cost.integral import PathIntegral
+from manipplan.jobs.following.course import Course, nearest_pair
+from manipplan.jobs.following.lead_in import SECONDS, choose_entry
+from manipplan.jobs.following.parts import FoundPart
+from manipplan.jobs.following.transit import Transit, TransitPlanner
+from manipplan.jobs.goals.candidates import GoalCandidate
+from manipplan.jobs.reports.along import PathPart
+from manipplan.jobs.reports.tool import tool_distances
+from manipplan.jobs.result import PartialPlan, Plan, finish
+from manipplan.optimize.result import PathResult, make_result
+from manipplan.paths.joint import JointPath
+from manipplan.paths.trajectory import Trajectory, joined
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.support.progress import Progress, part, silent
+from manipplan.support.status import ALONG, Status
+from manipplan.timing.retime import retime
+from manipplan.timing.steady.retime_steady import retime_steady
+from manipplan.timing.steady.speed import measure_speed
+
+#: Places at which the nearest bodies are looked for, for a message.
+PLACES = np.linspace(0.0, 1.0, 1500)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Leg:
+    """A part of the path, the course along it, and the transit to its beginning; None where the motion begins there."""
+
+    part: FoundPart
+    course: Course
+    transit: Transit | None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FollowingMotion:
+    """The legs of a motion and, for a closed path, the transit back to the configuration in which the path began."""
+
+    legs: tuple[Leg, ...]
+    back: Transit | None = None
+
+    @property
+    def status(self) -> Status:
+        """Whether the tool leaves the path between."""
+        return Status.FOLLOWED if len(self.legs) == 1 and self.back is None else Status.FOLLOWED_IN_PARTS
+
+    def measured(self, integral: PathIntegral, scene: Scene, clearance: float) -> PathResult:
+        """The figures of its path, compared with those of the path that the search found."""
+        transits = [leg.transit for leg in self.legs] + [self.back]
+        pairs: list[tuple[JointPath, JointPath]] = []
+        for k, leg in enumerate(self.legs):
+            if leg.transit is not None:
+                pairs.append((leg.transit.path, leg.transit.path))
+            control, path = leg.course.seed.control.copy(), leg.course.path
+            if transits[k] is not None:  # the seed begins and ends where transits do
+                control[0, 0] = path.start
+            if transits[k + 1] is not None:
+                control[-1, -1] = path.goal
+            pairs.append((path, JointPath(breaks=leg.course.seed.breaks, control=control)))
+        if self.back is not None:
+            pairs.append((self.back.path, self.back.path))
+        path, seed = (each[0] if len(each) == 1 else JointPath.joined(each) for each in zip(*pairs, strict=True))
+        return make_result(
+            path,
+            integral,
+            cost=integral.cost(path),
+            seed=seed,
+            seed_cost=integral.cost(seed),
+            model=scene.collision_model(integral.kinematics.robot),
+            clearance=clearance,
+            status=self.status,
+        )
+
+    def timed(
+        self, robot: Robot, integral: PathIntegral, tool_speed: float | None, *, torque: bool
+    ) -> tuple[Trajectory, tuple[PathPart, ...]]:
+        """The timed motion, and its parts along the path. Raises InvalidInputError for a speed, PlanningError for limits."""
+        pieces: list[Trajectory] = []
+        along: list[PathPart] = []
+        clock = 0.0
+        for leg in self.legs:
+            if leg.transit is not None:
+                pieces.append(leg.transit.trajectory)
+                clock += leg.transit.trajectory.duration
+            path, speed = leg.course.path, None
+            if tool_speed is None:
+                motion = retime(path, robot, torque=torque)
+            else:
+                motion = retime_steady(path, robot, tool_speed, torque=torque)
+                found = measure_speed(motion, robot, tool_speed)
+                speed = replace(found, begin=clock + found.begin, end=clock + found.end)
+            pieces.append(motion)
+            along.append(
+                PathPart(
+                    begin=clock,
+                    end=clock + motion.duration,
+                    s_begin=leg.part.s_begin,
+                    s_end=leg.part.s_end,
+                    min_manipulability=integral.cost(motion.path()).min_manipulability,
+                    tool_speed=speed,
+                )
+            )
+            clock += motion.duration
+        if self.back is not None:
+            pieces.append(self.back.trajectory)
+        return joined(pieces), tuple(along)
+
+    def checked(
+        self,
+        draft: PartialPlan,
+        result: PathResult,
+        trajectory: Trajectory,
+        along: tuple[PathPart, ...],
+        integral: PathIntegral,
+        *,
+        clearance: float,
+        torque: bool,
+    ) -> tuple[Plan, str]:
+        """The plan, measured on its trajectory, and what is wrong with it; its status tells of faults that any plan can have."""
+        path, tolerance = draft.workspace_path, draft.tolerance
+        assert path is not None and tolerance is not None
+        model = draft.scene.collision_model(draft.robot)
+        deviation, missed = tool_distances(trajectory.path(), trajectory.duration, integral.kinematics, path, along)
+        made = finish(
+            replace(draft, deviation=deviation),
+            result.path,
+            trajectory,
+            result,
+            model,
+            result.path.goal,
+            clearance=clearance,
+            torque=torque,
+            jerk=True,
+            throw=False,
+        )
+        made = replace(made, report=replace(made.report, along=along))
+        if made.status not in ALONG:
+            near = "" if made.report.collision_free else f"\n  {nearest_pair(model, result.path(PLACES))}; take more positions"
+            return made, f"{made.report}{near}"
+        fault = deviation.excess(tolerance, "time") or missed.excess(tolerance, "path")
+        if fault:
+            return made, f"{fault}. Take more positions"
+        speeds = [part.tool_speed for part in along if part.tool_speed is not None and not part.tool_speed.is_steady]
+        return made, f"the tool speed is not constant: {speeds[0]}" if speeds else ""
+
+
+def join_parts(
+    parts: list[FoundPart],
+    start: Array | None,
+    way: Array,
+    transits: TransitPlanner,
+    tell: Progress,
+    *,
+    hold_start: bool,
+    returns: bool,
+) -> tuple[FollowingMotion | str, tuple[GoalCandidate, ...]]:
+    """The motion along all parts, or why there is none, and the configurations in which it can begin after a lead-in.
+
+    Args:
+        parts: of the path, each beginning where the one before ends.
+        start: (n,) where the motion begins; None: where the best motion along the path does.
+        way: (3,) by which the tool leaves the path between parts, in its frame [m].
+        transits: plans motions between parts.
+        tell: called with the share done.
+        hold_start: whether the start is at the first pose of the path.
+        returns: whether the motion goes back to the configuration in which the path began.
+    """
+    legs: list[Leg] = []
+    candidates: tuple[GoalCandidate, ...] = ()
+    for k, each in enumerate(parts):
+        share = part(tell, k / len(parts), (k + 1) / len(parts))
+        begin = legs[-1].course.path.goal if legs else start
+        if begin is None or (not legs and hold_start):
+            course = each.finder.along(each.found, share, hold_start=hold_start)
+            legs.append(Leg(part=each, course=course, transit=None))
+            continue
+        planner = transits.between(begin, way) if legs else transits.lead_in(begin)
+        choice = choose_entry(each.finder, each.found, begin, transits.integral, planner, share)
+        if not legs:
+            candidates = choice.candidates
+        if choice.entry is None:
+            where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if legs else ""
+            return where + choice.failure, candidates
+        legs.append(Leg(part=each, course=choice.entry.course, transit=choice.entry.lead_in))
+    if not returns:
+        return FollowingMotion(legs=tuple(legs)), candidates
+    first = legs[0].course.path.start
+    back = transits.between(legs[-1].course.path.goal, way)(first, SECONDS, silent)
+    if isinstance(back, str):
+        return f"no way back to the configuration in which the path began: {back}", candidates
+    return FollowingMotion(legs=tuple(legs), back=back), candidates

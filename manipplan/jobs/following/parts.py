@@ -1,0 +1,83 @@
+"""The parts of a workspace path along which there are continuous motions: all of it or, where none is, the fewest."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+from numpy.typing import ArrayLike
+
+from manipplan.jobs.following.course import CourseFinder
+from manipplan.search.interruptions import fewest_interruptions, fewest_parts
+from manipplan.search.max_min import SearchResult, max_min_search
+from manipplan.support.progress import Progress, part
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FoundPart:
+    """A part of a workspace path, and a motion along it.
+
+    Attributes:
+        s_begin, s_end: where on the path it begins and ends; beyond 1 where it goes on around a closed one.
+        finder: of courses along it.
+        found: the best motion through its positions.
+    """
+
+    s_begin: float
+    s_end: float
+    finder: CourseFinder
+    found: SearchResult
+
+
+#: Makes the finder of a path again with finer samples; None where there are none.
+Finer = Callable[[Progress], CourseFinder | None]
+
+
+def find_parts(
+    finder: CourseFinder, finer: Finer, epsilon: ArrayLike, most: int, tell: Progress
+) -> list[FoundPart] | SearchResult:
+    """The fewest parts, with the largest minimum manipulability; the result of the search where the interruptions are too many.
+
+    Where no motion through the samples is continuous, finer ones are tried before the path is cut.
+
+    Args:
+        finder: of courses along the whole path.
+        finer: see Finer.
+        epsilon: as in `max_min_search`.
+        most: maximum number of interruptions.
+        tell: called with the share done.
+    """
+    found = max_min_search(finder.layers, epsilon, throw=False, progress=part(tell, 0.0, 0.3))
+    if found.connected:
+        return [FoundPart(s_begin=0.0, s_end=1.0, finder=finder, found=found)]
+    tried = [finder]
+    second = finer(part(tell, 0.3, 0.6))
+    if second is not None:
+        again = max_min_search(second.layers, epsilon, explain=False, throw=False, progress=part(tell, 0.6, 0.7))
+        if again.connected:
+            return [FoundPart(s_begin=0.0, s_end=1.0, finder=second, found=again)]
+        tried.append(second)
+    counts = [(fewest_parts(each.layers, epsilon, progress=part(tell, 0.7, 0.8)), each) for each in tried]
+    possible = [(parts, each) for parts, each in counts if parts is not None]
+    if not possible:
+        return found
+    parts, best = min(possible, key=lambda each: each[0])
+    interruptions = parts if best.layers.closed else parts - 1
+    if interruptions > most:
+        times = "1 interruption" if interruptions == 1 else f"{interruptions} interruptions"
+        allowed = f"interruptions={interruptions} allows them" if not most else f"interruptions={most} does not allow them"
+        return replace(found, message=f"{found.message}; with {times} there is a motion: {allowed}")
+    edges = fewest_interruptions(best.layers, epsilon, progress=part(tell, 0.8, 0.9)).edges
+    return [_part(best, first, last, epsilon) for first, last in pairwise(edges)]
+
+
+def _part(finder: CourseFinder, first: int, last: int, epsilon: ArrayLike) -> FoundPart:
+    """The part from one position to another."""
+    of_part, s = finder.between(first, last), finder.layers.s
+    assert s is not None
+    count = len(s)
+    return FoundPart(
+        s_begin=float(s[first % count]) + first // count,
+        s_end=float(s[last % count]) + last // count,
+        finder=of_part,
+        found=max_min_search(of_part.layers, epsilon),
+    )

@@ -1,0 +1,145 @@
+"""Transits: free motions of the arm to where the tool comes onto the path, with straight ways off the path and onto it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from manipplan.collision.scene import Scene
+from manipplan.cost.integral import PathIntegral
+from manipplan.cost.objective import PathObjective
+from manipplan.jobs.following.course import CourseFinder
+from manipplan.jobs.plan import plan
+from manipplan.jobs.result import Plan
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.joint import JointPath
+from manipplan.paths.trajectory import Trajectory, joined
+from manipplan.robots.robot import Robot
+from manipplan.search.max_min import max_min_search
+from manipplan.search.sampling import sample_layers
+from manipplan.seeds.seeding import Seeding
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError, PlanningError
+from manipplan.support.progress import Progress, silent
+from manipplan.symbolic.task import Task
+from manipplan.timing.retime import retime
+
+#: Maximum step of a joint between neighbouring positions of a straight way [rad or m].
+EPSILON = 0.4
+#: Distance between positions on a straight way [m], and their smallest number.
+STRIDE, FEWEST = 0.015, 6
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Transit:
+    """A motion from where the arm stands to where the tool comes onto the path.
+
+    Attributes:
+        path, trajectory: the motion; it stops where a straight way begins or ends.
+        min_manipulability, g: minimum manipulability on it, and its g.
+    """
+
+    path: JointPath
+    trajectory: Trajectory
+    min_manipulability: float
+    g: float
+
+
+#: Plans a transit to a configuration (n,) within a time [s]; a text tells why there is none.
+Planner = Callable[[Array, float, Progress], Transit | str]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class TransitPlanner:
+    """What transits of one job share.
+
+    Attributes:
+        robot, scene: the arm among its obstacles.
+        integral: of the g and the manipulability that count.
+        objective: the same as an objective.
+        clearance: distance to keep [m].
+        torque: whether the joints' effort limits are kept.
+        seed: of the planner of free motions.
+    """
+
+    robot: Robot
+    scene: Scene
+    integral: PathIntegral
+    objective: PathObjective
+    clearance: float
+    torque: bool
+    seed: int
+
+    def lead_in(self, start: Array) -> Planner:
+        """The planner of free motions from a start (n,)."""
+
+        def planned(goal: Array, seconds: float, tell: Progress) -> Transit | str:
+            made = self._free(start, goal, seconds, tell)
+            return made if isinstance(made, str) else self._of([made.path], [made.trajectory])
+
+        return planned
+
+    def between(self, begin: Array, way: Array) -> Planner:
+        """The planner of motions off the path and onto it again, from a configuration (n,) on the path.
+
+        The tool leaves the path and comes back along the straight `way` (3,) in its frame [m]; zeros: freely.
+        """
+        if not way.any():
+            return self.lead_in(begin)
+        off = straight_way(self.robot, self.scene, begin, way, self.objective, self.clearance)
+
+        def planned(goal: Array, seconds: float, tell: Progress) -> Transit | str:
+            if isinstance(off, str):
+                return f"no straight retreat from the path: {off}"
+            on = straight_way(self.robot, self.scene, goal, way, self.objective, self.clearance)
+            if isinstance(on, str):
+                return f"no straight way back onto the path: {on}"
+            back = JointPath(breaks=1 - on.breaks[::-1], control=on.control[::-1, ::-1])
+            middle = self._free(off.goal, back.start, seconds, tell)
+            if isinstance(middle, str):
+                return middle
+            try:
+                timed = [retime(each, self.robot, torque=self.torque) for each in (off, back)]
+            except PlanningError as error:
+                return f"the straight way cannot be timed: {error}"
+            return self._of([off, middle.path, back], [timed[0], middle.trajectory, timed[1]])
+
+        return planned
+
+    def _free(self, begin: Array, goal: Array, seconds: float, tell: Progress) -> Plan | str:
+        made = plan(
+            self.robot,
+            begin,
+            goal,
+            self.scene,
+            objective=self.objective,
+            seeding=Seeding(seed=self.seed, time_limit=seconds),
+            clearance=self.clearance,
+            torque=self.torque,
+            throw=False,
+            progress=tell,
+        )
+        return made if isinstance(made, Plan) and made.status.has_path else made.message
+
+    def _of(self, paths: list[JointPath], motions: list[Trajectory]) -> Transit:
+        path, trajectory = JointPath.joined(paths), joined(motions)
+        cost = self.integral.cost(path)
+        return Transit(path=path, trajectory=trajectory, min_manipulability=cost.min_manipulability, g=cost.g)
+
+
+def straight_way(
+    robot: Robot, scene: Scene, begin: Array, way: Array, objective: PathObjective, clearance: float
+) -> JointPath | str:
+    """The best motion from a configuration (n,) on which the tool moves straight by `way` (3,) in its frame, or why none is."""
+    pose = robot.kinematics(Task.pose()).pose(begin)
+    moved = np.eye(4)
+    moved[:3, 3] = way
+    path = CartesianPath.line(pose, pose @ moved)
+    positions = max(FEWEST, int(np.ceil(np.linalg.norm(way) / STRIDE)))
+    try:
+        layers = sample_layers(robot, path, positions, measure=objective.measure, scene=scene, clearance=clearance)
+    except InvalidInputError as error:
+        return str(error)
+    finder = CourseFinder(path=path, layers=layers, tolerance=None).beginning(begin)
+    found = max_min_search(finder.layers, EPSILON, throw=False)
+    return finder.along(found, silent, hold_start=True).path if found.connected else found.message
