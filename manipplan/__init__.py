@@ -64,6 +64,7 @@ from manipplan.robots.catalog import available_robots, load_robot, planar_arm
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.search.guilamo import GuilamoResult, guilamo_search
+from manipplan.search.interruptions import Interruptions, fewest_interruptions
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.refine import Refinement, refine
@@ -131,6 +132,7 @@ __all__ = [
     "GuilamoResult",
     "HeldJoints",
     "InvalidInputError",
+    "Interruptions",
     "InverseCondition",
     "Isotropy",
     "JointLimitPenalised",
@@ -203,6 +205,7 @@ __all__ = [
     "available_robots",
     "check",
     "dynamic_ellipsoid",
+    "fewest_interruptions",
     "follow",
     "force_ellipsoid",
     "formulations",

@@ -21,7 +21,9 @@ def follow(
     /,
     start: tuple[str, ...] = (),
     tool_speed: float | None = None,
-    positions: int = 50,
+    positions: int | None = None,
+    interruptions: int = 0,
+    retreat: tuple[float, ...] = (0.05,),
     epsilon: float = 0.2,
     samples: tuple[int, ...] = (),
     pointing: tuple[float, float, float] | None = None,
@@ -43,7 +45,9 @@ def follow(
         poses: CSV file with the columns x, y, z [m], qw, qx, qy, qz.
         start: Where the motion begins: one angle [rad] or length [m] per joint, or the name of a state in the robot's SRDF.
         tool_speed: Constant speed of the tool along the path [m/s].
-        positions: Number of positions at which configurations are enumerated.
+        positions: Number of positions at which configurations are enumerated; default: at most 2 cm apart.
+        interruptions: Maximum number of times that the tool leaves the path, if no continuous motion follows it.
+        retreat: Straight way of the tool off the path and back [m]: a distance against its z-axis, or a vector in its frame.
         epsilon: Maximum step of a joint between neighbouring positions [rad or m].
         samples: Number of grid points of the redundancy, one number or one per parameter.
         pointing: Tool axis about which the tool may turn.
@@ -68,6 +72,8 @@ def follow(
             start=configuration_of("start", start, arm) if start else None,
             tool_speed=tool_speed,
             positions=positions,
+            interruptions=interruptions,
+            retreat=retreat[0] if len(retreat) == 1 else retreat,
             objective=PathObjective(task=Task.pointing(pointing) if pointing is not None else None, measure=measure),
             epsilon=epsilon,
             samples=samples[0] if len(samples) == 1 else samples or None,

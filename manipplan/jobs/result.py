@@ -89,6 +89,15 @@ class PartialPlan(Pictured):
         return self.report.along[0].begin if self.report is not None and self.report.along else 0.0
 
     @property
+    def off_path(self) -> tuple[tuple[float, float], ...]:
+        """For `follow`: the times between which the tool is not on the workspace path [s]: lead-in, interruptions, way back."""
+        if self.report is None or not self.report.along:
+            return ()
+        along = self.report.along
+        times = [0.0, *(time for part in along for time in (part.begin, part.end)), self.report.duration]
+        return tuple((begin, end) for begin, end in zip(times[::2], times[1::2], strict=True) if end > begin)
+
+    @property
     def comparison(self) -> Comparison | None:
         """For `improve`, the recorded motion and this one side by side; that of the report."""
         return None if self.report is None else self.report.comparison

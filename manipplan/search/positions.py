@@ -8,7 +8,8 @@ from manipplan.paths.deviation import angles_between
 from manipplan.support.checks import Array, finite_array, whole_number
 from manipplan.support.errors import InvalidInputError
 
-#: Default of the largest distance of the tool between two positions [m], where an angle counts as RADIAN [m/rad], and fewest positions.
+#: Default of the largest distance of the tool between two positions [m], weight of an angle in it [m/rad], and minimum number
+#: of positions.
 STRIDE, RADIAN, FEWEST = 0.02, 0.1, 30
 #: Angle of a corner between the ways from and to the poses beside it [rad]. A position is at every corner.
 CORNER = np.deg2rad(30.0)

@@ -19,6 +19,8 @@ from manipplan.symbolic.chain import Placement
 
 #: Number of linear distance rows per position.
 ROWS = 4
+#: Distance from a position limit that the program keeps [rad or m].
+INSIDE = 2e-3
 #: Bound on the pose rows [m or rad] where there is no tolerance.
 EXACT = 1e-11
 
@@ -102,7 +104,9 @@ class LevelProgram:
         turns = full_turns(q, self.kinematics.robot.endless)
         weights = np.array([scale, 0.0 if level is None else 1.0])
         parameters = [q.ravel(), poses.transpose(0, 2, 1).ravel(), slopes.ravel(), turns, weights]
-        lower, upper = np.maximum(q - trust, limits.lower), np.minimum(q + trust, limits.upper)
+        # a configuration nearer to a limit than INSIDE goes no nearer: the spline through the path bows outwards
+        lower = np.maximum(q - trust, np.minimum(limits.lower + INSIDE, q))
+        upper = np.minimum(q + trust, np.maximum(limits.upper - INSIDE, q))
         box = np.tile(np.maximum(tolerance, EXACT), positions)
         if hold_start:
             lower[0] = upper[0] = q[0]
@@ -187,15 +191,16 @@ def joint_path(
 ) -> JointPath:
     """A smooth joint path through q (k, n) at s (k,), which follows `path` to `allowed` (rows,) also between the positions.
 
-    Where it does not, knots are added half-way and projected onto the workspace path, or into a `tube` around it; after
-    `DOUBLINGS` rounds the path is returned as it is, and the caller has to check it.
+    Where it does not, or leaves the position limits, knots are added half-way and projected onto the workspace path, or into a
+    `tube` around it; after `DOUBLINGS` rounds the path is returned as it is, and the caller has to check it.
     """
     for _ in range(DOUBLINGS):
         joints = JointPath.spline(s, q, closed=closed)
         shares = np.arange(1, 2 * PLACES, 2) / (2 * PLACES)
         places = s[:-1, None] + np.diff(s)[:, None] * shares
         errors = rows.errors(joints(places.ravel()), path(places.ravel())).reshape(len(s) - 1, PLACES, -1)
-        wide = np.flatnonzero((np.abs(errors) > allowed).any(axis=(1, 2)))
+        outside = solver.robot.limits.outside(joints(places.ravel())).reshape(len(s) - 1, PLACES, -1) > 0
+        wide = np.flatnonzero((np.abs(errors) > allowed).any(axis=(1, 2)) | outside.any(axis=(1, 2)))
         if not len(wide):
             break
         middle = (s[wide] + s[wide + 1]) / 2

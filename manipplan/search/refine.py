@@ -32,6 +32,8 @@ SPARE = 1e-9
 SHORTER = 1e-4
 #: Share of the minimum manipulability that is given up for a shorter path: at the maximum itself the path has no freedom.
 GIVEN = 1e-4
+#: Share of the level by which the program's result may be below it, for rounding.
+ROUNDED = 1e-8
 #: Margin above the clearance below which a distance gets a constraint [m].
 NEAR = 0.05
 #: Tolerance on a pose, in position [m] and rotation [rad].
@@ -50,7 +52,7 @@ class Refinement:
         manipulability: (L,) manipulability.
         discrete: minimum manipulability of the path that was found among the samples.
         resampled: the same, after finer samples around that path.
-        refined: minimum manipulability of q, at least as large as the other two.
+        refined: minimum manipulability of q, at least as large as the other two, to 1e-8 of it.
         bound: smallest over the positions of the largest manipulability among all samples, raised by ascent from them: an
             estimate of the upper bound on every path; it is certain only for the samples.
         length: Σ ‖Δq‖ of q [rad or m].
@@ -226,7 +228,7 @@ class _Refiner:
             new = self._on_poses(new)
             if self._squares(new) > self._squares(q) * (1 - SHORTER):
                 return q  # the program's objective falls no further
-            if self.least(new) >= level and self.sound(new):
+            if self.least(new) >= level - ROUNDED * abs(level) and self.sound(new):
                 q = new
             else:
                 trust *= SHRINK

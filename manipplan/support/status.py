@@ -49,8 +49,8 @@ class Status(Enum):
         "followed: the motion follows the workspace path with the largest minimum manipulability found, and every check passed"
     )
     FOLLOWED_IN_PARTS = (
-        "followed in parts: the motion follows the workspace path with as few interruptions as the samples allow and the largest "
-        "minimum manipulability found with so few, and every check passed"
+        "followed in parts: the motion follows the workspace path with as few interruptions as the samples allow and the "
+        "largest minimum manipulability found with so few, and every check passed"
     )
     NOT_CONNECTED = (
         "failed: no continuous path leads through the candidates of all positions; take a larger epsilon, more samples or more "

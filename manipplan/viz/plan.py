@@ -61,11 +61,11 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
         limits = plan.robot.limits
         ranged = bool(np.isfinite([limits.lower, limits.upper]).all())
         plot_joints(plan.trajectory, limits, share=ranged, unit=joint_unit(plan.robot), ax=bottom)
-        if plan.path_begin > 0:
-            bottom.axvline(plan.path_begin, color=style.ARM, linewidth=1.0, linestyle=":")
+        for begin, end in plan.off_path:
+            bottom.axvspan(begin, end, color=style.ARM, alpha=0.12, linewidth=0)
             bottom.annotate(
-                "path begins",
-                (plan.path_begin, 0.5),
+                "off the path",
+                (begin, 0.5),
                 xycoords=("data", "axes fraction"),
                 xytext=(3, 3),
                 textcoords="offset points",

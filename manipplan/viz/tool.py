@@ -71,8 +71,8 @@ def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = N
 
     Args:
         motion: a Tracking, or a Plan of `follow` or `improve`: a Tracking is compared with its target of the same time, a Plan
-            of `follow` with the nearest point of the workspace path, after its lead-in, one of `improve` with the recorded pose
-            of the same share of the time.
+            of `follow` with the nearest point of the workspace path while it follows it, one of `improve` with the recorded
+            pose of the same share of the time.
         tolerance: drawn as dashed lines; default: the tolerance of the plan.
         ax: Matplotlib axes; None: those of a new figure. The scale in degrees gets axes of its own over these.
 
@@ -88,7 +88,7 @@ def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = N
         ax.set(xlabel="time [s]", xlim=(t[0], t[-1]), title="deviation of the tool from its path")
         limits = (None, None) if tolerance is None else (tolerance.position, tolerance.rotation)
         kinds = [(ax, 1e3 * position, "position [mm]", style.OPTIMUM, limits[0], 1e3)]
-        if rotation.any():
+        if np.nan_to_num(rotation).any():
             twin = ax.twinx()
             twin.grid(False)
             twin.spines["right"].set_visible(True)
@@ -97,7 +97,7 @@ def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = N
             axes.plot(t, values, color=colour)
             if limit is not None:
                 axes.axhline(limit * unit, color=colour, linestyle=(0, (4, 3)), linewidth=1.0)
-            axes.set_ylim(0, 1.08 * max(values.max(), 0.0 if limit is None else limit * unit, 1e-9))
+            axes.set_ylim(0, 1.08 * max(np.nanmax(values), 0.0 if limit is None else limit * unit, 1e-9))
             axes.set_ylabel(label + ("; dashed: allowed" if limit is not None else ""), color=colour)
             axes.tick_params(axis="y", colors=colour)
     return ax
@@ -117,4 +117,8 @@ def _over_time(motion: Any) -> tuple[Array, Array, Array]:
         raise InvalidInputError("motion", motion, "a Tracking, or a Plan of follow or improve that has a trajectory")
     t = np.linspace(motion.path_begin, trajectory.duration, TIMES)
     poses = motion.robot.kinematics().pose(trajectory(t))
-    return t, *deviations(workspace_path, poses, motion.result.task.free_axis)
+    distances = deviations(workspace_path, poses, motion.result.task.free_axis)
+    for begin, end in motion.off_path:
+        for values in distances:
+            values[(t > begin) & (t < end)] = np.nan
+    return t, *distances

@@ -122,10 +122,10 @@ def follow(
     All configurations at a number of positions are searched for the best continuous path. It is refined between the samples,
     joined by a spline that stays on the workspace path, timed, and checked independently.
 
-    Where no configurations connect, finer samples are tried. Where these do not either, the tool can leave the path and come back
-    to it in another configuration, if `interruptions` allows that. Their number is the least that the samples allow, which is
-    proven for them; with that number the minimum manipulability on the path is the largest. At an interruption the tool retreats,
-    a free motion follows, and the tool comes back to the pose where it left. `report.along` of the plan tells when.
+    Where no configurations connect, finer samples are tried. Where these do not either, the tool can leave the path and come
+    back to it in another configuration, if `interruptions` allows that. Their number is the smallest that the samples allow,
+    which is proven for them; with so many the minimum manipulability on the path is the largest. At an interruption the tool
+    retreats, a free motion follows, and the tool comes back to the pose where it left. `report.along` of the plan tells when.
 
     With a `start` the motion begins there. If the tool stands at the first pose of the path, to a quarter of the tolerance,
     the path begins in this configuration. Otherwise a lead-in, planned as by `plan`, leads to one in which the path begins,
@@ -143,9 +143,9 @@ def follow(
         tool_speed: constant speed of the tool's origin along the path [m/s], kept to 1 % between a ramp at either end; None: as
             fast as the limits allow. The path must move the tool's origin everywhere.
         positions: number of positions at which configurations are enumerated, or their s (L,) from 0 to 1; None: at most 2 cm
-            apart, where 1 rad counts as 10 cm, at poses of the path as far as possible, and half as far if nothing connects.
-        interruptions: maximum number of interruptions. A closed path that is interrupted begins where that takes the fewest, and
-            the way back to where it began counts as one.
+            apart, where 1 rad counts as 10 cm, at poses of the path as far as possible; half of that if nothing connects.
+        interruptions: maximum number of interruptions. A closed path that is interrupted begins where that takes the fewest,
+            and the way back to where it began counts as one.
         retreat: straight way of the tool off the path and onto it again at an interruption [m]: a distance against the tool's
             z-axis, or a vector (3,) in the tool frame; 0 for none.
         objective: its task, Task.pose() by default or Task.pointing(axis), and its measure define the manipulability whose

@@ -122,7 +122,7 @@ class FollowingMotion:
         clearance: float,
         torque: bool,
     ) -> tuple[Plan, str]:
-        """The plan, measured on its trajectory, and what is wrong with it; its status tells of faults that any plan can have."""
+        """The plan, measured on its trajectory, and what is wrong with it; its status tells of faults of any kind of plan."""
         path, tolerance = draft.workspace_path, draft.tolerance
         assert path is not None and tolerance is not None
         model = draft.scene.collision_model(draft.robot)

@@ -195,6 +195,7 @@ class PlanReport(Report):
         lines = [
             f"{self.robot}, tool {self.tool}, task {self.task}: {self._verdict()}",
             f"  status       {self.status}",
+            *(f"  failed       {fault}" for fault in self.faults),
             f"  duration     {self.duration:.3f} s",
             f"  minimum m    {shown(self.min_manipulability)}{self._unit()} ({self.measure}; {others}"
             f"{'' if self.straight_free else ', which collides'})",

@@ -22,8 +22,7 @@ def tool_distances(
     """The largest distances of the tool from a workspace path, and of the path's poses from where the tool comes past.
 
     `..._at` is s of the joint path, and s of the workspace path. The first and the last pose of each part are compared with
-    those of the motion: a tool that stops early, or goes backwards, misses one. Of a tool axis that the task leaves free only the
-    direction counts.
+    those of the motion: a tool that stops early, or goes backwards, misses one. Of a free tool axis only the direction counts.
 
     Args:
         path: the motion over its time, in shares of the duration [s].
@@ -31,13 +30,14 @@ def tool_distances(
         along: the parts of the motion on which the tool follows the path; (): all of it.
     """
     axis, fine = kinematics.task.free_axis, path.fine_samples(STEP)
+    parts = along or (PathPart(begin=0.0, end=duration),)
     left, missed = [], []
-    for part in along or (PathPart(begin=0.0, end=duration),):
+    for part in parts:
         begin, end = part.begin / duration, min(part.end / duration, 1.0)
-        s = np.union1d(np.linspace(begin, end, LEAST), fine[(fine > begin) & (fine < end)])
+        s = np.union1d(np.linspace(begin, end, LEAST // len(parts)), fine[(fine > begin) & (fine < end)])
         way, stretch = kinematics.pose(path(s)), workspace_path.part(part.s_begin, part.s_end)
         left.append((s, *deviations(stretch, way, axis)))
-        places = np.union1d(np.linspace(0.0, 1.0, POSES), stretch.knots)
+        places = np.union1d(np.linspace(0.0, 1.0, POSES // len(parts)), stretch.knots)
         poses = stretch(places)
         position, rotation = distances_from(way, poses, axis)
         ends = [0, -1]
