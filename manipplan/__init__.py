@@ -63,12 +63,12 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.catalog import available_robots, load_robot, planar_arm
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
+from manipplan.search.candidates.layers import Layers
+from manipplan.search.candidates.sampling import sample_layers
 from manipplan.search.guilamo import GuilamoResult, guilamo_search
 from manipplan.search.interruptions import Interruptions, fewest_interruptions
-from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.refine import Refinement, refine
-from manipplan.search.sampling import sample_layers
 from manipplan.seeds.seed import seed_path
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.errors import (
@@ -131,8 +131,8 @@ __all__ = [
     "GoalCandidate",
     "GuilamoResult",
     "HeldJoints",
-    "InvalidInputError",
     "Interruptions",
+    "InvalidInputError",
     "InverseCondition",
     "Isotropy",
     "JointLimitPenalised",

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.kinematics.batch import all_cores
-from manipplan.search.layers import Layers
+from manipplan.search.candidates.layers import Layers
 from manipplan.search.max_min import THREADED
 from manipplan.search.search import Search
 from manipplan.search.steps import check_epsilon, exclusive

@@ -15,7 +15,7 @@ from typing import Literal, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.search.layers import Layers
+from manipplan.search.candidates.layers import Layers
 from manipplan.search.search import CandidatePath, Search
 from manipplan.search.steps import check_epsilon, exclusive, path_length, without_jumps
 from manipplan.search.sweep import Lexicographic, Part, Shortest, ThreadPool, Widest

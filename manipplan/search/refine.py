@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from manipplan.paths.tolerance import Tolerance
-from manipplan.search.layers import Layers
+from manipplan.search.candidates.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.steps import path_length, path_steps, steps_between, within
 from manipplan.support.checks import Array, instance, whole_number
@@ -17,7 +17,7 @@ from manipplan.support.interrupts import interruptible
 from manipplan.support.progress import Progress, teller
 
 if TYPE_CHECKING:
-    from manipplan.search.sampler import CandidateSampler
+    from manipplan.search.candidates.sampler import CandidateSampler
 
 #: Number of values per parameter around the current path, and the factor on their spread from round to round.
 AROUND, CLOSER = 5, 0.4

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from manipplan.search.candidates.layers import Layers
 from manipplan.search.grid import SAMPLE, Grid, choose_grid
-from manipplan.search.layers import Layers
 from manipplan.search.steps import path_steps
 from manipplan.search.sweep import (
     Cells,

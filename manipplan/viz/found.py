@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from manipplan.optimize.result import PathResult
-from manipplan.search.layers import Layers
+from manipplan.search.candidates.layers import Layers
 from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement
 from manipplan.support.checks import instance

@@ -1,6 +1,6 @@
 """The exact search against brute force on a thousand random layered graphs, and laws that hold for all of them."""
 
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import layered
 import numpy as np
@@ -10,9 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from manipplan.search import max_min, sweep
+from manipplan.search.candidates.layers import Layers
 from manipplan.search.guilamo import guilamo_search
-from manipplan.search.layers import Layers
+from manipplan.search.interruptions import fewest_interruptions
 from manipplan.search.max_min import max_min_search
+from manipplan.support.errors import PlanningError
 from manipplan.support.status import Status
 
 GRAPHS = 1000
@@ -194,3 +196,60 @@ def test_a_cycle_does_not_depend_on_where_it_begins(seed, shift):
     first, second = (max_min_search(each, epsilon, throw=False) for each in (layers, turned))
     assert first.minimum == second.minimum
     np.testing.assert_allclose(first.length, second.length, rtol=1e-12)
+
+
+def best_cuts(layers, epsilon, strict):
+    """By brute force: the number of the fewest parts and their largest minimum manipulability; None where a step has no path."""
+    count = len(layers.q)
+    ends = 2 * count if layers.closed else count
+    values = {}
+    for first, last in combinations(range(ends), 2):
+        if last - first <= count:
+            turned = [k % count for k in range(first, last + 1)]
+            some = Layers.from_arrays(
+                [layers.q[k] for k in turned], [layers.m[k] for k in turned], continuous=layers.continuous
+            )
+            values[first, last] = layered.widest(some, epsilon, strict)
+    found = []
+    for begin in range(count if layers.closed else 1):
+        end = begin + count if layers.closed else count - 1
+        best = {begin: (0, -np.inf)}  # the number of parts, and minus their minimum
+        for last in range(begin + 1, end + 1):
+            ways = [
+                (best[first][0] + 1, max(best[first][1], -values[first, last]))
+                for first in range(begin, last)
+                if first in best and values[first, last] > -np.inf
+            ]
+            if ways:
+                best[last] = min(ways)
+        if end in best:
+            found.append(best[end])
+    return min(found) if found else None
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_fewest_interruptions_are_those_of_brute_force(closed):
+    rng = np.random.default_rng(11 + closed)
+    interrupted = none = 0
+    for _ in range(400):
+        layers, epsilon = layered.random_layers(rng, closed=closed, most=4, positions=7)
+        strict = bool(rng.random() < 0.5)
+        wanted = best_cuts(layers, epsilon, strict)
+        if wanted is None:
+            none += 1
+            with pytest.raises(PlanningError, match="no interruption helps"):
+                fewest_interruptions(layers, epsilon, strict=strict)
+            continue
+        found = fewest_interruptions(layers, epsilon, strict=strict)
+        assert (found.parts, found.minimum) == (wanted[0], -wanted[1])
+        interrupted += found.parts > 1
+        count, values = len(layers.q), []
+        assert found.edges[-1] - found.edges[0] == (count if closed else count - 1)
+        for first, last in pairwise(found.edges):
+            turned = [k % count for k in range(first, last + 1)]
+            some = Layers.from_arrays(
+                [layers.q[k] for k in turned], [layers.m[k] for k in turned], continuous=layers.continuous
+            )
+            values.append(layered.widest(some, epsilon, strict))
+        assert min(values) == found.minimum
+    assert interrupted > 5 and none > 20

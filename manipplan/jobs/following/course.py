@@ -9,10 +9,10 @@ from manipplan.collision.model import CollisionModel
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import BETWEEN, Tolerance
-from manipplan.search.layers import Layers
+from manipplan.search.candidates.layers import Layers
+from manipplan.search.candidates.sampling import sample_layers
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.refine import Refinement, refine
-from manipplan.search.sampling import sample_layers
 from manipplan.support.checks import Array
 from manipplan.support.progress import Progress
 

@@ -22,9 +22,9 @@ from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.robots.robot import Robot
+from manipplan.search.candidates.positions import STRIDE, choose_positions
+from manipplan.search.candidates.sampling import SAMPLES, sample_layers
 from manipplan.search.max_min import SearchResult
-from manipplan.search.positions import STRIDE, choose_positions
-from manipplan.search.sampling import SAMPLES, sample_layers
 from manipplan.search.steps import check_epsilon
 from manipplan.support.checks import finite_array, instance, number, whole_number
 from manipplan.support.compiling.native import compile_ahead

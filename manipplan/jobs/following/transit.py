@@ -15,8 +15,8 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.robot import Robot
+from manipplan.search.candidates.sampling import sample_layers
 from manipplan.search.max_min import max_min_search
-from manipplan.search.sampling import sample_layers
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError

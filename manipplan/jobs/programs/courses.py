@@ -12,8 +12,8 @@ from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, Wait
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
+from manipplan.search.candidates.sampling import sample_layers
 from manipplan.search.max_min import SearchResult, max_min_search
-from manipplan.search.sampling import sample_layers
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import silent

@@ -10,7 +10,7 @@ from manipplan.ik.enumeration import CHUNK
 from manipplan.ik.newton import MovingArm
 from manipplan.ik.solver import Solver, turns_about
 from manipplan.paths.deviation import angles_between
-from manipplan.search.sampling import SamplingSpec
+from manipplan.search.candidates.sampling import SamplingSpec
 from manipplan.support.checks import Array
 
 #: Number of random starts, and of steps per start, for the nearest miss of a pose.

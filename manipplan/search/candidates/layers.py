@@ -13,7 +13,7 @@ from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:
-    from manipplan.search.sampler import CandidateSampler
+    from manipplan.search.candidates.sampler import CandidateSampler
 
 #: Number of rows that are folded into one when extremes are taken: NumPy is fast along long rows only.
 FOLD = 64

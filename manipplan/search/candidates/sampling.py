@@ -18,15 +18,15 @@ from manipplan.kinematics.batch import all_cores
 from manipplan.measures.measure import Measure
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.robot import Robot
-from manipplan.search.layers import Layers
-from manipplan.search.positions import check_positions, count_positions
+from manipplan.search.candidates.layers import Layers
+from manipplan.search.candidates.positions import check_positions, count_positions
 from manipplan.support.checks import Array, instance, number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, teller
 from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
-    from manipplan.search.sampler import CandidateSampler
+    from manipplan.search.candidates.sampler import CandidateSampler
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -111,7 +111,7 @@ def sample_layers(
             memory, as estimated before the work starts.
     """
     from manipplan.ik.verify import are_poses
-    from manipplan.search.sampler import CandidateSampler
+    from manipplan.search.candidates.sampler import CandidateSampler
 
     instance("robot", robot, Robot)
     if not isinstance(path, CartesianPath):
