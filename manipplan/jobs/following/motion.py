@@ -181,17 +181,19 @@ def join_parts(
             legs.append(Leg(part=each, course=course, transit=None))
             continue
         planner = transits.between(begin, way) if legs else transits.lead_in(begin)
+        where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if legs else ""
+        if isinstance(planner, str):
+            return where + planner, candidates
         choice = choose_entry(each.finder, each.found, begin, transits.integral, planner, share)
         if not legs:
             candidates = choice.candidates
         if choice.entry is None:
-            where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if legs else ""
             return where + choice.failure, candidates
         legs.append(Leg(part=each, course=choice.entry.course, transit=choice.entry.lead_in))
     if not returns:
         return FollowingMotion(legs=tuple(legs)), candidates
-    first = legs[0].course.path.start
-    back = transits.between(legs[-1].course.path.goal, way)(first, SECONDS, silent)
+    planner = transits.between(legs[-1].course.path.goal, way)
+    back = planner if isinstance(planner, str) else planner(legs[0].course.path.start, SECONDS, silent)
     if isinstance(back, str):
         return f"no way back to the configuration in which the path began: {back}", candidates
     return FollowingMotion(legs=tuple(legs), back=back), candidates

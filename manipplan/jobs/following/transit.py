@@ -79,18 +79,18 @@ class TransitPlanner:
 
         return planned
 
-    def between(self, begin: Array, way: Array) -> Planner:
-        """The planner of motions off the path and onto it again, from a configuration (n,) on the path.
+    def between(self, begin: Array, way: Array) -> Planner | str:
+        """The planner of motions off the path and onto it again, from a configuration (n,) on the path; or why there is none.
 
         The tool leaves the path and comes back along the straight `way` (3,) in its frame [m]; zeros: freely.
         """
         if not way.any():
             return self.lead_in(begin)
         off = straight_way(self.robot, self.scene, begin, way, self.objective, self.clearance)
+        if isinstance(off, str):
+            return f"no straight retreat from the path: {off}"
 
         def planned(goal: Array, seconds: float, tell: Progress) -> Transit | str:
-            if isinstance(off, str):
-                return f"no straight retreat from the path: {off}"
             on = straight_way(self.robot, self.scene, goal, way, self.objective, self.clearance)
             if isinstance(on, str):
                 return f"no straight way back onto the path: {on}"
