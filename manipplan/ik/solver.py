@@ -31,6 +31,8 @@ ROUNDED = 1e-6
 STEPS = 200
 #: Default number of samples per parameter, for one to six parameters.
 SAMPLES = (64, 24, 12, 8, 6, 5)
+#: Number of joints that a pose takes.
+POSE = 6
 METHODS = ("auto", "closed-form", "newton")
 
 
@@ -176,13 +178,24 @@ class Solver:
         turned = np.swapaxes(poses[:, :3, :3], 1, 2) @ self.kinematics.pose(q)[:, :3, :3]
         return np.asarray(Rotation.from_matrix(turned).as_rotvec() @ self.axis)
 
-    def onto(self, q: Array, poses: Array) -> Array:
-        """Configurations (k, n) moved onto poses (k, 4, 4) by minimum-norm Newton steps; inside the limits."""
+    def onto(self, q: Array, poses: Array, *, inside: float = 0.0) -> Array:
+        """Configurations (k, n) moved onto poses (k, 4, 4) by minimum-norm Newton steps; inside the limits.
+
+        Joints of a redundant arm that would come nearer to a limit than `inside` [rad or m] stop there, and the others move on.
+        """
         targets = poses
         if self.axis is not None:
             targets = poses @ turns_about(self.axis, self._tool_turns(q, poses))
         moved = self._whole.refine(q, targets, np.arange(len(q)), steps=STEPS, tolerance=REACHED / 100)
-        return np.clip(moved, self.robot.limits.lower, self.robot.limits.upper)
+        limits = self.robot.limits
+        inner = np.clip(moved, limits.lower + inside, limits.upper - inside)
+        beyond = inner != moved
+        for stopped in np.unique(beyond[beyond.any(axis=1)], axis=0):
+            if self.robot.n - stopped.sum() >= POSE:
+                rows = np.flatnonzero((beyond == stopped).all(axis=1))
+                arm = MovingArm(self.screws, ~stopped)
+                moved[rows] = arm.refine(inner[rows], targets, rows, steps=STEPS, tolerance=REACHED / 100)
+        return np.clip(moved, limits.lower, limits.upper)
 
     def solve(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
         """All solutions for samples (s, r), with duplicates; `owners` (s,) is the pose index of each sample."""

@@ -208,7 +208,7 @@ def joint_path(
         between, targets = joints(middle), path(middle)
         if tube is not None and solver.axis is None:
             targets = _into(tube, targets, solver.kinematics.pose(between))
-        q = np.insert(q, wide + 1, solver.onto(between, targets), axis=0)
+        q = np.insert(q, wide + 1, solver.onto(between, targets, inside=INSIDE / 2), axis=0)
     return JointPath.spline(s, q, closed=closed)
 
 

@@ -38,10 +38,12 @@ from manipplan.timing.steady.speed import check_tool_speed
 
 #: Clearance that candidates keep beyond the required one, for the motion between positions [m].
 SPARE = 0.003
+#: Distance from position limits that candidates keep where they can, as splines between positions bow outwards [rad or m].
+INSIDE = 2e-3
 #: C sources of this job that are compiled while inverse kinematics is, at the first call ever.
 SOURCES = ("collision/distances.c", "search/sweep.c", "cost/panels.c", "paths/curves.c", "timing/barrier.c")
-#: How many times as many samples are taken where those of the default do not connect.
-FINER = 10
+#: How many times as many samples are taken where those of the default do not connect, if they give at most MOST candidates.
+FINER, MOST = 10, 20_000_000
 
 
 @overload
@@ -152,7 +154,7 @@ def follow(
             minimum is maximised; power and metric only count in the g that is reported.
         epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,).
         samples: number of grid points of the redundancy; see `sample_layers`. None: its default, and ten times as many on
-            an arm with one degree of redundancy if nothing connects.
+            an arm with one degree of redundancy if nothing connects and they give at most 20 million candidates.
         tolerance: maximum deviation of the tool from the path. Default: 0.1 mm and 1 mrad between the positions, which are
             met exactly; a tolerance that gives only one of the two has the default for the other.
         clearance: distance [m] to keep from obstacles and between the arm's own links. The positions keep 3 mm more, for the
@@ -212,7 +214,8 @@ def follow(
             seed=seed,
             progress=tell,
         )
-        return CourseFinder(path=path, layers=layers, tolerance=tolerance, samples=count)
+        inner = layers.inside(robot.limits.lower + INSIDE, robot.limits.upper - INSIDE)
+        return CourseFinder(path=path, layers=inner, tolerance=tolerance, samples=count)
 
     spread = positions if positions is not None else choose_positions(path, closed=closed)
     finder = sampled(spread, samples, part(tell, 0.0, 0.4))
@@ -220,7 +223,7 @@ def follow(
     assert sampler is not None
 
     def finer(tell: Progress) -> CourseFinder | None:
-        one = samples is None and len(sampler.solver.names) == 1
+        one = samples is None and len(sampler.solver.names) == 1 and FINER * finder.layers.count <= MOST
         if positions is not None and not one:
             return None
         closer = positions if positions is not None else choose_positions(path, stride=STRIDE / 2, closed=closed)

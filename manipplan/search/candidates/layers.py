@@ -1,7 +1,7 @@
 """Layers: the configurations that reach each position of a workspace path, with their manipulability."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
 
@@ -127,6 +127,13 @@ class Layers:
         lower = np.min([_extreme(layer, np.minimum) for layer in self.q], axis=0)
         upper = np.max([_extreme(layer, np.maximum) for layer in self.q], axis=0)
         return np.array([lower, upper])
+
+    def inside(self, lower: Array, upper: Array) -> Self:
+        """The same without the candidates outside lower to upper (n,), except at positions where all are."""
+        kept = [((lower <= q) & (q <= upper)).all(axis=1) for q in self.q]
+        kept = [each if each.any() else np.ones_like(each) for each in kept]
+        q = tuple(np.ascontiguousarray(q[each]) for q, each in zip(self.q, kept, strict=True))
+        return replace(self, q=q, m=tuple(m[each] for m, each in zip(self.m, kept, strict=True)))
 
     def _check_finite(self) -> None:
         # minimum and maximum propagate NaN and inf: no boolean array is needed
