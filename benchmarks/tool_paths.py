@@ -2,9 +2,9 @@
 
 Run with `make benchmark`. Writes docs/benchmarks/tool_paths.md. Paths that others made: CppFlow's two cubes and IKLink's
 recording; paths of that kind by a seeded script: 200 poses of a smooth path with two cubes beside it, for a Panda, an xArm7,
-and a UR5 whose tool may turn about its axis. They are judged by CppFlow's rule: each pose is met to 0.1 mm and 0.1°, no joint moves
-more than 7° from one pose to the next, and the motion is free, here by Pinocchio and coal alone. Whether a connected motion
-exists is searched on a grid ten times finer. Times are CPU times of whole calls.
+and a UR5 whose tool may turn about its axis. They are judged by CppFlow's rule: each pose is met to 0.1 mm and 0.1°, no joint
+moves more than 7° from one pose to the next, and the motion is free, here by Pinocchio and coal alone. Whether a connected
+motion exists is searched on a grid ten times finer. Times are CPU times of whole calls.
 """
 
 import argparse

@@ -45,7 +45,7 @@ def follow(
         poses: CSV file with the columns x, y, z [m], qw, qx, qy, qz.
         start: Where the motion begins: one angle [rad] or length [m] per joint, or the name of a state in the robot's SRDF.
         tool_speed: Constant speed of the tool along the path [m/s].
-        positions: Number of positions at which configurations are enumerated; default: at most 2 cm apart.
+        positions: Number of positions at which configurations are enumerated; default: at most 3 cm apart.
         interruptions: Maximum number of times that the tool leaves the path, if no continuous motion follows it.
         retreat: Straight way of the tool off the path and back [m]: a distance against its z-axis, or a vector in its frame.
         epsilon: Maximum step of a joint between neighbouring positions [rad or m].

@@ -173,12 +173,12 @@ def test_positions_are_at_poses_and_corners_of_the_path():
     poses[:, :3, 3] = corner
     path = mp.CartesianPath.through(poses)
     s = choose_positions(path)
-    assert s[0] == 0.0 and s[-1] == 1.0 and (np.diff(s) > 0).all() and len(s) >= 30
+    assert s[0] == 0.0 and s[-1] == 1.0 and (np.diff(s) > 0).all() and len(s) >= 40
     assert path.knots[2] in s  # the corner
     np.testing.assert_allclose(path(path.knots)[:, :3, 3], corner, atol=1e-12)
     steps = np.linalg.norm(np.diff(path(np.linspace(0, 1, 4001))[:, :3, 3], axis=0), axis=1)
     way = np.interp(s, np.linspace(0, 1, 4001), np.append(0, np.cumsum(steps)))
-    assert np.diff(way).max() < 0.0205
+    assert np.diff(way).max() < 0.0305
     assert len(choose_positions(path, closed=True)) == len(s) - 1
 
 

@@ -144,7 +144,7 @@ def follow(
             begins where the best motion along the path does.
         tool_speed: constant speed of the tool's origin along the path [m/s], kept to 1 % between a ramp at either end; None: as
             fast as the limits allow. The path must move the tool's origin everywhere.
-        positions: number of positions at which configurations are enumerated, or their s (L,) from 0 to 1; None: at most 2 cm
+        positions: number of positions at which configurations are enumerated, or their s (L,) from 0 to 1; None: at most 3 cm
             apart, where 1 rad counts as 10 cm, at poses of the path as far as possible; half of that if nothing connects.
         interruptions: maximum number of interruptions. A closed path that is interrupted begins where that takes the fewest,
             and the way back to where it began counts as one.

@@ -10,7 +10,7 @@ from manipplan.support.errors import InvalidInputError
 
 #: Default of the largest distance of the tool between two positions [m], weight of an angle in it [m/rad], and minimum number
 #: of positions.
-STRIDE, RADIAN, FEWEST = 0.02, 0.1, 30
+STRIDE, RADIAN, FEWEST = 0.03, 0.1, 40
 #: Angle of a corner between the ways from and to the poses beside it [rad]. A position is at every corner.
 CORNER = np.deg2rad(30.0)
 #: Number of places at which the tool's way is measured.
@@ -18,7 +18,7 @@ PLACES = 2001
 
 
 def choose_positions(path: CartesianPath, *, stride: float = STRIDE, closed: bool = False) -> Array:
-    """Parameters s (L,) of positions at most `stride` apart [m], where 1 rad counts as 10 cm, and at least 30.
+    """Parameters s (L,) of positions at most `stride` apart [m], where 1 rad counts as 10 cm, and at least 40.
 
     They are at poses through which the path was laid as far as possible, and at every one where it turns a corner. A closed
     path does not repeat its first position.
