@@ -94,6 +94,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/check_trajectories.py
 	$(BIN)/python benchmarks/pose_goals.py
 	$(BIN)/python benchmarks/level_cup.py
+	$(BIN)/python benchmarks/tool_paths.py
 	$(BIN)/python benchmarks/follow_starts.py
 	$(BIN)/python benchmarks/recorded_motions.py
 	$(BIN)/python benchmarks/programs.py
