@@ -10,6 +10,7 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation, angles_between, deviations, distances_from
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
+from manipplan.symbolic.task import Task
 
 #: Maximum joint motion between two poses of the tool that are compared [rad or m], minimum number of these poses, and number of
 #: evenly spaced poses of the path that the tool has to come past, beside those through which it was laid.
@@ -29,7 +30,9 @@ def tool_distances(
         kinematics: with the task.
         along: the parts of the motion on which the tool follows the path; (): all of it.
     """
-    axis, fine = kinematics.task.free_axis, path.fine_samples(STEP)
+    free_rotation = kinematics.robot.planar and kinematics.task == Task.planar()
+    axis = np.array([0.0, 0.0, 1.0]) if free_rotation else kinematics.task.free_axis
+    fine = path.fine_samples(STEP)
     parts = along or (PathPart(begin=0.0, end=duration),)
     left, missed = [], []
     for part in parts:
