@@ -65,7 +65,7 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
             bottom.axvspan(begin, end, color=style.ARM, alpha=0.12, linewidth=0)
             bottom.annotate(
                 "off the path",
-                (begin, 0.5),
+                (begin, 0.0),
                 xycoords=("data", "axes fraction"),
                 xytext=(3, 3),
                 textcoords="offset points",
