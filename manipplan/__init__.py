@@ -49,6 +49,7 @@ from manipplan.measures.limited import JointLimitPenalised
 from manipplan.measures.manipulability import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
 from manipplan.measures.measure import Measure, Posture
 from manipplan.measures.names import available_measures
+from manipplan.measures.over_tools import OverTools
 from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
 from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
 from manipplan.optimize.certificate import Certificate, LimitApproach
@@ -144,6 +145,7 @@ __all__ = [
     "ManipplanError",
     "Mark",
     "Measure",
+    "OverTools",
     "Mesh",
     "MissingExtraError",
     "MissingProgramError",

@@ -1,0 +1,97 @@
+"""The arms of a robot with several tools: which joints move a tool, and the arm that they are, with the others locked."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pinocchio as pin
+
+from manipplan.robots.limits import JointLimits
+from manipplan.robots.model_tree import frame_index, reduce
+from manipplan.robots.source import RobotSource
+from manipplan.robots.srdf import NamedStates
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError, UnknownNameError
+
+if TYPE_CHECKING:
+    from manipplan.robots.robot import Robot
+
+
+def check_tools(model: pin.Model, tools: Sequence[str]) -> None:
+    """Raise InvalidInputError unless each tool has a joint that moves it and not all of the others."""
+    if len(set(tools)) < len(tools):
+        raise InvalidInputError("tool", list(tools), "each tool frame once")
+    for tool in tools if len(tools) > 1 else ():
+        for other in tools:
+            if tool != other and set(carriers(model, tool)) <= set(carriers(model, other)):
+                wanted = f"tools of different arms: every joint that moves {tool} also moves {other}"
+                raise InvalidInputError("tool", list(tools), wanted)
+
+
+def carriers(model: pin.Model, frame: str) -> list[int]:
+    """Indices of the joints that move a frame, counted from 0."""
+    return [i - 1 for i in model.supports[model.frames[frame_index(model, frame)].parentJoint] if i > 0]
+
+
+def known_tool(robot: "Robot", argument: str, tool: Any) -> str:
+    """The name of one of the robot's tools; raises UnknownNameError, which names the argument and the nearest names."""
+    if not isinstance(tool, str) or tool not in robot.tools:
+        raise UnknownNameError(argument, str(tool), robot.tools)
+    return tool
+
+
+def one_tool(robot: "Robot", work: str) -> "Robot":
+    """The robot itself if it has one tool; otherwise raises InvalidInputError: `work` is done with one arm."""
+    if len(robot.tools) > 1:
+        each = " or ".join(f"robot.arm({tool!r})" for tool in robot.tools)
+        raise InvalidInputError("robot", f"{robot.name}, with {len(robot.tools)} tools", f"an arm with one tool: {work}. Use {each}")
+    return robot
+
+
+def arm_of(robot: "Robot", tool: str, joints: Sequence[int], q: Array) -> "Robot":
+    """The arm with one tool and some of the joints, by index; the others are locked at q (n,) and remain bodies to check."""
+    names = robot.joint_names
+    held = {name: float(q[i]) for i, name in enumerate(names) if i not in joints}
+    model, geometry = reduce(robot.model, robot.geometry, [names[i] for i in joints], held)
+    kept = list(joints)
+    limits = {kind: getattr(robot.limits, kind)[kept] for kind in ("lower", "upper", "velocity", "acceleration", "jerk", "effort")}
+    frames = _frames_before(robot, tool)
+    states = NamedStates({name: state[kept] for name, state in robot.states.items()})
+    return replace(
+        robot,
+        name=f"{robot.name} {tool}",
+        model=model,
+        geometry=geometry,
+        tool=tool,
+        other_tools=(),
+        limits=JointLimits(**limits, sources=robot.limits.sources),
+        neutral=robot.neutral[kept],
+        locked={**robot.locked, **held},
+        states=states,
+        added_frames=tuple(added for added in robot.added_frames if added.name in frames),
+        source=_source(robot, frames, kept, held),
+    )
+
+
+def _frames_before(robot: "Robot", tool: str) -> list[str]:
+    """A tool frame, and those that it was before `with_tool` replaced them."""
+    before = {added.name: added.frame for added in robot.added_frames}
+    frames = [tool]
+    while frames[-1] in before:
+        frames.append(before[frames[-1]])
+    return frames
+
+
+def _source(robot: "Robot", frames: list[str], joints: list[int], held: Mapping[str, float]) -> RobotSource | None:
+    """How the arm can be read again: with one tool, its joints, and the others locked; None where another tool carries a part."""
+    source = robot.source
+    if source is None or any(part.frame not in frames for part in robot.carried.values()):
+        return None
+    per_joint = ("lower", "upper", "velocity", "acceleration", "jerk", "effort", "neutral")
+    options = {
+        key: tuple(np.asarray(value)[joints].tolist()) if key in per_joint and np.ndim(value) else value
+        for key, value in source.options.items()
+    }
+    names = tuple(robot.joint_names[i] for i in joints)
+    return replace(source, options={**options, "tool": frames[-1], "joints": names, "locked": {**options.get("locked", {}), **held}})
