@@ -25,6 +25,7 @@ from manipplan.paths.deviation import deviation_at, deviation_from
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.paths.trajectory import Trajectory, joined
+from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.search.max_min import max_min_search
 from manipplan.search.sampling import sample_layers
@@ -158,7 +159,7 @@ def follow(
         UnknownNameError: no state has the name given as `start`; the nearest names are listed.
         PlanningError: no continuous motion, no lead-in, or none that passes its checks; its `result` is the Plan so far.
     """
-    instance("robot", robot, Robot)
+    one_tool(instance("robot", robot, Robot), "following a path of the tool")
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     instance("objective", objective, PathObjective)
     metric = metric_matrix("metric", objective.metric, robot.n)

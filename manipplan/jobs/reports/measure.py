@@ -16,6 +16,7 @@ from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.jobs.recordings.comparison import VANISHING
 from manipplan.jobs.reports.report import PlanReport, Report, first_path
 from manipplan.jobs.reports.tool import missed_by, tool_deviation
+from manipplan.jobs.reports.tools import tool_figures
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation
@@ -102,7 +103,7 @@ def measure(
             faults += _outside(what, distances, tolerance)
     return Report(
         robot=robot.name,
-        tool=robot.tool,
+        tool=" and ".join(robot.tools),
         task=kinematics.task.name,
         measure=kinematics.measure.name,
         measure_unit=kinematics.measure.unit(kinematics.task),
@@ -129,6 +130,7 @@ def measure(
         missed=missed,
         tolerance=tolerance,
         constraints=constraint_figures,
+        tools=tool_figures(path, integral),
         faults=tuple(faults),
         passed=not faults,
     )
