@@ -29,10 +29,14 @@ import manipplan as mp
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "two_arms.md"
 #: Number of boxes on the table, and distance that starts and goals keep from everything [m].
 BOXES, ROOM = (1, 4), 0.01
+#: The same distance for robots with links of their own that are always near each other [m].
+LITTLE = 1e-3
 #: Distance [m] and angle [rad] from the goal, and share or amount by which limits may be exceeded, that the judge allows.
 REACHED, KEPT = 2e-6, 1e-6
 #: Where the tools are over the table [m]: x, and y on either side and, crossed, on the other.
 DEPTH, SIDE, ACROSS = (0.55, 0.8), (0.12, 0.45), (0.05, 0.2)
+#: Where the tools of other robots are [m]: x at least, |y| at most, and height above the table at least.
+OVER = (0.3, 0.5, 0.05)
 #: Number of pairs of solutions that are tried for a free configuration of a pair of poses.
 TRIES = 60
 
@@ -206,18 +210,23 @@ def random_case(robot: mp.Robot, number: int, seed: int, height: float) -> Case:
     rng = np.random.default_rng([seed, number])
     scene = table(rng, height)
     model, arms = scene.collision_model(robot), [robot.arm(tool) for tool in robot.tools]
+    shared = sorted(set.intersection(*(set(robot.joints_of(tool)) for tool in robot.tools)))
 
     def free() -> tuple[Array, list[Array]]:
         while True:
-            many = robot.random_configuration(rng, size=2000)
-            poses = [
-                arm.kinematics().pose(many[:, list(robot.joints_of(tool))]) for arm, tool in zip(arms, robot.tools, strict=True)
-            ]
-            places = np.array([each[:, :3, 3] for each in poses])
-            over = (places[..., 0] > 0.35) & (places[..., 2] > height + 0.05) & (np.abs(places[..., 1]) < 0.5)
-            for k in np.flatnonzero(over.all(axis=0)):
-                if not model.in_collision(many[k], clearance=ROOM):
-                    return many[k], [each[k] for each in poses]
+            many = robot.random_configuration(rng, size=4000)
+            q, poses = many[0].copy(), []  # one torso for all
+            for arm, tool in zip(arms, robot.tools, strict=True):
+                joints = list(robot.joints_of(tool))
+                own = np.where(np.isin(joints, shared), q[joints], many[:, joints])
+                places = arm.kinematics().pose(own)
+                x, y, z = places[:, :3, 3].T
+                over = np.flatnonzero((x > OVER[0]) & (np.abs(y) < OVER[1]) & (z > height + OVER[2]))
+                if len(over):
+                    q[joints] = own[over[0]]
+                    poses.append(places[over[0]])
+            if len(poses) == len(arms) and not model.in_collision(q, clearance=LITTLE):
+                return q, poses
 
     start, (_, poses) = free()[0], free()
     return Case(robot=robot, scene=scene, start=start, goal=dict(zip(robot.tools, poses, strict=True)))

@@ -13,6 +13,7 @@ from manipplan.robots.source import RobotSource
 from manipplan.robots.srdf import NamedStates
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.memo import once_per_owner
 
 if TYPE_CHECKING:
     from manipplan.robots.robot import Robot
@@ -47,6 +48,12 @@ def one_tool(robot: "Robot", work: str) -> "Robot":
         each = " or ".join(f"robot.arm({tool!r})" for tool in robot.tools)
         raise InvalidInputError("robot", f"{robot.name}, with {len(robot.tools)} tools", f"an arm with one tool: {work}. Use {each}")
     return robot
+
+
+@once_per_owner
+def neutral_arm(robot: "Robot", tool: str) -> "Robot":
+    """The arm of one tool, with the other joints at the neutral posture; built once."""
+    return arm_of(robot, tool, carriers(robot.model, tool), robot.neutral)
 
 
 def arm_of(robot: "Robot", tool: str, joints: Sequence[int], q: Array) -> "Robot":

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.robots import attached, description, model_tree
 from manipplan.robots import subchain as parts
-from manipplan.robots.arms import arm_of, carriers, check_tools, known_tool
+from manipplan.robots.arms import arm_of, carriers, check_tools, known_tool, neutral_arm
 from manipplan.robots.attached import AddedFrame, Part, Solid
 from manipplan.robots.configuration import checked_configuration
 from manipplan.robots.formats.urdf_files import UrdfFiles
@@ -227,8 +227,10 @@ class Robot(Pictured):
 
         Raises UnknownNameError when the robot has no such tool, and InvalidInputError when q is not a configuration.
         """
-        joints, held = self.joints_of(tool), self.neutral if q is None else self.configuration("q", q)
-        return self if len(joints) == self.n and tool == self.tool else arm_of(self, tool, joints, held)
+        joints = self.joints_of(tool)
+        if len(joints) == self.n and self.tools == (tool,):
+            return self
+        return neutral_arm(self, tool) if q is None else arm_of(self, tool, joints, self.configuration("q", q))
 
     @property
     def joint_names(self) -> tuple[str, ...]:

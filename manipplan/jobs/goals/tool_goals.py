@@ -12,14 +12,13 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.reach import nearest
 from manipplan.jobs.goals.samples import nearest_turns, reaching
+from manipplan.jobs.goals.torsos import shared_joints, torsos
 from manipplan.measures.over_tools import OverTools
 from manipplan.robots.arms import arm_of
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
 
-#: Number of configurations of the joints that move several tools, such as a torso: that of the start, and others.
-TORSOS = 12
 #: Number of the best solutions of each arm that are joined, and largest difference of a joint below which two count as one.
 JOINED, APART = 48, 0.25
 #: Number of joined configurations that are kept: free ones, and others where none is free.
@@ -53,14 +52,6 @@ class Joined:
     useless: tuple[tuple[Array, str], ...]
 
 
-def shared_joints(robot: Robot) -> list[int]:
-    """Indices of the joints that move several tools."""
-    moved = np.zeros(robot.n, dtype=int)
-    for tool in robot.tools:
-        moved[list(robot.joints_of(tool))] += 1
-    return np.flatnonzero(moved > 1).tolist()
-
-
 @once_per_owner
 def own_arms(robot: Robot) -> Mapping[str, OwnArm]:
     """The arm of each tool without the joints that it shares."""
@@ -87,10 +78,11 @@ def reaching_tools(
     Each arm's solutions are those of its own joints, for some values of the joints that it shares. Of those that are free alone
     the best are joined: those whose manipulability is largest, up to that of the start, then the nearest to the start.
     """
-    robot, torsos = model.robot, _torsos(model.robot, start, held)
+    robot = model.robot
+    places = torsos(robot, goals, start, held)
     solutions, useless = [], []
     for tool, goal in goals.items():
-        q, torso, missed = _solutions(robot, tool, goal, torsos, start, held)
+        q, torso, missed = _solutions(robot, tool, goal, places, start, held)
         if not len(q):
             useless.append(missed)
             continue
@@ -102,29 +94,20 @@ def reaching_tools(
         solutions.append((robot.joints_of(tool), q[best], torso[best]))
     if useless:
         return Joined(q=np.zeros((0, robot.n)), useless=tuple(useless))
-    joined = _joined(robot, solutions, torsos)
+    joined = _joined(robot, solutions, places)
     figures = np.minimum(integral.kinematics.manipulability(joined), integral.kinematics.manipulability(start[None]))
     joined = joined[np.lexsort((np.linalg.norm(joined - start, axis=1), -figures.round(12)))]
     touching = model.in_collision_rows(joined, clearance=clearance)
     return Joined(q=joined[~touching][:FREE] if not touching.all() else joined[:OTHERS], useless=())
 
 
-def _torsos(robot: Robot, start: Array, held: NDArray[np.bool_]) -> Array:
-    """Configurations (k, n) whose shared joints differ: those of the start, the neutral posture, and random ones."""
-    shared = np.isin(np.arange(robot.n), shared_joints(robot)) & ~held
-    if not shared.any():
-        return start[None]
-    others = np.vstack([robot.neutral, robot.random_configuration(np.random.default_rng(0), size=TORSOS - 2)])
-    return np.vstack([start, np.where(shared, others, start)])
-
-
 def _solutions(
-    robot: Robot, tool: str, goal: PoseGoal, torsos: Array, start: Array, held: NDArray[np.bool_]
+    robot: Robot, tool: str, goal: PoseGoal, places: Array, start: Array, held: NDArray[np.bool_]
 ) -> tuple[Array, NDArray[np.int64], tuple[Array, str]]:
     """Configurations (k, n) that reach the goal of one tool, the torso (k,) of each, and the nearest one where there is none."""
     own = own_arms(robot)[tool]
     joints, near = list(own.joints), start[list(own.joints)]
-    moved = [_seen_from(robot, own, goal, torso) for torso in torsos]
+    moved = [_seen_from(robot, own, goal, torso) for torso in places]
     if held[joints].any():
         found, rows = [], []
         for k, each in enumerate(nearest(own.arm, moved, near, held[joints])):
@@ -142,7 +125,7 @@ def _solutions(
             away = start.copy()
             away[joints] = first.q
             return np.zeros((0, robot.n)), torso, (away, f"left out: {tool} is {first}")
-    whole = torsos[torso].copy()
+    whole = places[torso].copy()
     whole[:, joints] = nearest_turns(own.arm, q, near)
     return whole, torso, (start, "")
 
@@ -185,11 +168,11 @@ def _best(robot: Robot, tool: str, q: Array, start: Array, integral: PathIntegra
 
 
 def _joined(
-    robot: Robot, solutions: Sequence[tuple[tuple[int, ...], Array, NDArray[np.int64]]], torsos: Array
+    robot: Robot, solutions: Sequence[tuple[tuple[int, ...], Array, NDArray[np.int64]]], places: Array
 ) -> Array:
     """All configurations (k, n) that have a solution of each arm with the same torso."""
     found = [np.zeros((0, robot.n))]
-    for number, torso in enumerate(torsos):
+    for number, torso in enumerate(places):
         q = torso[None]
         for joints, rows, of in solutions:
             own = rows[of == number][:, list(joints)]
