@@ -25,6 +25,7 @@ from manipplan.cost.crossings import Crossing
 from manipplan.cost.integral import PathCost, path_cost
 from manipplan.cost.objective import PathObjective
 from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
+from manipplan.jobs.carrying.carry import carry
 from manipplan.jobs.check import check
 from manipplan.jobs.following.follow import follow
 from manipplan.jobs.goals.candidates import GoalCandidate
@@ -203,6 +204,7 @@ __all__ = [
     "Yoshikawa",
     "available_measures",
     "available_robots",
+    "carry",
     "check",
     "dynamic_ellipsoid",
     "follow",

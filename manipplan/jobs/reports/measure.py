@@ -283,6 +283,8 @@ def _minimum_note(found: Report, result: PathResult, straight: float) -> str:
     least, at = found.min_manipulability, found.min_at
     if result.status is Status.FOLLOWED:
         return "seed: the best path among the samples; straight: a line between the ends, which leaves the workspace path"
+    if result.status is Status.CARRIED:
+        return "seed: the best paths among the samples; straight: a line between the ends, on which the tools leave the object"
     if result.status is Status.COMPOSED:
         return "seed: the same motions without blends; straight: a line between the ends"
     first = first_path(result.status.value)

@@ -24,6 +24,8 @@ class ToolFigure:
         min_manipulability, min_at: minimum of the measure of its arm alone, and the share of the duration at which it occurs.
         goal_position, goal_rotation: distance [m] and angle [rad] from the pose of the goal at the end; None where the goal has
             no pose for this tool.
+        held_position, held_rotation: for `carry`: largest distance [m] and angle [rad] from its pose relative to the first
+            tool; None for the first tool and for other jobs.
     """
 
     tool: str
@@ -31,12 +33,17 @@ class ToolFigure:
     min_at: float
     goal_position: float | None = None
     goal_rotation: float | None = None
+    held_position: float | None = None
+    held_rotation: float | None = None
 
     def __str__(self) -> str:
         text = f"{self.tool}: minimum m {self.min_manipulability:.4g}"
-        if self.goal_position is None or self.goal_rotation is None:
-            return text
-        return f"{text}; ends {1e3 * self.goal_position:.2g} mm, {np.rad2deg(self.goal_rotation):.2g}° from its pose"
+        if self.goal_position is not None and self.goal_rotation is not None:
+            text += f"; ends {1e3 * self.goal_position:.2g} mm, {np.rad2deg(self.goal_rotation):.2g}° from its pose"
+        if self.held_position is not None and self.held_rotation is not None:
+            held = f"{1e3 * self.held_position:.2g} mm, {1e3 * self.held_rotation:.2g} mrad"
+            text += f"; keeps its pose relative to the first tool to {held}"
+        return text
 
 
 def tool_figures(path: JointPath, integral: PathIntegral) -> tuple[ToolFigure, ...]:
