@@ -1,15 +1,13 @@
 """The arms of a robot with several tools: which joints move a tool, and the arm that they are, with the others locked."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 import pinocchio as pin
 
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import frame_index, reduce
-from manipplan.robots.source import RobotSource
 from manipplan.robots.srdf import NamedStates
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -50,6 +48,23 @@ def one_tool(robot: "Robot", work: str) -> "Robot":
     return robot
 
 
+def disabled_within_arms(
+    model: pin.Model, tools: Sequence[str], disabled: frozenset[frozenset[str]]
+) -> frozenset[frozenset[str]]:
+    """The disabled pairs of links but for those of two arms, which are checked: arms meet where their SRDF expects it least.
+
+    Baxter's disables forearm against forearm.
+    """
+    joints = [set(carriers(model, tool)) for tool in tools]
+    own = [each.difference(*(joints[:k] + joints[k + 1 :])) for k, each in enumerate(joints)]
+    carrier = {frame.name: frame.parentJoint - 1 for frame in model.frames if frame.type == pin.FrameType.BODY}
+
+    def arms(pair: frozenset[str]) -> set[int]:
+        return {k for link in pair for k, each in enumerate(own) if carrier.get(link) in each}
+
+    return frozenset(pair for pair in disabled if len(arms(pair)) < 2) if len(tools) > 1 else disabled
+
+
 @once_per_owner
 def neutral_arm(robot: "Robot", tool: str) -> "Robot":
     """The arm of one tool, with the other joints at the neutral posture; built once."""
@@ -63,7 +78,6 @@ def arm_of(robot: "Robot", tool: str, joints: Sequence[int], q: Array) -> "Robot
     model, geometry = reduce(robot.model, robot.geometry, [names[i] for i in joints], held)
     kept = list(joints)
     limits = {kind: getattr(robot.limits, kind)[kept] for kind in ("lower", "upper", "velocity", "acceleration", "jerk", "effort")}
-    frames = _frames_before(robot, tool)
     states = NamedStates({name: state[kept] for name, state in robot.states.items()})
     return replace(
         robot,
@@ -76,29 +90,5 @@ def arm_of(robot: "Robot", tool: str, joints: Sequence[int], q: Array) -> "Robot
         neutral=robot.neutral[kept],
         locked={**robot.locked, **held},
         states=states,
-        added_frames=tuple(added for added in robot.added_frames if added.name in frames),
-        source=_source(robot, frames, kept, held),
+        source=None,
     )
-
-
-def _frames_before(robot: "Robot", tool: str) -> list[str]:
-    """A tool frame, and those that it was before `with_tool` replaced them."""
-    before = {added.name: added.frame for added in robot.added_frames}
-    frames = [tool]
-    while frames[-1] in before:
-        frames.append(before[frames[-1]])
-    return frames
-
-
-def _source(robot: "Robot", frames: list[str], joints: list[int], held: Mapping[str, float]) -> RobotSource | None:
-    """How the arm can be read again: with one tool, its joints, and the others locked; None where another tool carries a part."""
-    source = robot.source
-    if source is None or any(part.frame not in frames for part in robot.carried.values()):
-        return None
-    per_joint = ("lower", "upper", "velocity", "acceleration", "jerk", "effort", "neutral")
-    options = {
-        key: tuple(np.asarray(value)[joints].tolist()) if key in per_joint and np.ndim(value) else value
-        for key, value in source.options.items()
-    }
-    names = tuple(robot.joint_names[i] for i in joints)
-    return replace(source, options={**options, "tool": frames[-1], "joints": names, "locked": {**options.get("locked", {}), **held}})

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.robots import attached, description, model_tree
 from manipplan.robots import subchain as parts
-from manipplan.robots.arms import arm_of, carriers, check_tools, known_tool, neutral_arm
+from manipplan.robots.arms import arm_of, carriers, check_tools, disabled_within_arms, known_tool, neutral_arm
 from manipplan.robots.attached import AddedFrame, Part, Solid
 from manipplan.robots.configuration import checked_configuration
 from manipplan.robots.formats.urdf_files import UrdfFiles
@@ -50,7 +50,8 @@ class Robot(Pictured):
         limits: JointLimits.
         neutral: (n,) a posture inside the limits; see `from_urdf`.
         locked: the locked joints of the description, with their values [rad or m].
-        disabled_pairs: pairs of bodies that need no self-collision check (from an SRDF); None without an SRDF.
+        disabled_pairs: pairs of links that need no self-collision check, from an SRDF, but for those of two arms with a tool
+            each; None without an SRDF.
         adjacent_pairs: pairs of geometry objects (by name) on one link, or on two links that one joint of the description
             connects.
         planar: True when the arm moves only in the x-y plane.
@@ -192,7 +193,7 @@ class Robot(Pictured):
             limits=base,
             neutral=parts.usual_posture(base, neutral),
             locked=held,
-            disabled_pairs=semantic.disabled if semantic is not None else None,
+            disabled_pairs=disabled_within_arms(model, tools, semantic.disabled) if semantic is not None else None,
             adjacent_pairs=model_tree.adjacent_pairs(whole, read.geometry),
             states=states,
             source=RobotSource.of(read.source.lower(), read.file, given),
@@ -220,6 +221,8 @@ class Robot(Pictured):
 
     def arm(self, tool: str, q: ArrayLike | None = None) -> "Robot":
         """The arm of one tool: the joints that move it; the others are locked, and their links are still checked.
+
+        A saved plan of it does not say how to build it: give `robot=` when it is loaded.
 
         Args:
             tool: one of `tools`.
